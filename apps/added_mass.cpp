@@ -1,0 +1,59 @@
+// gapflow added-mass: the added-mass matrix of all bodies that are not fixed.
+#include "commands.hpp"
+
+#include "gapflow/core/communicator.hpp"
+#include "gapflow/stepping/added_mass.hpp"
+
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace gapflow {
+
+int added_mass_command(const Scene& scene, bool json)
+{
+    const Communicator comm;
+    const AddedMass result = added_mass(scene, comm);
+    if (!comm.root())
+        return 0;
+    if (json) {
+        nlohmann::ordered_json out;
+        out["bodies"] = result.bodies;
+        out["matrix"] = nlohmann::json::array();
+        for (long i = 0; i < result.matrix.rows(); ++i) {
+            nlohmann::ordered_json row = nlohmann::ordered_json::array();
+            for (long j = 0; j < result.matrix.cols(); ++j)
+                row.push_back(result.matrix(i, j));
+            out["matrix"].push_back(row);
+        }
+        out["labels"] = result.labels;
+        out["cells"] = result.cells;
+        out["film_nodes"] = result.film_nodes;
+        out["iterations"] = result.iterations;
+        out["sealed"] = nlohmann::json::array();
+        for (const SealedPocket& pocket : result.sealed)
+            out["sealed"].push_back({{"cells", pocket.cells}, {"bodies", pocket.bodies}, {"at", pocket.at}});
+        out["blind_film_ends"] = result.blind_length;
+        out["seconds"] = result.seconds;
+        std::puts(out.dump(2).c_str());
+        return 0;
+    }
+    std::printf("added mass (twists about the centres of mass, world axes), %ld cells, %d film nodes\n", result.cells,
+                result.film_nodes);
+    std::printf("%-16s", "");
+    for (const std::string& label : result.labels)
+        std::printf(" %13s", label.c_str());
+    std::printf("\n");
+    for (long i = 0; i < result.matrix.rows(); ++i) {
+        std::printf("%-16s", result.labels[i].c_str());
+        for (long j = 0; j < result.matrix.cols(); ++j)
+            std::printf(" %13.6g", result.matrix(i, j));
+        std::printf("\n");
+    }
+    for (const SealedPocket& pocket : result.sealed)
+        std::printf("sealed: %ld cells between %s\n", pocket.cells, fmt::format("{}", fmt::join(pocket.bodies, ", ")).c_str());
+    return 0;
+}
+
+} // namespace gapflow

@@ -1,0 +1,95 @@
+#include "commands.hpp"
+
+#include "gapflow/core/text.hpp"
+#include "gapflow/stepping/setup.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+namespace gapflow {
+
+namespace {
+
+std::string count_text(const Scene& scene)
+{
+    std::vector<std::string> counts;
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        counts.push_back(std::to_string(scene.cells[axis]));
+    return joined(counts, " x ");
+}
+
+// What the gap model makes of the scene's start: films with their pairs, fluid that is sealed in, bodies too thin for the grid.
+template <int D>
+void print_gaps(const Scene& scene, const Communicator& comm)
+{
+    const Grid<D> grid = make_grid<D>(scene, comm);
+    const std::vector<RigidBody<D>> bodies = make_bodies<D>(scene);
+    const DomainWalls<D> walls = make_walls<D>(scene);
+    const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
+    const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
+    const Coupling<D> coupling = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)},
+                                           gap_settings<D>(scene, solids, scene.end > 0), {});
+    if (!comm.root())
+        return;
+    struct Sum {
+        double thinnest = std::numeric_limits<double>::infinity(), threshold = 0;
+        std::size_t nodes = 0;
+    };
+    std::map<std::pair<int, int>, Sum> pairs;
+    for (const Film<D>& film : coupling.network.films) {
+        Sum& sum = pairs[{film.pair.master, film.pair.other}];
+        sum.thinnest = std::min(sum.thinnest, *std::min_element(film.mesh.h.begin(), film.mesh.h.end()));
+        sum.threshold = film.threshold;
+        sum.nodes += film.mesh.h.size();
+    }
+    long unknowns = coupling.network.nodes;
+    for (const Component& component : coupling.system.components)
+        unknowns += component.unknowns;
+    std::printf("unknowns  %ld pressures, %d of them in films\n", unknowns - coupling.network.nodes, coupling.network.nodes);
+    for (const auto& [pair, sum] : pairs)
+        std::printf("film      %s - %s: thinnest %.4g (%.4g cells), where thinner than %.4g cells, %zu nodes\n",
+                    solids[pair.first].name.c_str(), solids[pair.second].name.c_str(), sum.thinnest,
+                    sum.thinnest / grid.dx(), sum.threshold / grid.dx(), sum.nodes);
+    if (coupling.network.mouths.blind_length > 0)
+        std::printf("warning   a film ends where nothing continues it (a blind end)\n");
+    for (const SealedPocket& pocket : coupling.sealed)
+        std::printf("sealed    %ld cells of fluid between %s\n", pocket.cells, joined(pocket.bodies, ", ").c_str());
+    for (const RigidBody<D>& body : bodies) {
+        const Bounds<D> bounds = body.shape->bounds();
+        if (!bounds.low.allFinite() || !bounds.high.allFinite())
+            continue;
+        const double thinnest = (bounds.high - bounds.low).minCoeff();
+        if (thinnest < 2 * grid.dx())
+            std::printf("warning   body %s is %.3g cells thin: pressure leaks through bodies of less than two; use a finer grid\n",
+                        body.name.c_str(), thinnest / grid.dx());
+    }
+}
+
+} // namespace
+
+int check_command(const Scene& scene)
+{
+    const Communicator comm;
+    double cells = 1;
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        cells *= scene.cells[axis];
+    const auto moving = std::count_if(scene.bodies.begin(), scene.bodies.end(),
+                                      [](const BodyScene& body) { return body.motion != BodyScene::Motion::fixed; });
+    if (comm.root()) {
+        std::printf("scene     %s%s%s\n", scene.file.c_str(), scene.title.empty() ? "" : ": ", scene.title.c_str());
+        std::printf("cells     %s = %.0f, spacing %s\n", count_text(scene).c_str(), cells,
+                    number_text(scene.size[0] / scene.cells[0]).c_str());
+        std::printf("memory    about %.3g MiB\n", cells * bytes_per_cell / 1048576.0);
+        std::printf("bodies    %zu, of which %td move\n", scene.bodies.size(), moving);
+        std::printf("gaps      model %s, threshold %s\n", scene.gap.film ? "film" : "none",
+                    scene.gap.threshold ? (number_text(*scene.gap.threshold) + " cells").c_str() : "auto");
+    }
+    if (scene.dimension == 2)
+        print_gaps<2>(scene, comm);
+    else
+        print_gaps<3>(scene, comm);
+    return 0;
+}
+
+} // namespace gapflow

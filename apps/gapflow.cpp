@@ -1,0 +1,164 @@
+// The command `gapflow`: reads the command line, maps errors to exit statuses (0 done, 1 failed, 2 bad usage or scene).
+#include "commands.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <functional>
+#include <iostream>
+
+namespace gapflow {
+
+namespace {
+
+constexpr int failed = 1, bad_input = 2;
+
+struct Arguments {
+    std::string scene, directory, resume;
+    std::vector<std::string> sets;
+    std::string cells, reference; // of converge
+    bool quiet = false, json = false, png = false;
+};
+
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+Overrides overrides_of(const std::vector<std::string>& sets)
+{
+    Overrides overrides;
+    for (const std::string& set : sets) {
+        const auto equals = set.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw InputError("--set " + set + ": not key=value; write for example --set domain.cells=[64,64]");
+        overrides.emplace_back(set.substr(0, equals), set.substr(equals + 1));
+    }
+    return overrides;
+}
+
+Scene scene_of(const Arguments& arguments, Purpose purpose)
+{
+    Scene scene = read_scene(arguments.scene, overrides_of(arguments.sets), purpose);
+    if (!arguments.directory.empty())
+        scene.output_directory = arguments.directory;
+    if (Communicator().root())
+        for (const std::string& warning : scene.warnings)
+            std::cerr << "gapflow: warning: " << warning << '\n';
+    return scene;
+}
+
+int run(const Arguments& arguments)
+{
+    if (!arguments.resume.empty())
+        throw InputError("--resume " + arguments.resume +
+                         ": not available in this version: checkpoints come later; start the run anew");
+    return run_command(scene_of(arguments, Purpose::run), {arguments.quiet});
+}
+
+int not_available(const std::string& command)
+{
+    throw InputError(command + ": not available in this version; `gapflow --help` lists what is");
+}
+
+/// The subcommands and their options; `action` becomes the one that the user chose.
+void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& action)
+{
+    const auto add = [&](const std::string& name, const std::string& what, std::function<int()> does) {
+        CLI::App* command = app.add_subcommand(name, what);
+        command->callback([&action, does] { action = does; });
+        return command;
+    };
+    const auto add_scene = [&](CLI::App* command) {
+        command->add_option("scene", arguments.scene, "Scene file (TOML)")->required()->type_name("SCENE.toml");
+        command->add_option("--set", arguments.sets, "Replace a value of the scene, as domain.cells=[64,64]; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("key=value");
+    };
+
+    CLI::App* run_app = add("run", "Run a scene to its end", [&] { return run(arguments); });
+    add_scene(run_app);
+    run_app->add_option("-o,--output", arguments.directory, "Folder for the run's files, instead of output.directory")
+        ->type_name("DIR");
+    run_app->add_option("--resume", arguments.resume, "Continue from a checkpoint (not available in this version)")
+        ->type_name("FILE");
+    run_app->add_flag("-q,--quiet", arguments.quiet, "Only warnings and errors");
+
+    CLI::App* check = add("check", "Validate a scene; print cells, unknowns and expected memory",
+                          [&] { return check_command(scene_of(arguments, Purpose::check)); });
+    add_scene(check);
+
+    CLI::App* mass = add("added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses",
+                         [&] { return added_mass_command(scene_of(arguments, Purpose::added_mass), arguments.json); });
+    add_scene(mass);
+    mass->add_flag("--json", arguments.json, "Print JSON");
+
+    CLI::App* converge = add("converge", "Errors and observed orders on several grids (not available in this version)",
+                             [] { return not_available("converge"); });
+    add_scene(converge);
+    converge->add_option("--cells", arguments.cells, "Cells along x of each run, as 32,64,128")->type_name("LIST");
+    converge->add_option("--reference", arguments.reference, "Table to compare with")->type_name("FILE.csv");
+
+    CLI::App* report =
+        add("report", "One HTML page of a run (not available in this version)", [] { return not_available("report"); });
+    report->add_option("directory", arguments.directory, "Folder of the run")->required()->type_name("DIR");
+    report->add_flag("--png", arguments.png, "Key frames as PNG instead");
+}
+
+int report_error(const std::string& message, int status)
+{
+    if (Communicator().root())
+        std::cerr << "gapflow: error: " << message << std::endl;
+    return status;
+}
+
+/// What is wrong with the command line; CLI11 alone would not name a misspelt command.
+std::string usage_problem(const CLI::App& app, const CLI::ParseError& error)
+{
+    if (!app.get_subcommands().empty() || app.remaining().empty())
+        return error.what();
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    const std::string near = nearest_name(app.remaining().front(), names);
+    return "unknown command '" + app.remaining().front() + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?");
+}
+
+int command(int argc, char** argv)
+{
+    CLI::App app("Gapflow: rigid bodies in incompressible flow, two-way coupled through thin gaps", "gapflow");
+    app.set_version_flag("--version", "gapflow " GAPFLOW_VERSION);
+    app.require_subcommand(1);
+    app.footer("Exit status: 0 done, 1 the computation failed, 2 bad usage or bad scene.");
+    Arguments arguments;
+    std::function<int()> action;
+    add_commands(app, arguments, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& e) { // --help, --version
+        return Communicator().root() ? app.exit(e) : 0;
+    } catch (const CLI::ParseError& e) {
+        return report_error(usage_problem(app, e) + "; `gapflow --help` and `gapflow COMMAND --help` tell the usage",
+                            bad_input);
+    }
+    return action();
+}
+
+} // namespace
+
+} // namespace gapflow
+
+int main(int argc, char** argv)
+{
+    using namespace gapflow;
+    const Environment environment;
+    try {
+        return command(argc, argv);
+    } catch (const InputError& e) {
+        return report_error(e.what(), bad_input);
+    } catch (const ComputationError& e) {
+        return report_error(e.what(), failed);
+    } catch (const std::exception& e) {
+        return report_error(std::string("internal error: ") + e.what() + "; please report this with the scene", failed);
+    }
+}

@@ -1,0 +1,182 @@
+// Newton and Euler for one body:  m V' = F,  L' = T,  L = I(q) omega,  I(q) = R I_body R^T.
+//
+// Reduced pressure p - rho g.x: the fluid gets no gravity, a body of volume V_b gets m g at its centre of mass and
+// -rho V_b g at its centre of volume (method, section 5).
+#include "gapflow/body/rigid_body.hpp"
+
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+template <int D>
+MassProperties<D> displaced(RigidBody<D>& body)
+{
+    const MassProperties<D> p = body.shape->mass_properties();
+    body.volume = body.shape->inside_out() ? -p.volume : p.volume;
+    body.centre_of_volume = body.centre_of_mass = p.centre;
+    return p;
+}
+
+} // namespace
+
+template <int D>
+void set_density(RigidBody<D>& body, double density)
+{
+    const MassProperties<D> p = displaced(body);
+    body.mass = density * p.volume;
+    body.inertia = density * p.inertia;
+}
+
+template <int D>
+void set_mass(RigidBody<D>& body, double mass, const SpinMatrix<D>& inertia)
+{
+    displaced(body);
+    body.mass = mass;
+    body.inertia = inertia;
+}
+
+template <int D>
+void place(RigidBody<D>& body, const Vec<D>& centre, const Rotation<D>& rotation)
+{
+    body.pose.rotation = rotation;
+    body.pose.position = centre - body.pose.matrix() * body.centre_of_mass;
+}
+
+template <int D>
+SpinMatrix<D> world_inertia(const RigidBody<D>& body, const Rotation<D>& rotation)
+{
+    if constexpr (D == 2) {
+        return body.inertia;
+    } else {
+        const Mat<3> R = rotation.toRotationMatrix();
+        return R * body.inertia * R.transpose();
+    }
+}
+
+template <int D>
+SpinMatrix<D> world_inertia(const RigidBody<D>& body)
+{
+    return world_inertia(body, body.pose.rotation);
+}
+
+template <int D>
+TwistMatrix<D> mass_matrix(const RigidBody<D>& body)
+{
+    TwistMatrix<D> M = TwistMatrix<D>::Zero();
+    M.template topLeftCorner<D, D>().diagonal().setConstant(body.mass);
+    M.template bottomRightCorner<spin_size<D>, spin_size<D>>() = world_inertia(body);
+    return M;
+}
+
+template <int D>
+Spin<D> angular_velocity(const RigidBody<D>& body, const Rotation<D>& rotation, const Spin<D>& angular_momentum)
+{
+    if constexpr (D == 2) {
+        return body.can_move[2] ? Spin<2>(angular_momentum / body.inertia(0, 0)) : Spin<2>(0.0);
+    } else {
+        Mat<3> I = world_inertia(body, rotation);
+        Vec<3> L = angular_momentum;
+        for (int k = 0; k < 3; ++k)
+            if (!body.can_move[3 + k]) { // row and column of the identity: omega_k = 0
+                I.row(k).setZero();
+                I.col(k).setZero();
+                I(k, k) = 1;
+                L[k] = 0;
+            }
+        return I.inverse() * L;
+    }
+}
+
+template <int D>
+Twist<D> momentum(const RigidBody<D>& body)
+{
+    Twist<D> p;
+    p << body.mass * body.twist.template head<D>(), body.angular_momentum;
+    return p;
+}
+
+template <int D>
+Spin<D> angular_momentum_about(const RigidBody<D>& body, const Vec<D>& point)
+{
+    return body.angular_momentum + moment<D>(body.centre() - point, body.mass * body.twist.template head<D>());
+}
+
+template <int D>
+double kinetic_energy(const RigidBody<D>& body)
+{
+    return 0.5 * body.twist.dot(mass_matrix(body) * body.twist);
+}
+
+template <int D>
+Twist<D> explicit_wrench(const RigidBody<D>& body, const Vec<D>& gravity, double fluid_density)
+{
+    const Vec<D> buoyancy = -fluid_density * body.volume * gravity;
+    const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
+    Twist<D> w;
+    w << body.force + (body.mass - fluid_density * body.volume) * gravity, body.torque + moment<D>(arm, buoyancy);
+    return w;
+}
+
+template <int D>
+Twist<D> twist_after(const RigidBody<D>& body, const Twist<D>& impulse)
+{
+    const Twist<D> p = momentum(body) + impulse;
+    Twist<D> twist;
+    twist << p.template head<D>() / body.mass,
+        angular_velocity<D>(body, body.pose.rotation, p.template tail<spin_size<D>>());
+    for (int k = 0; k < D; ++k)
+        if (!body.can_move[k])
+            twist[k] = 0;
+    return twist;
+}
+
+template <int D>
+void set_initial_twist(RigidBody<D>& body, const Twist<D>& twist)
+{
+    body.twist = twist;
+    body.angular_momentum = world_inertia(body) * twist.template tail<spin_size<D>>();
+    body.acceleration.setZero();
+    body.angular_momentum_rate.setZero();
+}
+
+template <int D>
+void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, bool smooth)
+{
+    const Vec<D> V = body.twist.template head<D>();
+    const Spin<D> L = body.angular_momentum;
+    set_initial_twist(body, twist_next);
+    if (smooth) {
+        body.acceleration = (body.twist.template head<D>() - V) / dt;
+        body.angular_momentum_rate = (body.angular_momentum - L) / dt;
+    }
+}
+
+template <int D>
+Solid<D> solid_of(const RigidBody<D>& body)
+{
+    return {body.name, PlacedShape<D>(*body.shape, body.pose), body.centre(), body.motion, false};
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void set_density<D>(RigidBody<D>&, double);                                                                       \
+    template void set_mass<D>(RigidBody<D>&, double, const SpinMatrix<D>&);                                                    \
+    template void place<D>(RigidBody<D>&, const Vec<D>&, const Rotation<D>&);                                                  \
+    template SpinMatrix<D> world_inertia<D>(const RigidBody<D>&);                                                              \
+    template SpinMatrix<D> world_inertia<D>(const RigidBody<D>&, const Rotation<D>&);                                          \
+    template TwistMatrix<D> mass_matrix<D>(const RigidBody<D>&);                                                               \
+    template Spin<D> angular_velocity<D>(const RigidBody<D>&, const Rotation<D>&, const Spin<D>&);                             \
+    template Twist<D> momentum<D>(const RigidBody<D>&);                                                                        \
+    template Spin<D> angular_momentum_about<D>(const RigidBody<D>&, const Vec<D>&);                                            \
+    template double kinetic_energy<D>(const RigidBody<D>&);                                                                    \
+    template Twist<D> explicit_wrench<D>(const RigidBody<D>&, const Vec<D>&, double);                                          \
+    template Twist<D> twist_after<D>(const RigidBody<D>&, const Twist<D>&);                                                    \
+    template void set_initial_twist<D>(RigidBody<D>&, const Twist<D>&);                                                        \
+    template void finish_step<D>(RigidBody<D>&, const Twist<D>&, double, bool);                                                \
+    template Solid<D> solid_of<D>(const RigidBody<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

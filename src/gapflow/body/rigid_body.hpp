@@ -1,0 +1,100 @@
+// State of a rigid body: where it is, its mass and momentum, and the forces on it that the fluid does not exert.
+//
+// Twists, wrenches and momenta are in world axes about the centre of mass.
+#pragma once
+
+#include "gapflow/body/prescribed_motion.hpp"
+#include "gapflow/geometry/solid.hpp"
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace gapflow {
+
+template <int D>
+using SpinMatrix = Eigen::Matrix<double, spin_size<D>, spin_size<D>>;
+
+template <int D>
+struct RigidBody {
+    std::string name;
+    std::shared_ptr<const Shape<D>> shape;
+    Motion motion = Motion::free;
+
+    Pose<D> pose;                                 ///< of the shape's origin
+    Vec<D> centre_of_mass = Vec<D>::Zero();       ///< in the shape's frame
+    Vec<D> centre_of_volume = Vec<D>::Zero();     ///< in the shape's frame
+    double volume = 0.0;                          ///< of fluid displaced; negative for a container (shape inside out)
+    double mass = 1.0;
+    SpinMatrix<D> inertia = SpinMatrix<D>::Identity(); ///< about the centre of mass, body axes
+    std::array<bool, twist_size<D>> can_move;     ///< false: this component of the twist is held at 0
+
+    Twist<D> twist = Twist<D>::Zero();
+    /// L: kept from step to step, so that free tumbling conserves it; inertia(R) omega = L in the components that move.
+    Spin<D> angular_momentum = Spin<D>::Zero();
+    Vec<D> acceleration = Vec<D>::Zero();         ///< over the last step; 0 at the start and after an impact
+    Spin<D> angular_momentum_rate = Spin<D>::Zero(); ///< likewise
+
+    Vec<D> force = Vec<D>::Zero();                ///< constant external force at the centre of mass
+    Spin<D> torque = Spin<D>::Zero();             ///< constant external torque about the centre of mass
+    std::shared_ptr<const PrescribedMotion<D>> prescribed; ///< where motion is prescribed
+
+    RigidBody() { can_move.fill(true); }
+    /// World position of the centre of mass.
+    Vec<D> centre() const { return pose.position + pose.matrix() * centre_of_mass; }
+};
+
+/// Takes volume and centre of volume from the shape, mass and inertia from them: the centre of mass is the centre of volume.
+template <int D>
+void set_density(RigidBody<D>& body, double density);
+/// Takes volume and centre of volume from the shape; the centre of mass is put into the centre of volume.
+template <int D>
+void set_mass(RigidBody<D>& body, double mass, const SpinMatrix<D>& inertia);
+
+/// Puts the body (its centre of mass) somewhere: pose such that centre() = centre.
+template <int D>
+void place(RigidBody<D>& body, const Vec<D>& centre, const Rotation<D>& rotation);
+
+/// R I R^T: inertia about the centre of mass in world axes, at the body's rotation or another one.
+template <int D>
+SpinMatrix<D> world_inertia(const RigidBody<D>& body);
+template <int D>
+SpinMatrix<D> world_inertia(const RigidBody<D>& body, const Rotation<D>& rotation);
+/// diag(m 1, R I R^T).
+template <int D>
+TwistMatrix<D> mass_matrix(const RigidBody<D>& body);
+/// Angular velocity of the body at a rotation with angular momentum L, in the components that can move (0 in the others).
+template <int D>
+Spin<D> angular_velocity(const RigidBody<D>& body, const Rotation<D>& rotation, const Spin<D>& angular_momentum);
+
+/// (m V, L).
+template <int D>
+Twist<D> momentum(const RigidBody<D>& body);
+/// Angular momentum about a point of the world: L + (centre - point) x m V.
+template <int D>
+Spin<D> angular_momentum_about(const RigidBody<D>& body, const Vec<D>& point);
+template <int D>
+double kinetic_energy(const RigidBody<D>& body);
+
+/// Force and torque about the centre of mass that do not depend on the flow: external ones, and gravity in reduced-pressure
+/// form, (mass - fluid_density * volume) g, the buoyant part acting at the centre of volume.
+template <int D>
+Twist<D> explicit_wrench(const RigidBody<D>& body, const Vec<D>& gravity, double fluid_density);
+/// Twist at the present pose once `impulse` has been added to the momentum: M^-1 ((m V, L) + impulse), 0 where the body
+/// cannot move. V* of the method is twist_after(body, dt * explicit_wrench(...)).
+template <int D>
+Twist<D> twist_after(const RigidBody<D>& body, const Twist<D>& impulse);
+
+/// Twist at the start: no acceleration.
+template <int D>
+void set_initial_twist(RigidBody<D>& body, const Twist<D>& twist);
+/// Takes the twist at the end of a step of length dt, with L = I omega at the present pose, and keeps the change over the
+/// step as acceleration. After an impact (`smooth` false) the acceleration is 0.
+template <int D>
+void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, bool smooth = true);
+
+/// The body as grid and film see it. Refers to the body's shape.
+template <int D>
+Solid<D> solid_of(const RigidBody<D>& body);
+
+} // namespace gapflow

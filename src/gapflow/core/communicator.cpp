@@ -1,0 +1,96 @@
+#include "gapflow/core/communicator.hpp"
+
+#include <petscsys.h>
+
+namespace gapflow {
+
+namespace {
+
+// A reduction to the root and a broadcast: MPI_Allreduce need not give the same bits on every rank.
+template <class T>
+void reduce(const Communicator& comm, T* values, int n, MPI_Datatype type, MPI_Op op)
+{
+    if (comm.size() == 1 || n == 0)
+        return;
+    MPI_Reduce(comm.root() ? MPI_IN_PLACE : values, values, n, type, op, 0, comm.mpi());
+    MPI_Bcast(values, n, type, 0, comm.mpi());
+}
+
+} // namespace
+
+Communicator::Communicator(MPI_Comm comm) : comm_(comm)
+{
+    MPI_Comm_rank(comm_, &rank_);
+    MPI_Comm_size(comm_, &size_);
+}
+
+double Communicator::sum(double value) const
+{
+    reduce(*this, &value, 1, MPI_DOUBLE, MPI_SUM);
+    return value;
+}
+
+double Communicator::max(double value) const
+{
+    reduce(*this, &value, 1, MPI_DOUBLE, MPI_MAX);
+    return value;
+}
+
+double Communicator::min(double value) const
+{
+    reduce(*this, &value, 1, MPI_DOUBLE, MPI_MIN);
+    return value;
+}
+
+long Communicator::sum(long value) const
+{
+    reduce(*this, &value, 1, MPI_LONG, MPI_SUM);
+    return value;
+}
+
+long Communicator::max(long value) const
+{
+    reduce(*this, &value, 1, MPI_LONG, MPI_MAX);
+    return value;
+}
+
+bool Communicator::any(bool value) const
+{
+    return max(static_cast<long>(value)) > 0;
+}
+
+void Communicator::sum(std::span<double> values) const
+{
+    reduce(*this, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM);
+}
+
+void Communicator::max(std::span<double> values) const
+{
+    reduce(*this, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX);
+}
+
+void Communicator::broadcast(std::span<double> values, int root) const
+{
+    if (size_ > 1)
+        MPI_Bcast(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, root, comm_);
+}
+
+Environment::Environment()
+{
+    int argc = 1;
+    char name[] = "gapflow";
+    char skip_rc[] = "-skip_petscrc";
+    char* words[] = {name, skip_rc, nullptr};
+    char** argv = words;
+    argc = 2;
+    PetscInitialize(&argc, &argv, nullptr, nullptr);
+    PetscPopSignalHandler();
+    PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
+}
+
+Environment::~Environment()
+{
+    PetscFinalize();
+}
+
+} // namespace gapflow

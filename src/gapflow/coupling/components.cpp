@@ -1,0 +1,281 @@
+// Connected components of the unknowns and the null space of the coupled system (method, section 4):
+//
+// 1_k is the constant on component k that no open side touches. The null space of L + K M^-1 K^T is every combination
+// sum c_k 1_k with K^T sum c_k 1_k = 0 on all free bodies: the kernel of a small matrix.
+#include "gapflow/core/disjoint_sets.hpp"
+#include "gapflow/coupling/coupling.hpp"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace gapflow {
+
+namespace {
+
+// Components of this rank's block alone: one pass in memory order. Returns their number.
+template <int D>
+int label_block(Coupling<D>& coupling, CellField<D, int>& label)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const FaceField<D>& conductance = coupling.system.conductance;
+    const Block<D>& block = label.block();
+    DisjointSets sets;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        const auto kind = static_cast<CellKind>(coupling.kind(c));
+        if (kind != CellKind::bulk && kind != CellKind::mixed)
+            return;
+        const long at = block.offset(c);
+        int mine = -1;
+        for (int axis = 0; axis < D; ++axis) {
+            if (c[axis] == grid.low()[axis] || conductance[axis].data()[at] <= 0)
+                continue;
+            const int other = label.data()[at - block.stride[axis]];
+            if (mine < 0)
+                mine = other;
+            else if (other != mine)
+                sets.join(mine, other);
+        }
+        label.data()[at] = mine < 0 ? sets.add() : mine;
+    });
+    int count = 0;
+    const std::vector<int> number = sets.numbers(count);
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        int& l = label(c);
+        if (l >= 0)
+            l = number[l];
+    });
+    return count;
+}
+
+std::vector<int> gather(const Communicator& comm, const std::vector<int>& mine)
+{
+    const int n = static_cast<int>(mine.size());
+    std::vector<int> counts(comm.size()), starts(comm.size(), 0);
+    MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm.mpi());
+    for (int r = 1; r < comm.size(); ++r)
+        starts[r] = starts[r - 1] + counts[r - 1];
+    std::vector<int> all(starts.back() + counts.back());
+    MPI_Allgatherv(mine.data(), n, MPI_INT, all.data(), counts.data(), starts.data(), MPI_INT, comm.mpi());
+    return all;
+}
+
+// K^T 1_k of the free bodies, one column a component, and the size of its terms.
+template <int D>
+Eigen::MatrixXd component_impulses(const Coupling<D>& coupling, Eigen::VectorXd& magnitude)
+{
+    constexpr int n = twist_size<D>;
+    const CoupledSystem<D>& system = coupling.system;
+    const int count = static_cast<int>(system.components.size()), dofs = n * system.bodies;
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(dofs + 1, count); // last row: sum of squares
+    auto add = [&](int component, int body, const Twist<D>& flux) {
+        sums.col(component).template segment<n>(n * body) += flux;
+        sums(dofs, component) += flux.squaredNorm();
+    };
+    for (const auto& entry : system.cell_flux)
+        add(system.component(entry.row), entry.body, entry.flux);
+    coupling.grid->comm().sum(std::span<double>(sums.data(), static_cast<std::size_t>(sums.size())));
+    for (const auto& entry : system.node_flux)
+        add(system.node_component[entry.row], entry.body, entry.flux);
+    magnitude = sums.row(dofs).cwiseSqrt();
+    return sums.topRows(dofs);
+}
+
+template <int D>
+void find_null_space(Coupling<D>& coupling)
+{
+    CoupledSystem<D>& system = coupling.system;
+    const int count = static_cast<int>(system.components.size());
+    Eigen::VectorXd magnitude;
+    const Eigen::MatrixXd impulse = component_impulses(coupling, magnitude);
+    std::vector<int> touched; // floating components that free bodies feel
+    std::vector<Eigen::VectorXd> null;
+    for (int k = 0; k < count; ++k) {
+        if (system.components[k].grounded)
+            continue;
+        if (impulse.col(k).norm() <= 1e-9 * magnitude[k] || magnitude[k] == 0)
+            null.push_back(Eigen::VectorXd::Unit(count, k));
+        else
+            touched.push_back(k);
+    }
+    if (!touched.empty()) {
+        Eigen::MatrixXd scaled(impulse.rows(), static_cast<long>(touched.size()));
+        for (std::size_t i = 0; i < touched.size(); ++i)
+            scaled.col(static_cast<long>(i)) = impulse.col(touched[i]) / magnitude[touched[i]];
+        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullV);
+        for (long j = 0; j < scaled.cols(); ++j) {
+            if (j < svd.singularValues().size() && svd.singularValues()[j] > 1e-9)
+                continue;
+            Eigen::VectorXd v = Eigen::VectorXd::Zero(count);
+            for (std::size_t i = 0; i < touched.size(); ++i)
+                v[touched[i]] = svd.matrixV()(static_cast<long>(i), j) / magnitude[touched[i]];
+            for (const Eigen::VectorXd& w : null)
+                v -= v.dot(w) * w;
+            null.push_back(v.normalized());
+        }
+    }
+    system.null_space.resize(count, static_cast<long>(null.size()));
+    for (std::size_t j = 0; j < null.size(); ++j)
+        system.null_space.col(static_cast<long>(j)) = null[j];
+}
+
+// Floating components other than the fluid at large.
+template <int D>
+void list_sealed(Coupling<D>& coupling)
+{
+    const CoupledSystem<D>& system = coupling.system;
+    const Grid<D>& grid = *coupling.grid;
+    const int count = static_cast<int>(system.components.size()), solids = static_cast<int>(coupling.solids.size());
+    int main = -1;
+    for (int k = 0; k < count; ++k)
+        if (main < 0 || std::make_pair(system.components[k].grounded, system.components[k].unknowns) >
+                            std::make_pair(system.components[main].grounded, system.components[main].unknowns))
+            main = k;
+    std::vector<int> sealed;
+    std::vector<int> place(count, -1);
+    for (int k = 0; k < count; ++k)
+        if (k != main && !system.components[k].grounded) {
+            place[k] = static_cast<int>(sealed.size());
+            sealed.push_back(k);
+        }
+    coupling.sealed.clear();
+    if (sealed.empty())
+        return;
+    const std::size_t row = static_cast<std::size_t>(solids + 1 + D); // who touches it; its cells; a cell's centre
+    std::vector<double> facts(sealed.size() * row, 0.0);
+    for (const auto& entry : coupling.cell_flux)
+        if (const int i = place[system.component(entry.row)]; i >= 0)
+            facts[i * row + entry.body] = 1;
+    for (const auto& entry : coupling.node_flux)
+        if (const int i = place[system.node_component[entry.row]]; i >= 0)
+            facts[i * row + entry.body] = 1;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        const int k = system.component(c);
+        if (k < 0 || place[k] < 0)
+            return;
+        double* fact = &facts[place[k] * row + solids];
+        ++fact[0];
+        const Vec<D> x = grid.cell_centre(c);
+        for (int axis = 0; axis < D; ++axis)
+            fact[1 + axis] += x[axis];
+    });
+    grid.comm().sum(facts);
+    std::vector<Vec<D>> node_at(sealed.size(), Vec<D>::Zero()); // a film node of it, for films without a way out
+    for (const Film<D>& film : coupling.network.films)
+        for (std::size_t node = 0; node < film.mesh.mid.size(); ++node)
+            if (const int i = place[system.node_component[film.first_node + static_cast<int>(node)]]; i >= 0)
+                node_at[i] = film.mesh.mid[node];
+    for (std::size_t i = 0; i < sealed.size(); ++i) {
+        SealedPocket pocket;
+        const double* fact = &facts[i * row + solids];
+        pocket.cells = std::lround(fact[0]);
+        for (int s = 0; s < solids; ++s)
+            if (facts[i * row + s] > 0)
+                pocket.bodies.push_back(coupling.solids[s].name);
+        for (int axis = 0; axis < D; ++axis)
+            pocket.at.push_back(fact[0] > 0 ? fact[1 + axis] / fact[0] : node_at[i][axis]);
+        coupling.sealed.push_back(pocket);
+    }
+}
+
+} // namespace
+
+template <int D>
+void find_components(Coupling<D>& coupling)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const Communicator& comm = grid.comm();
+    CoupledSystem<D>& system = coupling.system;
+    CellField<D, int>& label = system.component;
+    label = CellField<D, int>(grid, -1);
+    const int mine = label_block(coupling, label);
+
+    int start = 0;
+    MPI_Exscan(&mine, &start, 1, MPI_INT, MPI_SUM, comm.mpi());
+    if (comm.root())
+        start = 0;
+    const int cells_total = static_cast<int>(comm.sum(static_cast<long>(mine)));
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (label(c) >= 0)
+            label(c) += start;
+    });
+    exchange(grid, label, 1);
+
+    // Pairs of labels joined across the block's sides or by links; nodes count after all cells' labels.
+    std::set<std::pair<int, int>> pairs;
+    for (int axis = 0; axis < D; ++axis) {
+        Index<D> high = grid.high();
+        high[axis] = grid.low()[axis] + 1;
+        for_each_index<D>(grid.low(), high, [&](const Index<D>& f) {
+            const Index<D> below = f - step<D>(axis);
+            if (system.conductance(axis, f) > 0 && label(f) >= 0 && label(below) >= 0)
+                pairs.insert({label(below), label(f)});
+        });
+    }
+    for (const Link& link : system.links) {
+        if (link.conductance <= 0 || link.nodes.empty())
+            continue;
+        for (const auto& [key, weight] : link.cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && label(c) >= 0)
+                pairs.insert({label(c), cells_total + link.nodes.front().first});
+    }
+    std::vector<int> list;
+    for (const auto& [a, b] : pairs) {
+        list.push_back(a);
+        list.push_back(b);
+    }
+    list = gather(comm, list);
+
+    DisjointSets sets(cells_total + system.nodes);
+    for (std::size_t i = 0; i + 1 < list.size(); i += 2)
+        sets.join(list[i], list[i + 1]);
+    for (const Film<D>& film : coupling.network.films)
+        for (const FilmElement<D>& e : film.mesh.elements)
+            for (int i = 1; i < D; ++i)
+                sets.join(cells_total + film.first_node + e.nodes[0], cells_total + film.first_node + e.nodes[i]);
+    for (const Link& link : system.links)
+        for (std::size_t i = 1; i < link.nodes.size() && link.conductance > 0; ++i)
+            sets.join(cells_total + link.nodes[0].first, cells_total + link.nodes[i].first);
+    int count = 0;
+    const std::vector<int> number = sets.numbers(count);
+
+    system.components.assign(count, {});
+    std::vector<double> facts(2 * static_cast<std::size_t>(count), 0.0); // cells; faces on open sides
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        int& l = label(c);
+        if (l < 0)
+            return;
+        l = number[l];
+        ++facts[2 * l];
+        for (int axis = 0; axis < D; ++axis) {
+            if (grid.periodic(axis))
+                continue;
+            if ((c[axis] == 0 && system.conductance(axis, c) > 0) ||
+                (c[axis] == grid.cells()[axis] - 1 && system.conductance(axis, c + step<D>(axis)) > 0))
+                ++facts[2 * l + 1];
+        }
+    });
+    comm.sum(facts);
+    exchange(grid, label, 1);
+    system.node_component.resize(system.nodes);
+    for (int node = 0; node < system.nodes; ++node) {
+        system.node_component[node] = number[cells_total + node];
+        ++facts[2 * system.node_component[node]];
+    }
+    for (const Link& link : system.links)
+        if (link.cells.empty() && link.conductance > 0 && link.nodes.size() == D - 1) // conduit to an open side
+            ++facts[2 * system.node_component[link.nodes.front().first] + 1];
+    for (int k = 0; k < count; ++k) {
+        system.components[k].unknowns = std::lround(facts[2 * k]);
+        system.components[k].grounded = facts[2 * k + 1] > 0;
+    }
+    find_null_space(coupling);
+    list_sealed(coupling);
+}
+
+template void find_components<2>(Coupling<2>&);
+template void find_components<3>(Coupling<3>&);
+
+} // namespace gapflow

@@ -1,0 +1,426 @@
+#include "gapflow/coupling/coupling.hpp"
+
+#include "gapflow/coupling/film_rows.hpp"
+#include "gapflow/grid/body_flux.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// Kinds of this rank's cells and their ghosts, the faces that the grid sees open, and their conductance a |f| / (rho dx).
+template <int D>
+void fill_grid(Coupling<D>& coupling)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const FilmNetwork<D>& network = coupling.network;
+    coupling.open = coupling.fractions->open;
+    coupling.kind = CellField<D, std::int8_t>(grid, static_cast<std::int8_t>(CellKind::solid));
+    const Index<D> low = grid.low(), high = grid.high();
+    for_each_index<D>(low, high, [&](const Index<D>& c) {
+        for (int axis = 0; axis < D; ++axis)
+            if (coupling.open(axis, c) > 1e-12 || coupling.open(axis, c + step<D>(axis)) > 1e-12) {
+                coupling.kind(c) = static_cast<std::int8_t>(CellKind::bulk);
+                return;
+            }
+    });
+    for (const auto& [key, cell] : network.cells.cells) {
+        const Index<D> c = grid.cell_of_key(key);
+        if (grid.owns(c) && (cell.kind == CellKind::film || coupling.kind(c) != static_cast<std::int8_t>(CellKind::solid)))
+            coupling.kind(c) = static_cast<std::int8_t>(cell.kind);
+    }
+    exchange(grid, coupling.kind, 1);
+
+    const auto is_film = static_cast<std::int8_t>(CellKind::film);
+    if (!network.cells.closed.empty()) {
+        for (const auto& [key, cell] : network.cells.cells)
+            for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
+                if (!side.inside || !network.cells.closed.count(network.faces->key(side.axis, side.face)))
+                    continue;
+                // Every place where this rank stores the face (periodic: the same face on both sides).
+                for_each_index<D>(Index<D>::Constant(-1), Index<D>::Constant(2), [&](const Index<D>& k) {
+                    Index<D> f = grid.wrapped(side.face);
+                    for (int axis = 0; axis < D; ++axis)
+                        f[axis] += k[axis] * (grid.periodic(axis) ? grid.cells()[axis] : 0);
+                    if (coupling.open[side.axis].block().contains(f))
+                        coupling.open(side.axis, f) = 0;
+                });
+            }
+    }
+    CoupledSystem<D>& system = coupling.system;
+    system.grid = coupling.grid;
+    system.conductance = FaceField<D>(grid, 0.0);
+    const double unit_conductance = std::pow(grid.dx(), D - 2) / coupling.density;
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(low, high + step<D>(axis), [&](const Index<D>& f) {
+            const double a = coupling.open(axis, f);
+            if (a <= 1e-12)
+                return;
+            const bool at_low = f[axis] == 0 && !grid.periodic(axis);
+            const bool at_high = f[axis] == grid.cells()[axis] && !grid.periodic(axis);
+            double factor = 1;
+            if (at_low || at_high) {
+                factor = grid.side(axis, at_high) == SideKind::open ? 2 : 0;
+                const Index<D> inner = at_high ? Index<D>(f - step<D>(axis)) : f;
+                if (coupling.kind(inner) == is_film)
+                    factor = 0;
+            }
+            system.conductance(axis, f) = factor * a * unit_conductance;
+        });
+}
+
+// K in the rows of the grid: J of every body (walls left out: nothing flows through them), then what films add.
+template <int D>
+void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
+{
+    const Grid<D>& grid = *coupling.grid;
+    coupling.cell_flux.clear();
+    coupling.node_flux.clear();
+    const std::vector<Solid<D>>& solids = coupling.solids;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        const auto kind = static_cast<CellKind>(coupling.kind(c));
+        if (kind != CellKind::bulk && kind != CellKind::mixed)
+            return;
+        for_each_body_flux(grid, *coupling.fractions, c, [&](int solid, const Twist<D>& flux) {
+            if (!solids[solid].wall)
+                coupling.cell_flux.push_back({c, solid, flux});
+        });
+    });
+    for (const auto& [key, fluxes] : rows.cells) {
+        const Index<D> c = grid.cell_of_key(key);
+        if (!grid.owns(c))
+            continue;
+        for (const auto& [solid, flux] : fluxes)
+            if (!solids[solid].wall)
+                coupling.cell_flux.push_back({c, solid, flux});
+    }
+    for (int node = 0; node < static_cast<int>(rows.nodes.size()); ++node)
+        for (const auto& [solid, flux] : rows.nodes[node])
+            if (!solids[solid].wall)
+                coupling.node_flux.push_back({node, solid, flux});
+
+    CoupledSystem<D>& system = coupling.system;
+    system.cell_flux.clear();
+    system.node_flux.clear();
+    for (auto entry : coupling.cell_flux)
+        if ((entry.body = coupling.free_body[entry.body]) >= 0)
+            system.cell_flux.push_back(entry);
+    for (auto entry : coupling.node_flux)
+        if ((entry.body = coupling.free_body[entry.body]) >= 0)
+            system.node_flux.push_back(entry);
+}
+
+// Mass of the free bodies and the films' blocks that couple two of them.
+template <int D>
+void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
+{
+    constexpr int n = twist_size<D>;
+    std::vector<Eigen::Triplet<double>> entries;
+    auto add_block = [&](int a, int b, const TwistMatrix<D>& block) {
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+                if (block(i, j) != 0)
+                    entries.emplace_back(n * a + i, n * b + j, block(i, j));
+    };
+    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
+        if (coupling.free_body[s] >= 0)
+            add_block(coupling.free_body[s], coupling.free_body[s], mass[s]);
+    std::map<std::pair<int, int>, TwistMatrix<D>> blocks;
+    for (const NormalInertia<D>& inertia : coupling.normal_inertia) {
+        const int a = coupling.free_body[inertia.master], b = coupling.free_body[inertia.other];
+        auto add = [&](int i, const Twist<D>& row_i, int j, const Twist<D>& row_j) {
+            if (i < 0 || j < 0)
+                return;
+            auto [it, is_new] = blocks.try_emplace({i, j}, TwistMatrix<D>::Zero());
+            it->second += inertia.mass * row_i * row_j.transpose();
+        };
+        add(a, inertia.row_master, a, inertia.row_master);
+        add(a, inertia.row_master, b, inertia.row_other);
+        add(b, inertia.row_other, a, inertia.row_master);
+        add(b, inertia.row_other, b, inertia.row_other);
+    }
+    for (const auto& [place, block] : blocks)
+        add_block(place.first, place.second, block);
+    const int dofs = n * coupling.system.bodies;
+    coupling.system.mass.resize(dofs, dofs);
+    coupling.system.mass.setFromTriplets(entries.begin(), entries.end());
+}
+
+// Adds M^-1 impulse to the twists of the free bodies.
+template <int D>
+void add_impulse(const Coupling<D>& coupling, const Eigen::VectorXd& impulse, std::vector<Twist<D>>& twists)
+{
+    constexpr int n = twist_size<D>;
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(coupling.system.mass);
+    const Eigen::VectorXd V = factor.solve(impulse);
+    for (std::size_t s = 0; s < twists.size(); ++s)
+        if (const int b = coupling.free_body[s]; b >= 0)
+            twists[s] += V.segment<n>(n * b);
+}
+
+} // namespace
+
+template <int D>
+Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
+                   const CouplingOptions& options, const std::function<GapSettings(int, int)>& gap,
+                   const std::set<FilmPair<D>>& alive)
+{
+    Coupling<D> coupling;
+    coupling.grid = &grid;
+    coupling.density = options.density;
+    coupling.solids = std::move(solids);
+    coupling.clipper = std::make_shared<FaceClipper<D>>(grid, coupling.solids, options.fractions);
+    coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(grid, *coupling.clipper));
+    coupling.network = build_film_network<D>(grid, coupling.solids, *coupling.clipper, gap, alive);
+    for (const Solid<D>& solid : coupling.solids)
+        coupling.free_body.push_back(solid.motion == Motion::free ? coupling.system.bodies++ : -1);
+    coupling.system.nodes = coupling.network.nodes;
+
+    fill_grid(coupling);
+    FluxRows<D> rows;
+    assemble_films(coupling, rows);
+    fill_flux(coupling, rows);
+    fill_mass(coupling, mass);
+    find_components(coupling);
+    coupling.network.faces.reset(); // a cache for this function only
+#ifndef NDEBUG
+    // Cells lost on the way show here. Where bodies overlap, the hidden parts of their hulls are lost by rights.
+    bool apart = options.fractions == FractionMode::cut_cell && !coupling.network.films.empty();
+    for (const Film<D>& film : coupling.network.films)
+        for (double h : film.mesh.h)
+            apart = apart && h > 1e-8 * grid.dx();
+    assert(!apart || closure_defect(coupling) < 1e-9);
+#endif
+    return coupling;
+}
+
+template <int D>
+void add_inertia(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass, const NormalInertia<D>& inertia)
+{
+    coupling.normal_inertia.push_back(inertia);
+    fill_mass(coupling, mass);
+}
+
+template <int D>
+void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::vector<Twist<D>>& twists, UnknownVector<D>& out,
+             double* sum_of_squares)
+{
+    const Grid<D>& grid = *coupling.grid;
+    if (out.cells.size() == 0)
+        out.cells = CellField<D>(grid);
+    out.cells.fill(0);
+    out.nodes = Eigen::VectorXd::Zero(coupling.system.nodes);
+    double squares = 0;
+    const double area = grid.face_area();
+    const Block<D>& block = out.cells.block();
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        const long at = block.offset(c);
+        if (coupling.system.component.data()[at] < 0)
+            return;
+        double sum = 0, size = 0;
+        for (int axis = 0; axis < D; ++axis) {
+            const long next = at + block.stride[axis];
+            const double in = coupling.open[axis].data()[at] * u.grid[axis].data()[at];
+            const double go = coupling.open[axis].data()[next] * u.grid[axis].data()[next];
+            sum += go - in;
+            size += std::abs(go) + std::abs(in);
+        }
+        out.cells.data()[at] = area * sum;
+        squares += area * size * area * size;
+    });
+    for (const auto& entry : coupling.cell_flux) {
+        const double value = entry.flux.dot(twists[entry.body]);
+        out.cells(entry.row) += value;
+        squares += value * value;
+    }
+    if (sum_of_squares)
+        squares = grid.comm().sum(squares);
+
+    auto add_node = [&](int node, double value) {
+        out.nodes[node] += value;
+        squares += value * value;
+    };
+    for (const auto& entry : coupling.node_flux)
+        add_node(entry.row, entry.flux.dot(twists[entry.body]));
+    for (const Film<D>& film : coupling.network.films)
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = film.mesh.elements[e];
+            for (int i = 0; i < D; ++i)
+                add_node(film.first_node + element.nodes[i],
+                         -element.volume * element.gradient[i].dot(u.film[film.first_element + e]));
+        }
+    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        for (int i = 0; i < D - 1; ++i)
+            add_node(conduits[r].nodes[i], conduits[r].shape[i] * u.conduit[r]);
+        for (const auto& [key, weight] : conduits[r].cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+                out.cells(c) -= weight * u.conduit[r];
+    }
+    if (sum_of_squares)
+        *sum_of_squares = squares;
+}
+
+template <int D>
+void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVelocity<D>& u)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const CoupledSystem<D>& system = coupling.system;
+    exchange(grid, p.cells, 1);
+    const double scale = 1 / (coupling.density * grid.dx());
+    for (int axis = 0; axis < D; ++axis) {
+        const Block<D>& block = p.cells.block();
+        const long back = block.stride[axis];
+        for_each_index<D>(grid.low(), grid.high() + step<D>(axis), [&](const Index<D>& f) {
+            const long at = block.offset(f);
+            if (system.conductance[axis].data()[at] <= 0)
+                return;
+            const bool at_low = f[axis] == 0 && !grid.periodic(axis);
+            const bool at_high = f[axis] == grid.cells()[axis] && !grid.periodic(axis);
+            double drop = p.cells.data()[at] - p.cells.data()[at - back];
+            if (at_low)
+                drop = 2 * p.cells.data()[at];
+            else if (at_high)
+                drop = -2 * p.cells.data()[at - back];
+            u.grid[axis].data()[at] -= scale * drop;
+        });
+    }
+    for (const Film<D>& film : coupling.network.films)
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = film.mesh.elements[e];
+            Vec<D> gradient = Vec<D>::Zero();
+            for (int i = 0; i < D; ++i)
+                gradient += p.nodes[film.first_node + element.nodes[i]] * element.gradient[i];
+            u.film[film.first_element + e] -= element.conductance() / element.volume * gradient / coupling.density;
+        }
+    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
+    std::vector<double> drop(conduits.size(), 0.0);
+    for (std::size_t r = 0; r < conduits.size(); ++r)
+        for (const auto& [key, weight] : conduits[r].cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+                drop[r] -= weight * p.cells(c);
+    grid.comm().sum(drop);
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        for (int i = 0; i < D - 1; ++i)
+            drop[r] += conduits[r].shape[i] * p.nodes[conduits[r].nodes[i]];
+        u.conduit[r] += system.links[r].conductance * drop[r];
+    }
+}
+
+template <int D>
+std::vector<Twist<D>> impulses(const Coupling<D>& coupling, const UnknownVector<D>& p)
+{
+    constexpr int n = twist_size<D>;
+    std::vector<double> sums(n * coupling.solids.size(), 0.0);
+    auto add = [&](int solid, const Twist<D>& value) {
+        for (int i = 0; i < n; ++i)
+            sums[n * solid + i] += value[i];
+    };
+    for (const auto& entry : coupling.cell_flux)
+        add(entry.body, p.cells(entry.row) * entry.flux);
+    coupling.grid->comm().sum(sums);
+    for (const auto& entry : coupling.node_flux)
+        add(entry.body, p.nodes[entry.row] * entry.flux);
+    std::vector<Twist<D>> result(coupling.solids.size());
+    for (std::size_t s = 0; s < result.size(); ++s)
+        result[s] = Eigen::Map<const Twist<D>>(&sums[n * s]);
+    return result;
+}
+
+template <int D>
+std::vector<Twist<D>> closure(const Coupling<D>& coupling)
+{
+    UnknownVector<D> ones{CellField<D>(*coupling.grid, 1.0), Eigen::VectorXd::Ones(coupling.system.nodes)};
+    return impulses(coupling, ones);
+}
+
+template <int D>
+double closure_defect(const Coupling<D>& coupling)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const std::vector<Twist<D>> sums = closure(coupling);
+    double worst = 0;
+    for (std::size_t s = 0; s < sums.size(); ++s) {
+        const Bounds<D> bounds = world_bounds(coupling.solids[s].shape);
+        bool inside = !coupling.solids[s].wall && bounds.low.allFinite();
+        for (int axis = 0; axis < D && inside; ++axis)
+            inside = grid.periodic(axis) || (bounds.low[axis] >= grid.origin()[axis] &&
+                                             bounds.high[axis] <= grid.origin()[axis] + grid.size()[axis]);
+        if (inside)
+            worst = std::max(worst, sums[s].template head<D>().cwiseAbs().maxCoeff() / grid.face_area());
+    }
+    return worst;
+}
+
+template <int D>
+std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
+                                          const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal)
+{
+    constexpr int n = twist_size<D>;
+    std::vector<Twist<D>> result = twists;
+    const int dofs = n * coupling.system.bodies;
+    if (dofs == 0)
+        return result;
+    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(dofs);
+    for (std::size_t s = 0; s < twists.size(); ++s)
+        if (const int b = coupling.free_body[s]; b >= 0)
+            momentum.segment<n>(n * b) += mass[s] * twists[s];
+    for (std::size_t e = 0; e < coupling.normal_inertia.size(); ++e) {
+        const NormalInertia<D>& inertia = coupling.normal_inertia[e];
+        const int a = coupling.free_body[inertia.master], b = coupling.free_body[inertia.other];
+        double speed = film_normal[e];
+        if (a < 0)
+            speed -= inertia.row_master.dot(twists[inertia.master]);
+        if (b < 0)
+            speed -= inertia.row_other.dot(twists[inertia.other]);
+        if (a >= 0)
+            momentum.segment<n>(n * a) += inertia.mass * speed * inertia.row_master;
+        if (b >= 0)
+            momentum.segment<n>(n * b) += inertia.mass * speed * inertia.row_other;
+    }
+    for (std::size_t s = 0; s < twists.size(); ++s)
+        if (coupling.free_body[s] >= 0)
+            result[s].setZero();
+    add_impulse(coupling, momentum, result);
+    return result;
+}
+
+template <int D>
+void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Twist<D>>& twists)
+{
+    constexpr int n = twist_size<D>;
+    const int dofs = n * coupling.system.bodies;
+    if (dofs == 0)
+        return;
+    const std::vector<Twist<D>> impulse = impulses(coupling, p);
+    Eigen::VectorXd all(dofs);
+    for (std::size_t s = 0; s < twists.size(); ++s)
+        if (const int b = coupling.free_body[s]; b >= 0)
+            all.segment<n>(n * b) = impulse[s];
+    add_impulse(coupling, all, twists);
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template Coupling<D> couple<D>(const Grid<D>&, std::vector<Solid<D>>, const std::vector<TwistMatrix<D>>&,                  \
+                                   const CouplingOptions&, const std::function<GapSettings(int, int)>&,                        \
+                                   const std::set<FilmPair<D>>&);                                                              \
+    template void add_inertia<D>(Coupling<D>&, const std::vector<TwistMatrix<D>>&, const NormalInertia<D>&);                   \
+    template void outflow<D>(const Coupling<D>&, const FluidVelocity<D>&, const std::vector<Twist<D>>&, UnknownVector<D>&,     \
+                             double*);                                                                                         \
+    template void subtract_gradient<D>(const Coupling<D>&, UnknownVector<D>&, FluidVelocity<D>&);                              \
+    template std::vector<Twist<D>> impulses<D>(const Coupling<D>&, const UnknownVector<D>&);                                   \
+    template double closure_defect<D>(const Coupling<D>&);                                                                     \
+    template std::vector<Twist<D>> closure<D>(const Coupling<D>&);                                                             \
+    template std::vector<Twist<D>> intermediate_twists<D>(const Coupling<D>&, const std::vector<TwistMatrix<D>>&,              \
+                                                          const std::vector<Twist<D>>&, const std::vector<double>&);           \
+    template void add_pressure_impulse<D>(const Coupling<D>&, const UnknownVector<D>&, std::vector<Twist<D>>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

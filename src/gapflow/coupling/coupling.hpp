@@ -1,0 +1,112 @@
+// Grid, films and bodies of one configuration joined into the coupled system (method, sections 3.3 and 4), and the discrete
+// operators of a projection: outflow D u*, body flux K V, gradient.
+#pragma once
+
+#include "gapflow/coupling/system.hpp"
+#include "gapflow/film/conduits.hpp"
+#include "gapflow/grid/face_fractions.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+/// Velocities of the fluid where they live.
+template <int D>
+struct FluidVelocity {
+    FaceField<D> grid;                ///< normal component at the centroids of the open parts of faces
+    std::vector<Vec<D>> film;         ///< tangential velocity of every film element, absolute, world axes
+    std::vector<double> film_normal;  ///< normal speed of the fluid of every film element (method: w_n*)
+    std::vector<double> conduit;      ///< flux out of the film through every conduit, absolute
+};
+
+/// The film's fluid moves with the mean of its two walls normal to the gap: a mass (rho S) on the row
+/// n . 1/2 (U_A + U_B) of their twists.
+template <int D>
+struct NormalInertia {
+    int master, other;           ///< solids
+    Twist<D> row_master, row_other;
+    double mass;
+};
+
+/// Fluid that nothing lets out.
+struct SealedPocket {
+    long cells = 0;
+    std::vector<std::string> bodies; ///< that bound it
+    std::vector<double> at;          ///< a point of it
+};
+
+template <int D>
+struct Coupling {
+    const Grid<D>* grid = nullptr;
+    double density = 1;
+    std::vector<Solid<D>> solids;
+    FaceField<D> open;            ///< fraction of every face that the grid sees open: after films closed theirs
+    CellField<D, std::int8_t> kind; ///< CellKind
+    FilmNetwork<D> network;
+    std::shared_ptr<const FaceFractions<D>> fractions; ///< before closing
+    std::shared_ptr<const FaceClipper<D>> clipper;     ///< finds the solids near a point
+
+    CoupledSystem<D> system;      ///< the free bodies' part
+    std::vector<int> free_body;   ///< number of each solid among the free bodies, -1: none
+    /// K of all solids but walls; `body` is the solid. What the system has of them is the free bodies' share.
+    std::vector<BodyFlux<D, Index<D>>> cell_flux;
+    std::vector<BodyFlux<D, int>> node_flux;
+    std::vector<NormalInertia<D>> normal_inertia; ///< one a film element
+    std::vector<SealedPocket> sealed;             ///< components that touch no open side, but the first (largest) one
+};
+
+struct CouplingOptions {
+    double density = 1;
+    FractionMode fractions = FractionMode::cut_cell;
+};
+
+/// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). Collective.
+template <int D>
+Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
+                   const CouplingOptions& options, const std::function<GapSettings(int, int)>& gap,
+                   const std::set<FilmPair<D>>& alive);
+
+/// out = D u + K V of every unknown: what flows out of its volume when the fluid moves with u and the solids with their
+/// twists. `sum_of_magnitudes` (if not null) receives the sum over rows of the squares of the terms' magnitudes.
+template <int D>
+void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::vector<Twist<D>>& twists, UnknownVector<D>& out,
+             double* sum_of_squares = nullptr);
+
+/// u -= grad p / rho on open faces, films and conduits.
+template <int D>
+void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVelocity<D>& u);
+
+/// K^T p of all solids but walls: the fluid's impulse on each, about its centre. Collective.
+template <int D>
+std::vector<Twist<D>> impulses(const Coupling<D>& coupling, const UnknownVector<D>& p);
+
+/// Sum of K over all unknowns, one column a solid but walls: zero for every body wholly inside the domain. Collective.
+template <int D>
+std::vector<Twist<D>> closure(const Coupling<D>& coupling);
+
+/// Largest component of the force part of closure() over dx^(D-1), over bodies wholly inside the domain. Collective.
+template <int D>
+double closure_defect(const Coupling<D>& coupling);
+
+/// Twists of the free bodies before the solve: V* = M^-1 (M_body V_body + sum rho S N^T (w_n* - N V_prescribed)); others as given.
+template <int D>
+std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
+                                          const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal);
+
+/// Ties the twists of two solids by one more row of inertia, row_master . V + row_other . V moving at a speed to be given with
+/// the films' (FluidVelocity::film_normal): with a large mass, a rigid constraint.
+template <int D>
+void add_inertia(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass, const NormalInertia<D>& inertia);
+
+/// Adds M^-1 K^T p to the twists of the free bodies. Collective.
+template <int D>
+void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Twist<D>>& twists);
+
+/// Connected components of the unknowns, their null space and the sealed pockets; fills coupling.system and
+/// coupling.sealed. Collective.
+template <int D>
+void find_components(Coupling<D>& coupling);
+
+} // namespace gapflow

@@ -1,0 +1,71 @@
+// The coupled linear system of one projection (method, section 4), as data:
+//
+//     (L + K M^-1 K^T) p = rhs
+//
+// p: pressure impulses of grid cells (dense, on their owners) and of film nodes (few, replicated on every rank).
+// L: grid faces (conductance a_f |f| / (rho dx)), film elements, and links (conduits, joints): rank-one terms
+//    g w w^T over film nodes and cells. K: flux out of each unknown's volume per unit twist of each free body.
+// M: mass matrix of the free bodies' twists, with the films' blocks that couple two bodies.
+#pragma once
+
+#include "gapflow/core/types.hpp"
+#include "gapflow/grid/field.hpp"
+
+#include <Eigen/Sparse>
+
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+/// A value for every unknown. Cells without an unknown hold 0. Node values are the same bits on all ranks.
+template <int D>
+struct UnknownVector {
+    CellField<D> cells;
+    Eigen::VectorXd nodes;
+};
+
+/// Flux q = conductance * sum_i weight_i p_i between film nodes and cells; enters row i with weight_i.
+struct Link {
+    double conductance;
+    std::vector<std::pair<int, double>> nodes;  ///< film node, weight
+    std::vector<std::pair<long, double>> cells; ///< Grid::key of the cell, weight
+};
+
+/// Entry of K in a row of the grid or of the film.
+template <int D, class Row>
+struct BodyFlux {
+    Row row;  ///< Index<D> of an owned cell, or film node
+    int body; ///< number among the bodies of this system
+    Twist<D> flux;
+};
+
+/// A connected part of the fluid: unknowns joined by faces, film elements or links.
+struct Component {
+    bool grounded = false; ///< touches an open side: its pressure level is fixed
+    long unknowns = 0;
+};
+
+template <int D>
+struct CoupledSystem {
+    const Grid<D>* grid = nullptr;
+    /// Conductance of every face, 0 where closed. On open sides of the domain: to the pressure 0 beyond the face (distance
+    /// dx/2, so twice the inner value). Valid on all faces of owned cells (both sides of the block).
+    FaceField<D> conductance;
+    int nodes = 0;
+    Eigen::SparseMatrix<double> film; ///< nodes x nodes, symmetric, positive semidefinite; the same on all ranks
+    std::vector<Link> links;          ///< the same list on all ranks
+    int bodies = 0;                   ///< free bodies; dof = twist_size<D> * body + component
+    std::vector<BodyFlux<D, Index<D>>> cell_flux; ///< K in this rank's cells
+    std::vector<BodyFlux<D, int>> node_flux;      ///< K in film nodes, the same on all ranks
+    Eigen::SparseMatrix<double> mass;             ///< dofs x dofs, symmetric positive definite; the same on all ranks
+
+    std::vector<Component> components;
+    CellField<D, int> component;      ///< of each cell, -1: no unknown; valid on owned cells
+    std::vector<int> node_component;
+    /// Null vectors of L + K M^-1 K^T: combinations of the components' constants, orthonormal coefficients
+    /// (components x null vectors), found by coupling (kernel of K^T on the floating components).
+    Eigen::MatrixXd null_space;
+};
+
+} // namespace gapflow

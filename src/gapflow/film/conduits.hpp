@@ -1,0 +1,74 @@
+// Where films exchange fluid: conduits to the grid, joints between films (method, section 3.4).
+#pragma once
+
+#include "gapflow/film/film_cells.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gapflow {
+
+enum class ConduitKind {
+    edge_edge, ///< sharp edges of both bodies: a slot between two right angles
+    edge_face, ///< a sharp edge of one, the other goes on: half of that slot by symmetry
+    smooth,    ///< h reaches h_c between smooth surfaces
+    open_side, ///< the film ends on an open side of the domain
+    inflow     ///< the film ends on an inflow side
+};
+
+/// A point of a film's rim that joins the film to the grid's pressure:
+/// rho R dq/dt = length * (p_film - p_bulk), q the flux out of the film.
+template <int D>
+struct Conduit {
+    int film;
+    ConduitKind kind;
+    std::array<int, D - 1> nodes;    ///< numbers among all film nodes
+    std::array<double, D - 1> shape; ///< shape functions of these nodes at x
+    Vec<D> x, outward;               ///< at mid-gap; unit, in the film's tangent plane
+    double length, h, resistance;    ///< share of the rim (2D: 1), thickness, R
+    std::vector<std::pair<long, double>> cells; ///< Grid::key, weight; sum 1. Empty on open and inflow sides
+};
+
+/// Ties the pressures of two films where they meet.
+template <int D>
+struct Joint {
+    std::array<int, D - 1> nodes_a, nodes_b;
+    std::array<double, D - 1> shape_a, shape_b;
+    double conductance; ///< at fluid density 1
+};
+
+template <int D>
+struct Mouths {
+    std::vector<Conduit<D>> conduits;
+    std::vector<Joint<D>> joints;
+    double closed_length = 0; ///< of rim that ends against a wall or a third body (2D: number of ends)
+    double blind_length = 0;  ///< of rim that found nothing to join
+    std::vector<long> reached; ///< keys of the cells that conduits draw on
+};
+
+/// Resistance R of a mouth of thickness h.
+double mouth_resistance(ConduitKind kind, double h, double dx);
+
+template <int D>
+Mouths<D> find_mouths(const FaceCache<D>& faces, const FaceClipper<D>& clipper, std::span<const Solid<D>> solids,
+                      std::span<const Film<D>> films, const FilmCells<D>& cells);
+
+/// Films with their cells, closed faces and mouths: everything that the coupling needs of them.
+template <int D>
+struct FilmNetwork {
+    std::vector<Film<D>> films;
+    FilmCells<D> cells;
+    Mouths<D> mouths;
+    std::shared_ptr<const FaceCache<D>> faces;
+    int nodes = 0, elements = 0;
+};
+
+/// Finds films, classifies cells, closes faces, finds mouths, absorbs pockets, until nothing changes. A film without any film
+/// cell is dropped (it would only double the open faces beside it).
+template <int D>
+FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
+                                  const std::function<GapSettings(int, int)>& settings, const std::set<FilmPair<D>>& alive);
+
+} // namespace gapflow

@@ -1,0 +1,111 @@
+// The mid-gap mesh of a film (method, section 3.1): the part of the master's surface that faces another body across a gap
+// thinner than h_c, refined to the gap's scales, cut at the film's end and moved to mid-gap.
+//
+// A surface point x of the master A is in the gap of B if B is the nearest of all other bodies, h(x) = distance to B < h_c,
+// n_A . n_B < -1/2, and the closest features of both are faces. One FilmMesh is one connected piece on which A's normal is
+// continuous (within 30 degrees from element to element) and B's closest point stays on one patch.
+#pragma once
+
+#include "gapflow/geometry/pose.hpp"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace gapflow {
+
+/// Cosine that the normals of facing surfaces must not exceed.
+inline constexpr double facing_cosine = -0.5;
+
+/// Why a film ends at an edge of its rim (2D: at an end point).
+enum class RimEnd {
+    master_edge, ///< the master's surface ends there at a sharp edge
+    other_edge,  ///< the other's closest feature becomes a sharp edge or corner
+    thickness,   ///< h reaches h_c
+    normals,     ///< the surfaces no longer face each other
+    third_body,  ///< another body (or image) is nearer beyond
+    patch        ///< the closest point jumps to another patch of the other body
+};
+
+template <int D>
+struct FilmElement {
+    std::array<int, D> nodes;
+    std::array<Vec<D>, D> gradient; ///< of the linear shape functions, tangential to the mid-gap element
+    Vec<D> normal;          ///< of the mid-gap element, from the master to the other
+    Vec<D> centroid;        ///< at mid-gap
+    Vec<D> centroid_master; ///< on the master
+    Vec<D> centroid_other;  ///< on the other
+    double measure;         ///< area (2D: length) at mid-gap
+    double volume;          ///< S = int h
+    double inverse;         ///< I = int 1/h, exact for h linear over each quadrature point's piece
+    bool coarse;            ///< larger than the gap's lateral scale asks for: uses the harmonic conductance
+
+    /// Conductance at density 1 times the gradients' product: S, on coarse elements the harmonic mean's (measure)^2 / I.
+    double conductance() const { return coarse ? measure * measure / inverse : volume; }
+};
+
+/// Boundary edge of the mesh (2D: end point).
+template <int D>
+struct RimEdge {
+    std::array<int, D - 1> nodes;
+    int element;
+    RimEnd end;
+    Vec<D> outward;  ///< unit conormal: in the element's plane, out of the film, normal to the edge
+    double length;   ///< 2D: 1
+};
+
+/// Quadrature point: a piece of an element, cut so that the closest points y lie in one grid cell.
+template <int D>
+struct FilmPoint {
+    int element;
+    std::array<double, D> shape; ///< shape functions (barycentric coordinates) at the piece's centroid
+    double weight;        ///< measure of the piece at mid-gap
+    double h;             ///< thickness there, not less than the floor
+    Vec<D> x, y;          ///< on the master and on the other
+    Vec<D> other_normal;  ///< unit, out of the other
+    Vec<D> area;          ///< share of the area vector of the flat simplex of the element's y_0..y_{D-1}, pointing into the
+                          ///< other (out of the fluid); pieces sum to the simplex exactly
+    Vec<D> area_centroid; ///< of that share, on the flat simplex
+};
+
+template <int D>
+struct FilmMesh {
+    int master = -1, other = -1;     ///< solids
+    Vec<D> shift = Vec<D>::Zero();   ///< of the other's image that faces the master's (periodic domains)
+    int other_patch = 0;             ///< of the other; where several join smoothly, the lowest of them
+    std::vector<Vec<D>> x, y, mid;   ///< nodes: on the master, closest point on the other, mid-gap
+    std::vector<double> h;           ///< at the nodes, not less than the floor
+    std::vector<FilmElement<D>> elements;
+    std::vector<RimEdge<D>> rim;
+    std::vector<FilmPoint<D>> points;
+    bool flat = false;               ///< both surfaces flat here
+    bool capped = false;             ///< the cap on nodes kept elements coarser than asked for
+};
+
+struct FilmMeshOptions {
+    double dx = 1;             ///< grid spacing
+    double threshold = 0.5;    ///< h_c, a length
+    double floor = 1e-9;       ///< h_floor, a length
+    double largest = 0.5;      ///< element size, in dx
+    double curved = 0.2;       ///< element size in sqrt(2 R h), where a surface is curved
+    double smallest = 0.0;     ///< element size, in dx, never refined below; 0: default (2D 1e-4, 3D 1/32)
+    double straddle = 0.125;   ///< size of elements cut by the film's end, in dx
+    double spacing = 0.0;      ///< of quadrature points, in dx; 0: default (1/8 in 2D; 3D: 1/4, where both are flat 1/2)
+    double ratio = 1.5;        ///< largest change of h over an element
+    int node_cap = 100000;
+    Vec<3> origin = Vec<3>::Zero(); ///< of the grid, to cut points at its planes
+};
+
+/// All films of `other` on `master` (empty if none). `third(x, n)` is the distance to the nearest
+/// solid that is neither and competes with the other for the surface point x with normal n.
+/// Geometry only: the result does not depend on the order of bodies, moves with the pair, and is the same on all ranks.
+template <int D>
+std::vector<FilmMesh<D>> film_meshes(const PlacedShape<D>& master, const PlacedShape<D>& other,
+                                     const std::function<double(const Vec<D>&, const Vec<D>&)>& third,
+                                     const FilmMeshOptions& options);
+
+/// Does the fluid point x lie in the gap between two solids: phi_A + phi_B < threshold, opposing normals, face features.
+template <int D>
+bool in_gap(const PlacedShape<D>& a, const PlacedShape<D>& b, const Vec<D>& x, double threshold);
+
+} // namespace gapflow

@@ -1,0 +1,382 @@
+#include "gapflow/film/film_motion.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// An old film within this many cells of a new element's arrival point is its past.
+constexpr double memory_reach = 2.0;
+// A new element is an old one if its centroid lies within this part of the old one's size from it.
+constexpr double same_element = 0.25;
+// Interpolated velocities relative to the master exceed those of the elements around by this factor at most.
+constexpr double surplus_bound = 1.5;
+// A mouth continues an old one within this many cells.
+constexpr double mouth_reach = 2.0;
+
+// Barycentric coordinates of x in the plane of a simplex, and the distance from x to the (closed) simplex.
+template <int D>
+double to_simplex(const std::array<Vec<D>, D>& v, const Vec<D>& x, std::array<double, D>& shape)
+{
+    if constexpr (D == 2) {
+        const Vec<2> t = v[1] - v[0];
+        const double s = (x - v[0]).dot(t) / t.squaredNorm();
+        shape = {1 - s, s};
+        return (x - v[0] - std::clamp(s, 0.0, 1.0) * t).norm();
+    } else {
+        const Vec<3> a = v[1] - v[0], b = v[2] - v[0], r = x - v[0];
+        const double aa = a.dot(a), ab = a.dot(b), bb = b.dot(b), ra = r.dot(a), rb = r.dot(b);
+        const double det = aa * bb - ab * ab;
+        const double s = (bb * ra - ab * rb) / det, t = (aa * rb - ab * ra) / det;
+        shape = {1 - s - t, s, t};
+        if (s >= 0 && t >= 0 && s + t <= 1)
+            return (r - s * a - t * b).norm();
+        double best = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < 3; ++i) {
+            const Vec<3>& p = v[i];
+            const Vec<3> e = v[(i + 1) % 3] - p;
+            best = std::min(best, (x - p - std::clamp((x - p).dot(e) / e.squaredNorm(), 0.0, 1.0) * e).norm());
+        }
+        return best;
+    }
+}
+
+template <int D>
+Vec<D> tangential(const Vec<D>& v, const Vec<D>& n)
+{
+    return v - v.dot(n) * n;
+}
+
+} // namespace
+
+template <int D>
+FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
+                          const std::vector<Vec<D>>& w, double dx)
+    : dx_(dx), rotation_(master.shape.rotation()), centre_body_(master.shape.to_body(master.centre)), twist_(master_twist)
+{
+    std::vector<double> weight;
+    for (const Film<D>* film : films) {
+        const int first = static_cast<int>(x_.size());
+        for (const Vec<D>& x : film->mesh.x)
+            x_.push_back(master.shape.to_body(x));
+        h_.insert(h_.end(), film->mesh.h.begin(), film->mesh.h.end());
+        for (std::size_t e = 0; e < film->mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = film->mesh.elements[e];
+            std::array<int, D> nodes = element.nodes;
+            Vec<D> centroid = Vec<D>::Zero();
+            for (int& node : nodes) {
+                node += first;
+                centroid += x_[node] / D;
+            }
+            elements_.push_back(nodes);
+            centroid_.push_back(centroid);
+            w_.push_back(w[film->first_element + e]);
+            normal_.push_back(element.normal);
+            weight.push_back(element.volume);
+            h_mean_.push_back(element.volume / element.measure);
+            flux_.push_back(h_mean_.back() * (w_.back() - master_velocity(centroid)));
+        }
+    }
+    for (int e = 0; e < static_cast<int>(elements_.size()); ++e)
+        bins_[bin_key(bin(centroid_[e]))].push_back(e);
+    fit_vertices(weight);
+}
+
+// Vertex values: linear fit to the fluxes of the elements around the vertex (two rings where one is too few).
+template <int D>
+void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
+{
+    std::vector<std::vector<int>> ring(x_.size());
+    for (int e = 0; e < static_cast<int>(elements_.size()); ++e)
+        for (int node : elements_[e])
+            ring[node].push_back(e);
+    flux_vertex_.assign(x_.size(), Vec<D>::Zero());
+    fastest_.assign(x_.size(), 0.0);
+    for (std::size_t i = 0; i < x_.size(); ++i)
+        for (int e : ring[i])
+            fastest_[i] = std::max(fastest_[i], flux_[e].norm() / h_mean_[e]);
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        std::vector<int> around = ring[i];
+        if (around.size() < (D == 2 ? 2 : 5)) {
+            for (int e : ring[i])
+                for (int node : elements_[e])
+                    around.insert(around.end(), ring[node].begin(), ring[node].end());
+            std::sort(around.begin(), around.end());
+            around.erase(std::unique(around.begin(), around.end()), around.end());
+        }
+        if (around.empty())
+            continue;
+        Eigen::Matrix<double, D + 1, D + 1> normal = Eigen::Matrix<double, D + 1, D + 1>::Zero();
+        Eigen::Matrix<double, D + 1, D> rhs = Eigen::Matrix<double, D + 1, D>::Zero();
+        double reach = 0, total = 0;
+        Vec<D> across = Vec<D>::Zero(); // mean normal, master's frame
+        for (int e : around) {
+            reach = std::max(reach, (centroid_[e] - x_[i]).norm());
+            total += weight[e];
+            across += weight[e] * (rotation_.transpose() * normal_[e]);
+        }
+        across.normalize();
+        for (int e : around) {
+            Eigen::Matrix<double, D + 1, 1> row;
+            row << 1.0, tangential<D>(centroid_[e] - x_[i], across) / std::max(reach, 1e-300);
+            normal += weight[e] / total * row * row.transpose();
+            rhs += weight[e] / total * row * flux_[e].transpose();
+        }
+        // Slopes across the surface are 0, and so are those of a lone element.
+        normal.template bottomRightCorner<D, D>() += across * across.transpose();
+        normal.diagonal().template tail<D>().array() += 1e-8;
+        flux_vertex_[i] = normal.ldlt().solve(rhs).row(0).transpose();
+        if (!flux_vertex_[i].allFinite())
+            flux_vertex_[i] = flux_[around.front()];
+    }
+}
+
+template <int D>
+Index<D> FilmMemory<D>::bin(const Vec<D>& x_body) const
+{
+    return (x_body / dx_).array().floor().template cast<int>();
+}
+
+template <int D>
+long FilmMemory<D>::bin_key(const Index<D>& bin) const
+{
+    long key = 0;
+    for (int axis = 0; axis < D; ++axis)
+        key = key * 2000003L + bin[axis] + 1000001L;
+    return key;
+}
+
+template <int D>
+typename FilmMemory<D>::Place FilmMemory<D>::locate(const Vec<D>& x_body) const
+{
+    Place best{-1, {}, std::numeric_limits<double>::infinity()};
+    auto consider = [&](int e) {
+        std::array<Vec<D>, D> v;
+        for (int i = 0; i < D; ++i)
+            v[i] = x_[elements_[e][i]];
+        std::array<double, D> shape;
+        const double distance = to_simplex<D>(v, x_body, shape);
+        if (distance < best.distance)
+            best = {e, shape, distance};
+    };
+    for (int reach = 1; reach <= 3; ++reach) {
+        for_each_index<D>(Index<D>::Constant(-reach), Index<D>::Constant(reach + 1), [&](const Index<D>& d) {
+            auto it = bins_.find(bin_key(Index<D>(bin(x_body) + d)));
+            if (it != bins_.end())
+                for (int e : it->second)
+                    consider(e);
+        });
+        if (best.distance < (reach - 0.5) * dx_)
+            return best;
+    }
+    if (best.element < 0)
+        for (int e = 0; e < static_cast<int>(elements_.size()); ++e)
+            consider(e);
+    return best;
+}
+
+template <int D>
+Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) const
+{
+    // Beyond the film the flux goes on linearly over one element's length; the thickness too, within a factor of two. Inside, the
+    // thickness is quadratic: from the vertices and the element's mean (a bubble c sum lambda_i lambda_j of mean 1).
+    Vec<D> flux = Vec<D>::Zero();
+    double h = 0, mean = 0, bubble = 0, least = std::numeric_limits<double>::infinity(), most = 0;
+    for (int i = 0; i < D; ++i) {
+        const int node = elements_[place.element][i];
+        const double share = std::clamp(place.shape[i], -1.0, 2.0);
+        flux += share * flux_vertex_[node];
+        h += share * h_[node];
+        mean += h_[node] / D;
+        for (int j = 0; j < i; ++j)
+            bubble += (D == 2 ? 6 : 4) * std::clamp(place.shape[i], 0.0, 1.0) * std::clamp(place.shape[j], 0.0, 1.0);
+        least = std::min(least, h_[node]);
+        most = std::max(most, h_[node]);
+    }
+    h += bubble * (h_mean_[place.element] - mean);
+    // Where the gap closes to a tip the division would make much of little: no faster than the elements around, nearly.
+    Vec<D> relative = flux / std::clamp(h, 0.5 * least, 2 * most);
+    double bound = 0;
+    for (int node : elements_[place.element])
+        bound = std::max(bound, surplus_bound * fastest_[node]);
+    if (relative.norm() > bound)
+        relative *= bound / relative.norm();
+    return master_velocity(x_body) + relative;
+}
+
+template <int D>
+Vec<D> FilmMemory<D>::master_velocity(const Vec<D>& x_body) const
+{
+    return velocity_at<D>(twist_, rotation_ * (x_body - centre_body_));
+}
+
+template <int D>
+typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_body, double dt) const
+{
+    const Place arrival = locate(x_body);
+    auto relative = [&](const Vec<D>& x, const Place& place) { // along the film, seen from the master, in its frame
+        const Vec<D> v = vertex_velocity(x, place) - master_velocity(x);
+        return Vec<D>(rotation_.transpose() * tangential<D>(v, normal_[place.element]));
+    };
+    Place foot = arrival;
+    Vec<D> x_foot = x_body;
+    if (dt > 0) {
+        const Vec<D> middle = x_body - 0.5 * dt * relative(x_body, arrival);
+        x_foot = x_body - dt * relative(middle, locate(middle));
+        foot = locate(x_foot);
+    }
+    // What the old element has beyond its vertex values is kept where the new element is the old one and as far as the foot is
+    // still in it: no diffusion at rest, and elsewhere that of linear interpolation (kept whole, the scheme would be a centred
+    // difference forward in time, which grows; on a changed mesh it would be noise of small cut elements).
+    const std::array<int, D>& nodes = elements_[arrival.element];
+    const Vec<D>& centroid = centroid_[arrival.element];
+    Place middle = arrival;
+    middle.shape.fill(1.0 / D);
+    double size = 0;
+    for (int i = 0; i < D; ++i)
+        size = std::max(size, (x_[nodes[i]] - x_[nodes[(i + 1) % D]]).norm());
+    const double same = std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
+                        std::max(0.0, 1 - (x_body - x_foot).norm() / size);
+    return {vertex_velocity(x_foot, foot) + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
+            normal_[foot.element], arrival.distance < memory_reach * dx_};
+}
+
+template <int D>
+const typename FilmMemory<D>::Mouth* FilmMemory<D>::mouth(const Vec<D>& x_body, const Vec<D>& outward) const
+{
+    const Mouth* best = nullptr;
+    double nearest = mouth_reach * dx_;
+    for (const Mouth& m : mouths)
+        if (m.outward.dot(outward) > 0.5 && (m.place - x_body).norm() < nearest) {
+            nearest = (m.place - x_body).norm();
+            best = &m;
+        }
+    return best;
+}
+
+template <int D>
+std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
+                                      const std::vector<Twist<D>>& twists)
+{
+    std::vector<double> speed;
+    for (const Film<D>& film : network.films) {
+        const FilmMesh<D>& mesh = film.mesh;
+        for (const FilmElement<D>& e : mesh.elements)
+            speed.push_back(0.5 * e.normal.dot(velocity_at<D>(twists[mesh.master], e.centroid - solids[mesh.master].centre) +
+                                               velocity_at<D>(twists[mesh.other], e.centroid - solids[mesh.other].centre - mesh.shift)));
+    }
+    return speed;
+}
+
+template <int D>
+FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
+                         const std::vector<Twist<D>>& predicted, const std::function<Vec<D>(const Vec<D>&)>& grid_velocity,
+                         const std::function<MouthLaw(int, int)>& law, double dt)
+{
+    FilmFlow<D> flow;
+    const std::vector<double> normal_speed = wall_normal_speed<D>(network, solids, predicted);
+    auto memory_of = [&](const FilmPair<D>& pair) {
+        auto it = memories.find(pair);
+        return it == memories.end() ? nullptr : it->second.get();
+    };
+    for (const Film<D>& film : network.films) {
+        const FilmMemory<D>* memory = memory_of(film.pair);
+        const PlacedShape<D>& master = solids[film.pair.master].shape;
+        for (const FilmElement<D>& e : film.mesh.elements) {
+            Vec<D> w, n_bar = e.normal;
+            bool known = false;
+            if (memory) {
+                const auto old = memory->transport(master.to_body(e.centroid_master), dt);
+                known = old.near;
+                w = old.velocity;
+                n_bar += old.normal;
+            }
+            if (!known) {
+                w = grid_velocity(e.centroid);
+                n_bar = e.normal;
+            }
+            const double across = n_bar.dot(e.normal);
+            flow.normal.push_back(w.dot(e.normal));
+            if (across > 0.1 * n_bar.norm())
+                w += (normal_speed[flow.velocity.size()] - w.dot(e.normal)) / across * n_bar;
+            flow.velocity.push_back(tangential<D>(w, e.normal));
+        }
+    }
+    for (const Conduit<D>& conduit : network.mouths.conduits) {
+        const Film<D>& film = network.films[conduit.film];
+        const FilmMemory<D>* memory = memory_of(film.pair);
+        const Solid<D>& master = solids[film.pair.master];
+        const Vec<D> place = master.shape.to_body(conduit.x);
+        const double section = conduit.length * conduit.h;
+        double q = 0, scale = 1.0;
+        if (memory && memory->at(place).near) {
+            const Vec<D> w = memory->at(place).velocity, U = memory->master_velocity(place);
+            const double u = conduit.outward.dot(w - U); // out of the film, seen from the master
+            const auto* old = memory->mouth(place, conduit.outward);
+            q = section * conduit.outward.dot(w);
+            if (old)
+                q = conduit.length * (old->flux + (conduit.h * conduit.outward - old->h * old->outward).dot(old->master_velocity));
+            const MouthLaw mouth = law(film.pair.master, film.pair.other);
+            const bool sharp = conduit.kind != ConduitKind::smooth && conduit.kind != ConduitKind::inflow;
+            if (sharp && u < 0) { // entrance, semi-implicit
+                const double k = 1 + mouth.entrance_loss;
+                scale = 1 / (1 + dt * k * -u / (2 * conduit.resistance * conduit.h));
+                q = scale * q + (1 - scale) * section * conduit.outward.dot(U);
+            } else if (sharp && !mouth.jet) {
+                // no more than the mouth's own flux: where the gap closes to nothing the head would make a flood of it
+                q += conduit.length * std::min(dt * 0.5 * u * u / conduit.resistance, conduit.h * u);
+            }
+        } else {
+            q = section * conduit.outward.dot(grid_velocity(conduit.x));
+        }
+        flow.conduit.push_back(q);
+        flow.conduit_scale.push_back(scale);
+    }
+    return flow;
+}
+
+template <int D>
+FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<Twist<D>>& twists,
+                               const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx)
+{
+    std::vector<Vec<D>> w = u;
+    const std::vector<double> normal_speed = wall_normal_speed<D>(network, solids, twists);
+    std::map<FilmPair<D>, std::vector<const Film<D>*>> pieces;
+    for (const Film<D>& film : network.films) {
+        pieces[film.pair].push_back(&film);
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            const std::size_t i = film.first_element + e;
+            w[i] = tangential<D>(u[i], film.mesh.elements[e].normal) + normal_speed[i] * film.mesh.elements[e].normal;
+        }
+    }
+    std::map<FilmPair<D>, std::shared_ptr<FilmMemory<D>>> memories;
+    for (const auto& [pair, films] : pieces)
+        memories[pair] = std::make_shared<FilmMemory<D>>(solids[pair.master], twists[pair.master], films, w, dx);
+    for (std::size_t r = 0; r < conduit.size(); ++r) {
+        const Conduit<D>& c = network.mouths.conduits[r];
+        const FilmPair<D>& pair = network.films[c.film].pair;
+        const Solid<D>& master = solids[pair.master];
+        memories[pair]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.h, conduit[r] / c.length,
+                                          velocity_at<D>(twists[pair.master], c.x - master.centre), c.kind});
+    }
+    return {memories.begin(), memories.end()};
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template class FilmMemory<D>;                                                                                              \
+    template FilmFlow<D> advect_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmMemories<D>&,             \
+                                         const std::vector<Twist<D>>&, const std::function<Vec<D>(const Vec<D>&)>&,            \
+                                         const std::function<MouthLaw(int, int)>&, double);                                    \
+    template FilmMemories<D> remember_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<Twist<D>>&, \
+                                               const std::vector<Vec<D>>&, const std::vector<double>&, double);                \
+    template std::vector<double> wall_normal_speed<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                        \
+                                                      const std::vector<Twist<D>>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,114 @@
+// What films carry from step to step, and its advection on the moving surface mesh (method, section 5).
+//
+// An element's velocity is w = u + V_n n in world axes (u tangential, V_n the normal speed of the mid-gap surface).
+// Semi-Lagrangian on the master: trace back by dt (u - P U_m) along the old mesh in the master's frame, transport w as a world
+// vector, and turn its surplus into the new tangent plane:
+//     w* = w^(x*) + theta (w_e - w^(x_e)),    w^ = U_m + (h (w - U_m))^ / h^, theta = 1 where the
+//                                             new element is the old element e, 0 where the mesh has changed,
+// (.)^: from vertex values (local least squares in the tangent plane, weighted by S). The flux h (w - U_m) varies slowly where the
+// gap does not: interpolating w itself, which goes like 1/h, overestimates it on both sides of a throat and pumps the fluid through.
+//     w_new = w* + lambda n_bar,      n_bar parallel to n_old + n_new,   lambda such that w_new . n_new is the new normal speed.
+// A trace that leaves the old film uses w^ extrapolated linearly beyond its end, never the grid's velocity.
+#pragma once
+
+#include "gapflow/film/conduits.hpp"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace gapflow {
+
+/// The films of one pair of solids after a step.
+template <int D>
+class FilmMemory {
+public:
+    struct Mouth {
+        Vec<D> place;            ///< in the master's frame
+        Vec<D> outward;          ///< world axes, at the time
+        double h, flux;          ///< thickness and absolute flux out of the film, per length of rim
+        Vec<D> master_velocity;  ///< world, of the master there
+        ConduitKind kind;
+    };
+
+    /// `films`: the pieces of this pair; `w`: one world vector an element of all films of the network.
+    FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
+               const std::vector<Vec<D>>& w, double dx);
+
+    /// Velocity (world axes) transported to a point of the master's frame over dt, with the old normal at its foot.
+    struct Transported {
+        Vec<D> velocity, normal;
+        bool near; ///< an old film lies within two cells of the arrival point
+    };
+    Transported transport(const Vec<D>& x_body, double dt) const;
+    /// Old velocity at a point of the master's frame, extrapolated linearly beyond the film, and the film's normal there.
+    Transported at(const Vec<D>& x_body) const { return transport(x_body, 0.0); }
+    /// Velocity of the master's old rigid motion at a point of its frame (world axes).
+    Vec<D> master_velocity(const Vec<D>& x_body) const;
+    /// The old mouth that a new one at this place continues; null: none near.
+    const Mouth* mouth(const Vec<D>& x_body, const Vec<D>& outward) const;
+
+    std::vector<Mouth> mouths;
+
+private:
+    struct Place {
+        int element;
+        std::array<double, D> shape; ///< barycentric, may lie outside 0..1
+        double distance;
+    };
+    Place locate(const Vec<D>& x_body) const;
+    Vec<D> vertex_velocity(const Vec<D>& x_body, const Place& place) const;
+    void fit_vertices(const std::vector<double>& weight);
+    Index<D> bin(const Vec<D>& x_body) const;
+    long bin_key(const Index<D>& bin) const;
+
+    double dx_;
+    Mat<D> rotation_;       ///< of the master, at the time
+    Vec<D> centre_body_;    ///< the master's reference point in its frame
+    Twist<D> twist_;
+    std::vector<Vec<D>> x_; ///< vertices on the master, its frame
+    std::vector<std::array<int, D>> elements_;
+    std::vector<Vec<D>> centroid_; ///< master's frame
+    std::vector<double> fastest_;  ///< largest |w - U_m| of the elements around a vertex
+    std::vector<double> h_, h_mean_; ///< thickness at the vertices, mean over the elements
+    std::vector<Vec<D>> w_, normal_; ///< of elements, world axes
+    std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
+    std::unordered_map<long, std::vector<int>> bins_;
+};
+
+/// All that films remember, by pair.
+template <int D>
+using FilmMemories = std::map<FilmPair<D>, std::shared_ptr<const FilmMemory<D>>>;
+
+/// Velocities with which films enter the next projection.
+template <int D>
+struct FilmFlow {
+    std::vector<Vec<D>> velocity;        ///< u*, tangential, one an element
+    std::vector<double> normal;          ///< w_n*, one an element
+    std::vector<double> conduit;         ///< q*, absolute, one a conduit
+    std::vector<double> conduit_scale;   ///< factor on the conduit's 1/R (semi-implicit inflow)
+};
+
+struct MouthLaw {
+    double entrance_loss = 0; ///< zeta
+    bool jet = false;         ///< outflow leaves as a jet: its kinetic head is lost
+};
+
+/// Advects what the old films carried onto the new ones. `twists` are V^n, `predicted` V^n + dt A; `grid_velocity` samples the
+/// bulk's continued velocity (for elements that no old film is near).
+template <int D>
+FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
+                         const std::vector<Twist<D>>& predicted, const std::function<Vec<D>(const Vec<D>&)>& grid_velocity,
+                         const std::function<MouthLaw(int, int)>& law, double dt);
+
+/// Remembers the films after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}.
+template <int D>
+FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<Twist<D>>& twists,
+                               const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx);
+
+/// Mean of the two walls' velocities at mid-gap, normal part: n . 1/2 (U_A + U_B), one an element.
+template <int D>
+std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
+                                      const std::vector<Twist<D>>& twists);
+
+} // namespace gapflow

@@ -1,0 +1,252 @@
+// Points of an element: it is divided evenly until pieces are no larger than the spacing and h changes by less than 1.3 over
+// each, and cut where the closest point y (linear over the flat simplex y_0..y_{D-1}) crosses a plane of the grid, so that
+// each piece has its y in one cell.
+//
+// Midpoint rule on each piece, second order, except: 2D, int 1/h = L ln(h_1/h_0) / (h_1 - h_0) on each half, exact for linear
+// h; the area vectors and moments of the simplex, exact (their fractions are those of the piece in barycentric coordinates).
+#include "gapflow/film/film_quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow
+{
+namespace
+{
+
+constexpr double thickness_ratio = 1.3; ///< largest change of h over a piece ...
+template <int D>
+constexpr int most_for_ratio = D == 2 ? 8 : 2; ///< ... as long as an element needs no more divisions along an edge
+constexpr int most_for_inverse = 6;            ///< the same for the integral of 1/h alone (3D)
+constexpr int most_divisions = 64;
+
+template <int D>
+using Barycentric = std::array<double, D>;
+
+/// A piece of an element.
+template <int D>
+struct Piece {
+    Barycentric<D> centre;
+    double fraction;
+    std::array<Barycentric<D>, 2> ends; ///< 2D
+};
+
+template <int D>
+Vec<D> at(const std::array<Vec<D>, D>& corners, const Barycentric<D>& shape)
+{
+    Vec<D> x = Vec<D>::Zero();
+    for (int k = 0; k < D; ++k)
+        x += shape[k] * corners[k];
+    return x;
+}
+
+/// int_0^1 dt / (h_0 + t (h_1 - h_0)).
+double mean_inverse(double h0, double h1)
+{
+    const double r = (h1 - h0) / h0;
+    return std::abs(r) < 1e-5 ? 2 / (h0 + h1) : std::log1p(r) / (h1 - h0);
+}
+
+void divide(const std::array<Vec<2>, 2>& y, int divisions, const FilmMeshOptions& o, std::vector<Piece<2>>& pieces)
+{
+    std::vector<double> cuts;
+    for (int i = 0; i <= divisions; ++i)
+        cuts.push_back(double(i) / divisions);
+    for (int axis = 0; axis < 2; ++axis) {
+        const double a = (y[0][axis] - o.origin[axis]) / o.dx, b = (y[1][axis] - o.origin[axis]) / o.dx;
+        for (double k = std::floor(std::min(a, b)) + 1; k < std::max(a, b); ++k)
+            cuts.push_back((k - a) / (b - a));
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        const double s = cuts[i], t = cuts[i + 1], m = 0.5 * (s + t);
+        if (t - s > 1e-12)
+            pieces.push_back({{1 - m, m}, t - s, {{{1 - s, s}, {1 - t, t}}}});
+    }
+}
+
+/// Convex polygon in barycentric coordinates; a triangle cut by two parallel planes an axis has at most nine corners.
+struct Polygon {
+    std::array<Vec<3>, 12> corners;
+    int n = 0;
+    void add(const Vec<3>& b)
+    {
+        if (n < int(corners.size()))
+            corners[n++] = b;
+    }
+};
+
+/// Appends the slices of a polygon between the planes where `height` . b is an integer.
+void slice(const Polygon& whole, const Vec<3>& height, std::vector<Polygon>& slices)
+{
+    double low = 1e300, high = -1e300;
+    for (int i = 0; i < whole.n; ++i) {
+        low = std::min(low, height.dot(whole.corners[i]));
+        high = std::max(high, height.dot(whole.corners[i]));
+    }
+    Polygon rest = whole;
+    for (double k = std::floor(low + 1e-9) + 1; k < high - 1e-9 && rest.n > 2; ++k) {
+        Polygon below, above;
+        for (int i = 0; i < rest.n; ++i) {
+            const Vec<3>&a = rest.corners[i], &b = rest.corners[(i + 1) % rest.n];
+            const double fa = height.dot(a) - k, fb = height.dot(b) - k;
+            if (fa <= 0)
+                below.add(a);
+            if (fa >= 0)
+                above.add(a);
+            if (fa * fb < 0) {
+                const Vec<3> cut = a + (b - a) * (fa / (fa - fb));
+                below.add(cut);
+                above.add(cut);
+            }
+        }
+        if (below.n > 2)
+            slices.push_back(below);
+        rest = above;
+    }
+    if (rest.n > 2)
+        slices.push_back(rest);
+}
+
+void divide(const std::array<Vec<3>, 3>& y, int q, const FilmMeshOptions& o, std::vector<Piece<3>>& pieces)
+{
+    static thread_local std::vector<Polygon> polygons, slices;
+    polygons.clear();
+    const auto corner = [q](int i, int j) { return Vec<3>(double(q - i - j) / q, double(i) / q, double(j) / q); };
+    for (int i = 0; i < q; ++i)
+        for (int j = 0; j < q - i; ++j) {
+            Polygon& p = polygons.emplace_back();
+            p.add(corner(i, j)), p.add(corner(i + 1, j)), p.add(corner(i, j + 1));
+            if (j < q - i - 1) {
+                Polygon& r = polygons.emplace_back();
+                r.add(corner(i + 1, j)), r.add(corner(i + 1, j + 1)), r.add(corner(i, j + 1));
+            }
+        }
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec<3> height = (Vec<3>(y[0][axis], y[1][axis], y[2][axis]).array() - o.origin[axis]) / o.dx;
+        if (std::floor(height.minCoeff() + 1e-9) + 1 >= height.maxCoeff() - 1e-9)
+            continue;
+        slices.clear();
+        for (const Polygon& p : polygons)
+            slice(p, height, slices);
+        polygons.swap(slices);
+    }
+    double total = 0;
+    const std::size_t first = pieces.size();
+    for (const Polygon& p : polygons) {
+        double area = 0;
+        Vec<3> centre = Vec<3>::Zero();
+        for (int k = 1; k + 1 < p.n; ++k) {
+            const Vec<3> a = p.corners[k] - p.corners[0], b = p.corners[k + 1] - p.corners[0];
+            const double w = std::abs(a[1] * b[2] - a[2] * b[1]);
+            area += w;
+            centre += w / 3 * (p.corners[0] + p.corners[k] + p.corners[k + 1]);
+        }
+        if (area < 1e-14)
+            continue;
+        centre /= area;
+        total += area;
+        pieces.push_back({{centre[0], centre[1], centre[2]}, area, {}});
+    }
+    for (std::size_t i = first; i < pieces.size(); ++i)
+        pieces[i].fraction /= total;
+}
+
+} // namespace
+
+template <int D>
+Vec<D> area_vector(const std::array<Vec<D>, D>& c)
+{
+    if constexpr (D == 2)
+        return {c[1][1] - c[0][1], c[0][0] - c[1][0]};
+    else
+        return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]);
+}
+
+template <int D>
+void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool flat, int e, FilmMesh<D>& film)
+{
+    const FilmMeshOptions& o = test.options;
+    FilmElement<D>& element = film.elements[e];
+    std::array<Vec<D>, D> x, y;
+    Barycentric<D> h;
+    for (int k = 0; k < D; ++k) {
+        x[k] = film.x[element.nodes[k]];
+        y[k] = film.y[element.nodes[k]];
+        h[k] = film.h[element.nodes[k]];
+    }
+    double size = 0;
+    for (int k = 0; k < D; ++k)
+        size = std::max({size, (x[k] - x[(k + 1) % D]).norm(), (y[k] - y[(k + 1) % D]).norm()});
+    const double spacing = o.dx * (o.spacing > 0 ? o.spacing : D == 2 ? 0.125 : flat ? 0.5 : 0.25);
+    const auto [lowest, highest] = std::minmax_element(h.begin(), h.end());
+    int divisions = std::max(1, int(std::ceil(std::min(size / spacing, double(most_divisions)) - 1e-6)));
+    const double for_ratio = std::ceil(std::log(*highest / *lowest) / std::log(thickness_ratio) - 1e-6);
+    const int for_inverse = std::max(divisions, int(std::min(for_ratio, double(most_for_inverse))));
+    divisions = std::max(divisions, int(std::min(for_ratio, double(most_for_ratio<D>))));
+
+    static thread_local std::vector<Piece<D>> pieces;
+    pieces.clear();
+    divide(y, divisions, o, pieces);
+
+    // The gap at a place of the element: interpolated, or that of the exact surfaces.
+    const Vec<D> normal = test.other.patch_normal(at<D>(y, pieces.front().centre), other_patch);
+    const auto gap = [&](const Barycentric<D>& shape, FilmPoint<D>& p) {
+        p.x = at<D>(x, shape);
+        if (!flat) {
+            p.x = test.onto(p.x, master_patch);
+            const SurfacePoint<D> s = test.other.closest(p.x);
+            if (s.feature == Feature::face && test.in_label(s.patch)) {
+                p.y = s.x;
+                p.other_normal = s.normal;
+                p.h = test.thickness(s);
+                return;
+            }
+        }
+        p.y = at<D>(y, shape);
+        p.other_normal = normal;
+        p.h = 0;
+        for (int k = 0; k < D; ++k)
+            p.h += shape[k] * h[k];
+        p.h = std::max(p.h, o.floor);
+    };
+    const Vec<D> area = area_vector<D>(y);
+    element.volume = element.inverse = 0;
+    for (const Piece<D>& piece : pieces) {
+        FilmPoint<D>& p = film.points.emplace_back();
+        p.element = e;
+        p.shape = piece.centre;
+        p.weight = piece.fraction * element.measure;
+        p.area = piece.fraction * area;
+        p.area_centroid = at<D>(y, piece.centre);
+        gap(piece.centre, p);
+        if constexpr (D == 2)
+            for (const auto& end_shape : piece.ends) {
+                FilmPoint<2> end;
+                gap(end_shape, end);
+                element.inverse += 0.5 * p.weight * mean_inverse(p.h, end.h);
+            }
+        element.volume += p.weight * p.h;
+        if (D == 3 && for_inverse == divisions)
+            element.inverse += p.weight / p.h;
+    }
+    if constexpr (D == 3)
+        if (for_inverse > divisions) {
+            pieces.clear();
+            divide(y, for_inverse, o, pieces);
+            for (const Piece<3>& piece : pieces) {
+                FilmPoint<3> p;
+                gap(piece.centre, p);
+                element.inverse += piece.fraction * element.measure / p.h;
+            }
+        }
+    // int h int 1/h >= measure^2, also where the midpoint rule for h misses its kink at the floor
+    element.inverse = std::max(element.inverse, element.measure * element.measure / element.volume);
+}
+
+template Vec<2> area_vector<2>(const std::array<Vec<2>, 2>&);
+template Vec<3> area_vector<3>(const std::array<Vec<3>, 3>&);
+template void add_points(const GapTest<2>&, int, int, bool, int, FilmMesh<2>&);
+template void add_points(const GapTest<3>&, int, int, bool, int, FilmMesh<3>&);
+
+} // namespace gapflow

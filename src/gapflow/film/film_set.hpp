@@ -1,0 +1,65 @@
+// All films of a configuration: which pairs of solids have one, which of the two is the master (method, 3 and 3.5).
+#pragma once
+
+#include "gapflow/film/film_mesh.hpp"
+#include "gapflow/geometry/solid.hpp"
+#include "gapflow/grid/face_fractions.hpp"
+
+#include <functional>
+#include <set>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace gapflow {
+
+/// A pair of solids with the image of the second that faces the first (in whole periods).
+template <int D>
+struct FilmPair {
+    int master, other;
+    std::array<int, D> shift;
+    auto operator<=>(const FilmPair&) const = default;
+};
+
+struct GapSettings {
+    bool film = true;
+    double threshold = 0; ///< h_c, a length; a pair that has a film keeps it up to 1.3 h_c
+    double floor = 0;     ///< h_floor, a length
+};
+
+/// One connected piece of film.
+template <int D>
+struct Film {
+    FilmPair<D> pair;
+    FilmMesh<D> mesh;
+    double threshold;      ///< h_c that it was built with
+    int first_node = 0;    ///< number of its node 0 among all film nodes
+    int first_element = 0; ///< number of its element 0 among all film elements
+};
+
+/// Distance from the master's surface point x with normal n to the nearest third solid (or image) that faces it too, and so
+/// competes with the pair's other solid for the film there; negative inside any third solid and beyond an open side of the
+/// domain, where films end. Where a third solid's surface is the master's too (flush bodies), the one first by name has the
+/// film. x may lie outside a periodic domain.
+template <int D>
+double third_distance(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
+                      const FilmPair<D>& pair, const Vec<D>& x, const Vec<D>& n, double reach);
+
+/// Films of all pairs, sorted so that the order does not depend on the order of solids. `settings` gives a pair's gap
+/// settings; `alive`: pairs that had a film a step ago (they keep it to 1.3 h_c, and their master).
+template <int D>
+std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
+                                const std::function<GapSettings(int, int)>& settings, const std::set<FilmPair<D>>& alive);
+
+/// Numbers the nodes and elements of a list of films.
+template <int D>
+void number_films(std::vector<Film<D>>& films);
+
+/// The placed shape of a pair's other solid: the image that faces the master.
+template <int D>
+PlacedShape<D> other_shape(const Grid<D>& grid, std::span<const Solid<D>> solids, const FilmPair<D>& pair)
+{
+    return solids[pair.other].shape.shifted(grid.size().cwiseProduct(Index<D>(pair.shift.data()).template cast<double>()));
+}
+
+} // namespace gapflow

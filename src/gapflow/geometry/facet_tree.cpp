@@ -1,0 +1,167 @@
+// Closest point on triangles and segments.
+//
+// Triangle: the query projects inside, or the closest point lies on one of the edges that face it (those beyond whose line
+// the projection lies), so it is the best of at most two segments. Signs come from in-plane edge normals, exact where the
+// facet is aligned with the axes.
+#include "gapflow/geometry/facet_tree.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace gapflow
+{
+namespace
+{
+
+constexpr int leaf_size = 4;
+
+template <int D>
+FacetPoint<D> at_vertex(const Facet<D>& facet, int i, const Vec<D>& q)
+{
+    return {facet.corner[i], (q - facet.corner[i]).squaredNorm(), -1, i};
+}
+
+template <int D>
+FacetPoint<D> in_plane(const Facet<D>& facet, const Vec<D>& q)
+{
+    const double d = (q - facet.corner[0]).dot(facet.normal);
+    return {q - d * facet.normal, d * d, -1, -1};
+}
+
+FacetPoint<3> on_edge(const Facet<3>& facet, int ridge, const Vec<3>& q)
+{
+    const int i = (ridge + 1) % 3, j = (ridge + 2) % 3;
+    const Vec<3>&a = facet.corner[i], &b = facet.corner[j], along = b - a;
+    const double s = along.dot(q - a);
+    if (s <= 0)
+        return at_vertex(facet, i, q);
+    if (along.dot(q - b) >= 0)
+        return at_vertex(facet, j, q);
+    const Vec<3> x = a + s / along.squaredNorm() * along;
+    return {x, (q - x).squaredNorm(), ridge, -1};
+}
+
+} // namespace
+
+template <int D>
+FacetPoint<D> closest_on(const Facet<D>& facet, const Vec<D>& q)
+{
+    if constexpr (D == 2) {
+        const Vec<2> along = facet.corner[1] - facet.corner[0];
+        if (along.dot(q - facet.corner[0]) <= 0)
+            return at_vertex(facet, 0, q);
+        if (along.dot(q - facet.corner[1]) >= 0)
+            return at_vertex(facet, 1, q);
+        return in_plane(facet, q);
+    } else {
+        FacetPoint<3> best;
+        best.distance2 = std::numeric_limits<double>::infinity();
+        bool inside = true;
+        for (int ridge = 0; ridge < 3; ++ridge) {
+            const Vec<3>&a = facet.corner[(ridge + 1) % 3], &b = facet.corner[(ridge + 2) % 3];
+            if ((b - a).cross(facet.normal).dot(q - a) <= 0)
+                continue;
+            inside = false;
+            if (const FacetPoint<3> p = on_edge(facet, ridge, q); p.distance2 < best.distance2)
+                best = p;
+        }
+        return inside ? in_plane(facet, q) : best;
+    }
+}
+
+template <int D>
+FacetTree<D>::FacetTree(const std::vector<Facet<D>>& facets, const std::vector<int>& group)
+{
+    std::vector<int> order(facets.size());
+    std::iota(order.begin(), order.end(), 0);
+    nodes_.reserve(facets.size());
+    build(order, facets, 0, int(order.size()));
+    for (int f : order) {
+        facets_.push_back(facets[f]);
+        group_.push_back(group[f]);
+    }
+    id_ = std::move(order);
+}
+
+template <int D>
+void FacetTree<D>::build(std::vector<int>& order, const std::vector<Facet<D>>& facets, int begin, int end)
+{
+    const int self = int(nodes_.size());
+    const auto centre = [&](int f) { // times D
+        Vec<D> sum = Vec<D>::Zero();
+        for (const Vec<D>& x : facets[f].corner)
+            sum += x;
+        return sum;
+    };
+    Node node;
+    node.low.setConstant(std::numeric_limits<double>::infinity());
+    node.high = -node.low;
+    Vec<D> low = node.low, high = node.high; // of the centres
+    for (int k = begin; k < end; ++k) {
+        for (const Vec<D>& x : facets[order[k]].corner) {
+            node.low = node.low.cwiseMin(x);
+            node.high = node.high.cwiseMax(x);
+        }
+        const Vec<D> c = centre(order[k]);
+        low = low.cwiseMin(c);
+        high = high.cwiseMax(c);
+    }
+    nodes_.push_back(node);
+    if (end - begin <= leaf_size) {
+        nodes_[self].first = begin;
+        nodes_[self].count = end - begin;
+        return;
+    }
+    int axis;
+    (high - low).maxCoeff(&axis);
+    const int middle = begin + (end - begin) / 2;
+    std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end, [&](int f, int g) {
+        const double cf = centre(f)[axis], cg = centre(g)[axis];
+        return cf != cg ? cf < cg : f < g;
+    });
+    build(order, facets, begin, middle);
+    nodes_[self].first = int(nodes_.size());
+    build(order, facets, middle, end);
+}
+
+template <int D>
+double FacetTree<D>::distance2(int node, const Vec<D>& q) const
+{
+    return (nodes_[node].low - q).cwiseMax(q - nodes_[node].high).cwiseMax(0).squaredNorm();
+}
+
+template <int D>
+typename FacetTree<D>::Hit FacetTree<D>::closest(const Vec<D>& q, int group) const
+{
+    Hit best;
+    best.point.distance2 = std::numeric_limits<double>::infinity();
+    std::array<std::pair<double, int>, 64> stack; // halving keeps the depth below 32
+    int top = 0;
+    stack[top++] = {distance2(0, q), 0};
+    while (top > 0) {
+        const auto [bound, index] = stack[--top];
+        if (bound >= best.point.distance2)
+            continue;
+        const Node& node = nodes_[index];
+        for (int k = node.first; k < node.first + node.count; ++k)
+            if (group < 0 || group_[k] == group)
+                if (const FacetPoint<D> p = closest_on(facets_[k], q); p.distance2 < best.point.distance2)
+                    best = {id_[k], p};
+        if (node.count > 0)
+            continue;
+        const std::pair<double, int> left{distance2(index + 1, q), index + 1}, right{distance2(node.first, q), node.first};
+        const bool left_first = left.first <= right.first;
+        stack[top++] = left_first ? right : left;
+        stack[top++] = left_first ? left : right;
+    }
+    return best;
+}
+
+template FacetPoint<2> closest_on<2>(const Facet<2>&, const Vec<2>&);
+template FacetPoint<3> closest_on<3>(const Facet<3>&, const Vec<3>&);
+template class FacetTree<2>;
+template class FacetTree<3>;
+
+} // namespace gapflow

@@ -1,0 +1,37 @@
+// From facets of a file to a closed, oriented surface.
+#pragma once
+
+#include "gapflow/geometry/shape.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace gapflow
+{
+
+/// For each facet the facet across each ridge (3D: edge, 2D: vertex); ridge i is the one without the facet's vertex i. In 2D
+/// ridge i is thus the vertex 1 - i.
+template <int D>
+using Neighbours = std::vector<std::array<int, D>>;
+
+/// Closed surface with outward orientation.
+template <int D>
+struct ClosedSurface {
+    SurfaceMesh<D> mesh; ///< `patch` empty
+    Neighbours<D> neighbours;
+};
+
+/// Welds vertices where the facets need it (first identical ones, then those within 1e-6 of the size), drops facets that
+/// collapse, checks that every ridge has two facets of consistent orientation, and turns the surface over if its volume is
+/// negative. Then every connected part must be outward, or inward where it is a cavity inside another part. Surfaces that
+/// cut themselves are not found. Throws InputError that starts with `name` and tells the first bad ridge.
+template <int D>
+ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name);
+
+/// Generalised winding number of the surface around x: 1 inside a simple outward surface, 0 outside
+/// (Jacobson et al. 2013; solid angles by Van Oosterom & Strackee 1983).
+template <int D>
+double winding_number(const SurfaceMesh<D>& mesh, const Vec<D>& x);
+
+} // namespace gapflow

@@ -1,0 +1,17 @@
+// Readers of surface files.
+#pragma once
+
+#include "gapflow/geometry/shape.hpp"
+
+#include <string>
+
+namespace gapflow
+{
+
+/// Facets as the file has them, coordinates times scale; `patch` empty. 3D: OBJ (v and f lines; polygons become fans) or STL
+/// (ASCII or binary; every triangle with its own vertices, weld them). 2D: loops of "x y" lines. Throws InputError naming
+/// the file and, for text, the line.
+template <int D>
+SurfaceMesh<D> read_surface_file(const std::string& file, double scale);
+
+} // namespace gapflow

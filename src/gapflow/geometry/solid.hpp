@@ -1,0 +1,45 @@
+// Solids as the fluid sees them: shapes at their poses, domain walls among them, and their images in a periodic domain.
+#pragma once
+
+#include "gapflow/geometry/pose.hpp"
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+enum class Motion { free, prescribed, fixed };
+
+/// A rigid body or a closed side of the domain.
+template <int D>
+struct Solid {
+    std::string name;
+    PlacedShape<D> shape;
+    Vec<D> centre = Vec<D>::Zero(); ///< reference point of its twist and wrench: the centre of mass
+    Motion motion = Motion::fixed;
+    bool wall = false;              ///< a closed side of the domain: a half-space that owns the whole side's faces
+};
+
+/// A solid displaced by whole periods.
+template <int D>
+struct Image {
+    int solid;          ///< index into the list of solids
+    Vec<D> shift;
+    PlacedShape<D> shape;
+    Bounds<D> bounds;   ///< of the surface, in the world
+};
+
+/// World bounds of a placed shape's surface (from the corners of its body-frame bounds).
+template <int D>
+Bounds<D> world_bounds(const PlacedShape<D>& shape);
+
+/// All images of the solids whose surface comes within `margin` of the box low..high; the solids themselves first among
+/// theirs. Axes with period 0 are not periodic. Unbounded solids have no images but themselves. Solids that are inside out
+/// (whose solid part is unbounded) are kept whether or not their surface comes near.
+template <int D>
+std::vector<Image<D>> images(std::span<const Solid<D>> solids, const Vec<D>& low, const Vec<D>& high, const Vec<D>& period,
+                             double margin);
+
+} // namespace gapflow

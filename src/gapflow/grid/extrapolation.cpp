@@ -1,0 +1,162 @@
+// Layer by layer, each from the state before it (Jacobi), so that the order of faces does not matter:
+//
+//     layer 1:   u_f = mean over directions d with f + d, f + 2d valid of  2 u_{f+d} - u_{f+2d},
+//                if there is none: mean of the valid neighbours;
+//     layer k:   u_f = mean of the neighbours in layers < k.
+//
+// First order, second order in layer 1 (method, section 5, "the first continued layer linear, further ones means").
+// After one sweep over the grid only the front of the continuation is visited.
+#include "gapflow/grid/extrapolation.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+namespace gapflow {
+
+namespace {
+
+template <int D>
+struct Continuation {
+    const Grid<D>& grid;
+    CellField<D>& u;
+    CellField<D, std::int8_t>& valid;
+    Index<D> low, end;                // owned faces
+    std::vector<Index<D>> candidates; // owned, reached by no layer yet, beside one that is
+    std::vector<double> values;
+
+    bool owned(const Index<D>& f) const { return (f.array() >= low.array()).all() && (f.array() < end.array()).all(); }
+
+    static constexpr std::int8_t queued = -1;
+
+    void queue(const Index<D>& f)
+    {
+        if (valid(f) == 0) {
+            valid(f) = queued;
+            candidates.push_back(f);
+        }
+    }
+    void queue_neighbours(const Index<D>& f)
+    {
+        for (int axis = 0; axis < D; ++axis)
+            for (int sign = -1; sign <= 1; sign += 2)
+                if (const Index<D> other = f + sign * step<D>(axis); owned(other))
+                    queue(other);
+    }
+
+    // Zero beyond the domain: those faces take no part, nor are they handed to other ranks.
+    void clear_outside()
+    {
+        const Block<D>& block = valid.block();
+        for (int axis = 0; axis < D; ++axis) {
+            if (grid.periodic(axis))
+                continue;
+            Index<D> below = block.high, above = block.low;
+            below[axis] = std::min(0, block.high[axis]);
+            above[axis] = std::max(low[axis], end[axis]);
+            const bool first = low[axis] == 0, last = grid.high()[axis] == grid.cells()[axis];
+            auto clear = [&](const Index<D>& f) { valid(f) = 0; };
+            if (first)
+                for_each_index<D>(block.low, below, clear);
+            if (last)
+                for_each_index<D>(above, block.high, clear);
+        }
+    }
+
+    // Normalises `valid`, zeroes u elsewhere and queues the first layer.
+    void first_sweep()
+    {
+        std::vector<Index<D>> invalid;
+        for_each_index<D>(low, end, [&](const Index<D>& f) {
+            if (valid(f) == 0) {
+                u(f) = 0;
+                invalid.push_back(f);
+            } else {
+                valid(f) = 1;
+            }
+        });
+        exchange(grid, valid, 2);
+        exchange(grid, u, 2);
+        for (const Index<D>& f : invalid)
+            for (int axis = 0; axis < D; ++axis)
+                if (valid(f - step<D>(axis)) > 0 || valid(f + step<D>(axis)) > 0)
+                    queue(f);
+    }
+
+    // Queues the owned neighbours of ghosts that another rank filled in this layer.
+    void queue_beside_ghosts(int layer)
+    {
+        const std::int8_t filled = static_cast<std::int8_t>(layer + 1);
+        for (int axis = 0; axis < D; ++axis)
+            for (int side = 0; side < 2; ++side) {
+                Index<D> slab_low = low, slab_high = end;
+                slab_low[axis] = side == 0 ? low[axis] - 1 : end[axis];
+                slab_high[axis] = slab_low[axis] + 1;
+                for_each_index<D>(slab_low, slab_high, [&](const Index<D>& f) {
+                    if (valid(f) == filled)
+                        queue_neighbours(f);
+                });
+            }
+    }
+
+    double linear_or_mean(const Index<D>& f, bool linear) const
+    {
+        double sum = 0, line_sum = 0;
+        int count = 0, lines = 0;
+        for (int axis = 0; axis < D; ++axis)
+            for (int sign = -1; sign <= 1; sign += 2) {
+                const Index<D> d = sign * step<D>(axis);
+                if (valid(f + d) <= 0)
+                    continue;
+                sum += u(f + d);
+                ++count;
+                if (linear && valid(f + 2 * d) > 0) {
+                    line_sum += 2 * u(f + d) - u(f + 2 * d);
+                    ++lines;
+                }
+            }
+        return lines > 0 ? line_sum / lines : sum / count;
+    }
+
+    void fill_layer(int layer)
+    {
+        values.clear();
+        for (const Index<D>& f : candidates)
+            values.push_back(linear_or_mean(f, layer == 1));
+        for (std::size_t n = 0; n < candidates.size(); ++n) {
+            u(candidates[n]) = values[n];
+            valid(candidates[n]) = static_cast<std::int8_t>(layer + 1);
+        }
+        exchange(grid, valid, 1);
+        exchange(grid, u, 1);
+        std::vector<Index<D>> filled;
+        filled.swap(candidates);
+        for (const Index<D>& f : filled)
+            queue_neighbours(f);
+        queue_beside_ghosts(layer);
+    }
+};
+
+} // namespace
+
+template <int D>
+void extrapolate(const Grid<D>& grid, FaceField<D>& u, FaceField<D, std::int8_t>& valid, int layers)
+{
+    assert(grid.ghost() >= 2 && layers <= 126);
+    for (int axis = 0; axis < D; ++axis) {
+        Continuation<D> field{grid, u[axis], valid[axis], grid.low(), owned_faces_end(grid, axis), {}, {}};
+        field.clear_outside();
+        field.first_sweep();
+        for (int layer = 1; layer <= layers && grid.comm().any(!field.candidates.empty()); ++layer)
+            field.fill_layer(layer);
+        for (const Index<D>& f : field.candidates)
+            valid(axis, f) = 0;
+    }
+    exchange(grid, u);
+    exchange(grid, valid);
+}
+
+template void extrapolate<2>(const Grid<2>&, FaceField<2>&, FaceField<2, std::int8_t>&, int);
+template void extrapolate<3>(const Grid<3>&, FaceField<3>&, FaceField<3, std::int8_t>&, int);
+
+} // namespace gapflow

@@ -1,0 +1,242 @@
+// Fractions of all faces of a block of cells. Only faces within reach of a surface are clipped: a block of cells with half
+// diagonal R is wholly open if phi > R at its centre for every solid, wholly inside a solid if phi < -R for one and the others
+// are nowhere deeper (phi is 1-Lipschitz); else it is halved, down to single cells. Method, section 2.
+#include "gapflow/grid/face_clipper_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// While the faces are being filled, `cut` of a face wholly inside image i is -2 - i.
+int inside(int image)
+{
+    return -2 - image;
+}
+
+template <int D, class Data>
+class Flood {
+public:
+    Flood(const Grid<D>& grid, const Data& data) : grid_(grid), data_(data)
+    {
+        result_.open = FaceField<D>(grid, 0.0);
+        result_.cut = FaceField<D, int>(grid, -1);
+        for (int axis = 0; axis < D; ++axis) {
+            low_[axis] = grid.low()[axis] - 1;
+            high_[axis] = grid.high()[axis] + 1;
+            if (!grid.periodic(axis)) {
+                low_[axis] = std::max(low_[axis], 0);
+                high_[axis] = std::min(high_[axis], grid.cells()[axis]);
+            }
+        }
+        for (int axis = 0; axis < D; ++axis) {
+            faces_end_[axis] = high_;
+            faces_end_[axis][axis] = std::min(high_[axis] + 1, result_.open[axis].block().high[axis]);
+        }
+        // A voxel face depends on the centres of both its cells.
+        padding_ = (data.mode == FractionMode::voxel ? 1.0 : 0.0) * grid.dx() + 1e-6 * grid.dx();
+    }
+
+    FaceFractions<D> run()
+    {
+        const ImageBins<D>& bins = data_.bins;
+        const Index<D> end = high_ + Index<D>::Ones(); // each cell fills the faces on its low sides
+        for_each_index<D>(bins.bin_of(low_), bins.bin_of(high_) + Index<D>::Ones(), [&](const Index<D>& bin) {
+            const Index<D> first = bins.first_cell(bin);
+            candidates_.clear();
+            if (padding_ > grid_.dx())
+                add_candidates_around(bin);
+            else
+                for (int image : bins.images_in(bin))
+                    if (!data_.wall[image])
+                        candidates_.push_back(image);
+            visit(first.cwiseMax(low_), (first + Index<D>::Constant(bins.width())).cwiseMin(end), 0);
+        });
+        clip_beyond_periodic_sides();
+        close_sides();
+        complete_hulls();
+        for (int axis = 0; axis < D; ++axis)
+            for (int *cut = result_.cut[axis].data(), *last = cut + result_.cut[axis].size(); cut != last; ++cut)
+                *cut = std::max(*cut, -1);
+        return std::move(result_);
+    }
+
+private:
+    void add_candidates_around(const Index<D>& bin)
+    {
+        const Block<D>& all = data_.bins.bins();
+        const Index<D> one = Index<D>::Ones();
+        for_each_index<D>((bin - one).cwiseMax(all.low), (bin + 2 * one).cwiseMin(all.high), [&](const Index<D>& other) {
+            for (int image : data_.bins.images_in(other))
+                if (!data_.wall[image])
+                    candidates_.push_back(image);
+        });
+        std::sort(candidates_.begin(), candidates_.end());
+        candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+    }
+
+    // Fills the low faces of the cells low..high; the candidates from `begin` on are all that reach them.
+    void visit(const Index<D>& low, const Index<D>& high, std::size_t begin)
+    {
+        if (!(low.array() < high.array()).all())
+            return;
+        if (candidates_.size() == begin)
+            return fill(low, high, 1, -1);
+        const Vec<D> extent = (high - low).template cast<double>();
+        const Vec<D> centre = grid_.origin() + grid_.dx() * (low.template cast<double>() + 0.5 * extent);
+        const double radius = 0.5 * grid_.dx() * extent.norm() + padding_;
+        const std::size_t end = candidates_.size();
+        double smallest = radius;
+        phi_.resize(end);
+        for (std::size_t k = begin; k < end; ++k) {
+            const double phi = data_.images[candidates_[k]].shape.distance(centre);
+            phi_.push_back(phi);
+            candidates_.push_back(candidates_[k]);
+            smallest = std::min(smallest, phi);
+        }
+        std::size_t kept = end;
+        for (std::size_t k = end; k < candidates_.size(); ++k)
+            if (phi_[k] <= radius && phi_[k] <= smallest + 2 * radius)
+                candidates_[kept++] = candidates_[k];
+        candidates_.resize(kept);
+        if (kept == end)
+            fill(low, high, 1, -1);
+        else if (kept == end + 1 && smallest < -radius)
+            fill(low, high, 0, inside(candidates_[end]));
+        else if ((high - low).maxCoeff() == 1)
+            clip_cell(low);
+        else
+            halve(low, high, end);
+        candidates_.resize(end);
+    }
+
+    void halve(const Index<D>& low, const Index<D>& high, std::size_t begin)
+    {
+        const Index<D> middle = (low + high + Index<D>::Ones()).unaryExpr([](int i) { return i >> 1; });
+        for (int part = 0; part < 1 << D; ++part) {
+            Index<D> from, to;
+            for (int axis = 0; axis < D; ++axis) {
+                const bool upper = part >> axis & 1;
+                from[axis] = upper ? middle[axis] : low[axis];
+                to[axis] = upper ? high[axis] : middle[axis];
+            }
+            visit(from, to, begin);
+        }
+    }
+
+    void fill(const Index<D>& low, const Index<D>& high, double open, int cut)
+    {
+        for (int axis = 0; axis < D; ++axis)
+            for_each_index<D>(low, high.cwiseMin(faces_end_[axis]), [&](const Index<D>& f) {
+                result_.open(axis, f) = open;
+                result_.cut(axis, f) = cut;
+            });
+    }
+
+    void clip_cell(const Index<D>& cell)
+    {
+        surface_cells_.push_back(cell);
+        for (int axis = 0; axis < D; ++axis) {
+            if (!(cell.array() < faces_end_[axis].array()).all())
+                continue;
+            const int whole = data_.clip(axis, cell, parts_);
+            result_.open(axis, cell) = parts_.open;
+            result_.cut(axis, cell) = whole >= 0 ? inside(whole) : parts_.solid.empty() ? -1 : add_entry();
+        }
+    }
+
+    int add_entry()
+    {
+        result_.faces.push_back(parts_);
+        return static_cast<int>(result_.faces.size()) - 1;
+    }
+
+    // A container has no images: beyond a periodic side its faces are those that they wrap to, not what lies there.
+    void clip_beyond_periodic_sides()
+    {
+        const bool containers = std::any_of(data_.images.begin(), data_.images.end(),
+                                            [](const Image<D>& image) { return image.shape.shape().inside_out(); });
+        if (!containers)
+            return;
+        for_each_index<D>(low_, high_ + Index<D>::Ones(), [&](const Index<D>& cell) {
+            for (int axis = 0; axis < D; ++axis)
+                if (grid_.periodic(axis) && (cell[axis] < 0 || cell[axis] >= grid_.cells()[axis]))
+                    return clip_cell(cell);
+        });
+    }
+
+    // Faces on the domain's closed sides belong to their walls.
+    void close_sides()
+    {
+        for (int axis = 0; axis < D; ++axis)
+            for (int end = 0; end < 2; ++end) {
+                const int place = end * grid_.cells()[axis];
+                if (grid_.side(axis, end) != SideKind::wall || place < low_[axis] || place >= faces_end_[axis][axis])
+                    continue;
+                Index<D> from = low_, to = faces_end_[axis];
+                from[axis] = place;
+                to[axis] = place + 1;
+                for_each_index<D>(from, to, [&](const Index<D>& f) {
+                    data_.clip(axis, f, parts_);
+                    result_.open(axis, f) = 0;
+                    result_.cut(axis, f) = add_entry();
+                    surface_cells_.push_back(end ? Index<D>(f - step<D>(axis)) : f);
+                });
+            }
+    }
+
+    template <class F>
+    void for_each_face(const Index<D>& cell, F&& f) const
+    {
+        for (int axis = 0; axis < D; ++axis)
+            for (int end = 0; end < 2; ++end)
+                if (const Index<D> face = cell + end * step<D>(axis); (face.array() < faces_end_[axis].array()).all())
+                    f(axis, face);
+    }
+
+    // A cell all of whose faces lie wholly inside one image has no body flux; the faces of all others have entries.
+    void complete_hulls()
+    {
+        std::erase_if(surface_cells_, [&](const Index<D>& cell) {
+            if (!(cell.array() < high_.array()).all())
+                return true;
+            const int first = result_.cut(0, cell);
+            bool same = first < -1;
+            for_each_face(cell, [&](int axis, const Index<D>& face) { same &= result_.cut(axis, face) == first; });
+            return same;
+        });
+        for (const Index<D>& cell : surface_cells_)
+            for_each_face(cell, [&](int axis, const Index<D>& face) {
+                if (result_.cut(axis, face) < -1) {
+                    data_.clip(axis, face, parts_);
+                    result_.cut(axis, face) = add_entry();
+                }
+            });
+    }
+
+    const Grid<D>& grid_;
+    const Data& data_;
+    FaceFractions<D> result_;
+    Index<D> low_, high_;                  ///< cells all of whose faces are filled
+    std::array<Index<D>, D> faces_end_;    ///< faces normal to an axis: low_ <= f < faces_end_
+    double padding_;
+    std::vector<int> candidates_;          ///< a stack: each level of the recursion adds its own
+    std::vector<double> phi_;
+    std::vector<Index<D>> surface_cells_;
+    ClippedFace<D> parts_;
+};
+
+} // namespace
+
+template <int D>
+FaceFractions<D> face_fractions(const Grid<D>& grid, const FaceClipper<D>& clipper)
+{
+    return Flood<D, typename FaceClipper<D>::Data>(grid, *clipper.data_).run();
+}
+
+template FaceFractions<2> face_fractions<2>(const Grid<2>&, const FaceClipper<2>&);
+template FaceFractions<3> face_fractions<3>(const Grid<3>&, const FaceClipper<3>&);
+
+} // namespace gapflow

@@ -1,0 +1,112 @@
+// Values on cells and faces of this rank's block, with ghosts.
+#pragma once
+
+#include "gapflow/grid/grid.hpp"
+
+#include <array>
+#include <vector>
+
+namespace gapflow {
+
+/// The box of indices low <= i < high that a field stores, first axis fastest.
+template <int D>
+struct Block {
+    Index<D> low, high;
+    Index<D> stride;
+    long size = 0;
+
+    Block() = default;
+    Block(const Index<D>& low_, const Index<D>& high_) : low(low_), high(high_)
+    {
+        size = 1;
+        for (int axis = 0; axis < D; ++axis) {
+            stride[axis] = static_cast<int>(size);
+            size *= high[axis] - low[axis];
+        }
+    }
+    long offset(const Index<D>& i) const { return (i - low).dot(stride); }
+    bool contains(const Index<D>& i) const
+    {
+        return (i.array() >= low.array()).all() && (i.array() < high.array()).all();
+    }
+};
+
+/// Calls f(index) for every index of the box low <= i < high, first axis fastest.
+template <int D, class F>
+void for_each_index(const Index<D>& low, const Index<D>& high, F&& f)
+{
+    Index<D> i;
+    if constexpr (D == 3) {
+        for (i[2] = low[2]; i[2] < high[2]; ++i[2])
+            for (i[1] = low[1]; i[1] < high[1]; ++i[1])
+                for (i[0] = low[0]; i[0] < high[0]; ++i[0])
+                    f(static_cast<const Index<D>&>(i));
+    } else {
+        for (i[1] = low[1]; i[1] < high[1]; ++i[1])
+            for (i[0] = low[0]; i[0] < high[0]; ++i[0])
+                f(static_cast<const Index<D>&>(i));
+    }
+}
+
+/// A value a cell, on owned cells and `ghost` layers around them.
+template <int D, class T = double>
+class CellField {
+public:
+    CellField() = default;
+    explicit CellField(const Grid<D>& grid, T value = T{})
+        : block_(grid.low() - Index<D>::Constant(grid.ghost()), grid.high() + Index<D>::Constant(grid.ghost())),
+          values_(block_.size, value)
+    {
+    }
+    const Block<D>& block() const { return block_; }
+    T& operator()(const Index<D>& c) { return values_[block_.offset(c)]; }
+    const T& operator()(const Index<D>& c) const { return values_[block_.offset(c)]; }
+    T* data() { return values_.data(); }
+    const T* data() const { return values_.data(); }
+    long size() const { return block_.size; }
+    void fill(T value) { std::fill(values_.begin(), values_.end(), value); }
+
+private:
+    Block<D> block_;
+    std::vector<T> values_;
+};
+
+/// A value a face: one CellField an axis; entry c of axis `a` is the face of cell c on its low side along a.
+/// A rank owns the faces c of its cells c, and the last rank of a non-periodic axis the faces on the high side of the domain.
+template <int D, class T = double>
+class FaceField {
+public:
+    FaceField() = default;
+    explicit FaceField(const Grid<D>& grid, T value = T{})
+    {
+        for (auto& component : components_)
+            component = CellField<D, T>(grid, value);
+    }
+    CellField<D, T>& operator[](int axis) { return components_[axis]; }
+    const CellField<D, T>& operator[](int axis) const { return components_[axis]; }
+    T& operator()(int axis, const Index<D>& face) { return components_[axis](face); }
+    const T& operator()(int axis, const Index<D>& face) const { return components_[axis](face); }
+
+private:
+    std::array<CellField<D, T>, D> components_;
+};
+
+/// Fills the ghosts that other ranks own (also across periodic sides), to the depth of `layers` (default: all). What lies
+/// beyond walls, open and inflow sides is left as it is. Collective. For face fields the domain's last faces travel along.
+template <int D, class T>
+void exchange(const Grid<D>& grid, CellField<D, T>& field, int layers = -1);
+template <int D, class T>
+void exchange(const Grid<D>& grid, FaceField<D, T>& field, int layers = -1);
+
+/// Index after the last owned face normal to `axis`: high(), and one more along the axis on the last rank of an axis that is
+/// not periodic.
+template <int D>
+Index<D> owned_faces_end(const Grid<D>& grid, int axis)
+{
+    Index<D> end = grid.high();
+    if (!grid.periodic(axis) && end[axis] == grid.cells()[axis])
+        ++end[axis];
+    return end;
+}
+
+} // namespace gapflow

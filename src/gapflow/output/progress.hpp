@@ -1,0 +1,50 @@
+// How far a run is: a line that repaints itself on a terminal, a line per output time into a pipe.
+#pragma once
+
+#include "gapflow/core/communicator.hpp"
+
+#include <chrono>
+#include <cstdio>
+
+namespace gapflow {
+
+enum class ProgressStyle { terminal, log, silent };
+
+/// Silent with `quiet` and on ranks other than 0; else by what stderr is.
+ProgressStyle choose_progress_style(const Communicator& comm, bool quiet);
+
+struct ProgressState {
+    double time = 0, dt = 0; ///< reached; of the last step
+    long step = 0;
+    int iterations = 0;      ///< of the last solve
+};
+
+class Progress {
+public:
+    /// `out` outlives the object.
+    Progress(ProgressStyle style, double start_time, double end_time, std::FILE* out = stderr);
+    /// Ends the terminal's line.
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// After every step: repaints the terminal's line, at most ten times a second.
+    void step(const ProgressState& state);
+    /// After every output time: a line into the log; the terminal's line at once.
+    void output(const ProgressState& state);
+    /// Erases the terminal's line before other text goes there.
+    void clear();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void paint(const ProgressState& state);
+
+    ProgressStyle style_;
+    double start_time_, end_time_;
+    std::FILE* out_;
+    Clock::time_point started_, painted_;
+    bool on_screen_ = false;
+};
+
+} // namespace gapflow

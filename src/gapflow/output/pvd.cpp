@@ -1,0 +1,60 @@
+#include "gapflow/output/pvd.hpp"
+
+#include "gapflow/output/file.hpp"
+#include "gapflow/output/xml.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
+namespace gapflow {
+
+namespace {
+
+// Value of an attribute in a line that write() made; empty if it is not there.
+std::string attribute(const std::string& line, const std::string& name)
+{
+    const std::string opening = " " + name + "=\"";
+    const auto start = line.find(opening);
+    if (start == std::string::npos)
+        return {};
+    const auto from = start + opening.size();
+    return unescaped(line.substr(from, line.find('"', from) - from));
+}
+
+} // namespace
+
+PvdCollection::PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
+
+PvdCollection PvdCollection::resume(const std::filesystem::path& path, double time)
+{
+    PvdCollection collection(path);
+    std::ifstream in(path);
+    for (std::string line; std::getline(in, line);) {
+        const std::string when = attribute(line, "timestep"), file = attribute(line, "file");
+        if (!when.empty() && !file.empty() && std::strtod(when.c_str(), nullptr) <= time)
+            collection.add(std::strtod(when.c_str(), nullptr), attribute(line, "name"), file);
+    }
+    return collection;
+}
+
+void PvdCollection::add(double time, const std::string& part, const std::filesystem::path& file)
+{
+    entries_.push_back({time, part, file.generic_string()});
+}
+
+void PvdCollection::write() const
+{
+    std::map<std::string, std::size_t> numbers;
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+                       "<Collection>\n";
+    for (const auto& entry : entries_) {
+        const auto number = numbers.try_emplace(entry.part, numbers.size()).first->second;
+        text += "<DataSet timestep=\"" + shortest(entry.time) + "\" group=\"\" part=\"" + std::to_string(number) +
+                "\" name=\"" + escaped(entry.part) + "\" file=\"" + escaped(entry.file) + "\"/>\n";
+    }
+    text += "</Collection>\n</VTKFile>\n";
+    write_atomically(path_, text);
+}
+
+} // namespace gapflow

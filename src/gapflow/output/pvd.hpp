@@ -1,0 +1,34 @@
+// The collection file that joins a run's fields, bodies and films to one time series for ParaView.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+/// A .pvd file. It is rewritten as a whole, under a temporary name first, so that what is on the disk is always valid.
+class PvdCollection {
+public:
+    /// Starts an empty collection; nothing is written yet.
+    explicit PvdCollection(std::filesystem::path path);
+    /// Goes on with the file that an earlier run of this program left, without its entries after `time`; no file: empty.
+    static PvdCollection resume(const std::filesystem::path& path, double time);
+
+    /// Adds a file of a time step under the name of its part ("fields", a body's or a film's name). `file`: relative to the
+    /// collection's folder. Parts are numbered in the order in which they first appear.
+    void add(double time, const std::string& part, const std::filesystem::path& file);
+    /// Throws ComputationError. Not collective: call it on the root.
+    void write() const;
+
+private:
+    struct Entry {
+        double time;
+        std::string part, file;
+    };
+
+    std::filesystem::path path_;
+    std::vector<Entry> entries_;
+};
+
+} // namespace gapflow

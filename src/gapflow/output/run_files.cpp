@@ -1,0 +1,213 @@
+#include "gapflow/output/run_files.hpp"
+
+#include "gapflow/output/file.hpp"
+#include "gapflow/output/vtk.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace gapflow {
+
+namespace {
+
+template <int D>
+std::vector<std::string> body_columns()
+{
+    if constexpr (D == 2)
+        return {"step", "time", "body", "x", "y", "angle", "vx", "vy", "omega", "fx", "fy", "torque"};
+    else
+        return {"step", "time", "body", "x",  "y",  "z",  "qw", "qx", "qy", "qz", "vx", "vy",
+                "vz",   "wx",   "wy",   "wz", "fx", "fy", "fz", "tx", "ty", "tz"};
+}
+
+template <int D>
+auto rotation_numbers(const Rotation<D>& rotation)
+{
+    if constexpr (D == 2)
+        return Eigen::Matrix<double, 1, 1>(rotation.angle());
+    else
+        return Eigen::Vector4d(rotation.w(), rotation.x(), rotation.y(), rotation.z());
+}
+
+std::string frame_name(const std::string& name, int frame, const char* extension)
+{
+    char number[16];
+    std::snprintf(number, sizeof number, "_%05d.", frame);
+    return name + number + extension;
+}
+
+// Velocity at cell centres, mean of the two faces.
+template <int D>
+VtkArray velocity_array(const Simulation<D>& simulation)
+{
+    const FaceField<D>& u = simulation.velocity().grid;
+    return cell_array(simulation.grid(), "velocity", D,
+                      [&](const Index<D>& c, int axis) { return 0.5 * (u(axis, c) + u(axis, c + step<D>(axis))); });
+}
+
+// Full pressure; in cells without an unknown, 0.
+template <int D>
+VtkArray pressure_array(const Simulation<D>& simulation)
+{
+    const UnknownVector<D> p = simulation.reduced_pressure();
+    return cell_array(simulation.grid(), "pressure", 1, [&](const Index<D>& c, int) {
+        if (simulation.coupling().system.component(c) < 0)
+            return 0.0;
+        return p.cells(c) + simulation.hydrostatic(simulation.grid().cell_centre(c));
+    });
+}
+
+// 0 solid, 1 bulk, 2 film, 3 mixed.
+template <int D>
+VtkArray kind_array(const Simulation<D>& simulation)
+{
+    return cell_array(simulation.grid(), "kind", 1,
+                      [&](const Index<D>& c, int) { return static_cast<double>(simulation.coupling().kind(c)); });
+}
+
+// Mid-gap meshes of all films with thickness, full pressure and velocity.
+template <int D>
+VtkSurface<D> film_surface(const Simulation<D>& simulation)
+{
+    VtkSurface<D> surface;
+    VtkArray thickness{"thickness", 1, {}}, pressure{"pressure", 1, {}}, velocity{"velocity", D, {}};
+    const UnknownVector<D> p = simulation.reduced_pressure();
+    for (const Film<D>& film : simulation.coupling().network.films) {
+        const int first = static_cast<int>(surface.points.size());
+        for (std::size_t i = 0; i < film.mesh.mid.size(); ++i) {
+            surface.points.push_back(film.mesh.mid[i]);
+            thickness.values.push_back(film.mesh.h[i]);
+            pressure.values.push_back(p.nodes[film.first_node + static_cast<int>(i)] + simulation.hydrostatic(film.mesh.mid[i]));
+        }
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            std::array<int, D> nodes = film.mesh.elements[e].nodes;
+            for (int& node : nodes)
+                node += first;
+            surface.elements.push_back(nodes);
+            const Vec<D>& u = simulation.velocity().film[film.first_element + e];
+            velocity.values.insert(velocity.values.end(), u.data(), u.data() + D);
+        }
+    }
+    surface.point_data = {thickness, pressure};
+    surface.cell_data = {velocity};
+    return surface;
+}
+
+template <int D>
+VtkSurface<D> body_surface(const RigidBody<D>& body, double tolerance)
+{
+    const SurfaceMesh<D> mesh = body.shape->display_mesh(tolerance);
+    VtkSurface<D> surface;
+    VtkArray velocity{"velocity", D, {}};
+    for (const Vec<D>& x : mesh.vertices) {
+        surface.points.push_back(body.pose.position + body.pose.matrix() * x);
+        const Vec<D> u = velocity_at<D>(body.twist, surface.points.back() - body.centre());
+        velocity.values.insert(velocity.values.end(), u.data(), u.data() + D);
+    }
+    surface.elements = mesh.elements;
+    surface.point_data = {velocity};
+    return surface;
+}
+
+} // namespace
+
+template <int D>
+RunFiles<D>::RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version)
+    : folder_(folder), collection_(folder / "gapflow.pvd")
+{
+    const Communicator& comm = simulation.grid().comm();
+    on_root(comm, [&] {
+        for (const char* part : {"fields", "bodies", "films"})
+            prepare_folder(folder_ / part);
+        bodies_.emplace(folder_ / "bodies.csv", body_columns<D>());
+        gaps_.emplace(folder_ / "gaps.csv",
+                      std::vector<std::string>{"step", "time", "body_a", "body_b", "thickness", "opening_rate", "film_nodes",
+                                               "film_area", "pressure_min", "pressure_max", "force", "contact_force",
+                                               "contact_impulse", "void_volume"});
+        steps_.emplace(folder_ / "steps.csv",
+                       std::vector<std::string>{"step", "time", "dt", "cells", "film_nodes", "iterations", "residual",
+                                                "divergence_max", "energy_fluid", "energy_bodies", "seconds"});
+    });
+    record_.version = version;
+    record_.scene = scene_as_json(simulation.scene());
+    record_.machine = describe_machine(comm);
+}
+
+template <int D>
+void RunFiles<D>::write_step(const Simulation<D>& simulation, const StepReport& report)
+{
+    const std::vector<GapState> gaps = simulation.gaps();
+    on_root(simulation.grid().comm(), [&] {
+        for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+            const RigidBody<D>& body = simulation.bodies()[b];
+            bodies_->row(report.step, report.time, body.name, body.centre(), rotation_numbers<D>(body.pose.rotation),
+                         body.twist, simulation.fluid_wrenches()[b]);
+        }
+        for (const GapState& gap : gaps)
+            gaps_->row(report.step, report.time, gap.body_a, gap.body_b, gap.thickness, gap.opening_rate, gap.film_nodes,
+                       gap.film_area, gap.pressure_min, gap.pressure_max, gap.force, gap.contact_force, gap.contact_impulse,
+                       gap.void_volume);
+        steps_->row(report.step, report.time, report.dt, report.cells, report.film_nodes, report.iterations, report.residual,
+                    report.divergence_max, report.energy_fluid, report.energy_bodies, report.seconds);
+        bodies_->flush();
+        gaps_->flush();
+        steps_->flush();
+    });
+}
+
+template <int D>
+void RunFiles<D>::write_fields(const Simulation<D>& simulation)
+{
+    const VtkOptions options{VtkPrecision::float64, simulation.time()};
+    std::vector<VtkArray> arrays;
+    for (const std::string& field : simulation.scene().fields) {
+        if (field == "velocity")
+            arrays.push_back(velocity_array(simulation));
+        else if (field == "pressure")
+            arrays.push_back(pressure_array(simulation));
+    }
+    arrays.push_back(kind_array(simulation));
+    const std::string fields = "fields/" + frame_name("fields", frame_, "vti");
+    write_vti<D>(folder_ / fields, simulation.grid(), arrays, options);
+    on_root(simulation.grid().comm(), [&] {
+        collection_.add(simulation.time(), "fields", fields);
+        for (const RigidBody<D>& body : simulation.bodies()) {
+            const VtkSurface<D> surface = body_surface(body, 0.05 * simulation.grid().dx());
+            if (surface.elements.empty()) // half-spaces have no end
+                continue;
+            const std::string file = "bodies/" + frame_name(body.name, frame_, "vtp");
+            write_vtp<D>(folder_ / file, surface, options);
+            collection_.add(simulation.time(), body.name, file);
+        }
+        const std::string films = "films/" + frame_name("films", frame_, "vtp");
+        write_vtp<D>(folder_ / films, film_surface(simulation), options);
+        collection_.add(simulation.time(), "films", films);
+        collection_.write();
+    });
+    ++frame_;
+    write_record(simulation);
+}
+
+template <int D>
+void RunFiles<D>::finish(const Simulation<D>& simulation, const std::string& status, const std::string& message)
+{
+    record_.status = status;
+    record_.message = message;
+    write_record(simulation);
+}
+
+template <int D>
+void RunFiles<D>::write_record(const Simulation<D>& simulation)
+{
+    record_.time = simulation.time();
+    record_.steps = simulation.steps();
+    record_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    record_.stages = simulation.stages().stages();
+    record_.memory = peak_memory(simulation.grid().comm());
+    on_root(simulation.grid().comm(), [&] { write_run_record(folder_ / "run.json", record_); });
+}
+
+template class RunFiles<2>;
+template class RunFiles<3>;
+
+} // namespace gapflow

@@ -1,0 +1,39 @@
+// The files of a run: tables every step, fields at output times, run.json.
+#pragma once
+
+#include "gapflow/output/pvd.hpp"
+#include "gapflow/output/run_record.hpp"
+#include "gapflow/output/table.hpp"
+#include "gapflow/stepping/simulation.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace gapflow {
+
+/// Writes a simulation's state into a folder. Everything is complete after each call, whatever happens next.
+template <int D>
+class RunFiles {
+public:
+    /// Prepares the folder and the tables. Throws InputError if the folder cannot be written. Collective.
+    RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version);
+
+    /// A row in every table. Collective.
+    void write_step(const Simulation<D>& simulation, const StepReport& report);
+    /// Fields, bodies and films of this moment, and run.json so far. Collective.
+    void write_fields(const Simulation<D>& simulation);
+    /// run.json with the run's end. Collective.
+    void finish(const Simulation<D>& simulation, const std::string& status, const std::string& message = "");
+
+private:
+    void write_record(const Simulation<D>& simulation);
+
+    std::filesystem::path folder_;
+    PvdCollection collection_;
+    std::optional<Table> bodies_, gaps_, steps_; ///< on the root
+    RunRecord record_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    int frame_ = 0;
+};
+
+} // namespace gapflow

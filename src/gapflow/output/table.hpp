@@ -1,0 +1,61 @@
+// Tables as CSV: a header line, then complete lines only, a step at a time.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <concepts>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gapflow {
+
+/// A CSV file that grows by whole steps. Numbers are the shortest text that reads back the same; names with commas, quotes
+/// or line ends are quoted. Errors throw ComputationError; the file then ends after the last complete step. Used on the root.
+class Table {
+public:
+    /// Replaces the file and writes the header.
+    Table(const std::filesystem::path& path, std::vector<std::string> columns);
+    /// Goes on with an earlier run's file, without its rows after `last_step` (first column) and without an incomplete last
+    /// line; no file: like the constructor. Throws InputError if the file has other columns.
+    static Table resume(const std::filesystem::path& path, std::vector<std::string> columns, long last_step);
+    ~Table();
+    Table(Table&& other) noexcept;
+    Table& operator=(Table&&) = delete;
+
+    /// Adds a row; vectors fill a column a component. The values must fill the columns exactly. In memory until flush().
+    template <class... T>
+    void row(const T&... values)
+    {
+        begin_row();
+        (put(values), ...);
+        end_row();
+    }
+    /// Appends the rows since the last call to the file in one write.
+    void flush();
+
+private:
+    struct Open {}; ///< tag: appends to a file that is there
+    Table(Open, const std::filesystem::path& path, std::size_t columns);
+
+    void begin_row() { filled_ = 0; }
+    void end_row();
+    void put(std::string_view text);
+    void put(double value);
+    void put(std::integral auto value) { put_raw(std::to_string(value)); }
+    template <class Derived>
+    void put(const Eigen::MatrixBase<Derived>& vector)
+    {
+        for (Eigen::Index i = 0; i < vector.size(); ++i)
+            put(static_cast<double>(vector(i)));
+    }
+    void put_raw(std::string_view text);
+
+    std::filesystem::path path_;
+    std::size_t columns_, filled_ = 0;
+    std::string pending_;
+    int descriptor_ = -1;
+};
+
+} // namespace gapflow

@@ -1,0 +1,248 @@
+// File format: "VTK XML formats", https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
+#include "gapflow/output/vtk.hpp"
+
+#include "gapflow/output/file.hpp"
+#include "gapflow/output/xml.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstdint>
+#include <cstring>
+
+namespace gapflow {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+// Base64 of a stream of bytes, in pieces.
+class Base64 {
+public:
+    explicit Base64(AtomicFile& file) : file_(file) { text_.reserve(chunk + 4); }
+
+    template <class T>
+    void put(T value)
+    {
+        unsigned char bytes[sizeof(T)];
+        std::memcpy(bytes, &value, sizeof(T));
+        for (const unsigned char byte : bytes) {
+            pending_ = pending_ << 8 | byte;
+            if (++count_ == 3)
+                encode(4);
+        }
+        if (text_.size() >= chunk)
+            flush();
+    }
+    void finish()
+    {
+        if (count_ > 0) {
+            const int digits = count_ + 1;
+            pending_ <<= 8 * (3 - count_);
+            encode(digits);
+            text_.append(static_cast<std::size_t>(4 - digits), '=');
+        }
+        flush();
+    }
+
+private:
+    static constexpr std::size_t chunk = 1 << 16;
+
+    void encode(int digits)
+    {
+        static constexpr char alphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        for (int digit = 0; digit < digits; ++digit)
+            text_ += alphabet[pending_ >> (18 - 6 * digit) & 63];
+        pending_ = 0;
+        count_ = 0;
+    }
+    void flush()
+    {
+        file_.write(text_);
+        text_.clear();
+    }
+
+    AtomicFile& file_;
+    std::string text_;
+    std::uint32_t pending_ = 0;
+    int count_ = 0;
+};
+
+template <class T>
+constexpr const char* type_name = std::is_same_v<T, double>  ? "Float64"
+                                  : std::is_same_v<T, float> ? "Float32"
+                                                             : "Int64";
+
+// One <DataArray>: its length in bytes, then the values value(tuple, component), in one base64 text.
+template <class T, class F>
+void write_array(AtomicFile& file, const std::string& name, std::size_t tuples, int components, F&& value,
+                 const std::string& attributes = {})
+{
+    file.write("<DataArray type=\"" + std::string(type_name<T>) + "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
+               std::to_string(components) + "\"" + attributes + " format=\"binary\">\n");
+    Base64 base64(file);
+    base64.put(static_cast<std::uint64_t>(tuples * static_cast<std::size_t>(components) * sizeof(T)));
+    for (std::size_t tuple = 0; tuple < tuples; ++tuple)
+        for (int component = 0; component < components; ++component)
+            base64.put(static_cast<T>(value(tuple, component)));
+    base64.finish();
+    file.write("\n</DataArray>\n");
+}
+
+template <class T>
+void write_data_array(AtomicFile& file, const VtkArray& array, std::size_t tuples)
+{
+    assert(array.values.size() == tuples * static_cast<std::size_t>(array.components));
+    const int stored = array.components;
+    const int components = stored == 2 ? 3 : stored;
+    write_array<T>(file, array.name, tuples, components, [&](std::size_t tuple, int component) {
+        return component < stored ? array.values[tuple * static_cast<std::size_t>(stored) + component] : 0.0;
+    });
+}
+
+// <PointData> or <CellData>; its first scalar and first vector are what a viewer shows.
+void write_data(AtomicFile& file, const std::string& element, const std::vector<VtkArray>& arrays, std::size_t tuples,
+                VtkPrecision precision)
+{
+    std::string scalars, vectors;
+    for (const auto& array : arrays) {
+        if (array.components == 1 && scalars.empty())
+            scalars = " Scalars=\"" + escaped(array.name) + "\"";
+        if ((array.components == 2 || array.components == 3) && vectors.empty())
+            vectors = " Vectors=\"" + escaped(array.name) + "\"";
+    }
+    file.write("<" + element + scalars + vectors + ">\n");
+    for (const auto& array : arrays) {
+        if (precision == VtkPrecision::float32)
+            write_data_array<float>(file, array, tuples);
+        else
+            write_data_array<double>(file, array, tuples);
+    }
+    file.write("</" + element + ">\n");
+}
+
+void write_head(AtomicFile& file, const std::string& type)
+{
+    file.write("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type +
+               "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n");
+}
+
+void write_time(AtomicFile& file, const std::optional<double>& time)
+{
+    if (!time)
+        return;
+    file.write("<FieldData>\n");
+    write_array<double>(
+        file, "TimeValue", 1, 1, [&](std::size_t, int) { return *time; }, " NumberOfTuples=\"1\"");
+    file.write("</FieldData>\n");
+}
+
+template <int D>
+void write_image(const std::filesystem::path& path, const Grid<D>& grid, const std::vector<VtkArray>& cell_data,
+                 const VtkOptions& options)
+{
+    std::string extent, origin, spacing;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string space = axis > 0 ? " " : "";
+        extent += space + "0 " + std::to_string(axis < D ? grid.cells()[axis] : 0);
+        origin += space + shortest(axis < D ? grid.origin()[axis] : 0.0);
+        spacing += space + shortest(grid.dx());
+    }
+    AtomicFile file(path);
+    write_head(file, "ImageData");
+    file.write("<ImageData WholeExtent=\"" + extent + "\" Origin=\"" + origin + "\" Spacing=\"" + spacing + "\">\n");
+    write_time(file, options.time);
+    file.write("<Piece Extent=\"" + extent + "\">\n<PointData>\n</PointData>\n");
+    const auto cells = static_cast<std::size_t>(grid.cells().template cast<long>().prod());
+    write_data(file, "CellData", cell_data, cells, options.precision);
+    file.write("</Piece>\n</ImageData>\n</VTKFile>\n");
+    file.commit();
+}
+
+// <Lines> (2D) or <Polys> (3D).
+template <int D>
+void write_elements(AtomicFile& file, const std::string& name, const std::vector<std::array<int, D>>& elements)
+{
+    file.write("<" + name + ">\n");
+    write_array<std::int64_t>(file, "connectivity", elements.size() * D, 1,
+                              [&](std::size_t i, int) { return elements[i / D][i % D]; });
+    write_array<std::int64_t>(file, "offsets", elements.size(), 1, [&](std::size_t i, int) { return (i + 1) * D; });
+    file.write("</" + name + ">\n");
+}
+
+} // namespace
+
+template <int D>
+std::vector<double> gather_cells(const Grid<D>& grid, std::span<const double> owned, int components)
+{
+    assert(static_cast<long>(owned.size()) == grid.owned_cells() * components);
+    const Communicator& comm = grid.comm();
+    if (!comm.root()) {
+        std::array<int, 2 * D> box;
+        Eigen::Map<Index<D>>(box.data()) = grid.low();
+        Eigen::Map<Index<D>>(box.data() + D) = grid.high();
+        MPI_Send(box.data(), 2 * D, MPI_INT, 0, 0, comm.mpi());
+        MPI_Send(owned.data(), static_cast<int>(owned.size()), MPI_DOUBLE, 0, 1, comm.mpi());
+        return {};
+    }
+    const Block<D> all(Index<D>::Zero(), grid.cells());
+    std::vector<double> values(static_cast<std::size_t>(all.size * components));
+    const auto place = [&](const Index<D>& low, const Index<D>& high, const double* from) {
+        for_each_index<D>(low, high, [&](const Index<D>& c) {
+            std::copy_n(from, components, values.data() + all.offset(c) * components);
+            from += components;
+        });
+    };
+    place(grid.low(), grid.high(), owned.data());
+    std::vector<double> received;
+    for (int rank = 1; rank < comm.size(); ++rank) {
+        std::array<int, 2 * D> box;
+        MPI_Recv(box.data(), 2 * D, MPI_INT, rank, 0, comm.mpi(), MPI_STATUS_IGNORE);
+        const Index<D> low = Eigen::Map<Index<D>>(box.data()), high = Eigen::Map<Index<D>>(box.data() + D);
+        received.resize(static_cast<std::size_t>((high - low).template cast<long>().prod() * components));
+        MPI_Recv(received.data(), static_cast<int>(received.size()), MPI_DOUBLE, rank, 1, comm.mpi(), MPI_STATUS_IGNORE);
+        place(low, high, received.data());
+    }
+    return values;
+}
+
+template <int D>
+void write_vti(const std::filesystem::path& path, const Grid<D>& grid, std::span<const VtkArray> cell_data,
+               const VtkOptions& options)
+{
+    std::vector<VtkArray> gathered;
+    for (const auto& array : cell_data)
+        gathered.push_back({array.name, array.components, gather_cells(grid, array.values, array.components)});
+    on_root(grid.comm(), [&] { write_image(path, grid, gathered, options); });
+}
+
+template <int D>
+void write_vtp(const std::filesystem::path& path, const VtkSurface<D>& surface, const VtkOptions& options)
+{
+    const std::size_t points = surface.points.size(), elements = surface.elements.size();
+    const std::string lines = std::to_string(D == 2 ? elements : 0), polygons = std::to_string(D == 3 ? elements : 0);
+    AtomicFile file(path);
+    write_head(file, "PolyData");
+    file.write("<PolyData>\n");
+    write_time(file, options.time);
+    file.write("<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" + lines +
+               "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + polygons + "\">\n");
+    write_data(file, "PointData", surface.point_data, points, options.precision);
+    write_data(file, "CellData", surface.cell_data, elements, options.precision);
+    file.write("<Points>\n");
+    write_array<double>(file, "Points", points, 3,
+                        [&](std::size_t point, int axis) { return axis < D ? surface.points[point][axis] : 0.0; });
+    file.write("</Points>\n");
+    write_elements<D>(file, D == 2 ? "Lines" : "Polys", surface.elements);
+    file.write("</Piece>\n</PolyData>\n</VTKFile>\n");
+    file.commit();
+}
+
+template std::vector<double> gather_cells(const Grid<2>&, std::span<const double>, int);
+template std::vector<double> gather_cells(const Grid<3>&, std::span<const double>, int);
+template void write_vti(const std::filesystem::path&, const Grid<2>&, std::span<const VtkArray>, const VtkOptions&);
+template void write_vti(const std::filesystem::path&, const Grid<3>&, std::span<const VtkArray>, const VtkOptions&);
+template void write_vtp(const std::filesystem::path&, const VtkSurface<2>&, const VtkOptions&);
+template void write_vtp(const std::filesystem::path&, const VtkSurface<3>&, const VtkOptions&);
+
+} // namespace gapflow

@@ -1,0 +1,69 @@
+// Files that ParaView and VTK read: image data (.vti) and surfaces (.vtp) as XML.
+//
+// Arrays are inline base64 (appended data fails in some ParaView builds), little endian, with 64-bit lengths. In 2D
+// everything lies in the plane z = 0, and an array of two components is a vector: it gets a third one, 0.
+#pragma once
+
+#include "gapflow/core/types.hpp"
+#include "gapflow/grid/field.hpp"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+enum class VtkPrecision { float64, float32 };
+
+struct VtkOptions {
+    VtkPrecision precision = VtkPrecision::float64; ///< of data arrays; points are always 64 bits
+    std::optional<double> time;                     ///< written as VTK's "TimeValue"
+};
+
+/// A named array: `components` values a point or cell, those of one point or cell together.
+struct VtkArray {
+    std::string name;
+    int components = 1;
+    std::vector<double> values;
+};
+
+/// Array of this rank's cells, first axis fastest: value(cell, component).
+template <int D, class F>
+VtkArray cell_array(const Grid<D>& grid, std::string name, int components, F&& value)
+{
+    VtkArray array{std::move(name), components, {}};
+    array.values.reserve(static_cast<std::size_t>(grid.owned_cells() * components));
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        for (int component = 0; component < components; ++component)
+            array.values.push_back(value(c, component));
+    });
+    return array;
+}
+
+/// Values of all cells of the grid, first axis fastest, from those of every rank's own cells; empty except on the root.
+/// Collective.
+template <int D>
+std::vector<double> gather_cells(const Grid<D>& grid, std::span<const double> owned, int components);
+
+/// Writes cell data of the whole grid as one file; each array holds this rank's cells (cell_array). The folder must exist.
+/// Throws ComputationError on every rank. Collective.
+template <int D>
+void write_vti(const std::filesystem::path& path, const Grid<D>& grid, std::span<const VtkArray> cell_data,
+               const VtkOptions& options = {});
+
+/// Lines (2D) or triangles (3D) with data.
+template <int D>
+struct VtkSurface {
+    std::vector<Vec<D>> points;
+    std::vector<std::array<int, D>> elements;
+    std::vector<VtkArray> point_data, cell_data; ///< a tuple a point; a tuple an element
+};
+
+/// Writes a surface. The folder must exist. Throws ComputationError. Not collective: call it on the root (on_root).
+template <int D>
+void write_vtp(const std::filesystem::path& path, const VtkSurface<D>& surface, const VtkOptions& options = {});
+
+} // namespace gapflow

@@ -1,0 +1,248 @@
+#include "gapflow/scene/keys.hpp"
+
+#include "gapflow/core/text.hpp"
+
+#include <algorithm>
+
+namespace gapflow {
+
+namespace {
+
+using T = KeyType;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr KeyRange any{};
+constexpr KeyRange positive{0, infinity, true};
+constexpr KeyRange non_negative{0, infinity};
+
+// clang-format off: one key a row
+std::vector<KeyInfo> gap_keys()
+{
+    return {
+        {"gap.model", T::choice, "", "\"film\"", any, {"film", "none"}, "thin gaps carry films, or are left to the grid"},
+        {"gap.threshold", T::number_or_word, "cells", "\"auto\"", {0, 4, true}, {"auto"},
+         "thickness below which a gap is a film"},
+        {"gap.contact", T::choice, "", "\"wet\"", any, {"wet", "dry"},
+         "a closed gap keeps breathing fluid (wet) or is sealed with a void (dry)", "", "dry contact"},
+        {"gap.roughness", T::number, "m", "0.0", non_negative, {}, "a film is never thinner"},
+        {"gap.entrance_loss", T::number, "", "0.0", non_negative, {}, "loss coefficient of flow into a film"},
+        {"gap.exit", T::choice, "", "\"auto\"", any, {"auto", "reversible", "jet"},
+         "flow out of a film regains its head (reversible) or loses it (jet); auto: jet with viscosity"},
+    };
+}
+
+std::vector<KeyInfo> contact_keys()
+{
+    return {
+        {"contact.restitution", T::number, "", "0.0", {0, 1}, {}, "relative speed after a collision over that before it", "",
+         "restitution"},
+        {"contact.friction", T::number, "", "0.0", non_negative, {}, "Coulomb's coefficient", "", "friction"},
+        {"contact.thickness", T::number, "m", "0.0", non_negative, {}, "surfaces are held this far apart"},
+    };
+}
+
+std::vector<KeyInfo> body_keys()
+{
+    return {
+        {"body.name", T::text, "", "", any, {}, "name in tables, pairs and --set", "always"},
+        {"body.shape", T::choice, "", "", any, {"box", "ball", "capsule", "cylinder", "half-space", "mesh"},
+         "shape of the solid; a ball is a disk in 2D", "always"},
+        {"body.size", T::vector, "m", "", positive, {}, "edge lengths of a box", "for a box"},
+        {"body.radius", T::number, "m", "", positive, {}, "of a ball, capsule or cylinder", "for a ball, capsule or cylinder"},
+        {"body.length", T::number, "m", "", positive, {},
+         "along body x: of a cylinder, or between the centres of a capsule's caps", "for a capsule or cylinder"},
+        {"body.normal", T::vector, "", "", any, {}, "of a half-space, out of the solid", "for a half-space"},
+        {"body.file", T::text, "", "", any, {},
+         "of a mesh: its surface (OBJ or STL; 2D: polygon); else the motion of a prescribed body", "for a mesh"},
+        {"body.scale", T::number, "", "1.0", positive, {}, "of a mesh: factor on its file's coordinates"},
+        {"body.inside_out", T::flag, "", "false", any, {}, "the solid is everything outside the shape"},
+        {"body.position", T::vector, "m", "0.0", any, {}, "of the shape's own origin"},
+        {"body.rotation", T::rotation, "degrees", "", any, {}, "from body axes to world axes; none if not given"},
+        {"body.density", T::number, "kg/m^3", "", positive, {}, "of the solid, uniform",
+         "for a free body, unless mass is given"},
+        {"body.mass", T::number, "kg", "", positive, {}, "instead of density, with inertia", "with inertia"},
+        {"body.inertia", T::inertia, "kg m^2", "", any, {}, "about the centre of mass, body axes", "with mass"},
+        {"body.motion", T::choice, "", "\"free\"", any, {"free", "fixed", "prescribed"},
+         "moved by fluid and forces, held, or moved as told by velocities or a file"},
+        {"body.motion_file", T::text, "", "", any, {},
+         "motion of a prescribed body: time,x,y,angle or time,x,y,z,qw,qx,qy,qz (for a mesh, whose file is its surface)"},
+        {"body.velocity", T::vector, "m/s", "0.0", any, {}, "of the centre of mass, at the start or prescribed"},
+        {"body.angular_velocity", T::spin, "rad/s", "0.0", any, {}, "at the start or prescribed; 3D: world axes"},
+        {"body.force", T::vector, "N", "0.0", any, {}, "constant external force at the centre of mass"},
+        {"body.torque", T::spin, "N m", "0.0", any, {}, "constant external torque; 3D: world axes"},
+        {"body.free", T::choices, "", "", any, {"x", "y", "z", "rx", "ry", "rz"},
+         "only these motions are free", "", "constrained bodies"},
+        {"body.spring.anchor", T::vector, "m", "", any, {}, "point that a spring pulls the position towards", "", "springs"},
+        {"body.spring.stiffness", T::number, "N/m", "", non_negative, {}, "of the spring", "", "springs"},
+        {"body.spring.damping", T::number, "N s/m", "", non_negative, {}, "of the spring", "", "springs"},
+        {"body.hinge.point", T::vector, "m", "", any, {}, "the body only turns about this point", "", "hinges"},
+        {"body.hinge.axis", T::vector, "", "", any, {}, "3D: of the hinge", "", "hinges"},
+    };
+}
+
+void append(std::vector<KeyInfo>& keys, const std::vector<KeyInfo>& more)
+{
+    keys.insert(keys.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+std::vector<KeyInfo> scene_keys()
+{
+    std::vector<KeyInfo> keys{
+        {"title", T::text, "", "\"\"", any, {}, "shown in reports"},
+        {"gravity", T::vector, "m/s^2", "0.0", any, {}, "acceleration of free fall"},
+        {"domain.size", T::vector, "m", "", positive, {}, "edge lengths: two numbers make a 2D scene, three a 3D scene",
+         "always"},
+        {"domain.cells", T::counts, "", "", {1, 1e6}, {}, "cells along each axis, with the same spacing on all axes", "always"},
+        {"domain.origin", T::vector, "m", "0.0", any, {}, "low corner of the domain"},
+    };
+    for (const std::string axis : {"x", "y", "z"})
+        for (const std::string end : {"low", "high"})
+            keys.push_back({"domain.sides." + axis + "_" + end, T::side, "m/s", "\"wall\"", any, {"wall", "open", "periodic"},
+                            "what the fluid meets at the " + end + " end of " + axis});
+    append(keys,
+           {
+               {"fluid.density", T::number, "kg/m^3", "1.0", positive, {}, "of the fluid"},
+               {"fluid.viscosity", T::number, "Pa s", "0.0", non_negative, {}, "dynamic", "", "viscosity"},
+               {"fluid.reference_pressure", T::number, "Pa", "0.0", any, {},
+                "absolute pressure at the highest point of open sides"},
+               {"fluid.vapour_pressure", T::number_or_word, "Pa", "\"none\"", any, {"none"},
+                "absolute: films cavitate there", "", "cavitation"},
+               {"fluid.velocity", T::vector, "m/s", "0.0", any, {}, "of the fluid at the start"},
+               {"fluid.initial", T::choice, "", "\"rest\"", any, {"rest", "potential"},
+                "start from fluid.velocity, or from the potential flow that the bodies' velocities drive"},
+               {"grid.fractions", T::choice, "", "\"cut-cell\"", any, {"cut-cell", "voxel"}, "how bodies cut the grid's faces"},
+               {"grid.advection", T::choice, "", "\"maccormack\"", any, {"maccormack", "semi-lagrangian"},
+                "second or first order"},
+           });
+    append(keys, gap_keys());
+    append(keys, contact_keys());
+    keys.push_back({"pair.bodies", T::names, "", "", any, {}, "names of two bodies, or of a body and a wall", "always"});
+    for (const auto& group : {gap_keys(), contact_keys()})
+        for (KeyInfo key : group) {
+            key.meaning += " (default: " + key.name + ")";
+            key.name = "pair." + last_part(key.name);
+            keys.push_back(key);
+        }
+    append(keys, body_keys());
+    append(keys,
+        {
+            {"time.end", T::number, "s", "", positive, {}, "the run goes from 0 to here", "to run"},
+            {"time.max_step", T::number, "s", "", positive, {}, "largest time step", "to run"},
+            {"time.cfl", T::number, "", "1.0", {0, 10, true}, {}, "cells that the fluid may cross in a step"},
+            {"time.gap_cfl", T::number, "", "0.25", {0, 1, true}, {},
+             "part of its thickness that a gap may change by in a step"},
+            {"solver.tolerance", T::number, "", "1e-8", {1e-16, 1e-2, true}, {}, "relative residual"},
+            {"solver.backend", T::choice, "", "\"multigrid\"", any, {"multigrid", "petsc"},
+             "own solver, or a cross-check by PETSc"},
+            {"output.directory", T::text, "", "\"out\"", any, {}, "folder of the run's files"},
+            {"output.every", T::number, "s", "0.0", non_negative, {}, "time between fields; 0: the start and the end"},
+            {"output.fields", T::choices, "", "[\"velocity\", \"pressure\"]", any, {"velocity", "pressure"}, "fields to write"},
+            {"output.checkpoint_every", T::number, "s", "0.0", non_negative, {},
+             "time between checkpoints (this version has none)"},
+        });
+    return keys;
+}
+// clang-format on
+
+bool KeyRange::contains(double value) const
+{
+    return (open_low ? value > low : value >= low) && (open_high ? value < high : value <= high);
+}
+
+std::string last_part(const std::string& dotted)
+{
+    return dotted.substr(dotted.rfind('.') + 1);
+}
+
+namespace {
+
+std::string range_text(const KeyRange& range)
+{
+    const std::string low = (range.open_low ? "> " : ">= ") + number_text(range.low);
+    const std::string high = (range.open_high ? "< " : "<= ") + number_text(range.high);
+    if (range.low == -infinity && range.high == infinity)
+        return "";
+    if (range.high == infinity)
+        return " " + low;
+    return range.low == -infinity ? " " + high : " " + low + " and " + high;
+}
+
+std::string choices_text(const std::vector<std::string>& choices)
+{
+    std::string text = "\"";
+    text += joined(choices, "\", \"");
+    return text += '"';
+}
+
+} // namespace
+
+std::string allowed_values(const KeyInfo& key, int dimension)
+{
+    const std::string range = range_text(key.range);
+    const std::string count = dimension == 0 ? "2 or 3" : std::to_string(dimension);
+    switch (key.type) {
+    case T::number:
+        return "a number" + range;
+    case T::number_or_word:
+        return choices_text(key.choices) + " or a number" + range;
+    case T::vector:
+        return "a list of " + count + " numbers" + (range.empty() ? "" : ", each" + range);
+    case T::counts:
+        return "a list of " + count + " whole numbers" + (range.empty() ? "" : ", each" + range);
+    case T::spin:
+        return dimension == 2 ? "a number (2D)" : dimension == 3 ? "a list of 3 numbers" : "a number in 2D, 3 numbers in 3D";
+    case T::rotation:
+        return dimension == 2   ? "a number of degrees (2D)"
+               : dimension == 3 ? "{ axis = [x, y, z], degrees = number } or a quaternion [w, x, y, z], neither of length 0"
+                                : "degrees in 2D; { axis, degrees } or a quaternion [w, x, y, z] in 3D";
+    case T::inertia:
+        return dimension == 2   ? "a number > 0 (2D)"
+               : dimension == 3 ? "3 principal moments > 0, or a symmetric positive definite matrix of 3 rows of 3 numbers"
+                                : "a number > 0 in 2D; 3 principal moments or a matrix of 3 rows in 3D";
+    case T::text:
+        return "text in \"quotes\"";
+    case T::choice:
+        return "one of " + choices_text(key.choices);
+    case T::choices:
+        return "a list of some of " + choices_text(key.choices);
+    case T::names:
+        return "a list of two names in \"quotes\"";
+    case T::flag:
+        return "true or false";
+    case T::side:
+        return "\"wall\", \"open\", \"periodic\", { inflow = [" + count +
+               " numbers] }, { inflow = \"file.csv\" } or { wall = [" + count + " numbers] }";
+    }
+    return "";
+}
+
+std::string nearest_key(const std::string& name, const std::vector<KeyInfo>& keys)
+{
+    std::vector<std::string> names;
+    for (const KeyInfo& key : keys)
+        names.push_back(key.name);
+    for (const std::string& key : std::vector<std::string>(names)) // tables too
+        for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1))
+            if (std::find(names.begin(), names.end(), key.substr(0, dot)) == names.end())
+                names.push_back(key.substr(0, dot));
+    // In its own table first, then anywhere by its last part alone (a key in the wrong table), then as a whole.
+    const auto dot = name.rfind('.');
+    const std::string table = dot == std::string::npos ? "" : name.substr(0, dot + 1);
+    std::vector<std::string> siblings, parts;
+    for (const std::string& candidate : names) {
+        parts.push_back(last_part(candidate));
+        if (candidate.starts_with(table) && candidate.find('.', table.size()) == std::string::npos)
+            siblings.push_back(candidate.substr(table.size()));
+    }
+    const std::string sibling = nearest_name(last_part(name), siblings), elsewhere = nearest_name(last_part(name), parts);
+    const auto distance = [&](const std::string& part) { return edit_distance(last_part(name), part); };
+    if (!sibling.empty() && (elsewhere.empty() || distance(sibling) <= distance(elsewhere)))
+        return table + sibling;
+    if (!elsewhere.empty())
+        return names[std::find(parts.begin(), parts.end(), elsewhere) - parts.begin()];
+    return nearest_name(name, names);
+}
+
+} // namespace gapflow

@@ -1,0 +1,236 @@
+#include "gapflow/scene/check_keys.hpp"
+#include "gapflow/scene/read_parts.hpp"
+#include "gapflow/scene/time_table.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+namespace gapflow {
+
+namespace {
+
+using Shape = BodyScene::ShapeKind;
+using Motion = BodyScene::Motion;
+
+bool contains(const std::vector<std::string>& list, const std::string& word)
+{
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+void read_name(const Values& v, const Scene& scene, BodyScene& body)
+{
+    body.name = v.text("name");
+    if (body.name.starts_with("wall:"))
+        v.refuse("name", "names that start with wall: belong to the sides of the domain", "choose another name");
+    const bool control = std::any_of(body.name.begin(), body.name.end(), [](unsigned char c) { return c < 0x20; });
+    if (control || body.name.find_first_of(",\"/\\") != std::string::npos || trimmed(body.name) != body.name)
+        v.refuse("name", "a name stands in tables and file names",
+                 "leave out commas, quotes, slashes, line breaks and blanks at its ends");
+    for (const BodyScene& other : scene.bodies)
+        if (other.name == body.name)
+            v.refuse("name", "an earlier [[body]] has this name", "give every body a name of its own");
+}
+
+/// The shape's own keys: all of them are needed but mesh scale; keys of other shapes are refused.
+void check_shape_keys(const Values& v, const std::string& shape, Shape kind)
+{
+    static const std::vector<std::vector<std::string>> keys_of{
+        {"size"}, {"radius"}, {"radius", "length"}, {"radius", "length"}, {"normal"}, {"file", "scale"}};
+    const auto& own = keys_of[static_cast<std::size_t>(kind)];
+    for (const char* name : {"size", "radius", "length", "normal", "scale"})
+        if (v.given(name) && !contains(own, name))
+            v.refuse(name, "a " + shape + " has no " + name, "remove it; the keys of this shape are: " + joined(own));
+    for (const std::string& name : own)
+        if (name != "scale" && !v.given(name))
+            v.refuse_missing(name, "a " + shape + " needs it");
+}
+
+void read_shape(const Values& v, const Scene& scene, BodyScene& body)
+{
+    body.shape = v.choice<Shape>("shape");
+    if (body.shape == Shape::cylinder && scene.dimension == 2)
+        v.refuse("shape", "a cylinder needs three dimensions", "use a ball (a disk) or a capsule in a 2D scene");
+    check_shape_keys(v, v.text("shape"), body.shape);
+    if (body.shape == Shape::box)
+        body.size = v.triple("size");
+    if (v.given("radius"))
+        body.radius = v.number("radius");
+    if (v.given("length"))
+        body.length = v.number("length");
+    if (body.shape == Shape::half_space) {
+        body.normal = v.triple("normal");
+        if (body.normal == Triple{})
+            v.refuse("normal", "a normal of length 0", "give the direction out of the solid");
+    }
+    body.inside_out = v.flag("inside_out");
+    if (body.shape != Shape::mesh)
+        return;
+    body.mesh_scale = v.number("scale");
+    body.mesh_file = resolved_path(scene, v.text("file"));
+    if (!std::filesystem::is_regular_file(body.mesh_file) || !std::ifstream(body.mesh_file))
+        v.refuse("file", "cannot read the mesh " + body.mesh_file,
+                 "paths are relative to the scene's folder; check that the file is there");
+}
+
+void read_rotation(const Values& v, BodyScene& body)
+{
+    const Node* rotation = v.given("rotation");
+    if (!rotation)
+        return;
+    constexpr double radians = std::numbers::pi / 180;
+    if (rotation->numeric()) {
+        body.angle = rotation->number * radians;
+        return;
+    }
+    if (rotation->kind == Node::Kind::array) {
+        for (int i = 0; i < 4; ++i)
+            body.quaternion[i] = rotation->items[i].number;
+    } else {
+        const Triple axis = to_triple(*rotation->find("axis"));
+        const double half = 0.5 * radians * rotation->find("degrees")->number;
+        const double length = std::hypot(axis[0], axis[1], axis[2]);
+        body.quaternion[0] = std::cos(half);
+        for (int i = 0; i < 3; ++i)
+            body.quaternion[i + 1] = std::sin(half) * axis[i] / length;
+    }
+    auto& q = body.quaternion;
+    const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    for (double& part : q)
+        part /= norm;
+}
+
+/// Rows of a matrix one after the other, or the numbers as they stand.
+std::vector<double> flat_numbers(const Node& node)
+{
+    if (node.numeric())
+        return {node.number};
+    std::vector<double> numbers;
+    for (const Node& item : node.items)
+        for (double number : flat_numbers(item))
+            numbers.push_back(number);
+    return numbers;
+}
+
+void read_mass(const Values& v, bool moves, BodyScene& body)
+{
+    if (v.given("density") && v.given("mass"))
+        v.refuse("mass", "given together with density", "keep density alone, or mass and inertia");
+    if (v.given("density") && v.given("inertia"))
+        v.refuse("inertia", "given together with density", "keep density alone, or mass and inertia");
+    if (v.given("mass") && !v.given("inertia"))
+        v.refuse("mass", "given without inertia", "add inertia (about the centre of mass, body axes), or give density instead");
+    if (v.given("inertia") && !v.given("mass"))
+        v.refuse("inertia", "given without mass", "add mass, or give density instead");
+    if (v.given("density"))
+        body.density = v.number("density");
+    if (v.given("mass")) {
+        body.mass = v.number("mass");
+        body.inertia = flat_numbers(*v.given("inertia"));
+    }
+    if (body.motion != Motion::free)
+        return;
+    if (body.shape == Shape::half_space)
+        v.refuse("shape", "a half-space has no bounds and cannot be free", "add motion = \"fixed\" or motion = \"prescribed\"");
+    if (body.inside_out && !body.mass)
+        v.refuse("inside_out", "the mass of a free body whose solid has no bounds does not follow from a density",
+                 "give mass and inertia, or motion = \"fixed\" or \"prescribed\"");
+    if (moves && !body.density && !body.mass)
+        v.refuse_missing("density", "a free body needs density, or mass and inertia");
+}
+
+/// The key that names the motion's file, or null: motion_file, or file unless that is the mesh.
+const char* motion_key(const Values& v, const BodyScene& body)
+{
+    const bool file = v.given("file") && body.shape != Shape::mesh;
+    if (file && v.given("motion_file"))
+        v.refuse("motion_file", "given together with file", "keep one of them");
+    return v.given("motion_file") ? "motion_file" : file ? "file" : nullptr;
+}
+
+void read_motion_table(const Values& v, const char* key, const Scene& scene, BodyScene& body)
+{
+    const std::vector<std::string> columns = scene.dimension == 2
+                                                 ? std::vector<std::string>{"time", "x", "y", "angle"}
+                                                 : std::vector<std::string>{"time", "x", "y", "z", "qw", "qx", "qy", "qz"};
+    const std::string remedy = "a motion file has rows of " + joined(columns, ",");
+    try {
+        body.motion_table = read_time_table(resolved_path(scene, v.text(key)), columns);
+    } catch (const InputError& e) {
+        v.refuse(key, e.what(), remedy);
+    }
+    for (std::size_t k = 0; scene.dimension == 3 && k < body.motion_table.rows.size(); ++k) {
+        const auto& row = body.motion_table.rows[k];
+        if (std::all_of(row.begin() + 3, row.end(), [](double part) { return part == 0; }))
+            v.refuse(key,
+                     body.motion_table.file + ": a quaternion of length 0 at time " + number_text(body.motion_table.time[k]),
+                     remedy);
+    }
+}
+
+void read_motion(const Values& v, Scene& scene, BodyScene& body)
+{
+    body.motion = v.choice<Motion>("motion");
+    body.position = v.triple("position");
+    read_rotation(v, body);
+    body.velocity = v.triple("velocity");
+    body.angular_velocity = v.triple("angular_velocity");
+    body.force = v.triple("force");
+    body.torque = v.triple("torque");
+
+    const char* file = motion_key(v, body);
+    if (body.motion != Motion::prescribed && file)
+        v.refuse(file, "a file of motion is only for prescribed bodies", "add motion = \"prescribed\", or remove it");
+    if (body.motion == Motion::prescribed) {
+        if (file)
+            read_motion_table(v, file, scene, body);
+        for (const char* name : {"velocity", "angular_velocity"})
+            if (file && v.given(name))
+                v.refuse(name, "given together with a file of motion", "keep one of them");
+        if (!file && !v.given("velocity") && !v.given("angular_velocity"))
+            v.refuse("motion", "nothing tells how the body moves",
+                     "give velocity, angular_velocity or a file of motion, or write motion = \"fixed\"");
+    }
+    const auto ignore = [&](const char* name) {
+        if (const Node* node = v.given(name); node && to_triple(*node) != Triple{})
+            scene.warnings.push_back(place_of(*node, v.shown(name)) + " is ignored: the body's motion is \"" +
+                                     v.text("motion") + "\"");
+    };
+    if (body.motion == Motion::fixed)
+        for (const char* name : {"velocity", "angular_velocity"})
+            ignore(name);
+    if (body.motion != Motion::free)
+        for (const char* name : {"force", "torque"})
+            ignore(name);
+    if (body.motion == Motion::fixed) // so that no reader of the scene takes it for moving
+        body.velocity = body.angular_velocity = {};
+}
+
+BodyScene read_body(const Values& v, bool moves, Scene& scene)
+{
+    BodyScene body;
+    read_name(v, scene, body);
+    read_shape(v, scene, body);
+    read_motion(v, scene, body);
+    read_mass(v, moves, body);
+    return body;
+}
+
+} // namespace
+
+void read_bodies(const Node& document, const std::vector<KeyInfo>& keys, bool moves, Scene& scene)
+{
+    const Node* bodies = document.find("body");
+    for (std::size_t i = 0; bodies && i < bodies->items.size(); ++i) {
+        const Node& table = bodies->items[i];
+        scene.bodies.push_back(read_body(
+            Values(table, "body.", shown_prefix(table, "body", static_cast<int>(i) + 1), keys, scene.dimension), moves, scene));
+    }
+}
+
+} // namespace gapflow

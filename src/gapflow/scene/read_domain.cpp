@@ -1,0 +1,150 @@
+#include "gapflow/scene/read_parts.hpp"
+#include "gapflow/scene/time_table.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gapflow {
+
+namespace {
+
+constexpr double most_cells = 2147483648.0; // 2^31
+
+/// Cells for a domain with the given number along x; empty if no whole numbers give the same spacing on all axes.
+std::vector<long> fitting_cells(const Scene& scene, long along_x)
+{
+    std::vector<long> cells;
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        const double exact = along_x * (scene.size[axis] / scene.size[0]);
+        cells.push_back(std::lround(exact));
+        if (cells.back() < 1 || std::abs(exact - cells.back()) > 1e-9 * exact)
+            return {};
+    }
+    return cells;
+}
+
+std::string list_text(const auto& numbers, int count)
+{
+    std::vector<std::string> parts;
+    for (int i = 0; i < count; ++i)
+        parts.push_back(number_text(static_cast<double>(numbers[i])));
+    std::string text = "[";
+    text += joined(parts);
+    return text += ']';
+}
+
+/// Names the cells nearest to those given that fit the size, or the size that fits the cells.
+std::string spacing_remedy(const Scene& scene)
+{
+    const long wanted = scene.cells[0];
+    for (long off = 0; off <= wanted + 1000; ++off)
+        for (const long along_x : {wanted - off, wanted + off})
+            if (const auto cells = along_x < 1 ? std::vector<long>{} : fitting_cells(scene, along_x); !cells.empty())
+                return "cells = " + list_text(cells, scene.dimension) + " fit this size";
+    Triple size{};
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        size[axis] = scene.cells[axis] * (scene.size[0] / scene.cells[0]);
+    return "no numbers of cells near these fit this size; size = " + list_text(size, scene.dimension) + " fits these cells";
+}
+
+void check_spacing(const Values& v, const Scene& scene)
+{
+    const double dx = scene.size[0] / scene.cells[0];
+    for (int axis = 1; axis < scene.dimension; ++axis) {
+        const double other = scene.size[axis] / scene.cells[axis];
+        if (std::abs(other - dx) > 1e-9 * dx)
+            v.refuse("domain.cells",
+                     std::string("the spacing size/cells must be the same on all axes, but is ") + number_text(dx) +
+                         " along x and " + number_text(other) + " along " + "xyz"[axis] +
+                         " for domain.size = " + list_text(scene.size, scene.dimension),
+                     spacing_remedy(scene));
+    }
+}
+
+void check_memory(const Values& v, const Scene& scene)
+{
+    double count = 1;
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        count *= scene.cells[axis];
+    if (count <= most_cells)
+        return;
+    char text[96];
+    std::snprintf(text, sizeof text, "%.3g cells would need about %.3g GiB of memory", count,
+                  count * bytes_per_cell / 1073741824.0);
+    v.refuse("domain.cells", text, "allowed: up to 2^31 cells in all; use fewer cells");
+}
+
+void read_inflow(const Values& v, const std::string& name, const Node& inflow, Scene& scene, SideScene& side)
+{
+    side.kind = SideScene::Kind::inflow;
+    if (inflow.kind != Node::Kind::text) {
+        side.velocity = to_triple(inflow);
+        return;
+    }
+    std::vector<std::string> columns{"time", "u", "v"};
+    if (scene.dimension == 3)
+        columns.push_back("w");
+    try {
+        side.table = read_time_table(resolved_path(scene, inflow.text), columns);
+    } catch (const InputError& e) {
+        v.refuse(name, e.what(), "an inflow file has rows of " + joined(columns, ","));
+    }
+}
+
+void read_side(const Values& v, int number, Scene& scene)
+{
+    const std::string name = "domain.sides." + side_names[number];
+    const int axis = number / 2;
+    SideScene& side = scene.sides[number];
+    const Node* given = v.given(name);
+    if (!given || given->kind == Node::Kind::text) {
+        side.kind = v.choice<SideScene::Kind>(name); // wall, open, periodic
+    } else if (const Node* inflow = given->find("inflow")) {
+        read_inflow(v, name, *inflow, scene, side);
+    } else {
+        side.velocity = to_triple(*given->find("wall"));
+        if (side.velocity[axis] != 0) {
+            Triple in_plane = side.velocity;
+            in_plane[axis] = 0;
+            v.refuse(name, std::string("a wall slides in its own plane, but this velocity has a part along ") + "xyz"[axis],
+                     "write { wall = " + list_text(in_plane, scene.dimension) + " }, or { inflow = ... } to let fluid through");
+        }
+    }
+}
+
+void check_periodic(const Values& v, const Scene& scene)
+{
+    const int least = 3 + static_cast<int>(std::ceil(scene.cfl)); // the halo of a grid may not lap itself
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        const bool low = scene.sides[2 * axis].kind == SideScene::Kind::periodic;
+        const bool high = scene.sides[2 * axis + 1].kind == SideScene::Kind::periodic;
+        if (low != high)
+            v.refuse("domain.sides." + side_names[2 * axis + (low ? 0 : 1)], "an axis is periodic on both sides or on none",
+                     "write " + side_names[2 * axis + (low ? 1 : 0)] + " = \"periodic\" too");
+        if (low && scene.cells[axis] < least)
+            v.refuse("domain.cells", std::string("too few cells along the periodic axis ") + "xyz"[axis],
+                     "allowed: at least " + std::to_string(least) + " (3 + time.cfl, rounded up) there");
+    }
+}
+
+} // namespace
+
+void read_domain(const Values& v, Scene& scene)
+{
+    scene.size = v.triple("domain.size");
+    scene.origin = v.triple("domain.origin");
+    const Triple cells = v.triple("domain.cells");
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        scene.cells[axis] = static_cast<int>(cells[axis]);
+    check_memory(v, scene);
+    check_spacing(v, scene);
+    for (int number = 0; number < 2 * scene.dimension; ++number)
+        read_side(v, number, scene);
+    check_periodic(v, scene);
+}
+
+} // namespace gapflow

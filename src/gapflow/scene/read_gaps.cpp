@@ -1,0 +1,91 @@
+#include "gapflow/scene/check_keys.hpp"
+#include "gapflow/scene/read_parts.hpp"
+
+#include "gapflow/core/text.hpp"
+
+#include <algorithm>
+
+namespace gapflow {
+
+namespace {
+
+/// [gap] and [contact] have defaults, a pair keeps what it does not give.
+void read_settings(const Values& v, const std::string& gap_table, const std::string& contact_table, bool defaults,
+                   GapScene& gap, ContactScene& contact)
+{
+    const auto wanted = [&](const std::string& name) { return defaults || v.given(name); };
+    const std::string& g = gap_table;
+    if (wanted(g + "model"))
+        gap.film = v.text(g + "model") == "film";
+    if (const Node* threshold = v.given(g + "threshold"))
+        gap.threshold = threshold->numeric() ? std::optional(threshold->number) : std::nullopt;
+    if (wanted(g + "contact"))
+        gap.contact = v.choice<GapScene::Contact>(g + "contact");
+    if (wanted(g + "roughness"))
+        gap.roughness = v.number(g + "roughness");
+    if (wanted(g + "entrance_loss"))
+        gap.entrance_loss = v.number(g + "entrance_loss");
+    if (wanted(g + "exit"))
+        gap.exit = v.choice<GapScene::Exit>(g + "exit");
+
+    const std::string& c = contact_table;
+    if (wanted(c + "restitution"))
+        contact.restitution = v.number(c + "restitution");
+    if (wanted(c + "friction"))
+        contact.friction = v.number(c + "friction");
+    if (wanted(c + "thickness"))
+        contact.thickness = v.number(c + "thickness");
+}
+
+/// What a pair may name: bodies and closed sides.
+std::vector<std::string> partners(const Scene& scene)
+{
+    std::vector<std::string> names;
+    for (const BodyScene& body : scene.bodies)
+        names.push_back(body.name);
+    for (int side = 0; side < 2 * scene.dimension; ++side)
+        if (scene.sides[side].kind == SideScene::Kind::wall)
+            names.push_back("wall:" + side_names[side]);
+    return names;
+}
+
+void read_pair(const Values& v, Scene& scene)
+{
+    PairScene pair;
+    const std::vector<std::string> names = v.texts("bodies"), known = partners(scene);
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) != known.end())
+            continue;
+        const std::string near = nearest_name(name, known);
+        const bool side =
+            name.starts_with("wall:") && std::find(side_names.begin(), side_names.end(), name.substr(5)) != side_names.end();
+        v.refuse("bodies",
+                 side ? "'" + name + "': this side of the domain is not a wall"
+                      : "no body or wall is named '" + name + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?"),
+                 "allowed: " + joined(known));
+    }
+    std::copy(names.begin(), names.end(), pair.bodies.begin());
+    if (pair.bodies[0].starts_with("wall:") && pair.bodies[1].starts_with("wall:"))
+        v.refuse("bodies", "two walls have no gap between them", "name at least one body");
+    for (const PairScene& other : scene.pairs)
+        if (std::is_permutation(pair.bodies.begin(), pair.bodies.end(), other.bodies.begin()))
+            v.refuse("bodies", "an earlier [[pair]] has the same two names", "put the keys of both into one [[pair]]");
+    pair.gap = scene.gap;
+    pair.contact = scene.contact;
+    read_settings(v, "", "", false, pair.gap, pair.contact);
+    scene.pairs.push_back(pair);
+}
+
+} // namespace
+
+void read_gaps(const Values& v, const std::vector<KeyInfo>& keys, Scene& scene)
+{
+    read_settings(v, "gap.", "contact.", true, scene.gap, scene.contact);
+    const Node* pairs = v.given("pair");
+    for (std::size_t i = 0; pairs && i < pairs->items.size(); ++i)
+        read_pair(Values(pairs->items[i], "pair.", shown_prefix(pairs->items[i], "pair", static_cast<int>(i) + 1), keys,
+                         scene.dimension),
+                  scene);
+}
+
+} // namespace gapflow

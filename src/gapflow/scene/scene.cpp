@@ -1,0 +1,31 @@
+#include "gapflow/scene/scene.hpp"
+
+namespace gapflow {
+
+const std::array<std::string, 6> side_names{"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
+
+namespace {
+
+const PairScene* find_pair(const Scene& scene, const std::string& a, const std::string& b)
+{
+    for (const PairScene& pair : scene.pairs)
+        if ((pair.bodies[0] == a && pair.bodies[1] == b) || (pair.bodies[0] == b && pair.bodies[1] == a))
+            return &pair;
+    return nullptr;
+}
+
+} // namespace
+
+const GapScene& Scene::gap_of(const std::string& a, const std::string& b) const
+{
+    const PairScene* pair = find_pair(*this, a, b);
+    return pair ? pair->gap : gap;
+}
+
+const ContactScene& Scene::contact_of(const std::string& a, const std::string& b) const
+{
+    const PairScene* pair = find_pair(*this, a, b);
+    return pair ? pair->contact : contact;
+}
+
+} // namespace gapflow

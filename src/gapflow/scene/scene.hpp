@@ -1,0 +1,154 @@
+// A scene as plain data: what the user wrote, with defaults filled in, checked by the reader.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gapflow {
+
+/// A vector of the scene; in 2D the third number is 0 and unused.
+using Triple = std::array<double, 3>;
+
+/// One sampled function of time, linear between rows, held constant beyond its ends.
+struct TimeTable {
+    std::string file;
+    std::vector<double> time;
+    std::vector<std::vector<double>> rows; ///< values after the time column
+};
+
+struct SideScene {
+    enum class Kind { wall, open, periodic, inflow };
+    Kind kind = Kind::wall;
+    Triple velocity{};    ///< of a sliding wall (in its plane), or of a constant inflow
+    TimeTable table;      ///< inflow from a file (time,u,v[,w]); empty if constant
+};
+
+struct GapScene {
+    enum class Contact { wet, dry };
+    enum class Exit { automatic, reversible, jet };
+    bool film = true;                  ///< gap.model = "film" (else "none")
+    std::optional<double> threshold;   ///< h_c in cells; empty: automatic
+    Contact contact = Contact::wet;
+    double roughness = 0.0;
+    double entrance_loss = 0.0;
+    Exit exit = Exit::automatic;
+};
+
+struct ContactScene {
+    double restitution = 0.0;
+    double friction = 0.0;
+    double thickness = 0.0;
+};
+
+/// Overrides of [gap] and [contact] for one pair of bodies (or body and wall).
+struct PairScene {
+    std::array<std::string, 2> bodies;
+    GapScene gap;
+    ContactScene contact;
+};
+
+struct BodyScene {
+    enum class ShapeKind { box, ball, capsule, cylinder, half_space, mesh };
+    enum class Motion { free, fixed, prescribed };
+
+    std::string name;
+    ShapeKind shape = ShapeKind::ball;
+    Triple size{};                 ///< box
+    double radius = 0.0;           ///< ball, capsule, cylinder
+    double length = 0.0;           ///< capsule (between the centres of its caps), cylinder
+    Triple normal{};               ///< half-space: out of the solid
+    std::string mesh_file;         ///< mesh, resolved against the scene's folder
+    double mesh_scale = 1.0;
+    bool inside_out = false;
+
+    Triple position{};             ///< of the shape's own origin
+    double angle = 0.0;            ///< 2D, radians
+    std::array<double, 4> quaternion{1, 0, 0, 0}; ///< 3D, w x y z, normalised
+
+    std::optional<double> density;
+    std::optional<double> mass;
+    std::vector<double> inertia;   ///< with mass: 1 (2D), 3 (principal, body axes) or 9 (matrix, row by row) numbers
+    Motion motion = Motion::free;
+    TimeTable motion_table;        ///< prescribed from a file: time,x,y,angle or time,x,y,z,qw,qx,qy,qz
+    Triple velocity{};
+    Triple angular_velocity{};     ///< 2D: the first number
+    Triple force{};
+    Triple torque{};               ///< 2D: the first number
+};
+
+struct Scene {
+    enum class Fractions { cut_cell, voxel };
+    enum class Advection { maccormack, semi_lagrangian };
+    enum class Initial { rest, potential };
+    enum class Backend { multigrid, petsc };
+
+    std::string file;              ///< as given, for messages
+    std::string title;
+    int dimension = 2;
+    Triple gravity{};
+
+    Triple size{};
+    std::array<int, 3> cells{1, 1, 1};
+    Triple origin{};
+    std::array<SideScene, 6> sides; ///< x_low x_high y_low y_high z_low z_high
+
+    double density = 1.0;
+    double viscosity = 0.0;
+    double reference_pressure = 0.0;
+    Triple fluid_velocity{};
+    Initial initial = Initial::rest;
+
+    Fractions fractions = Fractions::cut_cell;
+    Advection advection = Advection::maccormack;
+
+    GapScene gap;
+    ContactScene contact;
+    std::vector<PairScene> pairs;
+    std::vector<BodyScene> bodies;
+
+    double end = 0.0;
+    double max_step = 0.0;
+    double cfl = 1.0;
+    double gap_cfl = 0.25;
+
+    double tolerance = 1e-8;
+    Backend backend = Backend::multigrid;
+
+    std::string output_directory = "out";
+    double output_every = 0.0;      ///< 0: only the start and the end
+    std::vector<std::string> fields{"velocity", "pressure"};
+
+    std::vector<std::string> warnings; ///< what the reader accepted but did not follow, for the caller to print
+
+    /// Settings that hold for a pair, by the names of its bodies in any order.
+    const GapScene& gap_of(const std::string& a, const std::string& b) const;
+    const ContactScene& contact_of(const std::string& a, const std::string& b) const;
+};
+
+/// Names of the domain's sides: x_low ... z_high; the wall there is the body "wall:x_low".
+extern const std::array<std::string, 6> side_names;
+
+/// Values of a table at a time: linear between rows, constant beyond its ends.
+std::vector<double> value_at(const TimeTable& table, double time);
+
+/// Slopes of a table at a time: of the segment that starts at or holds it; 0 beyond its ends.
+std::vector<double> derivative_at(const TimeTable& table, double time);
+
+/// What a reader shall check beyond the file's own sense.
+enum class Purpose { run, added_mass, check };
+
+/// Memory that a scene needs, for `check` and for refusing an absurd one.
+constexpr double bytes_per_cell = 300;
+
+/// Reads and validates a scene. `overrides` are dotted keys and TOML values as given to --set.
+/// Throws InputError that names file, line, key, value, range and remedy.
+Scene read_scene(const std::string& file, const std::vector<std::pair<std::string, std::string>>& overrides, Purpose purpose);
+
+/// The resolved scene as JSON text under the scene file's key names (goes into run.json).
+std::string scene_as_json(const Scene& scene);
+
+} // namespace gapflow

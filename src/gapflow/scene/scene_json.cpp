@@ -1,0 +1,149 @@
+// The resolved scene under the scene file's key names.
+#include "gapflow/scene/scene.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <numbers>
+
+namespace gapflow {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <std::size_t N>
+std::string word(const char* const (&words)[N], auto value)
+{
+    return words[static_cast<std::size_t>(value)];
+}
+
+/// Vectors and spins with as many numbers as the dimension has.
+struct Lists {
+    int dimension;
+
+    Json vector(const auto& triple) const { return std::vector(triple.begin(), triple.begin() + dimension); }
+    Json spin(const Triple& triple) const { return dimension == 2 ? Json(triple[0]) : Json(triple); }
+};
+
+Json side_json(const SideScene& side, const Lists& list)
+{
+    if (side.kind == SideScene::Kind::inflow)
+        return {{"inflow", side.table.time.empty() ? list.vector(side.velocity) : Json(side.table.file)}};
+    if (side.velocity != Triple{})
+        return {{"wall", list.vector(side.velocity)}};
+    return word({"wall", "open", "periodic"}, side.kind);
+}
+
+Json gap_json(const GapScene& gap)
+{
+    return {{"model", gap.film ? "film" : "none"},          {"threshold", gap.threshold ? Json(*gap.threshold) : Json("auto")},
+            {"contact", word({"wet", "dry"}, gap.contact)}, {"roughness", gap.roughness},
+            {"entrance_loss", gap.entrance_loss},           {"exit", word({"auto", "reversible", "jet"}, gap.exit)}};
+}
+
+Json contact_json(const ContactScene& contact)
+{
+    return {{"restitution", contact.restitution}, {"friction", contact.friction}, {"thickness", contact.thickness}};
+}
+
+void add_shape(Json& json, const BodyScene& body, const Lists& list)
+{
+    using Kind = BodyScene::ShapeKind;
+    json["shape"] = word({"box", "ball", "capsule", "cylinder", "half-space", "mesh"}, body.shape);
+    if (body.shape == Kind::box)
+        json["size"] = list.vector(body.size);
+    if (body.shape == Kind::ball || body.shape == Kind::capsule || body.shape == Kind::cylinder)
+        json["radius"] = body.radius;
+    if (body.shape == Kind::capsule || body.shape == Kind::cylinder)
+        json["length"] = body.length;
+    if (body.shape == Kind::half_space)
+        json["normal"] = list.vector(body.normal);
+    if (body.shape == Kind::mesh) {
+        json["file"] = body.mesh_file;
+        json["scale"] = body.mesh_scale;
+    }
+    json["inside_out"] = body.inside_out;
+}
+
+Json inertia_json(const std::vector<double>& inertia)
+{
+    if (inertia.size() == 1)
+        return inertia[0];
+    if (inertia.size() == 3)
+        return inertia;
+    Json rows;
+    for (int i = 0; i < 3; ++i)
+        rows.push_back(std::vector(inertia.begin() + 3 * i, inertia.begin() + 3 * i + 3));
+    return rows;
+}
+
+Json body_json(const BodyScene& body, const Lists& list)
+{
+    Json json;
+    json["name"] = body.name;
+    add_shape(json, body, list);
+    json["position"] = list.vector(body.position);
+    json["rotation"] = list.dimension == 2 ? Json(body.angle * 180 / std::numbers::pi) : Json(body.quaternion);
+    if (body.density)
+        json["density"] = *body.density;
+    if (body.mass) {
+        json["mass"] = *body.mass;
+        json["inertia"] = inertia_json(body.inertia);
+    }
+    json["motion"] = word({"free", "fixed", "prescribed"}, body.motion);
+    if (!body.motion_table.time.empty()) {
+        json["motion_file"] = body.motion_table.file;
+    } else {
+        json["velocity"] = list.vector(body.velocity);
+        json["angular_velocity"] = list.spin(body.angular_velocity);
+    }
+    json["force"] = list.vector(body.force);
+    json["torque"] = list.spin(body.torque);
+    return json;
+}
+
+} // namespace
+
+std::string scene_as_json(const Scene& scene)
+{
+    const Lists list{scene.dimension};
+    Json json;
+    json["title"] = scene.title;
+    json["gravity"] = list.vector(scene.gravity);
+    json["domain"] = {
+        {"size", list.vector(scene.size)}, {"cells", list.vector(scene.cells)}, {"origin", list.vector(scene.origin)}};
+    for (int side = 0; side < 2 * scene.dimension; ++side)
+        json["domain"]["sides"][side_names[side]] = side_json(scene.sides[side], list);
+    json["fluid"] = {{"density", scene.density},
+                     {"viscosity", scene.viscosity},
+                     {"reference_pressure", scene.reference_pressure},
+                     {"vapour_pressure", "none"},
+                     {"velocity", list.vector(scene.fluid_velocity)},
+                     {"initial", word({"rest", "potential"}, scene.initial)}};
+    json["grid"] = {{"fractions", word({"cut-cell", "voxel"}, scene.fractions)},
+                    {"advection", word({"maccormack", "semi-lagrangian"}, scene.advection)}};
+    json["gap"] = gap_json(scene.gap);
+    json["contact"] = contact_json(scene.contact);
+    json["pair"] = Json::array();
+    for (const PairScene& pair : scene.pairs) {
+        Json entry = {{"bodies", pair.bodies}};
+        entry.update(gap_json(pair.gap));
+        entry.update(contact_json(pair.contact));
+        json["pair"].push_back(entry);
+    }
+    json["body"] = Json::array();
+    for (const BodyScene& body : scene.bodies)
+        json["body"].push_back(body_json(body, list));
+    json["time"] = Json::object();
+    if (scene.end > 0)
+        json["time"]["end"] = scene.end;
+    if (scene.max_step > 0)
+        json["time"]["max_step"] = scene.max_step;
+    json["time"]["cfl"] = scene.cfl;
+    json["time"]["gap_cfl"] = scene.gap_cfl;
+    json["solver"] = {{"tolerance", scene.tolerance}, {"backend", word({"multigrid", "petsc"}, scene.backend)}};
+    json["output"] = {{"directory", scene.output_directory}, {"every", scene.output_every}, {"fields", scene.fields}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+} // namespace gapflow

@@ -1,0 +1,48 @@
+// The bodies' part of the preconditioner: a capacitance (Woodbury) correction.
+#pragma once
+
+#include "gapflow/solver/coupled_operator.hpp"
+
+#include <Eigen/Dense>
+
+#include <functional>
+#include <vector>
+
+namespace gapflow {
+
+/// Turns B ~ L^-1 into (B^-1 + K M^-1 K^T)^-1 = B - W (M + K^T W)^-1 W^T,  W = B K.
+template <int D>
+class BodyCorrection {
+public:
+    /// z = B r. Collective.
+    using Inverse = std::function<void(const UnknownVector<D>& r, UnknownVector<D>& z)>;
+
+    explicit BodyCorrection(const CoupledOperator<D>& matrix) : matrix_(matrix) {}
+
+    /// Estimates how strongly the bodies act: the largest ratio of added to own mass among them in one (mixed) direction.
+    /// One application of B. Collective.
+    double lightness(const Inverse& inverse) const;
+    /// Computes the columns, dofs applications of B. They are kept if they need no more than `bytes_per_cell`. False, and
+    /// nothing changed, if round-off outweighs the mass of very light bodies. Collective.
+    bool set_up(const Inverse& inverse, double bytes_per_cell);
+    bool ready() const { return ready_; }
+
+    /// z, on entry B r, becomes the corrected result. Collective.
+    void correct(const Inverse& inverse, const UnknownVector<D>& r, UnknownVector<D>& z) const;
+    long bytes() const;
+
+private:
+    struct Column {
+        std::vector<float> cells;
+        /// Where single precision would break the balance between film and cells: what is left of B K in double.
+        std::vector<double> remainder;
+        Eigen::VectorXd nodes;
+    };
+    const CoupledOperator<D>& matrix_;
+    bool ready_ = false, kept_ = false;
+    std::vector<Column> columns_;
+    std::vector<Index<D>> exact_cells_; ///< cells of links, on this rank: their entries of the columns are doubles
+    Eigen::LLT<Eigen::MatrixXd> capacitance_;
+};
+
+} // namespace gapflow

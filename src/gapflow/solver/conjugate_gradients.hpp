@@ -1,0 +1,31 @@
+// Preconditioned conjugate gradients for the coupled system.
+#pragma once
+
+#include "gapflow/solver/constants.hpp"
+#include "gapflow/solver/preconditioner.hpp"
+#include "gapflow/solver/solver.hpp"
+
+namespace gapflow {
+
+/// Storage that lives as long as the solver: nothing is allocated while iterating.
+template <int D>
+struct KrylovVectors {
+    UnknownVector<D> r, z, p, q;
+};
+
+/// On return A p = rhs as CoupledSolver::solve says. Collective.
+template <int D>
+SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner,
+                                const NullSpace<D>& null_space, KrylovVectors<D>& vectors, UnknownVector<D>& x,
+                                const UnknownVector<D>& rhs, const SolverOptions& options, double magnitude);
+
+/// v = rhs with 0 in cells without unknown and without its part along the null vectors.
+template <int D>
+void compatible(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const UnknownVector<D>& rhs, UnknownVector<D>& v);
+
+/// r = v - A x; returns |r|.
+template <int D>
+double true_residual(const CoupledOperator<D>& matrix, const NullSpace<D>& null_space, UnknownVector<D>& x,
+                     const UnknownVector<D>& rhs, UnknownVector<D>& q, UnknownVector<D>& r);
+
+} // namespace gapflow

@@ -1,0 +1,267 @@
+// Coarse correction for constants: L 1_k = 0 for a sealed part of the fluid, and nearly so for one that only films join to
+// the rest, so that neither multigrid (which knows only faces) nor the films' band (which is local) sees its level. Its
+// energy is the bodies' and the films':
+//
+//     E = Z^T (L + K M^-1 K^T) Z = Z^T L Z + G G^T,   G = (Z^T K) M^-1/2,     B gains Z E^+ Z^T.
+//
+// Energies at round-off (null vectors) are dropped; squares make that safe for the bodies' part.
+
+#include "gapflow/solver/constants.hpp"
+
+#include "gapflow/solver/grid_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gapflow {
+
+namespace {
+
+constexpr int full_parts = 48;
+constexpr double weak_conduits = 1e-6; // relative to the film's conductances: the band's own solve loses the film's level
+
+int root(std::vector<int>& parent, int i)
+{
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+} // namespace
+
+template <int D>
+ConstantCorrection<D>::ConstantCorrection(const CoupledOperator<D>& matrix, const FilmBand<D>& band)
+    : system_(matrix.system()), matrix_(matrix), band_(band), node_part_(matrix.system().nodes, -1)
+{
+    if (system_.nodes == 0 && system_.links.empty() && all_constants_null())
+        return;
+    number_columns();
+    number_weak_films();
+    if (columns_ > 0)
+        set_up_energies();
+}
+
+template <int D>
+bool ConstantCorrection<D>::all_constants_null() const
+{
+    long floating = 0;
+    for (const Component& component : system_.components)
+        floating += component.grounded ? 0 : 1;
+    return floating == system_.null_space.cols();
+}
+
+// Parts that nothing acts on (no body, no link) have no energy: no column.
+template <int D>
+void ConstantCorrection<D>::number_columns()
+{
+    const Grid<D>& grid = *system_.grid;
+    GridParts<D> parts = find_grid_parts(system_);
+    part_ = std::move(parts.part);
+    std::vector<double> acted(parts.size.size(), 0.0);
+    for (const auto& entry : system_.cell_flux)
+        if (const int k = part_(entry.row); k >= 0)
+            acted[k] = 1;
+    for (const Link& link : system_.links)
+        for (const auto& entry : link.cells)
+            if (const Index<D> c = grid.cell_of_key(entry.first); grid.owns(c) && part_(c) >= 0)
+                acted[part_(c)] = 1;
+    grid.comm().sum(acted);
+    std::vector<int> column(parts.size.size(), -1);
+    for (std::size_t k = 0; k < column.size(); ++k)
+        if (acted[k] > 0 && !parts.grounded[k])
+            column[k] = columns_++;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (int& k = part_(c); k >= 0)
+            k = column[k];
+    });
+}
+
+template <int D>
+void ConstantCorrection<D>::number_weak_films()
+{
+    std::vector<int> parent(system_.nodes);
+    std::iota(parent.begin(), parent.end(), 0);
+    for (const FilmEdge& edge : matrix_.film_edges())
+        if (edge.conductance != 0)
+            parent[root(parent, edge.i)] = root(parent, edge.j);
+    std::vector<double> inside(system_.nodes, 0.0), outside(system_.nodes, 0.0);
+    for (const FilmEdge& edge : matrix_.film_edges())
+        inside[root(parent, edge.i)] = std::max(inside[root(parent, edge.i)], std::abs(edge.conductance));
+    for (const Link& link : system_.links)
+        for (const auto& [node, weight] : link.nodes)
+            outside[root(parent, node)] += link.conductance * weight * weight;
+    for (int i = 0; i < system_.nodes; ++i)
+        outside[root(parent, i)] += std::abs(matrix_.film_ground()[i]);
+    std::vector<int> column(system_.nodes, -1);
+    for (int i = 0; i < system_.nodes; ++i) {
+        const int r = root(parent, i);
+        if (outside[r] > weak_conduits * inside[r])
+            continue;
+        if (column[r] < 0)
+            column[r] = columns_++;
+        node_part_[i] = column[r];
+    }
+}
+
+template <int D>
+void ConstantCorrection<D>::set_up_energies()
+{
+    full_ = std::min(columns_, full_parts);
+    const int dofs = matrix_.dofs();
+    extension_ = Eigen::MatrixXd::Zero(band_.size(), full_);
+    Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(full_, full_), flux(dofs, full_);
+    UnknownVector<D> z = zero_vector(system_), y = zero_vector(system_);
+    auto make = [&](int k) {
+        z.cells.fill(0);
+        z.nodes.setZero();
+        prolong(Eigen::VectorXd::Unit(columns_, k), z);
+    };
+    std::vector<char> film_column(columns_, 0);
+    for (int k : node_part_)
+        if (k >= 0)
+            film_column[k] = 1;
+    if (!band_.empty())
+        for (int k = 0; k < full_; ++k) {
+            if (film_column[k])
+                continue;
+            for (int pass = 0; pass < 2; ++pass) { // refined once: the factor carries a small shift
+                make(k);
+                matrix_.apply_fluid(z, y);
+                extension_.col(k) -= band_.solve(band_.gather(y));
+            }
+        }
+    for (int k = 0; k < full_; ++k) {
+        make(k);
+        matrix_.apply_fluid(z, y);
+        energy.col(k) = restricted(y).head(full_);
+        if (dofs > 0)
+            flux.col(k) = matrix_.transpose_flux(z);
+    }
+    energy = 0.5 * (energy + energy.transpose().eval());
+
+    // The scale that tells an energy from round-off: the sum of magnitudes.
+    Eigen::VectorXd links = Eigen::VectorXd::Zero(columns_), fluxes = Eigen::VectorXd::Zero(columns_);
+    const Grid<D>& grid = *system_.grid;
+    const Eigen::VectorXd mass = system_.mass.diagonal();
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(columns_); // diagonal of the bodies' part, for columns beyond full_
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(dofs, columns_);
+    Eigen::MatrixXd magnitudes = Eigen::MatrixXd::Zero(dofs, columns_);
+    auto count = [&](int k, int body, double sign, const Twist<D>& f) {
+        if (k >= 0) {
+            sums.block(twist_size<D> * body, k, twist_size<D>, 1) += sign * f;
+            magnitudes.block(twist_size<D> * body, k, twist_size<D>, 1) += f.cwiseAbs();
+        }
+    };
+    for (const auto& entry : system_.cell_flux)
+        count(part_(entry.row), entry.body, 1, entry.flux);
+    for (const Link& link : system_.links)
+        for (const auto& [key, weight] : link.cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && part_(c) >= 0)
+                links[part_(c)] += link.conductance * weight * weight;
+    grid.comm().sum(std::span<double>(sums.data(), sums.size()));
+    grid.comm().sum(std::span<double>(magnitudes.data(), magnitudes.size()));
+    grid.comm().sum(std::span<double>(links.data(), links.size()));
+    for (const auto& entry : system_.node_flux)
+        count(node_part_[entry.row], entry.body, 1, entry.flux);
+    for (const Link& link : system_.links)
+        for (const auto& [node, weight] : link.nodes)
+            if (node_part_[node] >= 0)
+                links[node_part_[node]] += link.conductance * weight * weight;
+    for (int k = 0; k < columns_; ++k)
+        for (int d = 0; d < dofs; ++d) {
+            fluxes[k] += magnitudes(d, k) * magnitudes(d, k) / mass[d];
+            squares[k] += sums(d, k) * sums(d, k) / mass[d];
+        }
+
+    for (int k = 0; k < full_; ++k)
+        if (energy(k, k) < 1e-13 * links[k]) {
+            energy.row(k).setZero();
+            energy.col(k).setZero();
+        }
+    if (dofs > 0) {
+        Eigen::MatrixXd twists(dofs, full_);
+        for (int k = 0; k < full_; ++k) {
+            // A film's harmonic continuation may carry the flux: its magnitude is not in `fluxes`.
+            const double size = flux.col(k).cwiseAbs2().cwiseQuotient(mass).sum();
+            if (size < 1e-20 * fluxes[k])
+                flux.col(k).setZero();
+            twists.col(k) = matrix_.inverse_mass(flux.col(k));
+        }
+        energy += flux.transpose() * twists;
+    }
+    const Eigen::VectorXd scaling =
+        energy.diagonal().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.0; });
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaling.asDiagonal() * energy * scaling.asDiagonal());
+    const Eigen::VectorXd inverse = eigen.eigenvalues().unaryExpr([](double v) { return v > 1e-10 ? 1 / v : 0.0; });
+    const Eigen::MatrixXd vectors = scaling.asDiagonal() * eigen.eigenvectors();
+    inverse_energy_ = vectors * inverse.asDiagonal() * vectors.transpose();
+
+    inverse_diagonal_ = Eigen::VectorXd::Zero(columns_ - full_);
+    for (int k = full_; k < columns_; ++k) {
+        const double energy_k = links[k] + (squares[k] > 1e-20 * fluxes[k] ? squares[k] : 0.0);
+        inverse_diagonal_[k - full_] = energy_k > 0 ? 1 / energy_k : 0.0;
+    }
+}
+
+template <int D>
+Eigen::VectorXd ConstantCorrection<D>::restricted(const UnknownVector<D>& r) const
+{
+    const Grid<D>& grid = *system_.grid;
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(columns_ + 1); // entry 0: no column
+    for_each_field_row(
+        grid,
+        [&](int n, const double* row, const int* part) {
+            for (int i = 0; i < n; ++i)
+                sums[part[i] + 1] += row[i];
+        },
+        r.cells, part_);
+    for (const auto& entry : band_.owned())
+        sums.segment(1, full_) += r.cells(entry.cell) * extension_.row(entry.row).transpose();
+    grid.comm().sum(std::span<double>(sums.data() + 1, columns_));
+    for (int i = 0; i < system_.nodes; ++i) {
+        sums[node_part_[i] + 1] += r.nodes[i];
+        if (!band_.empty())
+            sums.segment(1, full_) += r.nodes[i] * extension_.row(i).transpose();
+    }
+    return sums.tail(columns_);
+}
+
+template <int D>
+void ConstantCorrection<D>::prolong(const Eigen::VectorXd& c, UnknownVector<D>& z) const
+{
+    Eigen::VectorXd value = Eigen::VectorXd::Zero(columns_ + 1);
+    value.tail(columns_) = c;
+    for_each_field_row(
+        *system_.grid,
+        [&](int n, double* row, const int* part) {
+            for (int i = 0; i < n; ++i)
+                row[i] += value[part[i] + 1];
+        },
+        z.cells, part_);
+    for (int i = 0; i < system_.nodes; ++i)
+        z.nodes[i] += value[node_part_[i] + 1];
+    if (band_.empty() || full_ == 0)
+        return;
+    const Eigen::VectorXd on_band = extension_ * c.head(full_);
+    z.nodes += on_band.head(system_.nodes);
+    for (const auto& entry : band_.owned())
+        z.cells(entry.cell) += on_band[entry.row];
+}
+
+template <int D>
+void ConstantCorrection<D>::add_correction(const UnknownVector<D>& r, UnknownVector<D>& z) const
+{
+    if (empty())
+        return;
+    const Eigen::VectorXd sums = restricted(r);
+    Eigen::VectorXd c(columns_);
+    c.head(full_) = inverse_energy_ * sums.head(full_);
+    c.tail(columns_ - full_) = inverse_diagonal_.cwiseProduct(sums.tail(columns_ - full_));
+    prolong(c, z);
+}
+
+template class ConstantCorrection<2>;
+template class ConstantCorrection<3>;
+
+} // namespace gapflow

@@ -1,0 +1,70 @@
+// The constants on connected parts of the fluid: null space of the system, and a coarse correction for those parts whose
+// level only bodies or films fix.
+#pragma once
+
+#include "gapflow/solver/coupled_operator.hpp"
+#include "gapflow/solver/film_band.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+#include <vector>
+
+namespace gapflow {
+
+/// Projection onto the orthogonal complement of the null vectors z_j = sum_k null_space(k, j) 1_k.
+template <int D>
+class NullSpace {
+public:
+    explicit NullSpace(const CoupledSystem<D>& system);
+    bool empty() const { return system_.null_space.cols() == 0; }
+    /// On return v is orthogonal to all z_j and 0 in cells without unknown. Collective.
+    void project(UnknownVector<D>& v) const;
+    /// What project() would subtract in each component [component + 1]; entry 0 is 0. Collective unless empty.
+    const Eigen::VectorXd& shifts(const UnknownVector<D>& v) const;
+    /// The same for the only component, from the sum over all its unknowns.
+    const Eigen::VectorXd& shifts(double sum) const;
+
+private:
+    const CoupledSystem<D>& system_;
+    Eigen::SparseMatrix<double> vectors_;                          ///< components x null vectors
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> gram_;      ///< of the z_j
+    double size_ = 1;                                              ///< unknowns in all components
+    mutable Eigen::VectorXd sums_;
+};
+
+/// Z (Z^T A Z)^+ Z^T with A = L + K M^-1 K^T. Z: for each part of the grid (joined by faces) that no open side touches its
+/// constant, continued harmonically into the films that hang on it; for each film that hangs on much weaker conduits, or on
+/// none, its constant. Beyond the `full_parts` largest, parts count by themselves: the diagonal of Z^T A Z.
+template <int D>
+class ConstantCorrection {
+public:
+    ConstantCorrection(const CoupledOperator<D>& matrix, const FilmBand<D>& band);
+    bool empty() const { return columns_ == 0; }
+    /// z += Z (Z^T A Z)^+ Z^T r. Collective.
+    void add_correction(const UnknownVector<D>& r, UnknownVector<D>& z) const;
+    long bytes() const { return static_cast<long>(sizeof(int)) * part_.size(); }
+
+private:
+    bool all_constants_null() const;
+    void number_columns();
+    void number_weak_films();
+    void set_up_energies();
+    /// Z^T r.
+    Eigen::VectorXd restricted(const UnknownVector<D>& r) const;
+    /// z += Z c.
+    void prolong(const Eigen::VectorXd& c, UnknownVector<D>& z) const;
+
+    const CoupledSystem<D>& system_;
+    const CoupledOperator<D>& matrix_;
+    const FilmBand<D>& band_;
+    int columns_ = 0;
+    int full_ = 0;                      ///< columns with a full energy matrix, the first ones
+    CellField<D, int> part_;            ///< column of each cell's constant, -1: none
+    std::vector<int> node_part_;        ///< column of each node's constant, -1: none
+    Eigen::MatrixXd extension_;         ///< band unknowns x full_: what harmonic continuation adds to the constants
+    Eigen::MatrixXd inverse_energy_;    ///< full_ x full_
+    Eigen::VectorXd inverse_diagonal_;  ///< of the others
+};
+
+} // namespace gapflow

@@ -1,0 +1,267 @@
+// y = L p + K M^-1 K^T p with
+//
+//     (L p)_c = sum over faces a_f (p_c - p_n) + sum over links g_r w_rc s_r,     s_r = sum_i w_ri p_i
+//     (L p)_i = sum over film edges a_ij (p_i - p_j) + sum over links g_r w_ri s_r
+//
+// (method, section 4). Cells are distributed, film nodes are replicated: the cells' parts of all s_r and of K^T p are summed
+// over the ranks in one reduction, everything else about nodes is computed on every rank, with the same bits.
+
+#include "gapflow/solver/coupled_operator.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/solver/solver.hpp"
+
+#include <cmath>
+
+namespace gapflow {
+
+template <int D>
+CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
+    : system_(system), dofs_(twist_size<D> * system.bodies), ground_(system.nodes, 0.0)
+{
+    const Grid<D>& grid = *system.grid;
+    for (std::size_t r = 0; r < system.links.size(); ++r)
+        for (const auto& [key, weight] : system.links[r].cells) {
+            const Index<D> c = grid.cell_of_key(key);
+            if (grid.owns(c))
+                link_cells_.push_back({static_cast<int>(r), c, weight});
+        }
+    for (int column = 0; column < system.film.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, column); entry; ++entry) {
+            ground_[entry.row()] += entry.value();
+            if (entry.row() < column)
+                edges_.push_back({static_cast<int>(entry.row()), column, -entry.value()});
+        }
+    for (int i = 0; i < system.nodes; ++i)
+        if (std::abs(ground_[i]) < 1e-12 * system.film.coeff(i, i))
+            ground_[i] = 0; // round-off
+    if (dofs_ > 0) {
+        mass_.compute(system.mass);
+        if (mass_.info() != Eigen::Success)
+            throw ComputationError("the mass matrix of the free bodies is not positive definite");
+    }
+    halo_ = halo_of<D, double>(grid, system.conductance[0].block());
+    partial_.resize(static_cast<long>(system.links.size()) + dofs_ + 1);
+}
+
+template <int D>
+double CoupledOperator<D>::grid_product(const CellField<D>& p, CellField<D>& y) const
+{
+    const Grid<D>& grid = *system_.grid;
+    const int n = grid.high()[0] - grid.low()[0];
+    const Index<D> p_stride = p.block().stride, a_stride = system_.conductance[0].block().stride;
+    double total = 0;
+    for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+        const double* x = &p(row);
+        double* to = &y(row);
+        const double* a0 = &system_.conductance(0, row);
+        const double* a1 = &system_.conductance(1, row);
+        const long s1 = p_stride[1], t1 = a_stride[1];
+        if constexpr (D == 2) {
+#pragma GCC ivdep
+            for (int i = 0; i < n; ++i)
+                to[i] = a0[i] * (x[i] - x[i - 1]) + a0[i + 1] * (x[i] - x[i + 1]) + a1[i] * (x[i] - x[i - s1]) +
+                        a1[i + t1] * (x[i] - x[i + s1]);
+        } else {
+            const double* a2 = &system_.conductance(2, row);
+            const long s2 = p_stride[2], t2 = a_stride[2];
+#pragma GCC ivdep
+            for (int i = 0; i < n; ++i)
+                to[i] = a0[i] * (x[i] - x[i - 1]) + a0[i + 1] * (x[i] - x[i + 1]) + a1[i] * (x[i] - x[i - s1]) +
+                        a1[i + t1] * (x[i] - x[i + s1]) + a2[i] * (x[i] - x[i - s2]) + a2[i + t2] * (x[i] - x[i + s2]);
+        }
+        total += Eigen::Map<const Eigen::VectorXd>(x, n).dot(Eigen::Map<const Eigen::VectorXd>(to, n));
+    });
+    return total;
+}
+
+template <int D>
+void CoupledOperator<D>::clear_outside(CellField<D>& p) const
+{
+    const Grid<D>& grid = *system_.grid;
+    for (int axis = 0; axis < D; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            if (grid.neighbour(axis, end) >= 0)
+                continue;
+            Index<D> low = grid.low(), high = grid.high();
+            low[axis] = end ? high[axis] : low[axis] - 1;
+            high[axis] = low[axis] + 1;
+            for_each_index<D>(low, high, [&](const Index<D>& c) { p(c) = 0; });
+        }
+}
+
+template <int D>
+double CoupledOperator<D>::node_sum(const Link& link, const Eigen::VectorXd& x) const
+{
+    double sum = 0;
+    for (const auto& [node, weight] : link.nodes)
+        sum += weight * x[node];
+    return sum;
+}
+
+template <int D>
+double CoupledOperator<D>::apply(UnknownVector<D>& p, UnknownVector<D>& y, bool with_bodies) const
+{
+    const Grid<D>& grid = *system_.grid;
+    clear_outside(p.cells);
+    halo_.exchange(p.cells.data());
+    const double grid_energy = grid_product(p.cells, y.cells);
+
+    const long links = static_cast<long>(system_.links.size());
+    partial_.setZero();
+    for (const LinkCell& entry : link_cells_)
+        partial_[entry.link] += entry.weight * p.cells(entry.cell);
+    if (with_bodies)
+        for (const auto& entry : system_.cell_flux)
+            partial_.template segment<twist_size<D>>(links + twist_size<D> * entry.body) += p.cells(entry.row) * entry.flux;
+    partial_[links + dofs_] = grid_energy;
+    grid.comm().sum(std::span<double>(partial_.data(), partial_.size()));
+
+    double total = partial_[links + dofs_];
+    y.nodes.setZero();
+    for (const FilmEdge& edge : edges_) {
+        const double difference = p.nodes[edge.i] - p.nodes[edge.j], flux = edge.conductance * difference;
+        y.nodes[edge.i] += flux;
+        y.nodes[edge.j] -= flux;
+        total += flux * difference;
+    }
+    for (int i = 0; i < system_.nodes; ++i)
+        if (ground_[i] != 0) {
+            y.nodes[i] += ground_[i] * p.nodes[i];
+            total += ground_[i] * p.nodes[i] * p.nodes[i];
+        }
+    for (long r = 0; r < links; ++r) {
+        const Link& link = system_.links[r];
+        const double sum = partial_[r] + node_sum(link, p.nodes);
+        total += link.conductance * sum * sum;
+        partial_[r] = link.conductance * sum;
+        for (const auto& [node, weight] : link.nodes)
+            y.nodes[node] += weight * partial_[r];
+    }
+    for (const LinkCell& entry : link_cells_)
+        y.cells(entry.cell) += entry.weight * partial_[entry.link];
+    if (with_bodies && dofs_ > 0) {
+        for (const auto& entry : system_.node_flux)
+            partial_.template segment<twist_size<D>>(links + twist_size<D> * entry.body) += p.nodes[entry.row] * entry.flux;
+        const Eigen::VectorXd wrench = partial_.segment(links, dofs_), twist = mass_.solve(wrench);
+        total += wrench.dot(twist);
+        add_flux(twist, y);
+    }
+    return total;
+}
+
+template <int D>
+double CoupledOperator<D>::apply(UnknownVector<D>& p, UnknownVector<D>& y) const
+{
+    return apply(p, y, true);
+}
+
+template <int D>
+double CoupledOperator<D>::apply_fluid(UnknownVector<D>& p, UnknownVector<D>& y) const
+{
+    return apply(p, y, false);
+}
+
+template <int D>
+double CoupledOperator<D>::round_off(const UnknownVector<D>& p) const
+{
+    const Grid<D>& grid = *system_.grid;
+    UnknownVector<D> terms = zero_vector(system_);
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        for (int axis = 0; axis < D; ++axis)
+            terms.cells(c) +=
+                2 * std::abs(p.cells(c)) * (system_.conductance(axis, c) + system_.conductance(axis, c + step<D>(axis)));
+    });
+    for (const FilmEdge& edge : edges_) {
+        const double term = std::abs(edge.conductance) * (std::abs(p.nodes[edge.i]) + std::abs(p.nodes[edge.j]));
+        terms.nodes[edge.i] += term;
+        terms.nodes[edge.j] += term;
+    }
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(static_cast<long>(system_.links.size()) + dofs_);
+    const long links = static_cast<long>(system_.links.size());
+    for (const LinkCell& entry : link_cells_)
+        sums[entry.link] += std::abs(entry.weight * p.cells(entry.cell));
+    auto add_wrench = [&](int body, double value, const Twist<D>& flux) {
+        sums.template segment<twist_size<D>>(links + twist_size<D> * body) += std::abs(value) * flux.cwiseAbs();
+    };
+    for (const auto& entry : system_.cell_flux)
+        add_wrench(entry.body, p.cells(entry.row), entry.flux);
+    grid.comm().sum(std::span<double>(sums.data(), sums.size()));
+    for (const auto& entry : system_.node_flux)
+        add_wrench(entry.body, p.nodes[entry.row], entry.flux);
+    for (long r = 0; r < links; ++r) {
+        const Link& link = system_.links[r];
+        for (const auto& [node, weight] : link.nodes)
+            sums[r] += std::abs(weight * p.nodes[node]);
+        for (const auto& [node, weight] : link.nodes)
+            terms.nodes[node] += link.conductance * std::abs(weight) * sums[r];
+    }
+    for (const LinkCell& entry : link_cells_)
+        terms.cells(entry.cell) += system_.links[entry.link].conductance * std::abs(entry.weight) * sums[entry.link];
+    auto twist = [&](int body, const Twist<D>& flux) {
+        double sum = 0;
+        for (int d = 0; d < twist_size<D>; ++d)
+            sum += std::abs(flux[d]) * sums[links + twist_size<D> * body + d] /
+                   system_.mass.coeff(twist_size<D> * body + d, twist_size<D> * body + d);
+        return sum;
+    };
+    for (const auto& entry : system_.cell_flux)
+        terms.cells(entry.row) += twist(entry.body, entry.flux);
+    for (const auto& entry : system_.node_flux)
+        terms.nodes[entry.row] += twist(entry.body, entry.flux);
+    return 1e-15 * std::sqrt(dot(grid, terms, terms));
+}
+
+template <int D>
+Eigen::VectorXd CoupledOperator<D>::transpose_flux(const UnknownVector<D>& p) const
+{
+    Eigen::VectorXd wrench = Eigen::VectorXd::Zero(dofs_);
+    for (const auto& entry : system_.cell_flux)
+        wrench.template segment<twist_size<D>>(twist_size<D> * entry.body) += p.cells(entry.row) * entry.flux;
+    system_.grid->comm().sum(std::span<double>(wrench.data(), wrench.size()));
+    for (const auto& entry : system_.node_flux)
+        wrench.template segment<twist_size<D>>(twist_size<D> * entry.body) += p.nodes[entry.row] * entry.flux;
+    return wrench;
+}
+
+template <int D>
+void CoupledOperator<D>::add_flux(const Eigen::VectorXd& u, UnknownVector<D>& y) const
+{
+    for (const auto& entry : system_.cell_flux)
+        y.cells(entry.row) += entry.flux.dot(u.template segment<twist_size<D>>(twist_size<D> * entry.body));
+    for (const auto& entry : system_.node_flux)
+        y.nodes[entry.row] += entry.flux.dot(u.template segment<twist_size<D>>(twist_size<D> * entry.body));
+}
+
+template <int D>
+Eigen::VectorXd CoupledOperator<D>::inverse_mass(const Eigen::VectorXd& w) const
+{
+    return mass_.solve(w);
+}
+
+template <int D>
+long CoupledOperator<D>::bytes() const
+{
+    return static_cast<long>(link_cells_.size() * sizeof(LinkCell) + edges_.size() * sizeof(FilmEdge));
+}
+
+template <int D>
+void apply(const CoupledSystem<D>& system, UnknownVector<D>& p, UnknownVector<D>& y)
+{
+    CoupledOperator<D>(system).apply(p, y);
+}
+
+template <int D>
+Eigen::VectorXd wrenches(const CoupledSystem<D>& system, const UnknownVector<D>& p)
+{
+    return CoupledOperator<D>(system).transpose_flux(p);
+}
+
+template class CoupledOperator<2>;
+template class CoupledOperator<3>;
+template void apply<2>(const CoupledSystem<2>&, UnknownVector<2>&, UnknownVector<2>&);
+template void apply<3>(const CoupledSystem<3>&, UnknownVector<3>&, UnknownVector<3>&);
+template Eigen::VectorXd wrenches<2>(const CoupledSystem<2>&, const UnknownVector<2>&);
+template Eigen::VectorXd wrenches<3>(const CoupledSystem<3>&, const UnknownVector<3>&);
+
+} // namespace gapflow

@@ -1,0 +1,329 @@
+// Multiplicative Schwarz (Smith, Bjorstad & Gropp 1996, section 1.1) between a direct solve on the band b and multigrid G on
+// the cells: with R_b the restriction to the band and A_b = R_b L R_b^T,
+//
+//     z_1 = R_b^T A_b^-1 R_b r;     x = G (r - L z_1);     z = z_1 + x + R_b^T A_b^-1 R_b (r - L (z_1 + x)),
+//
+// symmetric and positive. Since A_b z_1 = r on the band, r - L z_1 is 0 there and differs from r only in the cells beside
+// it, and the last residual is -L x. The film's coupling never enters the diagonal that multigrid sees, where it would act
+// as a false ground.
+//
+// A block of A_b that nothing outside fixes is singular: its constant is taken out of the right-hand side and the result.
+
+#include "gapflow/solver/film_band.hpp"
+
+#include "gapflow/core/error.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace gapflow {
+
+namespace {
+
+constexpr int layers = 2;          // cells between a conduit's cells and the band's end
+constexpr double shift = 1e-12;    // relative, on the diagonal: films whose conduits are 1e-12 of their own conductance
+
+/// All cells within `layers` steps of the links' cells.
+template <int D>
+std::vector<long> cells_around_links(const CoupledSystem<D>& system)
+{
+    const Grid<D>& grid = *system.grid;
+    std::vector<long> found;
+    for (const Link& link : system.links)
+        for (const auto& entry : link.cells)
+            found.push_back(entry.first);
+    auto unique = [&] {
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+    };
+    unique();
+    for (int layer = 0; layer < layers; ++layer) {
+        const std::size_t n = found.size();
+        for (std::size_t i = 0; i < n; ++i)
+            for (int side = 0; side < 2 * D; ++side) {
+                Index<D> c = grid.cell_of_key(found[i]);
+                c[side / 2] += side % 2 ? 1 : -1;
+                c = grid.wrapped(c);
+                if (grid.in_domain(c))
+                    found.push_back(grid.key(c));
+            }
+        unique();
+    }
+    return found;
+}
+
+int root(std::vector<int>& parent, int i)
+{
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+} // namespace
+
+template <int D>
+FilmBand<D>::FilmBand(const CoupledOperator<D>& matrix, const Level<D>& finest) : matrix_(matrix), system_(matrix.system())
+{
+    if (system_.nodes == 0 && system_.links.empty())
+        return;
+    find_cells(finest);
+    factorise();
+    correction_.setZero(size_);
+}
+
+template <int D>
+void FilmBand<D>::find_cells(const Level<D>& finest)
+{
+    const Grid<D>& grid = *system_.grid;
+    // Every rank tells of its cells: whether there is an unknown, and the conductances around.
+    constexpr int width = 2 * D + 1;
+    const std::vector<long> around = cells_around_links(system_);
+    std::vector<double> told(width * around.size(), 0.0);
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        const Index<D> c = grid.cell_of_key(around[i]);
+        if (!grid.owns(c) || system_.component(c) < 0)
+            continue;
+        told[width * i] = 1;
+        for (int side = 0; side < 2 * D; ++side)
+            told[width * i + 1 + side] = system_.conductance(side / 2, side % 2 ? Index<D>(c + step<D>(side / 2)) : c);
+    }
+    grid.comm().sum(told);
+    for (std::size_t i = 0; i < around.size(); ++i)
+        if (told[width * i] > 0) {
+            keys_.push_back(around[i]);
+            faces_.emplace_back();
+            std::copy_n(&told[width * i + 1], 2 * D, faces_.back().begin());
+        }
+    size_ = system_.nodes + static_cast<int>(keys_.size());
+
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+        const Index<D> c = grid.cell_of_key(keys_[i]);
+        const int row = system_.nodes + static_cast<int>(i);
+        if (grid.owns(c))
+            owned_.push_back({row, c, finest.block.offset(c)});
+        for (int side = 0; side < 2 * D; ++side) {
+            Index<D> other = c;
+            other[side / 2] += side % 2 ? 1 : -1;
+            other = grid.wrapped(other);
+            if (faces_[i][side] > 0 && grid.in_domain(other) && grid.owns(other) &&
+                !std::binary_search(keys_.begin(), keys_.end(), grid.key(other)))
+                outside_.push_back({finest.block.offset(other), row, faces_[i][side]});
+        }
+    }
+    for (std::size_t r = 0; r < system_.links.size(); ++r)
+        for (const auto& [key, weight] : system_.links[r].cells) {
+            const Index<D> c = grid.cell_of_key(key);
+            if (grid.owns(c))
+                link_cells_.push_back({static_cast<int>(r), finest.block.offset(c), weight});
+        }
+}
+
+template <int D>
+void FilmBand<D>::factorise()
+{
+    const Grid<D>& grid = *system_.grid;
+    auto row_of = [&](long key) {
+        const auto found = std::lower_bound(keys_.begin(), keys_.end(), key);
+        return found != keys_.end() && *found == key ? system_.nodes + static_cast<int>(found - keys_.begin()) : -1;
+    };
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<int> parent(size_);
+    std::iota(parent.begin(), parent.end(), 0);
+    std::vector<char> fixed(size_, 0);
+    auto join = [&](int i, int j) { parent[root(parent, i)] = root(parent, j); };
+
+    for (const FilmEdge& edge : matrix_.film_edges()) {
+        entries.emplace_back(edge.i, edge.i, edge.conductance);
+        entries.emplace_back(edge.j, edge.j, edge.conductance);
+        entries.emplace_back(edge.i, edge.j, -edge.conductance);
+        entries.emplace_back(edge.j, edge.i, -edge.conductance);
+        if (edge.conductance != 0)
+            join(edge.i, edge.j);
+    }
+    for (int i = 0; i < system_.nodes; ++i) {
+        entries.emplace_back(i, i, matrix_.film_ground()[i]);
+        fixed[i] = matrix_.film_ground()[i] != 0;
+    }
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+        const Index<D> c = grid.cell_of_key(keys_[i]);
+        const int row = system_.nodes + static_cast<int>(i);
+        for (int side = 0; side < 2 * D; ++side) {
+            const double a = faces_[i][side];
+            if (a <= 0)
+                continue;
+            Index<D> other = c;
+            other[side / 2] += side % 2 ? 1 : -1;
+            other = grid.wrapped(other);
+            const int column = grid.in_domain(other) ? row_of(grid.key(other)) : -1;
+            if (column == row)
+                continue; // periodic axis of one cell
+            entries.emplace_back(row, row, a);
+            if (column >= 0) {
+                entries.emplace_back(row, column, -a);
+                join(row, column);
+            } else {
+                fixed[row] = 1;
+            }
+        }
+    }
+    for (const Link& link : system_.links) {
+        std::vector<std::pair<int, double>> terms(link.nodes.begin(), link.nodes.end());
+        double sum = 0, size = 0;
+        for (const auto& [key, weight] : link.cells)
+            if (const int row = row_of(key); row >= 0)
+                terms.emplace_back(row, weight);
+        for (const auto& [i, wi] : terms) {
+            for (const auto& [j, wj] : terms)
+                entries.emplace_back(i, j, link.conductance * wi * wj);
+            if (link.conductance > 0)
+                join(i, terms.front().first);
+            sum += wi;
+            size += std::abs(wi);
+        }
+        if (!terms.empty() && link.conductance > 0 && std::abs(sum) > 1e-9 * size)
+            fixed[terms.front().first] = 1; // a conduit to an open side
+    }
+    Eigen::SparseMatrix<double> matrix(size_, size_);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+
+    std::vector<char> block_fixed(size_, 0);
+    for (int i = 0; i < size_; ++i)
+        if (fixed[i])
+            block_fixed[root(parent, i)] = 1;
+    std::unordered_map<int, int> number;
+    block_.assign(size_, -1);
+    for (int i = 0; i < size_; ++i) {
+        const int r = root(parent, i);
+        if (block_fixed[r])
+            continue;
+        block_[i] = number.try_emplace(r, static_cast<int>(number.size())).first->second;
+    }
+    block_size_.assign(number.size(), 0);
+    for (int i = 0; i < size_; ++i)
+        if (block_[i] >= 0)
+            ++block_size_[block_[i]];
+
+    double largest = 0;
+    for (int i = 0; i < size_; ++i)
+        largest = std::max(largest, matrix.coeff(i, i));
+    double relative = shift;
+    for (int attempt = 0; attempt < 5; ++attempt, relative *= 100) {
+        Eigen::SparseMatrix<double> shifted = matrix;
+        for (int i = 0; i < size_; ++i) {
+            double& diagonal = shifted.coeffRef(i, i);
+            diagonal = diagonal > 0 ? diagonal * (1 + relative) : std::max(largest, 1.0); // a row of zeros stands alone
+        }
+        if (attempt == 0)
+            factor_.analyzePattern(shifted);
+        factor_.factorize(shifted);
+        if (factor_.info() == Eigen::Success && factor_.vectorD().minCoeff() > 0)
+            return;
+    }
+    throw ComputationError("the films' matrix is not positive semidefinite");
+}
+
+template <int D>
+Eigen::VectorXd FilmBand<D>::gather(const UnknownVector<D>& v) const
+{
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(size_);
+    for (const OwnedCell& entry : owned_)
+        values[entry.row] = v.cells(entry.cell);
+    system_.grid->comm().sum(std::span<double>(values.data() + system_.nodes, values.size() - system_.nodes));
+    values.head(system_.nodes) = v.nodes;
+    return values;
+}
+
+template <int D>
+Eigen::VectorXd FilmBand<D>::solve(const Eigen::VectorXd& r) const
+{
+    auto without_constants = [&](Eigen::VectorXd v) {
+        if (block_size_.empty())
+            return v;
+        std::vector<double> mean(block_size_.size(), 0.0);
+        for (int i = 0; i < size_; ++i)
+            if (block_[i] >= 0)
+                mean[block_[i]] += v[i] / block_size_[block_[i]];
+        for (int i = 0; i < size_; ++i)
+            if (block_[i] >= 0)
+                v[i] -= mean[block_[i]];
+        return v;
+    };
+    return without_constants(factor_.solve(without_constants(r)));
+}
+
+template <int D>
+void FilmBand<D>::first(const UnknownVector<D>& r, double scale, Level<D>& level)
+{
+    if (empty())
+        return;
+    const Eigen::VectorXd on_band = gather(r);
+    correction_ = solve(on_band);
+    std::vector<double> mean(block_size_.size(), 0.0); // what solve() leaves of r: the floating blocks' constants
+    for (int i = 0; i < size_; ++i)
+        if (block_[i] >= 0)
+            mean[block_[i]] += on_band[i] / block_size_[block_[i]];
+    for (const OwnedCell& entry : owned_)
+        level.b[entry.level_offset] =
+            block_[entry.row] >= 0 && level.inverse_diagonal[entry.level_offset] > 0
+                ? static_cast<float>(scale * mean[block_[entry.row]])
+                : 0.0f;
+    for (const Neighbour& entry : outside_)
+        level.b[entry.level_offset] += static_cast<float>(scale * entry.conductance * correction_[entry.row]);
+}
+
+template <int D>
+void FilmBand<D>::second(double scale, const Level<D>& level)
+{
+    if (empty())
+        return;
+    const long links = static_cast<long>(system_.links.size());
+    Eigen::VectorXd r = Eigen::VectorXd::Zero(size_ + links);
+    for (const OwnedCell& entry : owned_) {
+        const int cell = entry.row - system_.nodes;
+        const double x = level.x[entry.level_offset];
+        for (int side = 0; side < 2 * D; ++side) {
+            const long next = entry.level_offset + (side % 2 ? 1 : -1) * static_cast<long>(level.block.stride[side / 2]);
+            r[entry.row] -= scale * (faces_[cell][side] * (x - level.x[next]));
+        }
+    }
+    for (const LinkCell& entry : link_cells_)
+        r[size_ + entry.link] += scale * (entry.weight * level.x[entry.level_offset]);
+    system_.grid->comm().sum(std::span<double>(r.data() + system_.nodes, r.size() - system_.nodes));
+    for (long k = 0; k < links; ++k) {
+        const Link& link = system_.links[k];
+        const double flux = link.conductance * r[size_ + k];
+        for (const auto& [node, weight] : link.nodes)
+            r[node] -= weight * flux;
+        for (const auto& [key, weight] : link.cells) {
+            const auto found = std::lower_bound(keys_.begin(), keys_.end(), key);
+            if (found != keys_.end() && *found == key)
+                r[system_.nodes + (found - keys_.begin())] -= weight * flux;
+        }
+    }
+    correction_ += solve(r.head(size_));
+}
+
+template <int D>
+void FilmBand<D>::add_correction(UnknownVector<D>& z) const
+{
+    if (empty())
+        return;
+    z.nodes += correction_.head(system_.nodes);
+    for (const OwnedCell& entry : owned_)
+        z.cells(entry.cell) += correction_[entry.row];
+}
+
+template <int D>
+long FilmBand<D>::bytes() const
+{
+    if (empty())
+        return 0;
+    return static_cast<long>(factor_.matrixL().nestedExpression().nonZeros()) * 12 +
+           static_cast<long>(keys_.size()) * (8 + 2 * D * 8) + static_cast<long>(outside_.size() * sizeof(Neighbour));
+}
+
+template class FilmBand<2>;
+template class FilmBand<3>;
+
+} // namespace gapflow

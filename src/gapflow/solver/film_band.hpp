@@ -1,0 +1,74 @@
+// The films' half of the Schwarz pair: a direct solve of all film nodes together with a band of cells around their conduits.
+#pragma once
+
+#include "gapflow/solver/coupled_operator.hpp"
+#include "gapflow/solver/level.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <vector>
+
+namespace gapflow {
+
+/// The principal submatrix of L on film nodes [0, nodes) and the band's cells [nodes, size). Replicated on every rank.
+template <int D>
+class FilmBand {
+public:
+    /// `finest`: the multigrid's finest level. Collective.
+    FilmBand(const CoupledOperator<D>& matrix, const Level<D>& finest);
+
+    bool empty() const { return size_ == 0; }
+    int size() const { return size_; }
+
+    /// A band cell that this rank owns.
+    struct OwnedCell {
+        int row;          ///< in the band
+        Index<D> cell;
+        long level_offset; ///< in the finest level's block
+    };
+    const std::vector<OwnedCell>& owned() const { return owned_; }
+
+    /// Values on the band of a vector. Collective.
+    Eigen::VectorXd gather(const UnknownVector<D>& v) const;
+    /// The submatrix' inverse; on blocks that nothing outside fixes, the pseudo-inverse.
+    Eigen::VectorXd solve(const Eigen::VectorXd& r) const;
+
+    /// First half: correction = solve(r on the band); turns `level.b`, which holds scale * r, into scale * (r - L correction).
+    void first(const UnknownVector<D>& r, double scale, Level<D>& level);
+    /// Second half: correction += solve(-L x) with x = scale * level.x in the cells; ghosts of level.x are up to date.
+    /// Collective.
+    void second(double scale, const Level<D>& level);
+    /// z += correction.
+    void add_correction(UnknownVector<D>& z) const;
+
+    long bytes() const;
+
+private:
+    struct Neighbour { ///< cell outside the band, beside a band cell
+        long level_offset;
+        int row;
+        double conductance;
+    };
+    struct LinkCell {
+        int link;
+        long level_offset;
+        double weight;
+    };
+    void find_cells(const Level<D>& finest);
+    void factorise();
+
+    const CoupledOperator<D>& matrix_;
+    const CoupledSystem<D>& system_;
+    int size_ = 0;
+    std::vector<long> keys_;                   ///< of the band's cells, sorted
+    std::vector<OwnedCell> owned_;
+    std::vector<Neighbour> outside_;           ///< this rank's
+    std::vector<LinkCell> link_cells_;         ///< this rank's
+    std::vector<std::array<double, 2 * D>> faces_; ///< conductances around every band cell
+    std::vector<int> block_;                   ///< number of the floating block of a row, -1: fixed from outside
+    std::vector<long> block_size_;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+    Eigen::VectorXd correction_;
+};
+
+} // namespace gapflow

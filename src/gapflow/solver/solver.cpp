@@ -1,0 +1,72 @@
+#include "gapflow/solver/solver.hpp"
+
+#include "gapflow/solver/conjugate_gradients.hpp"
+#include "gapflow/solver/petsc_backend.hpp"
+
+#include <optional>
+
+namespace gapflow {
+
+template <int D>
+struct CoupledSolver<D>::Data {
+    Data(const CoupledSystem<D>& system, const SolverOptions& chosen)
+        : options(chosen), matrix(system), null_space(system),
+          vectors{zero_vector(system), zero_vector(system), zero_vector(system), zero_vector(system)}
+    {
+        if (options.backend == Backend::multigrid)
+            preconditioner.emplace(matrix, options.bodies);
+        else
+            petsc.emplace(matrix, null_space, options);
+    }
+
+    SolverOptions options;
+    CoupledOperator<D> matrix;
+    NullSpace<D> null_space;
+    KrylovVectors<D> vectors;
+    std::optional<Preconditioner<D>> preconditioner;
+    std::optional<PetscBackend<D>> petsc;
+    double setup_seconds = 0;
+};
+
+template <int D>
+CoupledSolver<D>::CoupledSolver(const CoupledSystem<D>& system, const SolverOptions& options)
+{
+    const double start = MPI_Wtime();
+    data_ = std::make_unique<Data>(system, options);
+    data_->setup_seconds = MPI_Wtime() - start;
+}
+
+template <int D>
+CoupledSolver<D>::~CoupledSolver() = default;
+
+template <int D>
+SolveReport CoupledSolver<D>::solve(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude) const
+{
+    const double start = MPI_Wtime();
+    Data& d = *data_;
+    SolveReport report = d.petsc ? d.petsc->solve(p, rhs, magnitude, d.vectors)
+                                 : conjugate_gradients(d.matrix, *d.preconditioner, d.null_space, d.vectors, p, rhs, d.options,
+                                                       magnitude);
+    report.seconds = MPI_Wtime() - start;
+    return report;
+}
+
+template <int D>
+double CoupledSolver<D>::setup_seconds() const
+{
+    return data_->setup_seconds;
+}
+
+template <int D>
+double CoupledSolver<D>::bytes_per_cell() const
+{
+    const Data& d = *data_;
+    const Grid<D>& grid = *d.matrix.system().grid;
+    const double vectors = 4.0 * 8.0 * d.vectors.r.cells.size();
+    return (vectors + d.matrix.bytes() + (d.preconditioner ? d.preconditioner->bytes() : 0)) / grid.owned_cells();
+}
+
+template class CoupledSolver<2>;
+template class CoupledSolver<3>;
+
+} // namespace gapflow

@@ -1,0 +1,112 @@
+#include "gapflow/stepping/added_mass.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/solver/solver.hpp"
+#include "gapflow/stepping/setup.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+double now()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <int D>
+AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
+{
+    constexpr int n = twist_size<D>;
+    const double start = now();
+    const Grid<D> grid = make_grid<D>(scene, comm);
+    const std::vector<RigidBody<D>> bodies = make_bodies<D>(scene);
+    const DomainWalls<D> walls = make_walls<D>(scene);
+    std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
+    const auto gaps = gap_settings<D>(scene, solids, false);
+
+    AddedMass result;
+    std::vector<int> moving;
+    for (std::size_t s = 0; s < bodies.size(); ++s)
+        if (solids[s].motion != Motion::fixed)
+            moving.push_back(static_cast<int>(s));
+    // The master of a film is chosen by how its bodies move in the scene; with all twists given no body is an unknown.
+    const Coupling<D> coupling = [&] {
+        std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
+        Coupling<D> c = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)}, gaps, {});
+        c.system.bodies = 0;
+        c.system.cell_flux.clear();
+        c.system.node_flux.clear();
+        c.system.mass.resize(0, 0);
+        find_components(c);
+        return c;
+    }();
+
+    SolverOptions options;
+    options.tolerance = std::min(scene.tolerance, 1e-8);
+    options.backend = scene.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
+    const CoupledSolver<D> solver(coupling.system, options);
+
+    static const std::array<const char*, 3> names2{"vx", "vy", "omega"};
+    static const std::array<const char*, 6> names3{"vx", "vy", "vz", "wx", "wy", "wz"};
+    const int dofs = n * static_cast<int>(moving.size());
+    result.matrix = Eigen::MatrixXd::Zero(dofs, dofs);
+    FluidVelocity<D> still{FaceField<D>(grid), std::vector<Vec<D>>(coupling.network.elements, Vec<D>::Zero()),
+                           std::vector<double>(coupling.network.elements, 0.0),
+                           std::vector<double>(coupling.network.mouths.conduits.size(), 0.0)};
+    UnknownVector<D> rhs;
+    for (int j = 0; j < dofs; ++j) {
+        const int solid = moving[j / n];
+        std::vector<Twist<D>> twists(solids.size(), Twist<D>::Zero());
+        twists[solid][j % n] = 1;
+        double squares = 0;
+        outflow(coupling, still, twists, rhs, &squares);
+        for (long i = 0; i < rhs.cells.size(); ++i)
+            rhs.cells.data()[i] *= -1;
+        rhs.nodes *= -1;
+        UnknownVector<D> p{CellField<D>(grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
+        const SolveReport report = solver.solve(p, rhs, 1e-13 * std::sqrt(squares));
+        if (!report.converged)
+            throw ComputationError("the pressure solve for the added mass of " + solids[solid].name + " (" +
+                                   (D == 2 ? names2[j % n] : names3[j % n]) + ") did not converge: " + report.message +
+                                   " (" + std::to_string(report.iterations) + " iterations)");
+        result.iterations.push_back(report.iterations);
+        const std::vector<Twist<D>> impulse = impulses(coupling, p);
+        for (int i = 0; i < dofs; ++i)
+            result.matrix(i, j) = -impulse[moving[i / n]][i % n];
+        for (const NormalInertia<D>& inertia : coupling.normal_inertia) {
+            const double speed = inertia.row_master.dot(twists[inertia.master]) + inertia.row_other.dot(twists[inertia.other]);
+            if (speed == 0)
+                continue;
+            for (std::size_t b = 0; b < moving.size(); ++b) {
+                if (moving[b] == inertia.master)
+                    result.matrix.col(j).segment<n>(n * static_cast<long>(b)) += inertia.mass * speed * inertia.row_master;
+                if (moving[b] == inertia.other)
+                    result.matrix.col(j).segment<n>(n * static_cast<long>(b)) += inertia.mass * speed * inertia.row_other;
+            }
+        }
+    }
+    for (int body : moving) {
+        result.bodies.push_back(solids[body].name);
+        for (int i = 0; i < n; ++i)
+            result.labels.push_back(solids[body].name + "." + (D == 2 ? names2[i] : names3[i]));
+    }
+    result.cells = grid.cells().template cast<long>().prod();
+    result.film_nodes = coupling.network.nodes;
+    result.sealed = coupling.sealed;
+    result.blind_length = coupling.network.mouths.blind_length;
+    result.closure = closure_defect(coupling);
+    result.seconds = now() - start;
+    return result;
+}
+
+} // namespace
+
+AddedMass added_mass(const Scene& scene, const Communicator& comm)
+{
+    return scene.dimension == 2 ? added_mass_in<2>(scene, comm) : added_mass_in<3>(scene, comm);
+}
+
+} // namespace gapflow

@@ -1,0 +1,144 @@
+// Velocities beyond the fluid: continued into solids and films, and where surfaces uncover faces (method, section 5, stage 7).
+#include "gapflow/stepping/simulation.hpp"
+
+#include "gapflow/grid/extrapolation.hpp"
+#include "gapflow/grid/interpolation.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace gapflow {
+
+namespace {
+
+// Layers of faces that velocities are continued into solids and films.
+constexpr int continued_layers = 4;
+
+} // namespace
+
+// Stage 7: velocities continued into solids and films for the next traces; films remembered; faces that leave a film.
+template <int D>
+void Simulation<D>::continue_velocities()
+{
+    const auto timer = stages_.measure("continuation");
+    const Coupling<D>& c = *coupling_;
+    FaceField<D, std::int8_t> valid(grid_);
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+            const bool at_side = !grid_.periodic(axis) && (f[axis] == 0 || f[axis] == grid_.cells()[axis]);
+            valid(axis, f) = at_side || c.system.conductance(axis, f) > 0;
+        });
+
+    memories_ = remember_films<D>(c.network, c.solids, twists(), velocity_.film, velocity_.conduit, grid_.dx());
+    film_faces_ = FaceField<D, std::int8_t>(grid_);
+    any_film_faces_ = !c.network.films.empty();
+    if (any_film_faces_) {
+        painted_ = velocity_.grid;
+        FaceField<D, std::int8_t> painted_valid = valid;
+        paint_films(painted_valid);
+        extrapolate(grid_, painted_, painted_valid, continued_layers);
+        fill_velocity_ghosts(grid_, painted_, side_velocities(time_));
+        follow_solids(painted_, painted_valid);
+    }
+    extrapolate(grid_, velocity_.grid, valid, continued_layers);
+    fill_velocity_ghosts(grid_, velocity_.grid, side_velocities(time_));
+    follow_solids(velocity_.grid, valid);
+}
+
+// Where a solid has uncovered more of a face, the fresh part starts with the solid's normal velocity:
+//     a_new u* = a_old u_advected + (a_new - a_old) (u_advected + n n . (U_b - u)).
+// Else a surface that leaves a grid plane by round-off gives the whole face the speed of a jet that filled a sliver of it.
+template <int D>
+void Simulation<D>::share_uncovered_faces(FaceField<D>& u_star) const
+{
+    const Coupling<D>& c = *coupling_;
+    const std::vector<Twist<D>> V = twists();
+    std::vector<int> near;
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+            const double a_old = old_fractions_->open(axis, f), a_new = c.fractions->open(axis, f);
+            if (film_faces_(axis, f) && a_new > a_old + 1e-12)
+                u_star(axis, f) += (a_new - a_old) / a_new * normal_surplus(velocity_.grid, axis, f, V, near);
+        });
+}
+
+// Component along `axis` of n n . (U_b - u) at a face: what u lacks of the nearest solid's normal velocity.
+template <int D>
+double Simulation<D>::normal_surplus(const FaceField<D>& u, int axis, const Index<D>& f, const std::vector<Twist<D>>& V,
+                                     std::vector<int>& near) const
+{
+    const Coupling<D>& c = *coupling_;
+    const Vec<D> x = grid_.face_centre(axis, f);
+    c.clipper->near(x, grid_.dx(), near);
+    // Halfway between two solids either counts by half: which comes first in the scene must not matter.
+    const auto& images = c.clipper->images();
+    double distance = grid_.dx();
+    for (int i : near)
+        distance = std::min(distance, images[i].shape.distance(x));
+    if (distance >= grid_.dx())
+        return 0;
+    Vec<D> fluid;
+    for (int k = 0; k < D; ++k)
+        fluid[k] = interpolate_face(grid_, u[k], k, x);
+    double surplus = 0;
+    int count = 0;
+    for (int i : near)
+        if (images[i].shape.distance(x) <= distance + 1e-9 * grid_.dx()) {
+            const Vec<D> n = images[i].shape.closest(x).normal;
+            const Vec<D> relative = velocity_at<D>(V[images[i].solid], x - c.solids[images[i].solid].centre - images[i].shift) - fluid;
+            surplus += n[axis] * n.dot(relative);
+            ++count;
+        }
+    return surplus / count;
+}
+
+// Continued velocities keep the solids' normal velocity: u += n n . (U_b - u) with the nearest solid's n. Without it a face
+// that a moving surface uncovers brings momentum through that surface, a kick on the body that does not shrink with dt.
+template <int D>
+void Simulation<D>::follow_solids(FaceField<D>& u, const FaceField<D, std::int8_t>& valid) const
+{
+    const std::vector<Twist<D>> V = twists();
+    std::vector<std::tuple<int, Index<D>, double>> changed;
+    std::vector<int> near;
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+            if (valid(axis, f) > 1)
+                changed.emplace_back(axis, f, u(axis, f) + normal_surplus(u, axis, f, V, near));
+        });
+    for (const auto& [axis, f, value] : changed)
+        u(axis, f) = value;
+    fill_velocity_ghosts(grid_, u, side_velocities(time_));
+}
+
+// Faces of film cells get the film's velocity: along it the film's own, across it the walls' mean.
+template <int D>
+void Simulation<D>::paint_films(FaceField<D, std::int8_t>& valid)
+{
+    const FilmNetwork<D>& network = coupling_->network;
+    for (const auto& [key, cell] : network.cells.cells) {
+        if (cell.kind != CellKind::film)
+            continue;
+        const Film<D>& film = network.films[cell.owner];
+        const PlacedShape<D>& master = coupling_->solids[film.pair.master].shape;
+        const FilmMemory<D>& memory = *memories_.at(film.pair);
+        for (const CellSide<D>& side : sides_of(grid_, grid_.cell_of_key(key))) {
+            const Index<D> f = grid_.wrapped(side.face);
+            const Index<D> end = owned_faces_end(grid_, side.axis);
+            if ((f.array() < grid_.low().array()).any() || (f.array() >= end.array()).any() || valid(side.axis, f))
+                continue;
+            const Vec<D> x = grid_.face_centre(side.axis, Index<D>(side.face + cell.offset(cell.owner)));
+            painted_(side.axis, f) = memory.at(master.to_body(x)).velocity[side.axis];
+            valid(side.axis, f) = 1;
+            film_faces_(side.axis, f) = 1;
+        }
+    }
+}
+
+#define GAPFLOW_INSTANTIATE(D) \
+    template void Simulation<D>::continue_velocities(); \
+    template void Simulation<D>::share_uncovered_faces(FaceField<D>&) const;
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

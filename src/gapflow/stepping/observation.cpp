@@ -1,0 +1,181 @@
+// What a simulation reports of its state: pressure, gaps, momentum and energy. Reads the state, never changes it.
+#include "gapflow/stepping/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gapflow {
+
+template <int D>
+UnknownVector<D> Simulation<D>::reduced_pressure() const
+{
+    UnknownVector<D> p = impulse_;
+    const double scale = dt_ > 0 ? 1 / dt_ : 0.0;
+    for (long i = 0; i < p.cells.size(); ++i)
+        p.cells.data()[i] *= scale;
+    p.nodes *= scale;
+    return p;
+}
+
+// rho g . (x - x0), x0 the highest point of the open sides, where the pressure is the reference pressure.
+template <int D>
+double Simulation<D>::hydrostatic(const Vec<D>& x) const
+{
+    const Vec<D> g = to_vec<D>(scene_.gravity);
+    double highest = -std::numeric_limits<double>::infinity();
+    for (int corner = 0; corner < (1 << D); ++corner) {
+        Vec<D> place;
+        bool open = false;
+        for (int axis = 0; axis < D; ++axis) {
+            const int end = corner >> axis & 1;
+            place[axis] = grid_.origin()[axis] + end * grid_.size()[axis];
+            open = open || grid_.side(axis, end) == SideKind::open;
+        }
+        if (open)
+            highest = std::max(highest, -g.dot(place));
+    }
+    const double level = std::isfinite(highest) ? scene_.density * highest + scene_.reference_pressure : 0.0;
+    return scene_.density * g.dot(x) + level;
+}
+
+template <int D>
+std::vector<GapState> Simulation<D>::gaps() const
+{
+    const Coupling<D>& c = *coupling_;
+    const UnknownVector<D> p = reduced_pressure();
+    const std::vector<Twist<D>> V = twists();
+    std::map<std::pair<int, int>, GapState> states;
+    for (const Film<D>& film : c.network.films) {
+        const FilmMesh<D>& mesh = film.mesh;
+        const int a = std::min(mesh.master, mesh.other), b = std::max(mesh.master, mesh.other);
+        auto [it, is_new] = states.try_emplace({a, b});
+        GapState& gap = it->second;
+        if (is_new) {
+            gap.body_a = c.solids[a].name;
+            gap.body_b = c.solids[b].name;
+            gap.thickness = std::numeric_limits<double>::infinity();
+            gap.pressure_min = std::numeric_limits<double>::infinity();
+            gap.pressure_max = -std::numeric_limits<double>::infinity();
+        }
+        gap.film_nodes += static_cast<int>(mesh.h.size());
+        const PlacedShape<D> other = c.solids[mesh.other].shape.shifted(mesh.shift);
+        const std::size_t thinnest = std::min_element(mesh.h.begin(), mesh.h.end()) - mesh.h.begin();
+        const SurfacePoint<D> closest = other.closest(mesh.x[thinnest]);
+        if (closest.distance < gap.thickness) {
+            gap.thickness = closest.distance;
+            gap.opening_rate =
+                closest.normal.dot(velocity_at<D>(V[mesh.master], mesh.x[thinnest] - c.solids[mesh.master].centre) -
+                                   velocity_at<D>(V[mesh.other], closest.x - c.solids[mesh.other].centre - mesh.shift));
+        }
+        std::vector<double> pressure(mesh.h.size());
+        for (std::size_t i = 0; i < pressure.size(); ++i) {
+            pressure[i] = p.nodes[film.first_node + static_cast<int>(i)] + hydrostatic(mesh.mid[i]);
+            gap.pressure_min = std::min(gap.pressure_min, pressure[i]);
+            gap.pressure_max = std::max(gap.pressure_max, pressure[i]);
+        }
+        for (const FilmElement<D>& e : mesh.elements) {
+            double mean = 0;
+            for (int node : e.nodes)
+                mean += pressure[node] / D;
+            gap.force += mean * e.measure;
+            gap.film_area += e.measure;
+        }
+    }
+    std::vector<GapState> result;
+    for (const auto& [pair, gap] : states)
+        result.push_back(gap);
+    return result;
+}
+
+template <int D>
+Budget<D> Simulation<D>::budget() const
+{
+    const Coupling<D>& c = *coupling_;
+    const double rho = scene_.density, cell = std::pow(grid_.dx(), D);
+    Budget<D> budget;
+    std::vector<double> sums(D + spin_size<D> + 1, 0.0);
+    auto add = [&](const Vec<D>& momentum, const Vec<D>& x) {
+        budget.momentum += momentum;
+        budget.angular_momentum += moment<D>(x - grid_.origin(), momentum);
+    };
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+            if (c.system.conductance(axis, f) <= 0)
+                return;
+            const double mass = rho * c.open(axis, f) * cell, u = velocity_.grid(axis, f);
+            const int cut = c.fractions->cut(axis, f);
+            add(mass * u * unit<D>(axis), cut >= 0 ? c.fractions->faces[cut].open_centroid : grid_.face_centre(axis, f));
+            budget.energy_grid += 0.5 * mass * u * u;
+        });
+    for (int k = 0; k < D; ++k)
+        sums[k] = budget.momentum[k];
+    for (int k = 0; k < spin_size<D>; ++k)
+        sums[D + k] = budget.angular_momentum[k];
+    sums.back() = budget.energy_grid;
+    grid_.comm().sum(sums);
+    for (int k = 0; k < D; ++k)
+        budget.momentum[k] = sums[k];
+    for (int k = 0; k < spin_size<D>; ++k)
+        budget.angular_momentum[k] = sums[D + k];
+    budget.energy_grid = sums.back();
+
+    const std::vector<double> normal = wall_normal_speed<D>(c.network, c.solids, twists());
+    for (const Film<D>& film : c.network.films)
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = film.mesh.elements[e];
+            const std::size_t i = film.first_element + e;
+            const Vec<D> w = velocity_.film[i] + normal[i] * element.normal;
+            add(rho * element.volume * w, element.centroid);
+            budget.energy_film += 0.5 * rho * element.volume * w.squaredNorm();
+        }
+    const std::vector<Conduit<D>>& conduits = c.network.mouths.conduits;
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        const Conduit<D>& conduit = conduits[r];
+        const double q = velocity_.conduit[r];
+        add(rho * conduit.resistance * conduit.h * q * conduit.outward, conduit.x);
+        budget.energy_film += 0.5 * rho * conduit.resistance * q * q / conduit.length;
+    }
+    for (const RigidBody<D>& body : bodies_)
+        if (body.motion == Motion::free) {
+            const Twist<D> m = momentum(body);
+            budget.momentum += m.template head<D>();
+            budget.angular_momentum += angular_momentum_about(body, grid_.origin());
+            budget.energy_bodies += kinetic_energy(body);
+        }
+    return budget;
+}
+
+template <int D>
+void Simulation<D>::finish_report(StepReport& report, double dt) const
+{
+    report.step = steps_;
+    report.time = time_;
+    report.dt = dt;
+    for (const Component& component : coupling_->system.components)
+        report.cells += component.unknowns;
+    report.film_nodes = coupling_->network.nodes;
+    report.cells -= report.film_nodes;
+    const Budget<D> sums = budget();
+    report.energy_fluid = sums.energy_grid + sums.energy_film;
+    report.energy_bodies = sums.energy_bodies;
+    UnknownVector<D> rest;
+    outflow(*coupling_, velocity_, twists(), rest);
+    double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
+    for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) { worst = std::max(worst, std::abs(rest.cells(c))); });
+    report.divergence_max = grid_.comm().max(worst) / std::pow(grid_.dx(), D);
+    if (coupling_->network.mouths.blind_length > 0)
+        report.notes.push_back("a film ends where nothing continues it (a blind end); the flow there may be too stiff");
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template UnknownVector<D> Simulation<D>::reduced_pressure() const;                                                         \
+    template double Simulation<D>::hydrostatic(const Vec<D>&) const;                                                           \
+    template std::vector<GapState> Simulation<D>::gaps() const;                                                                \
+    template Budget<D> Simulation<D>::budget() const;                                                                          \
+    template void Simulation<D>::finish_report(StepReport&, double) const;
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,216 @@
+#include "gapflow/stepping/setup.hpp"
+
+#include "gapflow/core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// h_floor in cells: touching or overlapping surfaces keep a finite system.
+constexpr double floor_in_cells = 1e-9;
+// Automatic h_c in cells: two flat surfaces; a curved one, for added mass alone and in motion.
+constexpr double flat_threshold = 1.0;
+constexpr double curved_threshold = 0.5;
+constexpr double moving_curved_threshold = 1.5;
+
+template <int D>
+Index<D> to_index(const std::array<int, 3>& cells)
+{
+    return Eigen::Map<const Index<D>>(cells.data());
+}
+
+bool is_flat(const auto& shape)
+{
+    const auto mesh = shape.surface_mesh();
+    return std::all_of(mesh.patch.begin(), mesh.patch.end(), [&](int patch) { return shape.curvature(patch) == 0; });
+}
+
+} // namespace
+
+FractionMode fraction_mode(const Scene& scene)
+{
+    return scene.fractions == Scene::Fractions::voxel ? FractionMode::voxel : FractionMode::cut_cell;
+}
+
+template <int D>
+Grid<D> make_grid(const Scene& scene, const Communicator& comm)
+{
+    std::array<SideKind, 2 * D> sides;
+    for (int s = 0; s < 2 * D; ++s)
+        sides[s] = static_cast<SideKind>(scene.sides[s].kind);
+    const int ghost = 3 + static_cast<int>(std::ceil(scene.cfl));
+    return Grid<D>(to_vec<D>(scene.origin), scene.size[0] / scene.cells[0], to_index<D>(scene.cells), sides, ghost, comm);
+}
+
+namespace {
+
+template <int D>
+std::unique_ptr<Shape<D>> make_shape(const BodyScene& body)
+{
+    using Kind = BodyScene::ShapeKind;
+    switch (body.shape) {
+    case Kind::box:
+        return make_box<D>(to_vec<D>(body.size));
+    case Kind::ball:
+        return make_ball<D>(body.radius);
+    case Kind::capsule:
+        return make_capsule<D>(body.radius, body.length);
+    case Kind::cylinder:
+        if constexpr (D == 3)
+            return make_cylinder(body.radius, body.length);
+        break;
+    case Kind::half_space:
+        return make_half_space<D>(to_vec<D>(body.normal));
+    case Kind::mesh:
+        return make_mesh<D>(body.mesh_file, body.mesh_scale);
+    }
+    throw InputError("body '" + body.name + "': a cylinder needs three dimensions; use a ball (a disk) or a capsule");
+}
+
+template <int D>
+Rotation<D> rotation_of(const BodyScene& body)
+{
+    if constexpr (D == 2)
+        return Rotation<2>(body.angle);
+    else
+        return Rotation<3>(body.quaternion[0], body.quaternion[1], body.quaternion[2], body.quaternion[3]);
+}
+
+template <int D>
+SpinMatrix<D> inertia_of(const BodyScene& body)
+{
+    SpinMatrix<D> inertia = SpinMatrix<D>::Identity();
+    if constexpr (D == 2) {
+        inertia(0, 0) = body.inertia.at(0);
+    } else if (body.inertia.size() == 3) {
+        inertia.diagonal() = Eigen::Map<const Vec<3>>(body.inertia.data());
+    } else {
+        inertia = Eigen::Map<const Mat<3>>(body.inertia.data());
+    }
+    return inertia;
+}
+
+} // namespace
+
+template <int D>
+std::vector<RigidBody<D>> make_bodies(const Scene& scene)
+{
+    std::vector<RigidBody<D>> bodies;
+    for (const BodyScene& from : scene.bodies) {
+        RigidBody<D> body;
+        body.name = from.name;
+        std::unique_ptr<Shape<D>> shape = make_shape<D>(from);
+        if (from.inside_out)
+            shape = make_inside_out<D>(std::move(shape));
+        body.shape = std::move(shape);
+        body.motion = from.motion == BodyScene::Motion::free         ? Motion::free
+                      : from.motion == BodyScene::Motion::prescribed ? Motion::prescribed
+                                                                     : Motion::fixed;
+        body.pose.position = to_vec<D>(from.position);
+        body.pose.rotation = rotation_of<D>(from);
+        if (from.mass)
+            set_mass<D>(body, *from.mass, inertia_of<D>(from));
+        else if (from.shape != BodyScene::ShapeKind::half_space)
+            set_density<D>(body, from.density.value_or(scene.density));
+        Twist<D> twist;
+        twist << to_vec<D>(from.velocity), Eigen::Map<const Spin<D>>(from.angular_velocity.data());
+        if (from.motion == BodyScene::Motion::prescribed) {
+            PrescribedMotion<D> motion = from.motion_table.time.empty()
+                                             ? constant_motion<D>(body.pose, body.centre_of_mass, to_vec<D>(from.velocity),
+                                                                  Eigen::Map<const Spin<D>>(from.angular_velocity.data()))
+                                             : table_motion<D>(from.motion_table);
+            body.pose = motion(0);
+            const double instant = scene.max_step > 0 ? 1e-3 * scene.max_step : 1e-6;
+            if (!from.motion_table.time.empty())
+                twist = prescribed_twist<D>(motion, body.centre_of_mass, 0, instant);
+            body.prescribed = std::make_shared<PrescribedMotion<D>>(std::move(motion));
+        }
+        set_initial_twist(body, twist);
+        body.force = to_vec<D>(from.force);
+        body.torque = Eigen::Map<const Spin<D>>(from.torque.data());
+        bodies.push_back(std::move(body));
+    }
+    return bodies;
+}
+
+template <int D>
+DomainWalls<D> make_walls(const Scene& scene)
+{
+    DomainWalls<D> walls;
+    for (int axis = 0; axis < D; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            const SideScene& side = scene.sides[2 * axis + end];
+            if (side.kind != SideScene::Kind::wall)
+                continue;
+            walls.shapes.push_back(make_half_space<D>((end == 0 ? 1.0 : -1.0) * unit<D>(axis)));
+            Pose<D> pose;
+            pose.position = to_vec<D>(scene.origin) + end * scene.size[axis] * unit<D>(axis);
+            Solid<D> solid{"wall:" + side_names[2 * axis + end], PlacedShape<D>(*walls.shapes.back(), pose), pose.position,
+                           Motion::fixed, true};
+            walls.solids.push_back(solid);
+            Twist<D> twist = Twist<D>::Zero();
+            twist.template head<D>() = to_vec<D>(side.velocity);
+            walls.twists.push_back(twist);
+        }
+    return walls;
+}
+
+template <int D>
+std::vector<Solid<D>> make_solids(const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls)
+{
+    std::vector<Solid<D>> solids;
+    for (const RigidBody<D>& body : bodies)
+        solids.push_back(solid_of(body));
+    solids.insert(solids.end(), walls.solids.begin(), walls.solids.end());
+    return solids;
+}
+
+template <int D>
+std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std::vector<Solid<D>>& solids, bool moving)
+{
+    std::vector<bool> flat;
+    std::vector<std::string> names;
+    for (const Solid<D>& solid : solids) {
+        flat.push_back(is_flat(solid.shape.shape()));
+        names.push_back(solid.name);
+    }
+    const double dx = scene.size[0] / scene.cells[0];
+    return [&scene, flat, names, dx, moving](int a, int b) {
+        const GapScene& gap = scene.gap_of(names[a], names[b]);
+        GapSettings settings;
+        settings.film = gap.film;
+        const double automatic = flat[a] && flat[b] ? flat_threshold : moving ? moving_curved_threshold : curved_threshold;
+        settings.threshold = gap.threshold.value_or(automatic) * dx;
+        settings.floor = std::max(gap.roughness, floor_in_cells * dx);
+        return settings;
+    };
+}
+
+template <int D>
+std::function<MouthLaw(int, int)> mouth_laws(const Scene& scene, const std::vector<Solid<D>>& solids)
+{
+    std::vector<std::string> names;
+    for (const Solid<D>& solid : solids)
+        names.push_back(solid.name);
+    return [&scene, names](int a, int b) {
+        const GapScene& gap = scene.gap_of(names[a], names[b]);
+        const bool jet = gap.exit == GapScene::Exit::jet || (gap.exit == GapScene::Exit::automatic && scene.viscosity > 0);
+        return MouthLaw{gap.entrance_loss, jet};
+    };
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template Grid<D> make_grid<D>(const Scene&, const Communicator&);                                                          \
+    template std::vector<RigidBody<D>> make_bodies<D>(const Scene&);                                                           \
+    template DomainWalls<D> make_walls<D>(const Scene&);                                                                       \
+    template std::vector<Solid<D>> make_solids<D>(const std::vector<RigidBody<D>>&, const DomainWalls<D>&);                    \
+    template std::function<GapSettings(int, int)> gap_settings<D>(const Scene&, const std::vector<Solid<D>>&, bool);           \
+    template std::function<MouthLaw(int, int)> mouth_laws<D>(const Scene&, const std::vector<Solid<D>>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,53 @@
+// From a scene to the objects that a computation works on: grid, bodies, domain walls, gap settings.
+#pragma once
+
+#include "gapflow/body/rigid_body.hpp"
+#include "gapflow/coupling/coupling.hpp"
+#include "gapflow/film/film_motion.hpp"
+#include "gapflow/scene/scene.hpp"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace gapflow {
+
+/// The first D numbers of a scene's vector.
+template <int D>
+Vec<D> to_vec(const Triple& t)
+{
+    return Eigen::Map<const Vec<D>>(t.data());
+}
+
+template <int D>
+Grid<D> make_grid(const Scene& scene, const Communicator& comm);
+
+/// Throws InputError for mesh files that cannot be read or are not closed.
+template <int D>
+std::vector<RigidBody<D>> make_bodies(const Scene& scene);
+
+/// Closed sides of the domain as half-spaces, with the shapes that they point to.
+template <int D>
+struct DomainWalls {
+    std::vector<std::unique_ptr<Shape<D>>> shapes;
+    std::vector<Solid<D>> solids;
+    std::vector<Twist<D>> twists; ///< of sliding walls
+};
+template <int D>
+DomainWalls<D> make_walls(const Scene& scene);
+
+/// Bodies first, walls after them. The shapes belong to `bodies` and `walls`.
+template <int D>
+std::vector<Solid<D>> make_solids(const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls);
+
+/// Gap settings of every pair, by solid numbers. `moving`: for time steps (curved bodies get a larger h_c than for added mass
+/// alone, because the bulk cannot advect in a gap of one or two cells).
+template <int D>
+std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std::vector<Solid<D>>& solids, bool moving);
+
+template <int D>
+std::function<MouthLaw(int, int)> mouth_laws(const Scene& scene, const std::vector<Solid<D>>& solids);
+
+FractionMode fraction_mode(const Scene& scene);
+
+} // namespace gapflow

@@ -1,0 +1,325 @@
+#include "gapflow/stepping/simulation.hpp"
+
+#include "gapflow/body/move.hpp"
+#include "gapflow/core/error.hpp"
+#include "gapflow/grid/interpolation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace gapflow {
+
+namespace {
+
+// A stopped approach is held by a penalty of this times the bodies' mass.
+constexpr double stop_stiffness = 1e6;
+// Masses in the initial projection, which holds the bodies to their velocities.
+constexpr double held_mass_factor = 1e12;
+
+double now()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+} // namespace
+
+template <int D>
+Simulation<D>::Simulation(const Scene& scene, const Communicator& comm)
+    : scene_(scene), grid_(make_grid<D>(scene, comm)), bodies_(make_bodies<D>(scene)), walls_(make_walls<D>(scene))
+{
+    const std::vector<Solid<D>> solids = make_solids<D>(bodies_, walls_);
+    gaps_ = gap_settings<D>(scene_, solids, true);
+    mouth_laws_ = mouth_laws<D>(scene_, solids);
+    acceleration_.assign(solids.size(), Twist<D>::Zero());
+    wrenches_.assign(bodies_.size(), Twist<D>::Zero());
+    velocity_.grid = FaceField<D>(grid_);
+    film_faces_ = FaceField<D, std::int8_t>(grid_);
+
+    // The flow at rest that the bodies' velocities drive: one projection of the initial velocity, bodies held to theirs.
+    const double start = now();
+    holding_ = true;
+    rebuild();
+    const Vec<D> u0 = to_vec<D>(scene_.fluid_velocity);
+    FluidVelocity<D> u_star = velocity_;
+    for (int axis = 0; axis < D; ++axis)
+        u_star.grid[axis].fill(u0[axis]);
+    fill_velocity_ghosts(grid_, u_star.grid, side_velocities(0));
+    for (const Film<D>& film : coupling_->network.films)
+        for (const FilmElement<D>& e : film.mesh.elements)
+            u_star.film.push_back(u0 - u0.dot(e.normal) * e.normal);
+    u_star.film_normal = wall_normal_speed<D>(coupling_->network, coupling_->solids, twists());
+    for (const Conduit<D>& conduit : coupling_->network.mouths.conduits)
+        u_star.conduit.push_back(conduit.length * conduit.h * conduit.outward.dot(u0));
+    project(std::move(u_star), twists(), 0, initial_report_);
+    holding_ = false;
+    continue_velocities();
+    finish_report(initial_report_, 0);
+    initial_report_.seconds = now() - start;
+}
+
+template <int D>
+Simulation<D>::~Simulation() = default;
+
+template <int D>
+StepReport Simulation<D>::step(double next_output)
+{
+    const double start = now();
+    StepReport report;
+    const double dt = choose_step(next_output);
+    move_bodies(dt);
+    rebuild();
+    std::vector<double> conduit_scale;
+    FluidVelocity<D> u_star = advect_all(dt, conduit_scale);
+    for (std::size_t r = 0; r < conduit_scale.size(); ++r)
+        coupling_->system.links[r].conductance *= conduit_scale[r];
+    project(std::move(u_star), forced_twists(dt), dt, report);
+    continue_velocities();
+    time_ = next_output - (time_ + dt) < 1e-12 * next_output ? next_output : time_ + dt;
+    dt_ = dt;
+    ++steps_;
+    finish_report(report, dt);
+    report.seconds = now() - start;
+    return report;
+}
+
+// Stage 3: V^n + 1/2 dt (V^n - V^{n-1}) / dt^{n-1}.
+template <int D>
+void Simulation<D>::move_bodies(double dt)
+{
+    const auto timer = stages_.measure("bodies");
+    for (RigidBody<D>& body : bodies_) {
+        if (body.motion == Motion::prescribed)
+            body.twist = predicted_twist(body, time_, dt);
+        move(body, time_, dt);
+    }
+}
+
+// Stage 4: fractions, films, the coupled system.
+template <int D>
+void Simulation<D>::rebuild()
+{
+    const auto timer = stages_.measure("coupling");
+    old_fractions_ = coupling_ ? coupling_->fractions : nullptr;
+    coupling_ = std::make_unique<Coupling<D>>(couple<D>(grid_, make_solids<D>(bodies_, walls_), masses(),
+                                                        {scene_.density, fraction_mode(scene_)}, gaps_, alive_));
+    alive_.clear();
+    for (const Film<D>& film : coupling_->network.films)
+        alive_.insert(film.pair);
+}
+
+// Stages 2 and 4: the fluid's velocities carried to the new configuration.
+template <int D>
+FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& conduit_scale)
+{
+    const auto timer = stages_.measure("advection");
+    FluidVelocity<D> u_star;
+    u_star.grid = FaceField<D>(grid_);
+    const BoundaryVelocity<D> sides = side_velocities(time_);
+    const AdvectionScheme scheme = scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack
+                                                                                    : AdvectionScheme::semi_lagrangian;
+    advect(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides);
+    if (any_film_faces_) {
+        FaceField<D> from_film(grid_);
+        const auto& cells = coupling_->network.cells.cells;
+        auto beside_film = [&](int axis, const Index<D>& f) {
+            return cells.count(grid_.key(grid_.wrapped(f))) || cells.count(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
+        };
+        advect(grid_, from_film, painted_, painted_, dt, AdvectionScheme::semi_lagrangian, sides);
+        for (int axis = 0; axis < D; ++axis)
+            for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+                // Where a film still passes, its conduits carry its flow: there the bulk's own velocity counts.
+                film_faces_(axis, f) = film_faces_(axis, f) && !beside_film(axis, f);
+                if (film_faces_(axis, f))
+                    u_star.grid(axis, f) = from_film(axis, f);
+            });
+    }
+    share_uncovered_faces(u_star.grid);
+    fill_velocity_ghosts(grid_, u_star.grid, side_velocities(time_ + dt));
+
+    std::vector<Twist<D>> predicted = twists();
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        predicted[b] = predicted_twist(bodies_[b], time_, dt);
+    FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted,
+                                       [&](const Vec<D>& x) { return sample(x); }, mouth_laws_, dt);
+    u_star.film = std::move(flow.velocity);
+    u_star.film_normal = std::move(flow.normal);
+    u_star.conduit = std::move(flow.conduit);
+    conduit_scale = std::move(flow.conduit_scale);
+    return u_star;
+}
+
+// Stage 5: twists of free bodies after the explicit forces, of others as given.
+template <int D>
+std::vector<Twist<D>> Simulation<D>::forced_twists(double dt) const
+{
+    std::vector<Twist<D>> V = twists();
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (bodies_[b].motion == Motion::free)
+            V[b] = twist_after(bodies_[b], Twist<D>(dt * explicit_wrench<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density)));
+    return V;
+}
+
+// Stage 6: (L + K M^-1 K^T) p = -(D u* + K V*), then velocities and twists of the end of the step. In the initial projection
+// (dt = 0) bodies are held to their velocities.
+template <int D>
+void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report)
+{
+    const auto timer = stages_.measure("pressure");
+    SolverOptions options;
+    options.tolerance = scene_.tolerance;
+    options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
+    const std::vector<Stop> stops = dt > 0 ? possible_stops(dt) : std::vector<Stop>{};
+    std::vector<char> held(stops.size(), 0);
+    impulse_ = {CellField<D>(grid_), Eigen::VectorXd::Zero(coupling_->system.nodes)};
+    std::vector<Twist<D>> V;
+    for (int round = 0;; ++round) {
+        V = intermediate_twists(*coupling_, masses(), forced, u_star.film_normal);
+        UnknownVector<D> rhs;
+        double squares = 0;
+        outflow(*coupling_, u_star, V, rhs, &squares);
+        for (long i = 0; i < rhs.cells.size(); ++i)
+            rhs.cells.data()[i] *= -1;
+        rhs.nodes *= -1;
+        check_compatibility(rhs, std::sqrt(squares));
+        const CoupledSolver<D> solver(coupling_->system, options);
+        const SolveReport solve = solver.solve(impulse_, rhs, 1e-13 * std::sqrt(squares));
+        report.iterations += solve.iterations;
+        report.residual = solve.residual;
+        if (!solve.converged)
+            throw ComputationError("the pressure solve of step " + std::to_string(steps_ + 1) + " did not converge: " +
+                                   solve.message + " (" + std::to_string(solve.iterations) + " iterations, relative residual " +
+                                   std::to_string(solve.residual) + ")");
+        add_pressure_impulse(*coupling_, impulse_, V);
+        // Gaps at the contact thickness: those that would go on closing are held, and the solve is repeated.
+        bool changed = false;
+        for (std::size_t i = 0; i < stops.size(); ++i) {
+            const Stop& stop = stops[i];
+            const double rate = stop.row_a.dot(V[stop.a]) + stop.row_b.dot(V[stop.b]);
+            if (!held[i] && rate < stop.least - 1e-9 * std::abs(stop.least)) {
+                held[i] = 1;
+                changed = true;
+                double mass = 0;
+                for (int body : {stop.a, stop.b})
+                    mass += coupling_->free_body[body] >= 0 ? bodies_[body].mass : 0.0;
+                add_inertia<D>(*coupling_, masses(), {stop.a, stop.b, stop.row_a, stop.row_b, stop_stiffness * mass});
+                u_star.film_normal.push_back(stop.least);
+                report.notes.push_back("the gap between " + coupling_->solids[stop.a].name + " and " +
+                                       coupling_->solids[stop.b].name + " is held at the contact thickness");
+            }
+        }
+        if (!changed || round == 5)
+            break;
+    }
+    velocity_ = std::move(u_star);
+    subtract_gradient(*coupling_, impulse_, velocity_);
+    const bool impact = std::any_of(held.begin(), held.end(), [](char h) { return h; });
+    for (std::size_t b = 0; b < bodies_.size() && dt > 0; ++b) {
+        acceleration_[b] = (V[b] - bodies_[b].twist) / dt;
+        if (bodies_[b].motion == Motion::free)
+            finish_step(bodies_[b], V[b], dt, !impact);
+    }
+    const std::vector<Twist<D>> impulse = impulses(*coupling_, impulse_);
+    const Vec<D> g = to_vec<D>(scene_.gravity);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const RigidBody<D>& body = bodies_[b];
+        const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
+        wrenches_[b] = wrench<D>(-scene_.density * body.volume * g, arm);
+        if (dt > 0)
+            wrenches_[b] += impulse[b] / dt;
+    }
+}
+
+// A pocket that a prescribed body squeezes has no solution: name it.
+template <int D>
+void Simulation<D>::check_compatibility(const UnknownVector<D>& rhs, double magnitude) const
+{
+    const CoupledSystem<D>& system = coupling_->system;
+    const int count = static_cast<int>(system.components.size());
+    std::vector<double> sums(count, 0.0);
+    for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
+        if (system.component(c) >= 0)
+            sums[system.component(c)] += rhs.cells(c);
+    });
+    grid_.comm().sum(sums);
+    for (int node = 0; node < system.nodes; ++node)
+        sums[system.node_component[node]] += rhs.nodes[node];
+    for (long j = 0; j < system.null_space.cols(); ++j) {
+        double defect = 0;
+        for (int k = 0; k < count; ++k)
+            defect += system.null_space(k, j) * sums[k];
+        if (std::abs(defect) <= 1e-6 * magnitude)
+            continue;
+        std::string where = "the fluid of the closed domain";
+        for (const SealedPocket& pocket : coupling_->sealed) {
+            where = "fluid sealed in between";
+            for (const std::string& name : pocket.bodies)
+                where += " " + name;
+            where += " (" + std::to_string(pocket.cells) + " cells)";
+        }
+        throw ComputationError("step " + std::to_string(steps_ + 1) + ": prescribed motion or inflow changes the volume of " +
+                               where + ", and incompressible fluid has no way out; open a side or correct the motion");
+    }
+}
+
+template <int D>
+std::vector<Twist<D>> Simulation<D>::twists() const
+{
+    std::vector<Twist<D>> V;
+    for (const RigidBody<D>& body : bodies_)
+        V.push_back(body.motion == Motion::fixed ? Twist<D>(Twist<D>::Zero()) : body.twist);
+    V.insert(V.end(), walls_.twists.begin(), walls_.twists.end());
+    return V;
+}
+
+template <int D>
+std::vector<TwistMatrix<D>> Simulation<D>::masses() const
+{
+    std::vector<TwistMatrix<D>> mass;
+    for (const RigidBody<D>& body : bodies_)
+        mass.push_back(mass_matrix(body));
+    if (holding_) // heavy beyond any added mass; as prescribed bodies they could choose other masters for their films
+        for (TwistMatrix<D>& m : mass)
+            m *= held_mass_factor;
+    mass.resize(bodies_.size() + walls_.solids.size(), TwistMatrix<D>::Identity());
+    return mass;
+}
+
+template <int D>
+BoundaryVelocity<D> Simulation<D>::side_velocities(double time) const
+{
+    BoundaryVelocity<D> sides;
+    for (int s = 0; s < 2 * D; ++s) {
+        const SideScene& side = scene_.sides[s];
+        sides.velocity[s] = to_vec<D>(side.velocity);
+        if (side.kind == SideScene::Kind::inflow && !side.table.time.empty()) {
+            const std::vector<double> u = value_at(side.table, time);
+            sides.velocity[s] = Eigen::Map<const Vec<D>>(u.data());
+        }
+    }
+    return sides;
+}
+
+// Continued bulk velocity at any point, wherever it is owned. Collective only in effect: every rank asks for the same points.
+template <int D>
+Vec<D> Simulation<D>::sample(const Vec<D>& x) const
+{
+    Vec<D> u = Vec<D>::Zero();
+    const Index<D> c = grid_.wrapped(grid_.cell_of(x));
+    Index<D> inside;
+    for (int axis = 0; axis < D; ++axis)
+        inside[axis] = std::clamp(c[axis], 0, grid_.cells()[axis] - 1);
+    if (grid_.owns(inside)) {
+        const Vec<D> place = x + grid_.dx() * (inside - grid_.cell_of(x)).template cast<double>();
+        for (int axis = 0; axis < D; ++axis)
+            u[axis] = interpolate_face(grid_, velocity_.grid[axis], axis, place);
+    }
+    grid_.comm().sum(std::span<double>(u.data(), D));
+    return u;
+}
+
+template class Simulation<2>;
+template class Simulation<3>;
+
+} // namespace gapflow

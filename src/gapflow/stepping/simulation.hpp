@@ -1,0 +1,138 @@
+// A scene in time (method, section 5): Simulation<D>::step() is one time step, a list of the method's stages.
+#pragma once
+
+#include "gapflow/core/communicator.hpp"
+#include "gapflow/core/timer.hpp"
+#include "gapflow/coupling/coupling.hpp"
+#include "gapflow/film/film_motion.hpp"
+#include "gapflow/scene/scene.hpp"
+#include "gapflow/solver/solver.hpp"
+#include "gapflow/stepping/advection.hpp"
+#include "gapflow/stepping/setup.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+/// What a step did, and the state's sums after it.
+struct StepReport {
+    long step = 0;
+    double time = 0, dt = 0;
+    long cells = 0; ///< unknowns of the grid
+    int film_nodes = 0, iterations = 0;
+    double residual = 0, divergence_max = 0; ///< divergence: net outflow of a cell over its volume, 1/time
+    double energy_fluid = 0, energy_bodies = 0;
+    double seconds = 0;
+    std::vector<std::string> notes; ///< for the user, once each: a gap held at the contact thickness, blind film ends
+};
+
+/// State of one pair of solids with a film.
+struct GapState {
+    std::string body_a, body_b; ///< in the scene's order, walls last
+    double thickness = 0;       ///< smallest distance; negative: overlap
+    double opening_rate = 0;    ///< at that place
+    int film_nodes = 0;
+    double film_area = 0, pressure_min = 0, pressure_max = 0;
+    double force = 0;           ///< on body_a, along the normal that pushes it away from body_b
+    double contact_force = 0, contact_impulse = 0;
+    double void_volume = 0;
+};
+
+/// Momentum and energy of fluid, films and bodies.
+template <int D>
+struct Budget {
+    Vec<D> momentum = Vec<D>::Zero(); ///< fluid, films, conduits and free bodies
+    Spin<D> angular_momentum = Spin<D>::Zero(); ///< the same, about the domain's origin
+    double energy_grid = 0, energy_film = 0, energy_bodies = 0;
+};
+
+template <int D>
+class Simulation {
+public:
+    /// Builds the state at time 0 and projects the fluid's initial velocity. Throws InputError, ComputationError. Collective.
+    Simulation(const Scene& scene, const Communicator& comm);
+    ~Simulation();
+
+    /// Advances by one time step that does not pass `next_output`. Collective.
+    StepReport step(double next_output);
+
+    double time() const { return time_; }
+    long steps() const { return steps_; }
+    const Scene& scene() const { return scene_; }
+    const Grid<D>& grid() const { return grid_; }
+    const std::vector<RigidBody<D>>& bodies() const { return bodies_; }
+    const Coupling<D>& coupling() const { return *coupling_; }
+    /// Fluid velocity: divergence-free on open faces, continued into solids.
+    const FluidVelocity<D>& velocity() const { return velocity_; }
+    /// Reduced pressure (p - rho g.x), averaged over the last step: bulk and mixed cells, film nodes.
+    UnknownVector<D> reduced_pressure() const;
+    /// What to add to the reduced pressure at x for the full pressure.
+    double hydrostatic(const Vec<D>& x) const;
+    /// Fluid force and torque on every body about its centre of mass, averaged over the step, buoyancy included.
+    const std::vector<Twist<D>>& fluid_wrenches() const { return wrenches_; }
+    std::vector<GapState> gaps() const;
+    Budget<D> budget() const;
+    /// Report of the state at the start (step 0).
+    const StepReport& initial_report() const { return initial_report_; }
+    /// Time spent in each stage so far.
+    const StageTimers& stages() const { return stages_; }
+
+private:
+    double choose_step(double next_output) const;
+    void move_bodies(double dt);
+    void rebuild();
+    FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale);
+    std::vector<Twist<D>> forced_twists(double dt) const;
+    void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
+    void continue_velocities();
+    void paint_films(FaceField<D, std::int8_t>& valid);
+    void share_uncovered_faces(FaceField<D>& u_star) const;
+    double normal_surplus(const FaceField<D>& u, int axis, const Index<D>& f, const std::vector<Twist<D>>& V,
+                          std::vector<int>& near) const;
+    void follow_solids(FaceField<D>& u, const FaceField<D, std::int8_t>& valid) const;
+    void finish_report(StepReport& report, double dt) const;
+    std::vector<Twist<D>> twists() const;
+    std::vector<TwistMatrix<D>> masses() const;
+    void check_compatibility(const UnknownVector<D>& rhs, double magnitude) const;
+    BoundaryVelocity<D> side_velocities(double time) const;
+    Vec<D> sample(const Vec<D>& x) const;
+
+    /// A place where a gap has reached the contact thickness: row_a . twist_a + row_b . twist_b is its opening rate, which
+    /// may not fall below `least`.
+    struct Stop {
+        int a, b; ///< solids
+        Twist<D> row_a, row_b;
+        double least;
+    };
+    std::vector<Stop> possible_stops(double dt) const;
+
+    Scene scene_;
+    Grid<D> grid_;
+    std::vector<RigidBody<D>> bodies_;
+    DomainWalls<D> walls_;
+    std::function<GapSettings(int, int)> gaps_;
+    std::function<MouthLaw(int, int)> mouth_laws_;
+
+    double time_ = 0, dt_ = 0;
+    long steps_ = 0;
+    bool holding_ = false;                  ///< in the initial projection
+    std::unique_ptr<Coupling<D>> coupling_;
+    std::shared_ptr<const FaceFractions<D>> old_fractions_; ///< of the step before
+    FluidVelocity<D> velocity_;
+    FaceField<D> painted_;                  ///< velocity with films painted in, continued
+    FaceField<D, std::int8_t> film_faces_;  ///< faces that take the painted velocity
+    bool any_film_faces_ = false;
+    UnknownVector<D> impulse_;              ///< p
+    FilmMemories<D> memories_;
+    std::set<FilmPair<D>> alive_;
+    std::vector<Twist<D>> acceleration_;    ///< of all solids, over the last step
+    std::vector<Twist<D>> wrenches_;
+    StepReport initial_report_;
+    StageTimers stages_;
+};
+
+} // namespace gapflow

@@ -1,0 +1,123 @@
+// How long a step may be, and where gaps must be stopped at the contact thickness (method, section 5, stage 1).
+#include "gapflow/stepping/simulation.hpp"
+
+#include "gapflow/core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gapflow {
+
+namespace {
+
+// Smallest thickness that limits the step, in dx.
+constexpr double smallest_limiting_gap = 1e-4;
+// Films between curved surfaces: dt <= this * sqrt(2 R h) / |u - P U_m|.
+constexpr double curved_film_cfl = 0.1;
+// Steps below this times time.max_step mean that something grows without bound.
+constexpr double smallest_step = 1e-9;
+
+} // namespace
+
+// Stage 1.
+template <int D>
+double Simulation<D>::choose_step(double next_output) const
+{
+    const double dx = grid_.dx(), tiny = std::numeric_limits<double>::min();
+    double dt = scene_.max_step;
+    double speed = 0;
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+            if (coupling_->open(axis, f) > 1e-12)
+                speed = std::max(speed, std::abs(velocity_.grid(axis, f)));
+        });
+    dt = std::min(dt, scene_.cfl * dx / std::max(grid_.comm().max(speed), tiny));
+
+    const std::vector<Twist<D>> V = twists();
+    std::vector<Twist<D>> A = acceleration_;
+    if (steps_ == 0) // before the first solve: what the explicit forces alone would do (added mass only slows it)
+        for (std::size_t b = 0; b < bodies_.size(); ++b)
+            if (bodies_[b].motion == Motion::free)
+                A[b] = twist_after(bodies_[b], explicit_wrench<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density)) - bodies_[b].twist;
+    const std::vector<Solid<D>>& solids = coupling_->solids;
+    for (const Film<D>& film : coupling_->network.films) {
+        const FilmMesh<D>& mesh = film.mesh;
+        const double thickness = scene_.contact_of(solids[mesh.master].name, solids[mesh.other].name).thickness;
+        const double least = std::max({thickness, gaps_(mesh.master, mesh.other).floor, smallest_limiting_gap * dx});
+        for (const FilmPoint<D>& q : mesh.points) {
+            const Vec<D> arm_a = q.x - solids[mesh.master].centre, arm_b = q.y - solids[mesh.other].centre - mesh.shift;
+            auto rate = [&](const std::vector<Twist<D>>& twist) {
+                return std::abs(q.other_normal.dot(velocity_at<D>(twist[mesh.master], arm_a) - velocity_at<D>(twist[mesh.other], arm_b)));
+            };
+            const double h = std::max(q.h, least);
+            // What is left to the contact thickness limits the step too.
+            const double left = thickness > 0 ? std::max(q.h - thickness, smallest_limiting_gap * dx) : h;
+            dt = std::min(dt, scene_.gap_cfl * std::min(h, left) / std::max(rate(V), tiny));
+            dt = std::min(dt, std::sqrt(2 * scene_.gap_cfl * h / std::max(rate(A), tiny)));
+        }
+        if (mesh.flat)
+            continue;
+        const double curvature = std::abs(solids[mesh.master].shape.shape().curvature(0));
+        for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = mesh.elements[e];
+            const Vec<D> U = velocity_at<D>(V[mesh.master], element.centroid_master - solids[mesh.master].centre);
+            const Vec<D> relative = velocity_.film[film.first_element + e] - U + U.dot(element.normal) * element.normal;
+            const double h = element.volume / element.measure;
+            if (curvature > 0 && h > smallest_limiting_gap * dx) // thinner, it holds next to nothing
+                dt = std::min(dt, curved_film_cfl * std::sqrt(2 * h / curvature) / std::max(relative.norm(), tiny));
+        }
+    }
+    if (!(dt > smallest_step * scene_.max_step))
+        throw ComputationError("the time step fell to " + std::to_string(dt) + " at time " + std::to_string(time_) +
+                               ": the flow does not stay bounded; use a finer grid, or a smaller time.max_step or time.cfl");
+    // Land on output times without a sliver of a step before them.
+    const double left = next_output - time_;
+    if (left <= dt * (1 + 1e-9))
+        return left;
+    return left < 2 * dt ? 0.5 * left : dt;
+}
+
+// Places whose gap could reach the contact thickness in a step: the nearest, and the others well apart from it.
+template <int D>
+std::vector<typename Simulation<D>::Stop> Simulation<D>::possible_stops(double dt) const
+{
+    std::vector<Stop> stops;
+    const std::vector<Solid<D>>& solids = coupling_->solids;
+    for (const Film<D>& film : coupling_->network.films) {
+        const FilmMesh<D>& mesh = film.mesh;
+        if (solids[mesh.master].motion != Motion::free && solids[mesh.other].motion != Motion::free)
+            continue;
+        const double thickness = scene_.contact_of(solids[mesh.master].name, solids[mesh.other].name).thickness;
+        // Points that could reach the contact thickness in a step: the nearest, and well apart from it the others.
+        std::vector<std::pair<double, int>> close;
+        const PlacedShape<D> other = solids[mesh.other].shape.shifted(mesh.shift);
+        const double reach = thickness + smallest_limiting_gap * grid_.dx();
+        for (int i = 0; i < static_cast<int>(mesh.h.size()); ++i)
+            if (mesh.h[i] < reach)
+                close.emplace_back(other.distance(mesh.x[i]) - thickness, i);
+        std::sort(close.begin(), close.end());
+        std::vector<int> chosen;
+        for (const auto& [g, i] : close) {
+            const bool apart = std::all_of(chosen.begin(), chosen.end(),
+                                           [&](int j) { return (mesh.x[i] - mesh.x[j]).norm() > grid_.dx(); });
+            if (!apart || chosen.size() >= 12)
+                continue;
+            chosen.push_back(i);
+            const Vec<D> normal = other.closest(mesh.x[i]).normal;
+            const Vec<D> centre_b = solids[mesh.other].centre + mesh.shift;
+            stops.push_back({mesh.master, mesh.other, wrench<D>(normal, mesh.x[i] - solids[mesh.master].centre),
+                             -wrench<D>(normal, mesh.y[i] - centre_b), -0.5 * std::max(g, 0.0) / dt});
+        }
+    }
+    return stops;
+}
+
+#define GAPFLOW_INSTANTIATE(D) \
+    template double Simulation<D>::choose_step(double) const; \
+    template std::vector<Simulation<D>::Stop> Simulation<D>::possible_stops(double) const;
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,105 @@
+"""The command as a user types it: examples in short, files, exit codes, messages. Usage: command_test.py GAPFLOW EXAMPLES"""
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+GAPFLOW, EXAMPLES = sys.argv.pop(1), Path(sys.argv.pop(1))
+SHORT = {  # settings that keep each example to seconds
+    "01_plates_pulled_apart": ["domain.cells=[64,64]", "time.end=0.1", "output.every=0.05"],
+    "02_cylinders_from_contact": ["domain.cells=[48,48]", "time.end=0.3", "output.every=0.15"],
+    "03_square_plates": ["domain.cells=[24,24,24]", "time.end=0.04", "output.every=0.02"],
+    "04_sphere_leaving_wall": ["domain.cells=[24,24,24]", "time.end=0.1", "output.every=0.05"],
+    "05_mesh_bodies": ["domain.cells=[24,24,24]", "time.end=0.04", "output.every=0.02"],
+}
+
+
+def gapflow(*words):
+    return subprocess.run([GAPFLOW, *map(str, words)], capture_output=True, text=True, timeout=300)
+
+
+def rows(file):
+    with open(file) as f:
+        return list(csv.DictReader(f))
+
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.out = Path(self.folder.name) / "out"
+        self.addCleanup(self.folder.cleanup)
+
+    def run_example(self, name, *more):
+        sets = [word for key in [*SHORT[name], *more] for word in ("--set", key)]
+        done = gapflow("run", EXAMPLES / name / "scene.toml", "-o", self.out, *sets, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def test_examples_open_their_gaps(self):
+        for name in SHORT:
+            with self.subTest(name):
+                self.run_example(name)
+                gaps = rows(self.out / "gaps.csv")
+                first, last = float(gaps[0]["thickness"]), float(gaps[-1]["thickness"])
+                self.assertGreater(last, first)
+                steps = rows(self.out / "steps.csv")
+                self.assertEqual(steps[0]["step"], "0")
+                self.assertLess(max(float(row["divergence_max"]) for row in steps), 1e-5)
+                self.assertLessEqual(max(int(row["iterations"]) for row in steps), 60)
+                for file in ("gapflow.pvd", "run.json", "bodies.csv", "fields/fields_00002.vti", "films/films_00002.vtp"):
+                    self.assertTrue((self.out / file).exists(), file)
+                self.assertEqual(json.loads((self.out / "run.json").read_text())["status"], "done")
+
+    def test_without_gap_pressures_bodies_stick(self):
+        name = "01_plates_pulled_apart"
+        self.run_example(name)
+        film = float(rows(self.out / "bodies.csv")[-1]["vy"])
+        self.run_example(name, "gap.model=none", "grid.fractions=voxel")
+        stuck = float(rows(self.out / "bodies.csv")[-1]["vy"])
+        self.assertGreater(abs(film), 1e-3)
+        self.assertLess(abs(stuck), 1e-2 * abs(film))
+
+    def test_backends_agree(self):
+        scene = EXAMPLES / "01_plates_pulled_apart" / "scene.toml"
+        results = [json.loads(gapflow("added-mass", scene, "--json", "--set", "domain.cells=[64,64]", "--set",
+                                      f"solver.backend={backend}").stdout)["matrix"] for backend in ("multigrid", "petsc")]
+        scale = max(abs(v) for row in results[0] for v in row)
+        for a, b in zip(*results):
+            for x, y in zip(a, b):
+                self.assertAlmostEqual(x / scale, y / scale, delta=1e-7)
+
+    def test_check_names_films(self):
+        done = gapflow("check", EXAMPLES / "01_plates_pulled_apart" / "scene.toml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("lower - upper", done.stdout)
+
+    def test_bad_use_is_status_2_with_place_and_remedy(self):
+        scene = EXAMPLES / "01_plates_pulled_apart" / "scene.toml"
+        for words, text in ((["run", scene, "--set", "time.endd=1"], "time.end"), (["run", "nowhere.toml"], "nowhere.toml"),
+                            (["fly"], "fly"), (["run", scene, "--set", "fluid.viscosity=1"], "viscosity")):
+            done = gapflow(*words)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(text, done.stderr)
+
+    def test_interrupted_run_leaves_valid_files(self):
+        for number, status in ((signal.SIGTERM, 143), (signal.SIGINT, 130)):
+            run = subprocess.Popen([GAPFLOW, "run", str(EXAMPLES / "01_plates_pulled_apart" / "scene.toml"), "-o", str(self.out),
+                                    "--set", "time.max_step=1e-5", "--quiet"], stderr=subprocess.PIPE)
+            deadline = time.time() + 60
+            while time.time() < deadline and not ((self.out / "steps.csv").exists() and len(rows(self.out / "steps.csv")) > 3):
+                time.sleep(0.1)
+            run.send_signal(number)
+            run.communicate(timeout=60)
+            self.assertEqual(run.returncode, status)
+            self.assertEqual(json.loads((self.out / "run.json").read_text())["status"], "interrupted")
+            os.remove(self.out / "steps.csv")
+
+
+if __name__ == "__main__":
+    unittest.main()

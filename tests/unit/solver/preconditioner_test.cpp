@@ -1,0 +1,70 @@
+// Symmetry and positivity of the preconditioner's parts.
+#include "gapflow/solver/preconditioner.hpp"
+#include "unit/solver/synthetic_system.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gapflow::test {
+namespace {
+
+template <int D>
+void check(const TestScene<D>& scene, BodyMode bodies, double tolerance = 2e-6)
+{
+    const auto test = build(scene);
+    const CoupledOperator<D> matrix(test->system);
+    Preconditioner<D> preconditioner(matrix, bodies);
+    const NullSpace<D> null_space(test->system);
+    for (int seed = 0; seed < 4; ++seed) {
+        UnknownVector<D> x = sample(*test, 1.0, seed), y = sample(*test, 0.5, seed + 10), bx = zeros(*test), by = zeros(*test);
+        remove_null(*test, x);
+        remove_null(*test, y);
+        preconditioner.apply(x, bx, std::sqrt(inner(*test, x, x)));
+        preconditioner.apply(y, by, std::sqrt(inner(*test, y, y)));
+        const double xx = inner(*test, x, bx), yy = inner(*test, y, by);
+        EXPECT_GT(xx, 0);
+        EXPECT_GT(yy, 0);
+        EXPECT_NEAR(inner(*test, x, by), inner(*test, y, bx), tolerance * std::sqrt(xx * yy));
+        UnknownVector<D> z = bx;
+        null_space.project(z);
+        UnknownVector<D> expected = bx;
+        remove_null(*test, expected);
+        EXPECT_LT(distance(*test, z, expected), 1e-12);
+    }
+}
+
+TEST(Preconditioner, SymmetricAndPositiveOnTheGrid)
+{
+    for (SideKind kind : {SideKind::wall, SideKind::open, SideKind::periodic}) {
+        for (int n : {16, 33, 50}) {
+            check(two_bodies<2>(n, 1.0, kind), BodyMode::never);
+            check(two_bodies<3>(n / 2, 1.0, kind), BodyMode::never);
+        }
+        TestScene<3> odd(Index<3>(33, 9, 21), 1.0 / 33, kind);
+        check(odd, BodyMode::never);
+        TestScene<2> slender(Index<2>(129, 3), 0.1, kind);
+        check(slender, BodyMode::never);
+    }
+}
+
+TEST(Preconditioner, SymmetricAndPositiveWithFilms)
+{
+    for (double film : {1e-4, 1.0, 1e4})
+        for (BodyMode bodies : {BodyMode::never, BodyMode::always}) {
+            check(film_scene<2>(32, film, 1.0, 1.0), bodies);
+            check(film_scene<3>(16, film, 1.0, 1.0), bodies);
+            check(film_scene<3>(16, film, 1.0, 1.0, SideKind::open), bodies);
+            check(chamber_scene<2>(32, film, 1.0, 1.0), bodies);
+        }
+}
+
+TEST(Preconditioner, SymmetricAndPositiveWithBodies)
+{
+    for (double density : {1e-3, 1.0, 1e3})
+        for (BodyMode bodies : {BodyMode::never, BodyMode::always}) {
+            check(two_bodies<2>(32, density), bodies);
+            check(two_bodies<3>(16, density), bodies);
+        }
+}
+
+} // namespace
+} // namespace gapflow::test

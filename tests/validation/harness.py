@@ -1,0 +1,93 @@
+"""Runs the gapflow command on scenes made here, and collects rows of measured against exact.
+
+A module of cases has `cases(quick)`, a generator of Row. quick: the few that every change must pass (minutes); else all.
+"""
+import csv
+import json
+import os
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+REFERENCE = ROOT / "tests" / "data" / "reference"
+COMMAND = os.environ.get("GAPFLOW", str(ROOT / "build" / "release" / "apps" / "gapflow"))
+
+
+@dataclass
+class Row:
+    section: str    # heading in docs/validation.md
+    case: str       # what, with resolution and parameters
+    target: str     # as text; "" if only reported
+    measured: str
+    ok: bool        # True where there is no target
+
+
+def toml(value):
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return json.dumps(value)
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(toml(v) for v in value) + "]"
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{k} = {toml(v)}" for k, v in value.items()) + " }"
+    return repr(float(value)) if not isinstance(value, int) else str(value)
+
+
+def scene_text(scene):
+    """TOML of {"domain": {...}, "body": [{...}], ...}; a dict of dicts becomes tables, a list of dicts array tables."""
+    lines = [f"{k} = {toml(v)}" for k, v in scene.items() if not isinstance(v, dict) and k not in ("body", "pair")]
+    for name, table in scene.items():
+        if isinstance(table, dict):
+            lines.append(f"\n[{name}]")
+            lines += [f"{k} = {toml(v)}" for k, v in table.items()]
+        elif name in ("body", "pair"):
+            for entry in table:
+                lines.append(f"\n[[{name}]]")
+                lines += [f"{k} = {toml(v)}" for k, v in entry.items()]
+    return "\n".join(lines) + "\n"
+
+
+def command(args, ranks=1, check=True, timeout=1800):
+    words = [COMMAND, *map(str, args)]
+    env = dict(os.environ)
+    if ranks == 1:    # no MPI daemon and nothing shared with other runs: a quarter of the start-up time
+        env.update(OMPI_MCA_plm="isolated", OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_orte_create_session_dirs="0",
+                   OMPI_MCA_pml="ob1", OMPI_MCA_btl="self")
+    else:
+        words = ["mpirun", "-n", str(ranks), *words]
+        env.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+                   OMPI_MCA_hwloc_base_binding_policy="none", OMPI_MCA_pml="ob1", OMPI_MCA_btl="self,vader")
+    done = subprocess.run(words, env=env, capture_output=True, text=True, timeout=timeout)
+    if check and done.returncode != 0:
+        raise RuntimeError(f"{' '.join(words)}: exit {done.returncode}\n{done.stderr[-2000:]}")
+    return done
+
+
+def added_mass(scene, ranks=1):
+    """The parsed JSON of `gapflow added-mass --json` for a scene."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "scene.toml"
+        file.write_text(scene_text(scene))
+        return json.loads(command(["added-mass", file, "--json"], ranks).stdout)
+
+
+def run(scene, ranks=1):
+    """Runs a scene; returns {"bodies": rows, "gaps": rows, "steps": rows}, each a list of dicts of floats and strings."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "scene.toml"
+        file.write_text(scene_text(scene))
+        command(["run", file, "-o", Path(folder) / "out", "--quiet"], ranks)
+        return {name: read_table(Path(folder) / "out" / f"{name}.csv") for name in ("bodies", "gaps", "steps")}
+
+
+def read_table(path):
+    def number(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+    with open(path) as f:
+        return [{k: number(v) for k, v in row.items()} for row in csv.DictReader(line for line in f if not line.startswith("#"))]
