@@ -1,9 +1,8 @@
 // Film meshes of triangle meshes (2D: polygons) against those of the exact shapes they copy.
 #include "film_mesh_checks.hpp"
+#include "temporary.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <unistd.h>
+#include <sstream>
 
 namespace gapflow::test
 {
@@ -13,19 +12,14 @@ namespace
 /// The shape's own display mesh, read back as a mesh shape.
 std::unique_ptr<Shape<3>> as_mesh(const Shape<3>& shape, double tolerance)
 {
-    const auto path = std::filesystem::temp_directory_path() / ("gapflow_film_" + std::to_string(::getpid()) + ".obj");
-    {
-        std::ofstream file(path);
-        file.precision(17);
-        const SurfaceMesh<3> mesh = shape.display_mesh(tolerance);
-        for (const auto& x : mesh.vertices)
-            file << "v " << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';
-        for (const auto& e : mesh.elements)
-            file << "f " << e[0] + 1 << ' ' << e[1] + 1 << ' ' << e[2] + 1 << '\n';
-    }
-    auto shape_read = make_mesh<3>(path.string(), 1);
-    std::filesystem::remove(path);
-    return shape_read;
+    std::ostringstream file;
+    file.precision(17);
+    const SurfaceMesh<3> mesh = shape.display_mesh(tolerance);
+    for (const auto& x : mesh.vertices)
+        file << "v " << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';
+    for (const auto& e : mesh.elements)
+        file << "f " << e[0] + 1 << ' ' << e[1] + 1 << ' ' << e[2] + 1 << '\n';
+    return make_mesh<3>(TemporaryFile("shape.obj", file.str()).path(), 1);
 }
 
 TEST(FacetFilm, BoxAsMeshEqualsBox)

@@ -4,6 +4,8 @@
 #include "gapflow/geometry/mesh_mass.hpp"
 #include "gapflow/geometry/shape.hpp"
 
+#include "temporary.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -112,17 +114,7 @@ void check_mass(const Shape<D>& shape, double tolerance, double bound)
     EXPECT_LT((fine.inertia - exact.inertia).norm(), 2 * bound * exact.inertia.norm());
 }
 
-/// A mesh file that removes itself.
-class TemporaryFile
-{
-public:
-    TemporaryFile(const std::string& name, const std::string& text) : path(::testing::TempDir() + "gapflow_" + name)
-    {
-        std::ofstream(path, std::ios::binary) << text;
-    }
-    ~TemporaryFile() { std::remove(path.c_str()); }
-    const std::string path;
-};
+using test::TemporaryFile;
 
 std::string obj_text(const SurfaceMesh<3>& mesh);
 std::string ascii_stl_text(const SurfaceMesh<3>& mesh);

@@ -20,7 +20,7 @@ using ::testing::StartsWith;
 std::unique_ptr<Shape<3>> mesh_of(const SurfaceMesh<3>& mesh)
 {
     const TemporaryFile file("mesh.obj", obj_text(mesh));
-    return make_mesh<3>(file.path, 1);
+    return make_mesh<3>(file.path(), 1);
 }
 
 /// Each triangle into four.
@@ -170,8 +170,8 @@ TEST(Mesh, AllFormatsReadTheSame)
     const SurfaceMesh<3> surface = torus(1, 0.25, 24, 12);
     const TemporaryFile obj("t.obj", obj_text(surface)), ascii("a.stl", ascii_stl_text(surface)),
         binary("b.STL", binary_stl_text(surface));
-    const auto reference = make_mesh<3>(obj.path, 2);
-    for (const std::string& path : {ascii.path, binary.path}) {
+    const auto reference = make_mesh<3>(obj.path(), 2);
+    for (const std::string& path : {ascii.path(), binary.path()}) {
         const auto mesh = make_mesh<3>(path, 2);
         EXPECT_EQ(mesh->surface_mesh().vertices.size(), surface.vertices.size());
         EXPECT_EQ(mesh->surface_mesh().elements.size(), surface.elements.size());
@@ -197,7 +197,7 @@ TEST(Mesh, ObjPolygonsAndNegativeIndices)
 {
     const TemporaryFile file("cube.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                                          "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf -5 -8 -4 -1\n");
-    EXPECT_DOUBLE_EQ(make_mesh<3>(file.path, 1)->mass_properties().volume, 1);
+    EXPECT_DOUBLE_EQ(make_mesh<3>(file.path(), 1)->mass_properties().volume, 1);
 }
 
 TEST(Mesh, WhollyInsideOutIsTurned)
@@ -235,7 +235,7 @@ TEST(Mesh, CavitiesMustFaceInward)
     // Two boxes that touch in one vertex of the file.
     const auto pair = joined(outer, inner, {1.5, 1.5, 1.5}, false);
     const TemporaryFile touching("touch.stl", ascii_stl_text(pair));
-    const auto both = make_mesh<3>(touching.path, 1);
+    const auto both = make_mesh<3>(touching.path(), 1);
     EXPECT_EQ(both->surface_mesh().vertices.size(), 27u);
     std::mt19937 random(9);
     for (int k = 0; k < 500; ++k) {
@@ -267,7 +267,7 @@ TEST(Mesh, BadFilesAreRefused)
     EXPECT_THAT(error_of([] { make_mesh<3>("none.obj", 1); }), StartsWith("none.obj: cannot be opened"));
     const auto error = [](const std::string& name, const std::string& text) {
         const TemporaryFile file(name, text);
-        return error_of([&] { make_mesh<3>(file.path, 1); });
+        return error_of([&] { make_mesh<3>(file.path(), 1); });
     };
     EXPECT_THAT(error("x.obj", "v 0 0 0\nv 1 a 0\n"), HasSubstr("x.obj:2: \"a\" is not a finite number"));
     EXPECT_THAT(error("x.obj", "v 0 0 0\nv 1 1e999 0\n"), HasSubstr("not a finite number"));
@@ -332,7 +332,7 @@ TEST(Mesh, QueriesAreFast)
 std::unique_ptr<Shape<2>> polygon(const std::string& text)
 {
     const TemporaryFile file("polygon.txt", text);
-    return make_mesh<2>(file.path, 1);
+    return make_mesh<2>(file.path(), 1);
 }
 
 TEST(Polygon, SquareEqualsTheBox)

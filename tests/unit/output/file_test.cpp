@@ -1,6 +1,6 @@
 #include "gapflow/output/file.hpp"
 
-#include "folder.hpp"
+#include "temporary.hpp"
 
 #include "gapflow/core/error.hpp"
 
@@ -40,29 +40,29 @@ private:
 
 TEST(File, ReplacesAtomicallyAndLeavesNoTemporary)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     write_atomically(folder / "a.txt", "first");
     write_atomically(folder / "a.txt", "second");
-    EXPECT_EQ(content_of(folder / "a.txt"), "second");
+    EXPECT_EQ(test::content_of(folder / "a.txt"), "second");
     const std::filesystem::directory_iterator files(folder.path());
     EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }
 
 TEST(File, KeepsTheOldFileWhenTheNewOneIsNotFinished)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     write_atomically(folder / "a.txt", "first");
     {
         AtomicFile file(folder / "a.txt");
         file.write("half of the sec");
     }
-    EXPECT_EQ(content_of(folder / "a.txt"), "first");
+    EXPECT_EQ(test::content_of(folder / "a.txt"), "first");
     EXPECT_FALSE(std::filesystem::exists(folder / "a.txt.partial"));
 }
 
 TEST(File, FullDiskIsAComputationErrorAndKeepsTheOldFile)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     write_atomically(folder / "a.txt", "first");
     try {
         const FileSizeLimit limit(1000);
@@ -72,13 +72,13 @@ TEST(File, FullDiskIsAComputationErrorAndKeepsTheOldFile)
         EXPECT_THAT(error.what(), HasSubstr("a.txt: cannot write the file: File too large"));
         EXPECT_THAT(error.what(), HasSubstr("-o DIR"));
     }
-    EXPECT_EQ(content_of(folder / "a.txt"), "first");
+    EXPECT_EQ(test::content_of(folder / "a.txt"), "first");
     EXPECT_FALSE(std::filesystem::exists(folder / "a.txt.partial"));
 }
 
 TEST(File, FolderThatCannotBeCreatedIsAnInputError)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     write_atomically(folder / "file", "x");
     try {
         prepare_folder(folder / "file/out");
@@ -91,7 +91,7 @@ TEST(File, FolderThatCannotBeCreatedIsAnInputError)
 
 TEST(File, PreparesNestedFoldersTwice)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     prepare_folder(folder / "a/b/c");
     prepare_folder(folder / "a/b/c");
     EXPECT_TRUE(std::filesystem::is_directory(folder / "a/b/c"));
@@ -100,7 +100,7 @@ TEST(File, PreparesNestedFoldersTwice)
 
 TEST(File, MissingFolderIsAComputationError)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     EXPECT_THROW(write_atomically(folder / "gone/a.txt", "x"), ComputationError);
 }
 

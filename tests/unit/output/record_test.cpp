@@ -2,7 +2,7 @@
 #include "gapflow/output/pvd.hpp"
 #include "gapflow/output/run_record.hpp"
 
-#include "folder.hpp"
+#include "temporary.hpp"
 
 #include "gapflow/core/logging.hpp"
 
@@ -39,34 +39,34 @@ std::string progress_text(ProgressStyle style, F&& use)
 
 TEST(Pvd, ListsPartsOfATimeStep)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     PvdCollection collection(folder / "gapflow.pvd");
     collection.add(0.0, "fields", "fields/0.vti");
     collection.add(0.0, "a<\"b\"", "bodies/a_0.vtp");
     collection.add(0.1, "fields", "fields/1.vti");
     collection.write();
-    const std::string text = content_of(folder / "gapflow.pvd");
+    const std::string text = test::content_of(folder / "gapflow.pvd");
     EXPECT_THAT(text, HasSubstr(R"(timestep="0" group="" part="1" name="a&lt;&quot;b&quot;" file="bodies/a_0.vtp")"));
     EXPECT_THAT(text, HasSubstr(R"(timestep="0.1" group="" part="0" name="fields" file="fields/1.vti")"));
 }
 
 TEST(Pvd, ResumeCutsBackToATimeAndWritesTheSameAgain)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     const auto path = folder / "gapflow.pvd";
     PvdCollection collection(path);
     collection.add(0.1, "fields & more", "fields/0.vti");
     collection.write();
-    const std::string first = content_of(path);
+    const std::string first = test::content_of(path);
     collection.add(0.2, "fields & more", "fields/1.vti");
     collection.write();
     PvdCollection::resume(path, 0.1).write();
-    EXPECT_EQ(content_of(path), first);
+    EXPECT_EQ(test::content_of(path), first);
 }
 
 TEST(RunRecord, HoldsWhatWasGiven)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     const Communicator comm;
     StageTimers timers;
     timers.add("solve", 1.5);
@@ -79,7 +79,7 @@ TEST(RunRecord, HoldsWhatWasGiven)
     record.stages = timers.stages();
     record.memory = peak_memory(comm);
     write_run_record(folder / "run.json", record);
-    const auto json = nlohmann::json::parse(content_of(folder / "run.json"));
+    const auto json = nlohmann::json::parse(test::content_of(folder / "run.json"));
     EXPECT_EQ(json["version"], "0.1.0");
     EXPECT_EQ(json["scene"], record.scene);
     EXPECT_EQ(json["timings"]["stages"]["solve"]["seconds"], 1.75);

@@ -1,6 +1,6 @@
 #include "gapflow/output/table.hpp"
 
-#include "folder.hpp"
+#include "temporary.hpp"
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/types.hpp"
@@ -12,21 +12,21 @@ using testing::HasSubstr;
 
 TEST(Table, WritesHeaderAndRows)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     Table table(folder / "bodies.csv", {"step", "time", "body", "x", "y"});
-    EXPECT_EQ(content_of(folder / "bodies.csv"), "step,time,body,x,y\n");
+    EXPECT_EQ(test::content_of(folder / "bodies.csv"), "step,time,body,x,y\n");
     table.row(0, 0.0, "upper", Vec<2>(0.1, 1.0 / 3.0));
     table.row(0, 0.0, std::string("a,\"b\""), Vec<2>(1e-7, -2.0));
-    EXPECT_EQ(content_of(folder / "bodies.csv"), "step,time,body,x,y\n") << "nothing before flush()";
+    EXPECT_EQ(test::content_of(folder / "bodies.csv"), "step,time,body,x,y\n") << "nothing before flush()";
     table.flush();
-    EXPECT_EQ(content_of(folder / "bodies.csv"), "step,time,body,x,y\n"
+    EXPECT_EQ(test::content_of(folder / "bodies.csv"), "step,time,body,x,y\n"
                                                  "0,0,upper,0.1,0.3333333333333333\n"
                                                  "0,0,\"a,\"\"b\"\"\",1e-07,-2\n");
 }
 
 TEST(Table, ResumeCutsBackToAStep)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     const auto path = folder / "steps.csv";
     {
         Table table(path, {"step", "time"});
@@ -40,27 +40,27 @@ TEST(Table, ResumeCutsBackToAStep)
         table.row(3, 1.25);
         table.flush();
     }
-    EXPECT_EQ(content_of(path), "step,time\n0,0\n1,0.5\n2,1\n3,1.25\n");
+    EXPECT_EQ(test::content_of(path), "step,time\n0,0\n1,0.5\n2,1\n3,1.25\n");
 }
 
 TEST(Table, ResumeDropsAnIncompleteLineOfAKeptStep)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     std::ofstream(folder / "t.csv") << "step,time\n0,0\n1,0.";
     Table::resume(folder / "t.csv", {"step", "time"}, 5).flush();
-    EXPECT_EQ(content_of(folder / "t.csv"), "step,time\n0,0\n");
+    EXPECT_EQ(test::content_of(folder / "t.csv"), "step,time\n0,0\n");
 }
 
 TEST(Table, ResumeWithoutAFileStartsOne)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     Table::resume(folder / "t.csv", {"step", "time"}, 5).flush();
-    EXPECT_EQ(content_of(folder / "t.csv"), "step,time\n");
+    EXPECT_EQ(test::content_of(folder / "t.csv"), "step,time\n");
 }
 
 TEST(Table, ResumeRefusesOtherColumns)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     std::ofstream(folder / "t.csv") << "step,time\n0,0\n";
     try {
         Table::resume(folder / "t.csv", {"step", "time", "dt"}, 5);
@@ -68,7 +68,7 @@ TEST(Table, ResumeRefusesOtherColumns)
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("other columns than this run writes (step,time,dt)"));
     }
-    EXPECT_EQ(content_of(folder / "t.csv"), "step,time\n0,0\n");
+    EXPECT_EQ(test::content_of(folder / "t.csv"), "step,time\n0,0\n");
 }
 
 TEST(Table, FullDiskIsAComputationError)

@@ -1,7 +1,7 @@
 // The writers' text is checked here only where it is short; tests/cli/read_vtk.py reads the samples with VTK itself.
 #include "gapflow/output/vtk.hpp"
 
-#include "folder.hpp"
+#include "temporary.hpp"
 
 #include "gapflow/output/file.hpp"
 #include "gapflow/output/pvd.hpp"
@@ -115,16 +115,16 @@ TEST(VtkParallel, GathersCellsInOrder)
 
 TEST(Vtk, ArrayIsLengthAndValuesInOneBase64Text)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     // 8 as 64 bits, then 1.0 = 0x3ff0000000000000, little endian.
     write_vtp<2>(folder / "a.vtp", {{{0, 0}}, {}, {{"one", 1, {1.0}}}, {}});
-    EXPECT_THAT(content_of(folder / "a.vtp"),
+    EXPECT_THAT(test::content_of(folder / "a.vtp"),
                 HasSubstr("<DataArray type=\"Float64\" Name=\"one\" NumberOfComponents=\"1\" format=\"binary\">\n"
                           "CAAAAAAAAAAAAAAAAADwPw==\n</DataArray>\n"));
 }
 
 TEST(Vtk, UnwritablePathIsAnError)
 {
-    const TestFolder folder;
+    const test::TemporaryFolder folder;
     EXPECT_THROW(write_vtp<2>(folder / "gone/a.vtp", {}), std::runtime_error);
 }

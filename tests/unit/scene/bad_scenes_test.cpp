@@ -1,5 +1,5 @@
 // Wrong scenes: each file's first line is "# expect: " and what its message says after the file's name, up to the remedy.
-#include "temporary_file.hpp"
+#include "temporary.hpp"
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/scene/scene.hpp"
@@ -65,7 +65,7 @@ struct BadOverride {
 
 TEST(BadScenes, OverridesAreRefused)
 {
-    const TemporaryFile scene("good.toml", good);
+    const test::TemporaryFile scene("good.toml", good);
     ASSERT_EQ(message_of(scene.path()), "accepted");
     const std::vector<BadOverride> cases{
         {"domain.cells", "[64,63]", "--set domain.cells = [64, 63]: the spacing"},
@@ -97,7 +97,7 @@ TEST(BadScenes, OverridesAreRefused)
 
 TEST(BadScenes, WhatIsNeededDependsOnThePurpose)
 {
-    const TemporaryFile still("still.toml",
+    const test::TemporaryFile still("still.toml",
                               "[domain]\nsize = [4, 4]\ncells = [64, 64]\n[[body]]\nname = \"a\"\nshape = \"ball\"\n"
                               "radius = 0.5\n");
     for (Purpose purpose : {Purpose::added_mass, Purpose::check})
@@ -112,7 +112,7 @@ TEST(BadScenes, FilesThatCannotBeRead)
 {
     EXPECT_THAT(message_of(folder + "none.scene"), testing::StartsWith("none.scene: cannot be read"));
     EXPECT_THAT(message_of(GAPFLOW_TEST_DATA), testing::HasSubstr("is a folder, not a scene"));
-    const TemporaryFile binary("binary.toml", std::string("\x7f\x45\x4c\x46\0\xff", 6));
+    const test::TemporaryFile binary("binary.toml", std::string("\x7f\x45\x4c\x46\0\xff", 6));
     EXPECT_THAT(message_of(binary.path()), testing::HasSubstr(":1:5: not valid TOML"));
 }
 

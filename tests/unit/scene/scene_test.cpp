@@ -1,4 +1,4 @@
-#include "temporary_file.hpp"
+#include "temporary.hpp"
 
 #include "gapflow/scene/keys.hpp"
 #include "gapflow/scene/scene.hpp"
@@ -139,21 +139,21 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 Scene flat(const std::vector<std::pair<std::string, std::string>>& overrides = {})
 {
-    const TemporaryFile file("flat.toml", replaced(flat_scene, "MOTION", data + "motion.csv"));
+    const test::TemporaryFile file("flat.toml", replaced(flat_scene, "MOTION", data + "motion.csv"));
     return read_scene(file.path(), overrides, Purpose::run);
 }
 
 Scene deep()
 {
-    const TemporaryFile motion("motion3.csv", "0,1,2,3,1,0,0,0\n1,1,2,4,0,0,0,1\n");
-    const TemporaryFile mesh("mesh.obj", "v 0 0 0\n");
-    const TemporaryFile file("deep.toml", replaced(replaced(deep_scene, "MESH", mesh.path()), "MOTION3", motion.path()));
+    const test::TemporaryFile motion("motion3.csv", "0,1,2,3,1,0,0,0\n1,1,2,4,0,0,0,1\n");
+    const test::TemporaryFile mesh("mesh.obj", "v 0 0 0\n");
+    const test::TemporaryFile file("deep.toml", replaced(replaced(deep_scene, "MESH", mesh.path()), "MOTION3", motion.path()));
     return read_scene(file.path(), {}, Purpose::added_mass);
 }
 
 Scene minimal()
 {
-    const TemporaryFile file("minimal.toml", "[domain]\nsize = [4, 2]\ncells = [2, 1]\n");
+    const test::TemporaryFile file("minimal.toml", "[domain]\nsize = [4, 2]\ncells = [2, 1]\n");
     return read_scene(file.path(), {}, Purpose::check);
 }
 
@@ -304,9 +304,9 @@ TEST(Scene, Overrides)
 
 TEST(Scene, FilesAreFoundBesideTheScene)
 {
-    const TemporaryFile table("inflow.csv", "0,1,0\n");
+    const test::TemporaryFile table("inflow.csv", "0,1,0\n");
     const std::string name = std::filesystem::path(table.path()).filename().string();
-    const TemporaryFile file("beside.toml",
+    const test::TemporaryFile file("beside.toml",
                              "[domain]\nsize = [1, 1]\ncells = [4, 4]\nsides.x_low = { inflow = \"" + name + "\" }\n");
     EXPECT_EQ(read_scene(file.path(), {}, Purpose::check).sides[0].table.file, table.path());
 }

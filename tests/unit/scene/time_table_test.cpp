@@ -1,4 +1,4 @@
-#include "temporary_file.hpp"
+#include "temporary.hpp"
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/text.hpp"
@@ -14,7 +14,7 @@ using Row = std::vector<double>;
 
 TEST(TimeTable, ReadsHeaderCommentsBlanksAndSigns)
 {
-    const TemporaryFile file("table.csv", "\xef\xbb\xbf# from a rig\r\ntime, u, v\r\n\r\n0, +1, -2.5e-1\r\n# more\n 2 ,3,4\n");
+    const test::TemporaryFile file("table.csv", "\xef\xbb\xbf# from a rig\r\ntime, u, v\r\n\r\n0, +1, -2.5e-1\r\n# more\n 2 ,3,4\n");
     const TimeTable table = read_time_table(file.path(), {"time", "u", "v"});
     EXPECT_EQ(table.file, file.path());
     EXPECT_EQ(table.time, (Row{0, 2}));
@@ -25,7 +25,7 @@ TEST(TimeTable, ReadsHeaderCommentsBlanksAndSigns)
 TEST(TimeTable, RefusesNamesInTheMiddleAndNumbersThatAreNot)
 {
     for (const char* line : {"time,u", "1,nan", "1,inf", "1,", "1,2x", "0,1"}) {
-        const TemporaryFile file("wrong.csv", std::string("0,1\n") + line + "\n");
+        const test::TemporaryFile file("wrong.csv", std::string("0,1\n") + line + "\n");
         try {
             read_time_table(file.path(), {"time", "u"});
             ADD_FAILURE() << line;
