@@ -3,8 +3,6 @@
 #include "gapflow/coupling/film_rows.hpp"
 #include "gapflow/grid/body_flux.hpp"
 
-#include <Eigen/SparseCholesky>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -151,13 +149,11 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
     coupling.system.mass.setFromTriplets(entries.begin(), entries.end());
 }
 
-// Adds M^-1 impulse to the twists of the free bodies.
+// Adds the response of the free bodies, in their order, to the twists of all solids.
 template <int D>
-void add_impulse(const Coupling<D>& coupling, const Eigen::VectorXd& impulse, std::vector<Twist<D>>& twists)
+void add_response(const Coupling<D>& coupling, const Eigen::VectorXd& V, std::vector<Twist<D>>& twists)
 {
     constexpr int n = twist_size<D>;
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(coupling.system.mass);
-    const Eigen::VectorXd V = factor.solve(impulse);
     for (std::size_t s = 0; s < twists.size(); ++s)
         if (const int b = coupling.free_body[s]; b >= 0)
             twists[s] += V.segment<n>(n * b);
@@ -186,6 +182,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     assemble_films(coupling, rows);
     fill_flux(coupling, rows);
     fill_mass(coupling, mass);
+    coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact);
     find_components(coupling);
     coupling.network.faces.reset(); // a cache for this function only
 #ifndef NDEBUG
@@ -200,10 +197,28 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
 }
 
 template <int D>
-void add_inertia(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass, const NormalInertia<D>& inertia)
+void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& contacts, const std::vector<Twist<D>>& twists)
 {
-    coupling.normal_inertia.push_back(inertia);
-    fill_mass(coupling, mass);
+    constexpr int n = twist_size<D>;
+    std::vector<Eigen::Triplet<double>> entries;
+    const int rows = static_cast<int>(contacts.size());
+    coupling.held_speed.resize(rows);
+    for (int r = 0; r < rows; ++r) {
+        const HeldContact<D>& contact = contacts[r];
+        coupling.held_speed[r] = contact.speed;
+        auto add = [&](int solid, const Twist<D>& row) {
+            if (const int b = coupling.free_body[solid]; b < 0)
+                coupling.held_speed[r] -= row.dot(twists[solid]);
+            else
+                for (int k = 0; k < n; ++k)
+                    entries.emplace_back(r, n * b + k, row[k]);
+        };
+        add(contact.a, contact.row_a);
+        add(contact.b, contact.row_b);
+    }
+    coupling.system.contact.resize(rows, n * coupling.system.bodies);
+    coupling.system.contact.setFromTriplets(entries.begin(), entries.end());
+    coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact);
 }
 
 template <int D>
@@ -359,7 +374,8 @@ double closure_defect(const Coupling<D>& coupling)
 
 template <int D>
 std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
-                                          const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal)
+                                          const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal,
+                                          Eigen::VectorXd& contact_impulse)
 {
     constexpr int n = twist_size<D>;
     std::vector<Twist<D>> result = twists;
@@ -386,12 +402,13 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
     for (std::size_t s = 0; s < twists.size(); ++s)
         if (coupling.free_body[s] >= 0)
             result[s].setZero();
-    add_impulse(coupling, momentum, result);
+    add_response(coupling, coupling.response(momentum, coupling.held_speed, &contact_impulse), result);
     return result;
 }
 
 template <int D>
-void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Twist<D>>& twists)
+void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Twist<D>>& twists,
+                          Eigen::VectorXd& contact_impulse)
 {
     constexpr int n = twist_size<D>;
     const int dofs = n * coupling.system.bodies;
@@ -402,14 +419,16 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
     for (std::size_t s = 0; s < twists.size(); ++s)
         if (const int b = coupling.free_body[s]; b >= 0)
             all.segment<n>(n * b) = impulse[s];
-    add_impulse(coupling, all, twists);
+    Eigen::VectorXd held;
+    add_response(coupling, coupling.response(all, &held), twists);
+    contact_impulse += held;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Coupling<D> couple<D>(const Grid<D>&, std::vector<Solid<D>>, const std::vector<TwistMatrix<D>>&,                  \
                                    const CouplingOptions&, const std::function<GapSettings(int, int)>&,                        \
                                    const std::set<FilmPair<D>>&);                                                              \
-    template void add_inertia<D>(Coupling<D>&, const std::vector<TwistMatrix<D>>&, const NormalInertia<D>&);                   \
+    template void hold_contacts<D>(Coupling<D>&, const std::vector<HeldContact<D>>&, const std::vector<Twist<D>>&);            \
     template void outflow<D>(const Coupling<D>&, const FluidVelocity<D>&, const std::vector<Twist<D>>&, UnknownVector<D>&,     \
                              double*);                                                                                         \
     template void subtract_gradient<D>(const Coupling<D>&, UnknownVector<D>&, FluidVelocity<D>&);                              \
@@ -417,8 +436,10 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
     template double closure_defect<D>(const Coupling<D>&);                                                                     \
     template std::vector<Twist<D>> closure<D>(const Coupling<D>&);                                                             \
     template std::vector<Twist<D>> intermediate_twists<D>(const Coupling<D>&, const std::vector<TwistMatrix<D>>&,              \
-                                                          const std::vector<Twist<D>>&, const std::vector<double>&);           \
-    template void add_pressure_impulse<D>(const Coupling<D>&, const UnknownVector<D>&, std::vector<Twist<D>>&);
+                                                          const std::vector<Twist<D>>&, const std::vector<double>&,            \
+                                                          Eigen::VectorXd&);                                                   \
+    template void add_pressure_impulse<D>(const Coupling<D>&, const UnknownVector<D>&, std::vector<Twist<D>>&,                 \
+                                          Eigen::VectorXd&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -2,6 +2,7 @@
 // operators of a projection: outflow D u*, body flux K V, gradient.
 #pragma once
 
+#include "gapflow/coupling/body_response.hpp"
 #include "gapflow/coupling/system.hpp"
 #include "gapflow/film/conduits.hpp"
 #include "gapflow/grid/face_fractions.hpp"
@@ -54,6 +55,8 @@ struct Coupling {
     std::vector<BodyFlux<D, Index<D>>> cell_flux;
     std::vector<BodyFlux<D, int>> node_flux;
     std::vector<NormalInertia<D>> normal_inertia; ///< one a film element
+    BodyResponse response;        ///< of the free bodies: M^-1 of `system`
+    Eigen::VectorXd held_speed;   ///< of the contacts in system.contact, less the share of solids that are not free
     std::vector<SealedPocket> sealed;             ///< components that touch no open side, but the first (largest) one
 };
 
@@ -90,19 +93,30 @@ std::vector<Twist<D>> closure(const Coupling<D>& coupling);
 template <int D>
 double closure_defect(const Coupling<D>& coupling);
 
-/// Twists of the free bodies before the solve: V* = M^-1 (M_body V_body + sum rho S N^T (w_n* - N V_prescribed)); others as given.
+/// A contact that holds: row_a . V_a + row_b . V_b = speed.
+template <int D>
+struct HeldContact {
+    int a, b; ///< solids
+    Twist<D> row_a, row_b;
+    double speed;
+};
+
+/// Replaces the contacts that hold the free bodies; `twists`: those of the other solids. From then on M^-1 is
+/// BodyResponse(mass, contact) everywhere.
+template <int D>
+void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& contacts, const std::vector<Twist<D>>& twists);
+
+/// Twists of the free bodies before the solve: V* = M^-1 (M_body V_body + sum rho S N^T (w_n* - N V_prescribed)), held
+/// contacts at their speeds; others as given. `contact_impulse` becomes that of the held contacts.
 template <int D>
 std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
-                                          const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal);
+                                          const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal,
+                                          Eigen::VectorXd& contact_impulse);
 
-/// Ties the twists of two solids by one more row of inertia, row_master . V + row_other . V moving at a speed to be given with
-/// the films' (FluidVelocity::film_normal): with a large mass, a rigid constraint.
+/// Adds M^-1 K^T p to the twists of the free bodies, and what it adds to the held contacts' impulses. Collective.
 template <int D>
-void add_inertia(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass, const NormalInertia<D>& inertia);
-
-/// Adds M^-1 K^T p to the twists of the free bodies. Collective.
-template <int D>
-void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Twist<D>>& twists);
+void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Twist<D>>& twists,
+                          Eigen::VectorXd& contact_impulse);
 
 /// Connected components of the unknowns, their null space and the sealed pockets; fills coupling.system and
 /// coupling.sealed. Collective.

@@ -59,6 +59,8 @@ struct CoupledSystem {
     std::vector<BodyFlux<D, Index<D>>> cell_flux; ///< K in this rank's cells
     std::vector<BodyFlux<D, int>> node_flux;      ///< K in film nodes, the same on all ranks
     Eigen::SparseMatrix<double> mass;             ///< dofs x dofs, symmetric positive definite; the same on all ranks
+    /// Contacts that hold the bodies: C, rows x dofs. M^-1 in this system stands for BodyResponse(mass, contact).
+    Eigen::SparseMatrix<double> contact;
 
     std::vector<Component> components;
     CellField<D, int> component;      ///< of each cell, -1: no unknown; valid on owned cells

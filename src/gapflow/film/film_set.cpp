@@ -14,53 +14,12 @@ constexpr double hysteresis = 1.3;
 constexpr double coincident = 1e-6;
 constexpr double same_way = 0.5; // least n . n of the two
 
-double bounding_radius(const auto& bounds)
-{
-    return bounds.low.allFinite() ? 0.5 * (bounds.high - bounds.low).norm() : std::numeric_limits<double>::infinity();
-}
-
 // Order in which solids become master: free, prescribed, fixed, walls; containers last among their kind; the smaller; by name.
 template <int D>
 std::tuple<int, int, double, std::string> master_rank(const Solid<D>& solid, double radius)
 {
     const bool unbounded = !std::isfinite(radius);
     return {unbounded ? 2 : solid.shape.shape().inside_out() ? 1 : 0, static_cast<int>(solid.motion), radius, solid.name};
-}
-
-// Pairs of images whose surfaces may come within `reach`: sweep along the first axis.
-template <int D>
-std::vector<std::pair<int, int>> close_images(const std::vector<Image<D>>& images, std::span<const Solid<D>> solids, double reach)
-{
-    std::vector<int> bounded, unbounded;
-    for (int i = 0; i < static_cast<int>(images.size()); ++i)
-        (images[i].bounds.low.allFinite() ? bounded : unbounded).push_back(i);
-    std::sort(bounded.begin(), bounded.end(),
-              [&](int a, int b) { return images[a].bounds.low[0] < images[b].bounds.low[0]; });
-    std::vector<std::pair<int, int>> pairs;
-    auto near = [&](int a, int b) { // the smaller one's bounding ball against the other's distance
-        if (images[a].solid == images[b].solid || (solids[images[a].solid].wall && solids[images[b].solid].wall))
-            return;
-        auto apart = [&](const Image<D>& ball, const Image<D>& other) {
-            const double radius = bounding_radius(ball.bounds);
-            return std::isfinite(radius) &&
-                   other.shape.distance(0.5 * (ball.bounds.low + ball.bounds.high)) > radius + reach;
-        };
-        if (!apart(images[a], images[b]) && !apart(images[b], images[a]))
-            pairs.emplace_back(a, b);
-    };
-    for (std::size_t i = 0; i < bounded.size(); ++i) {
-        const Bounds<D>& a = images[bounded[i]].bounds;
-        for (std::size_t j = i + 1; j < bounded.size(); ++j) {
-            const Bounds<D>& b = images[bounded[j]].bounds;
-            if (b.low[0] > a.high[0] + reach)
-                break;
-            if (((a.high.array() + reach) >= b.low.array()).all() && ((b.high.array() + reach) >= a.low.array()).all())
-                near(bounded[i], bounded[j]);
-        }
-        for (int u : unbounded)
-            near(bounded[i], u);
-    }
-    return pairs;
 }
 
 } // namespace
@@ -127,10 +86,10 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
     const Vec<D> size = grid.size();
     std::vector<double> radius(solids.size());
     for (std::size_t s = 0; s < solids.size(); ++s)
-        radius[s] = bounding_radius(world_bounds(solids[s].shape));
+        radius[s] = bounding_radius<D>(world_bounds(solids[s].shape));
 
     std::set<FilmPair<D>> pairs;
-    for (const auto& [a, b] : close_images(images, solids, 4 * hysteresis * grid.dx())) {
+    for (const auto& [a, b] : close_images<D>(images, solids, 4 * hysteresis * grid.dx())) {
         FilmPair<D> pair{images[a].solid, images[b].solid, {}}, turned{images[b].solid, images[a].solid, {}};
         for (int axis = 0; axis < D; ++axis) {
             const double shift = images[b].shift[axis] - images[a].shift[axis];

@@ -52,6 +52,7 @@ public:
     }
 
     double curvature(int patch) const override { return D == 2 && patch >= 2 ? 0 : 1 / radius_; }
+    std::vector<Core<D>> cores() const override { return {{-half_ * unit<D>(0), half_ * unit<D>(0), radius_}}; }
 
     SurfaceMesh<D> surface_mesh() const override
     {

@@ -66,6 +66,7 @@ public:
         return patch == 2 ? outward(x, std::hypot(x[1], x[2])) : Vec<3>((patch == 1 ? 1 : -1) * unit<3>(0));
     }
     double curvature(int patch) const override { return patch == 2 ? 1 / radius_ : 0; }
+    std::vector<Core<3>> cores() const override { return {{-half_ * unit<3>(0), half_ * unit<3>(0), radius_}}; }
 
     SurfaceMesh<3> surface_mesh() const override
     {

@@ -40,6 +40,7 @@ public:
     std::vector<Plane<D>> planes() const override { return inner_->planes(); }
     bool complement() const override { return !inner_->complement(); }
     bool inside_out() const override { return !inner_->inside_out(); }
+    bool convex() const override { return false; }
 
 private:
     std::unique_ptr<Shape<D>> inner_;

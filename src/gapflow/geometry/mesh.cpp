@@ -63,6 +63,7 @@ public:
         return normal(hit.facet);
     }
 
+    bool convex() const override { return false; }
     double curvature(int patch) const override { return features_.patch_curvature[patch]; }
     SurfaceMesh<D> surface_mesh() const override { return mesh(); }
     SurfaceMesh<D> display_mesh(double) const override { return mesh(); }

@@ -53,6 +53,14 @@ struct Plane {
     double offset;
 };
 
+/// Points and segments whose surroundings within a radius belong to the solid, their outer side to its surface as far as it
+/// is one: the centre of a ball, the axis of a capsule or cylinder.
+template <int D>
+struct Core {
+    Vec<D> from, to; ///< equal: a point
+    double radius;
+};
+
 template <int D>
 struct Bounds {
     Vec<D> low = Vec<D>::Constant(-std::numeric_limits<double>::infinity());
@@ -96,6 +104,10 @@ public:
     virtual bool complement() const { return false; }
     /// The solid is the outside of its surface (every shape turned inside out).
     virtual bool inside_out() const { return false; }
+    /// The solid is convex: no point of the fluid has two nearest places on it that are not next to each other.
+    virtual bool convex() const { return true; }
+    /// What makes the shape's curved parts, if they are round; empty for all other shapes and shapes turned inside out.
+    virtual std::vector<Core<D>> cores() const { return {}; }
 };
 
 // All lengths are in the scene's unit; lengths that are not positive and finite throw InputError.

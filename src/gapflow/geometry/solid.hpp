@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gapflow {
@@ -41,5 +42,13 @@ Bounds<D> world_bounds(const PlacedShape<D>& shape);
 template <int D>
 std::vector<Image<D>> images(std::span<const Solid<D>> solids, const Vec<D>& low, const Vec<D>& high, const Vec<D>& period,
                              double margin);
+
+/// Half the diagonal; infinite for unbounded solids.
+template <int D>
+double bounding_radius(const Bounds<D>& bounds);
+
+/// Pairs of images of different solids, not both walls, whose surfaces may come within `reach`. Sweep along the first axis.
+template <int D>
+std::vector<std::pair<int, int>> close_images(const std::vector<Image<D>>& images, std::span<const Solid<D>> solids, double reach);
 
 } // namespace gapflow

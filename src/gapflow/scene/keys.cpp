@@ -34,9 +34,8 @@ std::vector<KeyInfo> gap_keys()
 std::vector<KeyInfo> contact_keys()
 {
     return {
-        {"contact.restitution", T::number, "", "0.0", {0, 1}, {}, "relative speed after a collision over that before it", "",
-         "restitution"},
-        {"contact.friction", T::number, "", "0.0", non_negative, {}, "Coulomb's coefficient", "", "friction"},
+        {"contact.restitution", T::number, "", "0.0", {0, 1}, {}, "relative speed after a collision over that before it"},
+        {"contact.friction", T::number, "", "0.0", non_negative, {}, "Coulomb's coefficient"},
         {"contact.thickness", T::number, "m", "0.0", non_negative, {}, "surfaces are held this far apart"},
     };
 }

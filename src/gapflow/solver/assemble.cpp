@@ -1,6 +1,7 @@
 #include "gapflow/solver/assemble.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/coupling/body_response.hpp"
 
 #include <algorithm>
 
@@ -121,7 +122,9 @@ Eigen::MatrixXd assemble_dense(const CoupledSystem<D>& system)
             flux.row(numbering.cell(entry.row)).segment(twist_size<D> * entry.body, twist_size<D>) += entry.flux.transpose();
         for (const auto& entry : system.node_flux)
             flux.row(entry.row).segment(twist_size<D> * entry.body, twist_size<D>) += entry.flux.transpose();
-        matrix += flux * Eigen::MatrixXd(system.mass).llt().solve(flux.transpose());
+        const BodyResponse response(system.mass, system.contact);
+        for (long j = 0; j < matrix.cols(); ++j)
+            matrix.col(j) += flux * response(flux.row(j).transpose());
     }
     return matrix;
 }

@@ -11,6 +11,12 @@
 
 namespace gapflow {
 
+namespace {
+
+constexpr double held_stiffness = 1e6; // of contacts over the bodies' own with their added mass: rigid to a preconditioner
+
+} // namespace
+
 template <int D>
 double BodyCorrection<D>::lightness(const Inverse& inverse) const
 {
@@ -50,7 +56,7 @@ bool BodyCorrection<D>::set_up(const Inverse& inverse, double bytes_per_cell)
               [&](const Index<D>& a, const Index<D>& b) { return grid.key(a) < grid.key(b); });
     exact_cells_.erase(std::unique(exact_cells_.begin(), exact_cells_.end()), exact_cells_.end());
 
-    Eigen::MatrixXd capacitance = Eigen::MatrixXd::Zero(dofs, dofs);
+    added_ = Eigen::MatrixXd::Zero(dofs, dofs);
     UnknownVector<D> r = zero_vector(system), z = zero_vector(system);
     columns_.reserve(kept_ ? dofs : 0);
     for (int d = 0; d < dofs; ++d) {
@@ -58,7 +64,7 @@ bool BodyCorrection<D>::set_up(const Inverse& inverse, double bytes_per_cell)
         r.nodes.setZero();
         matrix_.add_flux(Eigen::VectorXd::Unit(dofs, d), r);
         inverse(r, z);
-        capacitance.col(d) = matrix_.transpose_flux(z);
+        added_.col(d) = matrix_.transpose_flux(z);
         if (!kept_)
             continue;
         Column& column = columns_.emplace_back();
@@ -70,13 +76,27 @@ bool BodyCorrection<D>::set_up(const Inverse& inverse, double bytes_per_cell)
         for (const Index<D>& c : exact_cells_)
             column.remainder.push_back(z.cells(c) - column.cells[block.offset(c)]);
     }
-    capacitance = 0.5 * (capacitance + capacitance.transpose().eval());
-    capacitance += Eigen::MatrixXd(system.mass);
-    capacitance_.compute(capacitance);
-    ready_ = capacitance_.info() == Eigen::Success;
+    added_ = 0.5 * (added_ + added_.transpose().eval());
+    ready_ = true;
+    update();
     if (!ready_)
         columns_.clear();
     return ready_;
+}
+
+template <int D>
+void BodyCorrection<D>::update()
+{
+    if (!ready_)
+        return;
+    const CoupledSystem<D>& system = matrix_.system();
+    Eigen::MatrixXd capacitance = added_ + Eigen::MatrixXd(system.mass);
+    if (system.contact.rows() > 0) {
+        const Eigen::VectorXd mobility = system.contact.cwiseAbs2() * capacitance.diagonal().cwiseInverse();
+        capacitance += system.contact.transpose() * (held_stiffness * mobility.cwiseInverse()).asDiagonal() * system.contact;
+    }
+    capacitance_.compute(capacitance);
+    ready_ = capacitance_.info() == Eigen::Success;
 }
 
 template <int D>

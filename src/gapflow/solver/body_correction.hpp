@@ -26,6 +26,8 @@ public:
     /// nothing changed, if round-off outweighs the mass of very light bodies. Collective.
     bool set_up(const Inverse& inverse, double bytes_per_cell);
     bool ready() const { return ready_; }
+    /// Takes the system's masses and contacts anew.
+    void update();
 
     /// z, on entry B r, becomes the corrected result. Collective.
     void correct(const Inverse& inverse, const UnknownVector<D>& r, UnknownVector<D>& z) const;
@@ -42,6 +44,7 @@ private:
     bool ready_ = false, kept_ = false;
     std::vector<Column> columns_;
     std::vector<Index<D>> exact_cells_; ///< cells of links, on this rank: their entries of the columns are doubles
+    Eigen::MatrixXd added_; ///< K^T B K
     Eigen::LLT<Eigen::MatrixXd> capacitance_;
 };
 

@@ -8,7 +8,6 @@
 
 #include "gapflow/solver/coupled_operator.hpp"
 
-#include "gapflow/core/error.hpp"
 #include "gapflow/solver/solver.hpp"
 
 #include <cmath>
@@ -35,13 +34,16 @@ CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
     for (int i = 0; i < system.nodes; ++i)
         if (std::abs(ground_[i]) < 1e-12 * system.film.coeff(i, i))
             ground_[i] = 0; // round-off
-    if (dofs_ > 0) {
-        mass_.compute(system.mass);
-        if (mass_.info() != Eigen::Success)
-            throw ComputationError("the mass matrix of the free bodies is not positive definite");
-    }
+    update_bodies();
     halo_ = halo_of<D, double>(grid, system.conductance[0].block());
     partial_.resize(static_cast<long>(system.links.size()) + dofs_ + 1);
+}
+
+template <int D>
+void CoupledOperator<D>::update_bodies()
+{
+    if (dofs_ > 0)
+        response_ = BodyResponse(system_.mass, system_.contact);
 }
 
 template <int D>
@@ -143,7 +145,7 @@ double CoupledOperator<D>::apply(UnknownVector<D>& p, UnknownVector<D>& y, bool 
     if (with_bodies && dofs_ > 0) {
         for (const auto& entry : system_.node_flux)
             partial_.template segment<twist_size<D>>(links + twist_size<D> * entry.body) += p.nodes[entry.row] * entry.flux;
-        const Eigen::VectorXd wrench = partial_.segment(links, dofs_), twist = mass_.solve(wrench);
+        const Eigen::VectorXd wrench = partial_.segment(links, dofs_), twist = response_(wrench);
         total += wrench.dot(twist);
         add_flux(twist, y);
     }
@@ -236,7 +238,7 @@ void CoupledOperator<D>::add_flux(const Eigen::VectorXd& u, UnknownVector<D>& y)
 template <int D>
 Eigen::VectorXd CoupledOperator<D>::inverse_mass(const Eigen::VectorXd& w) const
 {
-    return mass_.solve(w);
+    return response_(w);
 }
 
 template <int D>

@@ -1,9 +1,8 @@
 // The matrix-free product with L + K M^-1 K^T.
 #pragma once
 
+#include "gapflow/coupling/body_response.hpp"
 #include "gapflow/solver/vectors.hpp"
-
-#include <Eigen/SparseCholesky>
 
 #include <vector>
 
@@ -21,6 +20,8 @@ template <int D>
 class CoupledOperator {
 public:
     explicit CoupledOperator(const CoupledSystem<D>& system);
+    /// Takes the system's masses and contacts anew.
+    void update_bodies();
 
     const CoupledSystem<D>& system() const { return system_; }
     int dofs() const { return dofs_; }
@@ -35,7 +36,7 @@ public:
     Eigen::VectorXd transpose_flux(const UnknownVector<D>& p) const;
     /// y += K u.
     void add_flux(const Eigen::VectorXd& u, UnknownVector<D>& y) const;
-    /// M^-1 w.
+    /// M^-1 w, contacts held.
     Eigen::VectorXd inverse_mass(const Eigen::VectorXd& w) const;
 
     const std::vector<FilmEdge>& film_edges() const { return edges_; }
@@ -59,7 +60,7 @@ private:
     std::vector<LinkCell> link_cells_; ///< those of this rank
     std::vector<FilmEdge> edges_;
     std::vector<double> ground_;
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> mass_;
+    BodyResponse response_;
     mutable Halo<D, double> halo_;
     mutable Eigen::VectorXd partial_; ///< sums over cells: a number a link, the bodies' wrenches, p . L p of the grid
 };

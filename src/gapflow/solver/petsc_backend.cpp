@@ -160,7 +160,7 @@ template <int D>
 PetscBackend<D>::~PetscBackend() = default;
 
 template <int D>
-SolveReport PetscBackend<D>::solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, double magnitude, KrylovVectors<D>& vectors)
+SolveReport PetscBackend<D>::solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, double magnitude, double tolerance, KrylovVectors<D>& vectors)
 {
     Data& d = *data_;
     const CoupledSystem<D>& system = d.matrix.system();
@@ -168,7 +168,7 @@ SolveReport PetscBackend<D>::solve(UnknownVector<D>& x, const UnknownVector<D>& 
     SolveReport report;
     compatible(system, d.null_space, rhs, vectors.r);
     const double reference = std::max(std::sqrt(dot(grid, vectors.r, vectors.r)), magnitude);
-    const double target = d.options.tolerance * reference;
+    const double target = tolerance * reference;
     if (!std::isfinite(reference)) {
         report.residual = reference;
         report.message = "the right-hand side is not finite";

@@ -19,9 +19,9 @@ constexpr double column_bytes = 96; // a cell, for kept columns
 
 template <int D>
 Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bodies)
-    : matrix_(matrix), mode_(bodies), multigrid_(matrix.system()), band_(matrix, multigrid_.finest()), constants_(matrix, band_),
-      bodies_(matrix)
+    : matrix_(matrix), mode_(bodies), multigrid_(matrix.system()), band_(matrix, multigrid_.finest()), bodies_(matrix)
 {
+    constants_.emplace(matrix, band_);
     if (matrix.dofs() == 0 || mode_ == BodyMode::never)
         return;
     if (mode_ == BodyMode::always || (matrix.dofs() <= few_dofs && bodies_.lightness(inverse()) > light(matrix.dofs())))
@@ -71,7 +71,7 @@ void Preconditioner<D>::apply(const UnknownVector<D>& r, UnknownVector<D>& z, do
     apply_fluid(r, z, size);
     if (bodies_.ready())
         bodies_.correct(inverse(), r, z);
-    constants_.add_correction(r, z);
+    constants_->add_correction(r, z);
 }
 
 template <int D>
@@ -89,9 +89,16 @@ void Preconditioner<D>::add_bodies()
 }
 
 template <int D>
+void Preconditioner<D>::update_bodies()
+{
+    constants_.emplace(matrix_, band_);
+    bodies_.update();
+}
+
+template <int D>
 long Preconditioner<D>::bytes() const
 {
-    return multigrid_.bytes() + band_.bytes() + constants_.bytes() + bodies_.bytes();
+    return multigrid_.bytes() + band_.bytes() + constants_->bytes() + bodies_.bytes();
 }
 
 template class Preconditioner<2>;

@@ -6,6 +6,8 @@
 #include "gapflow/solver/multigrid.hpp"
 #include "gapflow/solver/solver.hpp"
 
+#include <optional>
+
 namespace gapflow {
 
 /// A symmetric positive approximate inverse B of L + K M^-1 K^T.
@@ -19,6 +21,8 @@ public:
     /// Whether the bodies' correction should be added now: `remaining` iterations are expected without.
     bool wants_bodies(double remaining) const;
     void add_bodies();
+    /// Takes the system's masses and contacts anew.
+    void update_bodies();
     long bytes() const;
 
 private:
@@ -30,7 +34,7 @@ private:
     BodyMode mode_;
     Multigrid<D> multigrid_;
     FilmBand<D> band_;
-    ConstantCorrection<D> constants_;
+    std::optional<ConstantCorrection<D>> constants_;
     BodyCorrection<D> bodies_;
 };
 

@@ -42,13 +42,29 @@ CoupledSolver<D>::~CoupledSolver() = default;
 template <int D>
 SolveReport CoupledSolver<D>::solve(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude) const
 {
+    return solve(p, rhs, magnitude, data_->options.tolerance);
+}
+
+template <int D>
+SolveReport CoupledSolver<D>::solve(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude, double tolerance) const
+{
     const double start = MPI_Wtime();
     Data& d = *data_;
-    SolveReport report = d.petsc ? d.petsc->solve(p, rhs, magnitude, d.vectors)
-                                 : conjugate_gradients(d.matrix, *d.preconditioner, d.null_space, d.vectors, p, rhs, d.options,
+    SolverOptions options = d.options;
+    options.tolerance = tolerance;
+    SolveReport report = d.petsc ? d.petsc->solve(p, rhs, magnitude, tolerance, d.vectors)
+                                 : conjugate_gradients(d.matrix, *d.preconditioner, d.null_space, d.vectors, p, rhs, options,
                                                        magnitude);
     report.seconds = MPI_Wtime() - start;
     return report;
+}
+
+template <int D>
+void CoupledSolver<D>::update_bodies()
+{
+    data_->matrix.update_bodies();
+    if (data_->preconditioner)
+        data_->preconditioner->update_bodies();
 }
 
 template <int D>

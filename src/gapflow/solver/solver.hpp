@@ -39,6 +39,11 @@ public:
     /// On return (L + K M^-1 K^T) p = rhs to tolerance * max(|rhs|, magnitude), p orthogonal to the null space. `p` holds the
     /// first guess. `rhs` is made compatible by projection. `magnitude`: residuals below tolerance * magnitude are round-off.
     SolveReport solve(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude = 0.0) const;
+    /// The same to another tolerance than the options'.
+    SolveReport solve(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude, double tolerance) const;
+
+    /// Takes the system's masses and contacts anew, after they changed; all else must be as it was.
+    void update_bodies();
 
     double setup_seconds() const;
     /// Bytes held by the solver per cell of the rank's block.

@@ -82,6 +82,23 @@ std::vector<GapState> Simulation<D>::gaps() const
             gap.film_area += e.measure;
         }
     }
+    for (const Contact<D>& contact : contacts_.contacts()) {
+        if (!contact.closed)
+            continue;
+        auto [it, is_new] = states.try_emplace({contact.point.a, contact.point.b});
+        GapState& gap = it->second;
+        if (is_new) {
+            gap.body_a = c.solids[contact.point.a].name;
+            gap.body_b = c.solids[contact.point.b].name;
+            gap.thickness = std::numeric_limits<double>::infinity();
+        }
+        if (contact.point.distance < gap.thickness) {
+            gap.thickness = contact.point.distance;
+            gap.opening_rate = contact.normal.a.dot(V[contact.point.a]) + contact.normal.b.dot(V[contact.point.b]);
+        }
+        gap.contact_impulse += contact.impulse;
+        gap.contact_force += contact.impulse / dt_;
+    }
     std::vector<GapState> result;
     for (const auto& [pair, gap] : states)
         result.push_back(gap);

@@ -13,8 +13,9 @@ namespace gapflow {
 
 namespace {
 
-// A stopped approach is held by a penalty of this times the bodies' mass.
-constexpr double stop_stiffness = 1e6;
+// While contacts change, their solves go to this relative residual only; and so many times at most.
+constexpr double rough_tolerance = 1e-4;
+constexpr int most_rounds = 60;
 // Masses in the initial projection, which holds the bodies to their velocities.
 constexpr double held_mass_factor = 1e12;
 
@@ -32,6 +33,7 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm)
     const std::vector<Solid<D>> solids = make_solids<D>(bodies_, walls_);
     gaps_ = gap_settings<D>(scene_, solids, true);
     mouth_laws_ = mouth_laws<D>(scene_, solids);
+    contacts_ = ContactSet<D>(scene_, grid_, solids);
     acceleration_.assign(solids.size(), Twist<D>::Zero());
     wrenches_.assign(bodies_.size(), Twist<D>::Zero());
     velocity_.grid = FaceField<D>(grid_);
@@ -69,6 +71,7 @@ StepReport Simulation<D>::step(double next_output)
     StepReport report;
     const double dt = choose_step(next_output);
     move_bodies(dt);
+    find_contacts(dt);
     rebuild();
     std::vector<double> conduit_scale;
     FluidVelocity<D> u_star = advect_all(dt, conduit_scale);
@@ -94,6 +97,16 @@ void Simulation<D>::move_bodies(double dt)
             body.twist = predicted_twist(body, time_, dt);
         move(body, time_, dt);
     }
+}
+
+// Contacts of the new configuration. Overlaps that the motion left are taken out first.
+template <int D>
+void Simulation<D>::find_contacts(double dt)
+{
+    const auto timer = stages_.measure("contact");
+    contacts_.find(make_solids<D>(bodies_, walls_), twists(), dt);
+    if (contacts_.push_apart(bodies_))
+        contacts_.find(make_solids<D>(bodies_, walls_), twists(), dt);
 }
 
 // Stage 4: fractions, films, the coupled system.
@@ -161,8 +174,8 @@ std::vector<Twist<D>> Simulation<D>::forced_twists(double dt) const
     return V;
 }
 
-// Stage 6: (L + K M^-1 K^T) p = -(D u* + K V*), then velocities and twists of the end of the step. In the initial projection
-// (dt = 0) bodies are held to their velocities.
+// Stage 6: (L + K M^-1 K^T) p = -(D u* + K V*), contacts among the bodies included, then velocities and twists of the end of
+// the step. In the initial projection (dt = 0) bodies are held to their velocities.
 template <int D>
 void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report)
 {
@@ -170,12 +183,24 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     SolverOptions options;
     options.tolerance = scene_.tolerance;
     options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
-    const std::vector<Stop> stops = dt > 0 ? possible_stops(dt) : std::vector<Stop>{};
-    std::vector<char> held(stops.size(), 0);
+    const bool contacts = dt > 0 && !contacts_.empty();
+    if (contacts)
+        contacts_.prepare(twists(), forced, dt);
     impulse_ = {CellField<D>(grid_), Eigen::VectorXd::Zero(coupling_->system.nodes)};
+    std::optional<CoupledSolver<D>> solver;
     std::vector<Twist<D>> V;
+    bool settled = !contacts; // whether the contacts of this round are known to be right
     for (int round = 0;; ++round) {
-        V = intermediate_twists(*coupling_, masses(), forced, u_star.film_normal);
+        std::vector<Twist<D>> pushed = forced;
+        if (contacts) {
+            hold_contacts(*coupling_, contacts_.held(), forced);
+            const std::vector<Twist<D>> sliding = contacts_.sliding_impulses(coupling_->solids.size());
+            for (std::size_t b = 0; b < bodies_.size(); ++b)
+                if (bodies_[b].motion == Motion::free)
+                    pushed[b] += twist_after(bodies_[b], sliding[b]) - twist_after(bodies_[b], Twist<D>(Twist<D>::Zero()));
+        }
+        Eigen::VectorXd contact_impulse;
+        V = intermediate_twists(*coupling_, masses(), pushed, u_star.film_normal, contact_impulse);
         UnknownVector<D> rhs;
         double squares = 0;
         outflow(*coupling_, u_star, V, rhs, &squares);
@@ -183,40 +208,35 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             rhs.cells.data()[i] *= -1;
         rhs.nodes *= -1;
         check_compatibility(rhs, std::sqrt(squares));
-        const CoupledSolver<D> solver(coupling_->system, options);
-        const SolveReport solve = solver.solve(impulse_, rhs, 1e-13 * std::sqrt(squares));
+        if (!solver)
+            solver.emplace(coupling_->system, options);
+        else
+            solver->update_bodies();
+        const double tolerance = settled ? options.tolerance : std::max(options.tolerance, rough_tolerance);
+        const SolveReport solve = solver->solve(impulse_, rhs, 1e-13 * std::sqrt(squares), tolerance);
         report.iterations += solve.iterations;
         report.residual = solve.residual;
         if (!solve.converged)
             throw ComputationError("the pressure solve of step " + std::to_string(steps_ + 1) + " did not converge: " +
                                    solve.message + " (" + std::to_string(solve.iterations) + " iterations, relative residual " +
                                    std::to_string(solve.residual) + ")");
-        add_pressure_impulse(*coupling_, impulse_, V);
-        // Gaps at the contact thickness: those that would go on closing are held, and the solve is repeated.
-        bool changed = false;
-        for (std::size_t i = 0; i < stops.size(); ++i) {
-            const Stop& stop = stops[i];
-            const double rate = stop.row_a.dot(V[stop.a]) + stop.row_b.dot(V[stop.b]);
-            if (!held[i] && rate < stop.least - 1e-9 * std::abs(stop.least)) {
-                held[i] = 1;
-                changed = true;
-                double mass = 0;
-                for (int body : {stop.a, stop.b})
-                    mass += coupling_->free_body[body] >= 0 ? bodies_[body].mass : 0.0;
-                add_inertia<D>(*coupling_, masses(), {stop.a, stop.b, stop.row_a, stop.row_b, stop_stiffness * mass});
-                u_star.film_normal.push_back(stop.least);
-                report.notes.push_back("the gap between " + coupling_->solids[stop.a].name + " and " +
-                                       coupling_->solids[stop.b].name + " is held at the contact thickness");
-            }
-        }
-        if (!changed || round == 5)
+        add_pressure_impulse(*coupling_, impulse_, V, contact_impulse);
+        if (!contacts)
             break;
+        const bool changed = contacts_.update(V, contact_impulse, 10 * tolerance, round);
+        if (round == most_rounds) {
+            report.notes.push_back("contacts did not settle within " + std::to_string(most_rounds) + " rounds of a step");
+            break;
+        }
+        if (settled && !changed)
+            break;
+        settled = !changed;
     }
     velocity_ = std::move(u_star);
     subtract_gradient(*coupling_, impulse_, velocity_);
-    const bool impact = std::any_of(held.begin(), held.end(), [](char h) { return h; });
     for (std::size_t b = 0; b < bodies_.size() && dt > 0; ++b) {
-        acceleration_[b] = (V[b] - bodies_[b].twist) / dt;
+        const bool impact = contacts_.impact_on(static_cast<int>(b));
+        acceleration_[b] = impact ? Twist<D>(Twist<D>::Zero()) : Twist<D>((V[b] - bodies_[b].twist) / dt);
         if (bodies_[b].motion == Motion::free)
             finish_step(bodies_[b], V[b], dt, !impact);
     }

@@ -8,6 +8,7 @@
 #include "gapflow/scene/scene.hpp"
 #include "gapflow/solver/solver.hpp"
 #include "gapflow/stepping/advection.hpp"
+#include "gapflow/stepping/contact_set.hpp"
 #include "gapflow/stepping/setup.hpp"
 
 #include <map>
@@ -27,7 +28,7 @@ struct StepReport {
     double residual = 0, divergence_max = 0; ///< divergence: net outflow of a cell over its volume, 1/time
     double energy_fluid = 0, energy_bodies = 0;
     double seconds = 0;
-    std::vector<std::string> notes; ///< for the user, once each: a gap held at the contact thickness, blind film ends
+    std::vector<std::string> notes; ///< for the user, once each: contacts that do not settle, blind film ends
 };
 
 /// State of one pair of solids with a film.
@@ -84,6 +85,7 @@ public:
 private:
     double choose_step(double next_output) const;
     void move_bodies(double dt);
+    void find_contacts(double dt);
     void rebuild();
     FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale);
     std::vector<Twist<D>> forced_twists(double dt) const;
@@ -100,15 +102,6 @@ private:
     void check_compatibility(const UnknownVector<D>& rhs, double magnitude) const;
     BoundaryVelocity<D> side_velocities(double time) const;
     Vec<D> sample(const Vec<D>& x) const;
-
-    /// A place where a gap has reached the contact thickness: row_a . twist_a + row_b . twist_b is its opening rate, which
-    /// may not fall below `least`.
-    struct Stop {
-        int a, b; ///< solids
-        Twist<D> row_a, row_b;
-        double least;
-    };
-    std::vector<Stop> possible_stops(double dt) const;
 
     Scene scene_;
     Grid<D> grid_;
@@ -127,6 +120,7 @@ private:
     FaceField<D, std::int8_t> film_faces_;  ///< faces that take the painted velocity
     bool any_film_faces_ = false;
     UnknownVector<D> impulse_;              ///< p
+    ContactSet<D> contacts_;                ///< of the last step
     FilmMemories<D> memories_;
     std::set<FilmPair<D>> alive_;
     std::vector<Twist<D>> acceleration_;    ///< of all solids, over the last step

@@ -78,44 +78,8 @@ double Simulation<D>::choose_step(double next_output) const
     return left < 2 * dt ? 0.5 * left : dt;
 }
 
-// Places whose gap could reach the contact thickness in a step: the nearest, and the others well apart from it.
-template <int D>
-std::vector<typename Simulation<D>::Stop> Simulation<D>::possible_stops(double dt) const
-{
-    std::vector<Stop> stops;
-    const std::vector<Solid<D>>& solids = coupling_->solids;
-    for (const Film<D>& film : coupling_->network.films) {
-        const FilmMesh<D>& mesh = film.mesh;
-        if (solids[mesh.master].motion != Motion::free && solids[mesh.other].motion != Motion::free)
-            continue;
-        const double thickness = scene_.contact_of(solids[mesh.master].name, solids[mesh.other].name).thickness;
-        // Points that could reach the contact thickness in a step: the nearest, and well apart from it the others.
-        std::vector<std::pair<double, int>> close;
-        const PlacedShape<D> other = solids[mesh.other].shape.shifted(mesh.shift);
-        const double reach = thickness + smallest_limiting_gap * grid_.dx();
-        for (int i = 0; i < static_cast<int>(mesh.h.size()); ++i)
-            if (mesh.h[i] < reach)
-                close.emplace_back(other.distance(mesh.x[i]) - thickness, i);
-        std::sort(close.begin(), close.end());
-        std::vector<int> chosen;
-        for (const auto& [g, i] : close) {
-            const bool apart = std::all_of(chosen.begin(), chosen.end(),
-                                           [&](int j) { return (mesh.x[i] - mesh.x[j]).norm() > grid_.dx(); });
-            if (!apart || chosen.size() >= 12)
-                continue;
-            chosen.push_back(i);
-            const Vec<D> normal = other.closest(mesh.x[i]).normal;
-            const Vec<D> centre_b = solids[mesh.other].centre + mesh.shift;
-            stops.push_back({mesh.master, mesh.other, wrench<D>(normal, mesh.x[i] - solids[mesh.master].centre),
-                             -wrench<D>(normal, mesh.y[i] - centre_b), -0.5 * std::max(g, 0.0) / dt});
-        }
-    }
-    return stops;
-}
-
 #define GAPFLOW_INSTANTIATE(D) \
-    template double Simulation<D>::choose_step(double) const; \
-    template std::vector<Simulation<D>::Stop> Simulation<D>::possible_stops(double) const;
+    template double Simulation<D>::choose_step(double) const;
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -1,0 +1,61 @@
+// Method of multipliers: with F = M + C^T k C,
+//
+//     V = F^-1 (w + C^T (k s + lambda)),     lambda += k (s - C V)
+//
+// a few times: each brings C V - s down by k C M^-1 C^T. Redundant rows do no harm: they share their impulse evenly.
+#include "gapflow/coupling/body_response.hpp"
+
+#include "gapflow/core/error.hpp"
+
+namespace gapflow {
+
+namespace {
+
+// Stiffness of a contact over the bodies' own, 1 / (c M^-1 c^T), and the number of passes: the first costs so many digits in
+// the factor, together they leave 1e-15 of the speeds.
+constexpr double relative_stiffness = 1e4;
+constexpr int passes = 4;
+
+} // namespace
+
+BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact)
+    : contact_(contact), stiffness_(contact.rows())
+{
+    if (mass.rows() == 0)
+        return;
+    if (contact.rows() == 0) {
+        factor_ = std::make_shared<Factor>(mass);
+    } else {
+        const Eigen::VectorXd inverse_mass = mass.diagonal().cwiseInverse();
+        const Eigen::VectorXd mobility = contact.cwiseAbs2() * inverse_mass;
+        stiffness_ = relative_stiffness * mobility.cwiseInverse();
+        factor_ = std::make_shared<Factor>(mass +
+                                           Eigen::SparseMatrix<double>(contact.transpose() * stiffness_.asDiagonal() * contact));
+    }
+    if (factor_->info() != Eigen::Success)
+        throw ComputationError("the mass matrix of the free bodies is not positive definite");
+}
+
+Eigen::VectorXd BodyResponse::operator()(const Eigen::VectorXd& w, Eigen::VectorXd* lambda) const
+{
+    return (*this)(w, Eigen::VectorXd::Zero(contact_.rows()), lambda);
+}
+
+Eigen::VectorXd BodyResponse::operator()(const Eigen::VectorXd& w, const Eigen::VectorXd& speed, Eigen::VectorXd* lambda) const
+{
+    if (contact_.rows() == 0) {
+        if (lambda)
+            lambda->resize(0);
+        return factor_->solve(w);
+    }
+    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(contact_.rows()), V;
+    for (int pass = 0; pass < passes; ++pass) {
+        V = factor_->solve(w + contact_.transpose() * (stiffness_.cwiseProduct(speed) + impulse));
+        impulse += stiffness_.cwiseProduct(speed - contact_ * V);
+    }
+    if (lambda)
+        *lambda = impulse;
+    return V;
+}
+
+} // namespace gapflow

@@ -1,0 +1,31 @@
+// What the bodies' twists do under impulses: V = M^-1 (w + C^T lambda), with C V = s where contacts hold the bodies (method,
+// section 7), else V = M^-1 w.
+#pragma once
+
+#include <Eigen/Sparse>
+#include <Eigen/SparseCholesky>
+
+#include <memory>
+
+namespace gapflow {
+
+class BodyResponse {
+public:
+    BodyResponse() = default;
+    /// `mass`: symmetric positive definite; `contact`: C, a row a held contact, possibly none, possibly redundant.
+    /// Throws ComputationError where the mass is not positive definite.
+    BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact);
+
+    /// Twists under impulse w with the contacts at rest. Symmetric in w. `lambda`, if given, receives the contacts' impulses.
+    Eigen::VectorXd operator()(const Eigen::VectorXd& w, Eigen::VectorXd* lambda = nullptr) const;
+    /// The same with the contacts at the given speeds.
+    Eigen::VectorXd operator()(const Eigen::VectorXd& w, const Eigen::VectorXd& speed, Eigen::VectorXd* lambda) const;
+
+private:
+    using Factor = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
+    std::shared_ptr<const Factor> factor_; ///< of M + C^T diag(stiffness) C
+    Eigen::SparseMatrix<double> contact_;
+    Eigen::VectorXd stiffness_;
+};
+
+} // namespace gapflow

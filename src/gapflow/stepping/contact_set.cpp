@@ -1,0 +1,302 @@
+// Primal-dual active set: a contact that pulls opens, one that overlaps closes, all at once while that settles, else one at a
+// time (the last in order: Murty's rule). Friction by fixed point on its bound.
+#include "gapflow/stepping/contact_set.hpp"
+
+#include "gapflow/body/move.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// In dx. Contacts this close are looked at even without approach; nearer together than `merge` they are one; overlaps below
+// `round_off` are left; no body is pushed further in one step.
+constexpr double cushion = 0.02;
+constexpr double merge = 0.01;
+constexpr double round_off = 1e-6;
+constexpr double longest_push = 0.1;
+// A contact keeps its state if it was within this of its place, in dx.
+constexpr double same_place = 0.5;
+// Approach below this times what the step's forces add is resting, not impact.
+constexpr double resting = 2.0;
+// Rounds after which contacts change one at a time.
+constexpr int rounds_at_once = 8;
+constexpr double friction_accuracy = 1e-5; // of the friction's bound
+
+template <int D>
+std::array<Vec<D>, D - 1> tangents_of(const Vec<D>& n)
+{
+    if constexpr (D == 2) {
+        return {Vec<2>(-n[1], n[0])};
+    } else {
+        int least = 0;
+        n.cwiseAbs().minCoeff(&least);
+        const Vec<3> t = n.cross(unit<3>(least)).normalized();
+        return {t, Vec<3>(n.cross(t))};
+    }
+}
+
+template <int D>
+double rate(const RelativeRow<D>& row, const Contact<D>& contact, const std::vector<Twist<D>>& twists)
+{
+    return row.a.dot(twists[contact.point.a]) + row.b.dot(twists[contact.point.b]);
+}
+
+} // namespace
+
+template <int D>
+ContactSet<D>::ContactSet(const Scene& scene, const Grid<D>& grid, const std::vector<Solid<D>>& solids)
+    : scene_(&scene), dx_(grid.dx()), low_(grid.origin()), high_(grid.origin() + grid.size()), period_(Vec<D>::Zero())
+{
+    for (int axis = 0; axis < D; ++axis)
+        if (grid.periodic(axis))
+            period_[axis] = grid.size()[axis];
+    for (const Solid<D>& solid : solids) {
+        names_.push_back(solid.name);
+        features_.push_back(contact_features(solid.shape.shape()));
+    }
+}
+
+template <int D>
+typename ContactSet<D>::PairLaw ContactSet<D>::law(int a, int b) const
+{
+    const ContactScene& contact = scene_->contact_of(names_[a], names_[b]);
+    return {std::max(contact.thickness, scene_->gap_of(names_[a], names_[b]).roughness), contact.restitution, contact.friction};
+}
+
+template <int D>
+void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists, double dt)
+{
+    // No surface moves faster than this.
+    std::vector<double> speed(solids.size());
+    double fastest = 0, thickest = 0;
+    for (std::size_t s = 0; s < solids.size(); ++s) {
+        const double radius = bounding_radius<D>(world_bounds(solids[s].shape));
+        const double spin = twists[s].template tail<spin_size<D>>().norm();
+        speed[s] = twists[s].template head<D>().norm() + (spin > 0 ? spin * std::min(2 * radius, (high_ - low_).norm()) : 0.0);
+        fastest = std::max(fastest, speed[s]);
+    }
+    thickest = std::max(scene_->contact.thickness, scene_->gap.roughness);
+    for (const PairScene& pair : scene_->pairs)
+        thickest = std::max({thickest, pair.contact.thickness, pair.gap.roughness});
+    auto reach = [&](int a, int b) { return law(a, b).hold + cushion * dx_ + 2 * dt * (speed[a] + speed[b]); };
+    const double largest = thickest + cushion * dx_ + 4 * dt * fastest;
+
+    const std::vector<Contact<D>> old = std::move(contacts_);
+    contacts_.clear();
+    for (ContactPoint<D>& point : find_contacts<D>(solids, features_, low_, high_, period_, reach, largest, merge * dx_)) {
+        Contact<D> contact;
+        const PairLaw pair = law(point.a, point.b);
+        contact.hold = pair.hold;
+        contact.restitution = pair.restitution;
+        contact.friction = pair.friction;
+        contact.normal = relative_row<D>(point, solids, point.normal);
+        const auto directions = tangents_of<D>(point.normal);
+        for (int k = 0; k < D - 1; ++k)
+            contact.tangents[k] = relative_row<D>(point, solids, directions[k]);
+        contact.mark = solids[point.a].shape.to_body(point.x);
+        const Contact<D>* known = nullptr;
+        double nearest = same_place * dx_;
+        for (const Contact<D>& other : old)
+            if (other.point.a == point.a && other.point.b == point.b && other.point.normal.dot(point.normal) > 0.9)
+                if (const double d = (other.mark - contact.mark).norm(); d < nearest) {
+                    nearest = d;
+                    known = &other;
+                }
+        if (known) {
+            contact.closed = contact.was_closed = known->closed;
+            contact.slides = known->slides;
+            contact.pull = known->slides ? known->tangential : Vec<D - 1>::Zero();
+        }
+        contact.point = std::move(point);
+        contacts_.push_back(std::move(contact));
+    }
+}
+
+// Smallest displacements in the metric of mass that leave no overlap, by projected Gauss-Seidel.
+template <int D>
+bool ContactSet<D>::push_apart(std::vector<RigidBody<D>>& bodies) const
+{
+    double deepest = 0;
+    for (const Contact<D>& c : contacts_)
+        deepest = std::max(deepest, c.hold - c.point.distance);
+    if (deepest <= round_off * dx_)
+        return false;
+    std::vector<Twist<D>> moved(bodies.size(), Twist<D>::Zero());
+    auto free = [&](int s) { return s < static_cast<int>(bodies.size()) && bodies[s].motion == Motion::free; };
+    auto response = [&](int s, const Twist<D>& row) -> Twist<D> {
+        if (!free(s))
+            return Twist<D>::Zero();
+        return twist_after(bodies[s], row) - twist_after(bodies[s], Twist<D>(Twist<D>::Zero()));
+    };
+    struct Row {
+        Twist<D> response_a, response_b;
+        double mobility, push = 0;
+    };
+    std::vector<Row> rows;
+    for (const Contact<D>& c : contacts_) {
+        Row row{response(c.point.a, c.normal.a), response(c.point.b, c.normal.b), 0};
+        row.mobility = row.response_a.dot(c.normal.a) + row.response_b.dot(c.normal.b);
+        rows.push_back(row);
+    }
+    for (int sweep = 0; sweep < 100; ++sweep) {
+        double largest = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Contact<D>& c = contacts_[i];
+            Row& row = rows[i];
+            if (row.mobility <= 0)
+                continue;
+            double distance = c.point.distance;
+            if (free(c.point.a))
+                distance += c.normal.a.dot(moved[c.point.a]);
+            if (free(c.point.b))
+                distance += c.normal.b.dot(moved[c.point.b]);
+            const double lack = std::min(c.hold - distance, longest_push * dx_);
+            const double push = std::max(row.push + lack / row.mobility, 0.0);
+            const double change = push - row.push;
+            row.push = push;
+            if (free(c.point.a))
+                moved[c.point.a] += change * row.response_a;
+            if (free(c.point.b))
+                moved[c.point.b] += change * row.response_b;
+            largest = std::max(largest, std::abs(change) * row.mobility);
+        }
+        if (largest < 0.1 * round_off * dx_)
+            break;
+    }
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (moved[b].isZero(0))
+            continue;
+        const Vec<D> centre = bodies[b].centre() + moved[b].template head<D>();
+        const Spin<D> turn = moved[b].template tail<spin_size<D>>();
+        if constexpr (D == 2)
+            place<D>(bodies[b], centre, Rotation<2>(bodies[b].pose.rotation.angle() + turn[0]));
+        else
+            place<D>(bodies[b], centre, (rotation_of<3>(turn) * bodies[b].pose.rotation).normalized());
+    }
+    return true;
+}
+
+template <int D>
+void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt)
+{
+    changes_ = 0;
+    for (Contact<D>& c : contacts_) {
+        c.approach = rate(c.normal, c, before);
+        const double gained = std::abs(rate(c.normal, c, forced) - c.approach);
+        c.least = -std::max(c.point.distance - c.hold, 0.0) / dt;
+        const bool impact = c.restitution > 0 && c.approach < -resting * gained && c.approach < 0;
+        c.target = impact ? -c.restitution * c.approach : c.least;
+        // What rests near its place may drift within it: only what closes in this step is held.
+        if (c.closed && c.point.distance - c.hold > cushion * dx_)
+            c.closed = false;
+    }
+}
+
+template <int D>
+std::vector<HeldContact<D>> ContactSet<D>::held() const
+{
+    std::vector<HeldContact<D>> rows;
+    for (const Contact<D>& c : contacts_) {
+        if (!c.closed)
+            continue;
+        rows.push_back({c.point.a, c.point.b, c.normal.a, c.normal.b, c.target});
+        if (c.friction > 0 && !c.slides)
+            for (const RelativeRow<D>& t : c.tangents)
+                rows.push_back({c.point.a, c.point.b, t.a, t.b, 0.0});
+    }
+    return rows;
+}
+
+template <int D>
+std::vector<Twist<D>> ContactSet<D>::sliding_impulses(std::size_t solids) const
+{
+    std::vector<Twist<D>> impulses(solids, Twist<D>::Zero());
+    for (const Contact<D>& c : contacts_)
+        if (c.closed && c.slides)
+            for (int k = 0; k < D - 1; ++k) {
+                impulses[c.point.a] += c.pull[k] * c.tangents[k].a;
+                impulses[c.point.b] += c.pull[k] * c.tangents[k].b;
+            }
+    return impulses;
+}
+
+template <int D>
+bool ContactSet<D>::update_friction(Contact<D>& c, const std::vector<Twist<D>>& twists, double tolerance) const
+{
+    const double bound = c.friction * std::max(c.impulse, 0.0);
+    if (!c.slides) {
+        if (c.tangential.norm() <= bound * (1 + friction_accuracy) + tolerance)
+            return false;
+        c.slides = true;
+        c.pull = bound * c.tangential.normalized();
+        return true;
+    }
+    Vec<D - 1> slip;
+    for (int k = 0; k < D - 1; ++k)
+        slip[k] = rate(c.tangents[k], c, twists);
+    c.tangential = c.pull;
+    if (slip.dot(c.pull) > 0) { // friction would drive: it sticks
+        c.slides = false;
+        return true;
+    }
+    const Vec<D - 1> pull = slip.norm() > 0 ? Vec<D - 1>(-bound * slip.normalized()) : c.pull;
+    const bool changed = (pull - c.pull).norm() > friction_accuracy * bound + tolerance;
+    c.pull = pull;
+    return changed;
+}
+
+template <int D>
+bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, double accuracy, int round)
+{
+    int row = 0;
+    double largest_impulse = 0, largest_speed = 0;
+    for (Contact<D>& c : contacts_) {
+        c.impulse = 0;
+        c.tangential.setZero();
+        largest_speed = std::max({largest_speed, std::abs(c.approach), std::abs(c.target), std::abs(rate(c.normal, c, twists))});
+        if (!c.closed)
+            continue;
+        c.impulse = impulses[row++];
+        if (c.friction > 0 && !c.slides)
+            for (int k = 0; k < D - 1; ++k)
+                c.tangential[k] = impulses[row++];
+        largest_impulse = std::max(largest_impulse, std::abs(c.impulse));
+    }
+    bool changed = false;
+    Contact<D>* last = nullptr;
+    for (Contact<D>& c : contacts_) {
+        const bool wrong = c.closed ? c.impulse < -accuracy * largest_impulse
+                                    : rate(c.normal, c, twists) < c.least - accuracy * largest_speed;
+        if (wrong) {
+            last = &c;
+            if (round < rounds_at_once) {
+                c.closed = !c.closed;
+                c.slides = false;
+            }
+            changed = true;
+        } else if (c.closed && c.friction > 0) {
+            changed = update_friction(c, twists, accuracy * largest_impulse) || changed;
+        }
+    }
+    if (last && round >= rounds_at_once) {
+        last->closed = !last->closed;
+        last->slides = false;
+    }
+    return changed;
+}
+
+template <int D>
+bool ContactSet<D>::impact_on(int solid) const
+{
+    return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
+        return (c.point.a == solid || c.point.b == solid) && (c.closed != c.was_closed || (c.closed && c.target > 0));
+    });
+}
+
+template class ContactSet<2>;
+template class ContactSet<3>;
+
+} // namespace gapflow

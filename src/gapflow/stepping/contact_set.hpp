@@ -1,0 +1,79 @@
+// Contacts of a step (method, section 7): which hold, which stick or slide, and what they did. The active set of
+//
+//     0 <= Lambda_c  |  C_c V - least_c >= 0,      least_c = -(distance - hold) / dt, or the rebound -e C_c V^n
+//     |Lambda_t| <= mu Lambda_c,  Lambda_t against the slip
+//
+// around the coupled solve: contacts that hold are rows of its mass (HeldContact), sliding ones pull with a given impulse.
+#pragma once
+
+#include "gapflow/body/contact_points.hpp"
+#include "gapflow/body/rigid_body.hpp"
+#include "gapflow/coupling/coupling.hpp"
+#include "gapflow/scene/scene.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+template <int D>
+struct Contact {
+    ContactPoint<D> point;
+    double hold = 0;                    ///< distance that the surfaces keep: thickness or roughness
+    double restitution = 0, friction = 0;
+    RelativeRow<D> normal;
+    std::array<RelativeRow<D>, D - 1> tangents;
+    double approach = 0;                ///< opening rate before the step
+    double least = 0;                   ///< opening rate that the end of the step may not fall below
+    double target = 0;                  ///< opening rate while it holds: `least`, or a rebound
+    bool closed = false, was_closed = false;
+    bool slides = false;
+    Vec<D - 1> pull = Vec<D - 1>::Zero(); ///< friction impulse on a along the tangents while it slides
+    double impulse = 0;                 ///< normal, on a, over the step
+    Vec<D - 1> tangential = Vec<D - 1>::Zero(); ///< friction impulse on a
+    Vec<D> mark = Vec<D>::Zero();       ///< place on a in a's frame, to know the contact again
+};
+
+template <int D>
+class ContactSet {
+public:
+    ContactSet() = default;
+    /// Features of all solids; pairs take their settings from the scene.
+    ContactSet(const Scene& scene, const Grid<D>& grid, const std::vector<Solid<D>>& solids);
+
+    /// Finds the contacts of a configuration that may close in dt; those known from the step before keep their state.
+    void find(const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists, double dt);
+    /// Takes overlaps out by moving free bodies, without a change of momentum. True if anything moved.
+    bool push_apart(std::vector<RigidBody<D>>& bodies) const;
+    /// What each contact asks of the step: `before`: twists at its start; `forced`: with the explicit forces of the step.
+    void prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt);
+    /// Rows of the contacts that hold: normal, then tangents of those that stick.
+    std::vector<HeldContact<D>> held() const;
+    /// Impulses of sliding friction on every solid, about its centre.
+    std::vector<Twist<D>> sliding_impulses(std::size_t solids) const;
+    /// Takes the twists and the impulses of held() that a solve gave. True if contacts must change and the solve be repeated.
+    bool update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, double accuracy, int round);
+
+    const std::vector<Contact<D>>& contacts() const { return contacts_; }
+    bool empty() const { return contacts_.empty(); }
+    /// Whether a contact of this solid closed, opened or rebounded in the step.
+    bool impact_on(int solid) const;
+
+private:
+    struct PairLaw {
+        double hold, restitution, friction;
+    };
+    PairLaw law(int a, int b) const;
+    bool update_friction(Contact<D>& contact, const std::vector<Twist<D>>& twists, double tolerance) const;
+
+    const Scene* scene_ = nullptr;
+    double dx_ = 0;
+    Vec<D> low_, high_, period_;
+    std::vector<std::string> names_;
+    std::vector<ContactFeatures<D>> features_;
+    std::vector<Contact<D>> contacts_;
+    int changes_ = 0;
+};
+
+} // namespace gapflow
