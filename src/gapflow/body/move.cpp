@@ -1,6 +1,8 @@
 // x^{n+1} = x^n + dt (V^n + dt/2 A),       A = (V^n - V^{n-1}) / dt^{n-1}, extrapolated over the step
 // q^{n+1} = exp(dt omega_m) q^n,           omega_m = I(q_m)^-1 (L^n + dt/2 L'),  q_m = exp(dt/2 omega_m) q^n
 //
+// A hinged body turns about its axis by theta^{n+1} - theta^n = dt (rate^n + dt/2 rate'), its centre of mass follows.
+//
 // Implicit Lie midpoint: symmetric, second order, exact for |L| of a free body (L is not touched), energy without drift
 // (Simo & Wong, Int. J. Numer. Meth. Eng. 31, 1991; Hairer, Lubich & Wanner, Geometric Numerical Integration, VII.5).
 #include "gapflow/body/move.hpp"
@@ -60,14 +62,16 @@ void move(RigidBody<D>& body, double time, double dt)
         body.pose = (*body.prescribed)(time + dt);
         return;
     }
-    const Vec<D> centre = body.centre() + dt * (body.twist.template head<D>() + 0.5 * dt * body.acceleration);
+    const Vec<D> shift = dt * (body.twist.template head<D>() + 0.5 * dt * body.acceleration);
     const Spin<D> L = body.angular_momentum + 0.5 * dt * body.angular_momentum_rate;
-    Rotation<D> rotation;
-    if constexpr (D == 2)
-        rotation = Rotation<2>(body.pose.rotation.angle() + dt * angular_velocity<2>(body, body.pose.rotation, L)[0]);
+    Spin<D> omega;
+    if (body.hinge)
+        omega = hinge_rate(body, L) * body.hinge->axis;
+    else if constexpr (D == 2)
+        omega = angular_velocity<2>(body, body.pose.rotation, L);
     else
-        rotation = (rotation_of<3>(dt * midpoint_angular_velocity(body, L, dt)) * body.pose.rotation).normalized();
-    place(body, centre, rotation);
+        omega = midpoint_angular_velocity(body, L, dt);
+    displace<D>(body, shift, dt * omega);
 }
 
 template <int D>
@@ -77,6 +81,8 @@ Twist<D> predicted_twist(const RigidBody<D>& body, double time, double dt)
         return Twist<D>::Zero();
     if (body.motion == Motion::prescribed)
         return prescribed_twist<D>(*body.prescribed, body.centre_of_mass, time, time + dt);
+    if (body.hinge)
+        return hinged_twist(body, hinge_rate<D>(body, body.angular_momentum + dt * body.angular_momentum_rate));
     Twist<D> impulse;
     impulse << dt * body.mass * body.acceleration, dt * body.angular_momentum_rate;
     return twist_after(body, impulse);

@@ -4,6 +4,8 @@
 // -rho V_b g at its centre of volume (method, section 5).
 #include "gapflow/body/rigid_body.hpp"
 
+#include "gapflow/body/constraint.hpp"
+
 #include <cmath>
 
 namespace gapflow {
@@ -42,6 +44,22 @@ void place(RigidBody<D>& body, const Vec<D>& centre, const Rotation<D>& rotation
 {
     body.pose.rotation = rotation;
     body.pose.position = centre - body.pose.matrix() * body.centre_of_mass;
+}
+
+template <int D>
+void attach_hinge(RigidBody<D>& body, const Vec<D>& point, const Spin<D>& axis)
+{
+    body.hinge = Hinge<D>{point, axis, body.pose.matrix().transpose() * (body.centre() - point)};
+}
+
+template <int D>
+void displace(RigidBody<D>& body, const Vec<D>& shift, const Spin<D>& angle)
+{
+    Rotation<D> rotation = rotation_of<D>(angle) * body.pose.rotation;
+    if constexpr (D == 3)
+        rotation.normalize();
+    // From the hinge each time: steps leave no drift.
+    place(body, body.hinge ? Vec<D>(body.hinge->point + rotation * body.hinge->arm) : Vec<D>(body.centre() + shift), rotation);
 }
 
 template <int D>
@@ -90,17 +108,35 @@ Spin<D> angular_velocity(const RigidBody<D>& body, const Rotation<D>& rotation, 
 }
 
 template <int D>
+Twist<D> hinged_twist(const RigidBody<D>& body, double rate)
+{
+    const Spin<D> omega = rate * body.hinge->axis;
+    Twist<D> twist;
+    twist << spin_velocity<D>(omega, body.centre() - body.hinge->point), omega;
+    return twist;
+}
+
+// The inertia about an axis does not change as the body turns about it.
+template <int D>
+double hinge_rate(const RigidBody<D>& body, const Spin<D>& angular_momentum)
+{
+    const Spin<D>& axis = body.hinge->axis;
+    return axis.dot(angular_momentum) / axis.dot(world_inertia(body) * axis);
+}
+
+template <int D>
 Twist<D> momentum(const RigidBody<D>& body)
 {
+    const Twist<D> twist = body.hinge ? hinged_twist(body, hinge_rate(body, body.angular_momentum)) : body.twist;
     Twist<D> p;
-    p << body.mass * body.twist.template head<D>(), body.angular_momentum;
+    p << body.mass * twist.template head<D>(), body.angular_momentum;
     return p;
 }
 
 template <int D>
 Spin<D> angular_momentum_about(const RigidBody<D>& body, const Vec<D>& point)
 {
-    return body.angular_momentum + moment<D>(body.centre() - point, body.mass * body.twist.template head<D>());
+    return body.angular_momentum + moment<D>(body.centre() - point, Vec<D>(momentum(body).template head<D>()));
 }
 
 template <int D>
@@ -123,12 +159,11 @@ template <int D>
 Twist<D> twist_after(const RigidBody<D>& body, const Twist<D>& impulse)
 {
     const Twist<D> p = momentum(body) + impulse;
+    if (constrained(body))
+        return admissible_response<D>(admissible_twists(body), mass_matrix(body), p);
     Twist<D> twist;
     twist << p.template head<D>() / body.mass,
         angular_velocity<D>(body, body.pose.rotation, p.template tail<spin_size<D>>());
-    for (int k = 0; k < D; ++k)
-        if (!body.can_move[k])
-            twist[k] = 0;
     return twist;
 }
 
@@ -156,13 +191,17 @@ void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, bool
 template <int D>
 Solid<D> solid_of(const RigidBody<D>& body)
 {
-    return {body.name, PlacedShape<D>(*body.shape, body.pose), body.centre(), body.motion, false};
+    return {body.name, PlacedShape<D>(*body.shape, body.pose), body.centre(), body.motion, false, admissible_projector(body)};
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void set_density<D>(RigidBody<D>&, double);                                                                       \
     template void set_mass<D>(RigidBody<D>&, double, const SpinMatrix<D>&);                                                    \
     template void place<D>(RigidBody<D>&, const Vec<D>&, const Rotation<D>&);                                                  \
+    template void attach_hinge<D>(RigidBody<D>&, const Vec<D>&, const Spin<D>&);                                               \
+    template void displace<D>(RigidBody<D>&, const Vec<D>&, const Spin<D>&);                                                   \
+    template Twist<D> hinged_twist<D>(const RigidBody<D>&, double);                                                            \
+    template double hinge_rate<D>(const RigidBody<D>&, const Spin<D>&);                                                        \
     template SpinMatrix<D> world_inertia<D>(const RigidBody<D>&);                                                              \
     template SpinMatrix<D> world_inertia<D>(const RigidBody<D>&, const Rotation<D>&);                                          \
     template TwistMatrix<D> mass_matrix<D>(const RigidBody<D>&);                                                               \

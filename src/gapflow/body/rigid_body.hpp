@@ -8,12 +8,29 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace gapflow {
 
 template <int D>
 using SpinMatrix = Eigen::Matrix<double, spin_size<D>, spin_size<D>>;
+
+/// A point of the world, in 3D an axis, that the body only turns about.
+template <int D>
+struct Hinge {
+    Vec<D> point;
+    Spin<D> axis; ///< unit vector in the world; 2D: 1
+    Vec<D> arm;   ///< from the point to the centre of mass, in the shape's frame
+};
+
+/// Pulls the shape's origin towards a point of the world: force stiffness * (anchor - origin) - damping * (its velocity).
+template <int D>
+struct Spring {
+    Vec<D> anchor;
+    double stiffness = 0.0;
+    double damping = 0.0;
+};
 
 template <int D>
 struct RigidBody {
@@ -28,6 +45,8 @@ struct RigidBody {
     double mass = 1.0;
     SpinMatrix<D> inertia = SpinMatrix<D>::Identity(); ///< about the centre of mass, body axes
     std::array<bool, twist_size<D>> can_move;     ///< false: this component of the twist is held at 0
+    std::optional<Hinge<D>> hinge;                ///< needs can_move all true
+    std::optional<Spring<D>> spring;
 
     Twist<D> twist = Twist<D>::Zero();
     /// L: kept from step to step, so that free tumbling conserves it; inertia(R) omega = L in the components that move.
@@ -55,6 +74,13 @@ void set_mass(RigidBody<D>& body, double mass, const SpinMatrix<D>& inertia);
 template <int D>
 void place(RigidBody<D>& body, const Vec<D>& centre, const Rotation<D>& rotation);
 
+/// Lets the body, where it is now, only turn about a point; 3D: about an axis of unit length through it.
+template <int D>
+void attach_hinge(RigidBody<D>& body, const Vec<D>& point, const Spin<D>& axis);
+/// Turns the body by an angle vector and shifts its centre of mass; a hinged body only turns, about its hinge, along its axis.
+template <int D>
+void displace(RigidBody<D>& body, const Vec<D>& shift, const Spin<D>& angle);
+
 /// R I R^T: inertia about the centre of mass in world axes, at the body's rotation or another one.
 template <int D>
 SpinMatrix<D> world_inertia(const RigidBody<D>& body);
@@ -67,7 +93,14 @@ TwistMatrix<D> mass_matrix(const RigidBody<D>& body);
 template <int D>
 Spin<D> angular_velocity(const RigidBody<D>& body, const Rotation<D>& rotation, const Spin<D>& angular_momentum);
 
-/// (m V, L).
+/// The twist that a hinged body has when it turns about its hinge at a rate, at its present pose.
+template <int D>
+Twist<D> hinged_twist(const RigidBody<D>& body, double rate);
+/// Rate of a hinged body whose angular momentum about the centre of mass is L.
+template <int D>
+double hinge_rate(const RigidBody<D>& body, const Spin<D>& angular_momentum);
+
+/// (m V, L). A hinged body's velocity turns with it: V is that of its present pose.
 template <int D>
 Twist<D> momentum(const RigidBody<D>& body);
 /// Angular momentum about a point of the world: L + (centre - point) x m V.
@@ -76,12 +109,12 @@ Spin<D> angular_momentum_about(const RigidBody<D>& body, const Vec<D>& point);
 template <int D>
 double kinetic_energy(const RigidBody<D>& body);
 
-/// Force and torque about the centre of mass that do not depend on the flow: external ones, and gravity in reduced-pressure
-/// form, (mass - fluid_density * volume) g, the buoyant part acting at the centre of volume.
+/// Force and torque about the centre of mass that depend neither on the flow nor on a spring: external ones, and gravity in
+/// reduced-pressure form, (mass - fluid_density * volume) g, the buoyant part acting at the centre of volume.
 template <int D>
 Twist<D> explicit_wrench(const RigidBody<D>& body, const Vec<D>& gravity, double fluid_density);
-/// Twist at the present pose once `impulse` has been added to the momentum: M^-1 ((m V, L) + impulse), 0 where the body
-/// cannot move. V* of the method is twist_after(body, dt * explicit_wrench(...)).
+/// Twist at the present pose once `impulse` has been added to the momentum: the admissible twist V with
+/// B^T M V = B^T ((m V, L) + impulse), B the basis of the admissible ones.
 template <int D>
 Twist<D> twist_after(const RigidBody<D>& body, const Twist<D>& impulse);
 

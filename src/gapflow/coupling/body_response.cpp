@@ -28,7 +28,8 @@ BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen:
     } else {
         const Eigen::VectorXd inverse_mass = mass.diagonal().cwiseInverse();
         const Eigen::VectorXd mobility = contact.cwiseAbs2() * inverse_mass;
-        stiffness_ = relative_stiffness * mobility.cwiseInverse();
+        for (long r = 0; r < mobility.size(); ++r) // 0: neither body can yield
+            stiffness_[r] = mobility[r] > 0 ? relative_stiffness / mobility[r] : 0.0;
         factor_ = std::make_shared<Factor>(mass +
                                            Eigen::SparseMatrix<double>(contact.transpose() * stiffness_.asDiagonal() * contact));
     }

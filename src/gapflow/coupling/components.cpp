@@ -62,7 +62,7 @@ std::vector<int> gather(const Communicator& comm, const std::vector<int>& mine)
     return all;
 }
 
-// K^T 1_k of the free bodies, one column a component, and the size of its terms.
+// K^T 1_k of the free bodies, one column a component, and the size of its terms before constraints took their part.
 template <int D>
 Eigen::MatrixXd component_impulses(const Coupling<D>& coupling, Eigen::VectorXd& magnitude)
 {
@@ -70,14 +70,17 @@ Eigen::MatrixXd component_impulses(const Coupling<D>& coupling, Eigen::VectorXd&
     const CoupledSystem<D>& system = coupling.system;
     const int count = static_cast<int>(system.components.size()), dofs = n * system.bodies;
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(dofs + 1, count); // last row: sum of squares
-    auto add = [&](int component, int body, const Twist<D>& flux) {
-        sums.col(component).template segment<n>(n * body) += flux;
+    auto add = [&](int component, int solid, const Twist<D>& flux) {
+        const int body = coupling.free_body[solid];
+        if (body < 0)
+            return;
+        sums.col(component).template segment<n>(n * body) += coupling.solids[solid].admissible * flux;
         sums(dofs, component) += flux.squaredNorm();
     };
-    for (const auto& entry : system.cell_flux)
+    for (const auto& entry : coupling.cell_flux)
         add(system.component(entry.row), entry.body, entry.flux);
     coupling.grid->comm().sum(std::span<double>(sums.data(), static_cast<std::size_t>(sums.size())));
-    for (const auto& entry : system.node_flux)
+    for (const auto& entry : coupling.node_flux)
         add(system.node_component[entry.row], entry.body, entry.flux);
     magnitude = sums.row(dofs).cwiseSqrt();
     return sums.topRows(dofs);

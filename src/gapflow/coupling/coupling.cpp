@@ -11,6 +11,9 @@ namespace gapflow {
 
 namespace {
 
+// A contact's row that constraints leave less of cannot move its body.
+constexpr double round_off = 1e-12;
+
 // Kinds of this rank's cells and their ghosts, the faces that the grid sees open, and their conductance a |f| / (rho dx).
 template <int D>
 void fill_grid(Coupling<D>& coupling)
@@ -105,15 +108,18 @@ void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
     CoupledSystem<D>& system = coupling.system;
     system.cell_flux.clear();
     system.node_flux.clear();
-    for (auto entry : coupling.cell_flux)
-        if ((entry.body = coupling.free_body[entry.body]) >= 0)
-            system.cell_flux.push_back(entry);
-    for (auto entry : coupling.node_flux)
-        if ((entry.body = coupling.free_body[entry.body]) >= 0)
-            system.node_flux.push_back(entry);
+    auto add_free = [&](auto& list, const auto& entry) {
+        if (const int b = coupling.free_body[entry.body]; b >= 0)
+            list.push_back({entry.row, b, solids[entry.body].admissible * entry.flux});
+    };
+    for (const auto& entry : coupling.cell_flux)
+        add_free(system.cell_flux, entry);
+    for (const auto& entry : coupling.node_flux)
+        add_free(system.node_flux, entry);
 }
 
-// Mass of the free bodies and the films' blocks that couple two of them.
+// Mass of the free bodies and the films' blocks that couple two of them: P M P + m (1 - P) with the projectors P onto the
+// admissible twists. Its inverse leaves an admissible twist admissible; m keeps it definite.
 template <int D>
 void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
 {
@@ -126,21 +132,26 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
                     entries.emplace_back(n * a + i, n * b + j, block(i, j));
     };
     for (std::size_t s = 0; s < coupling.solids.size(); ++s)
-        if (coupling.free_body[s] >= 0)
-            add_block(coupling.free_body[s], coupling.free_body[s], mass[s]);
+        if (coupling.free_body[s] >= 0) {
+            const TwistMatrix<D>& P = coupling.solids[s].admissible;
+            add_block(coupling.free_body[s], coupling.free_body[s],
+                      P * mass[s] * P + mass[s](0, 0) * (TwistMatrix<D>::Identity() - P));
+        }
     std::map<std::pair<int, int>, TwistMatrix<D>> blocks;
     for (const NormalInertia<D>& inertia : coupling.normal_inertia) {
         const int a = coupling.free_body[inertia.master], b = coupling.free_body[inertia.other];
+        const Twist<D> row_a = coupling.solids[inertia.master].admissible * inertia.row_master;
+        const Twist<D> row_b = coupling.solids[inertia.other].admissible * inertia.row_other;
         auto add = [&](int i, const Twist<D>& row_i, int j, const Twist<D>& row_j) {
             if (i < 0 || j < 0)
                 return;
             auto [it, is_new] = blocks.try_emplace({i, j}, TwistMatrix<D>::Zero());
             it->second += inertia.mass * row_i * row_j.transpose();
         };
-        add(a, inertia.row_master, a, inertia.row_master);
-        add(a, inertia.row_master, b, inertia.row_other);
-        add(b, inertia.row_other, a, inertia.row_master);
-        add(b, inertia.row_other, b, inertia.row_other);
+        add(a, row_a, a, row_a);
+        add(a, row_a, b, row_b);
+        add(b, row_b, a, row_a);
+        add(b, row_b, b, row_b);
     }
     for (const auto& [place, block] : blocks)
         add_block(place.first, place.second, block);
@@ -149,11 +160,22 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
     coupling.system.mass.setFromTriplets(entries.begin(), entries.end());
 }
 
-// Adds the response of the free bodies, in their order, to the twists of all solids.
+// Takes what constraints leave of an impulse on, or the twists of, the free bodies.
 template <int D>
-void add_response(const Coupling<D>& coupling, const Eigen::VectorXd& V, std::vector<Twist<D>>& twists)
+void project(const Coupling<D>& coupling, Eigen::VectorXd& all)
 {
     constexpr int n = twist_size<D>;
+    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
+        if (const int b = coupling.free_body[s]; b >= 0)
+            all.segment<n>(n * b) = coupling.solids[s].admissible * all.segment<n>(n * b).eval();
+}
+
+// Adds the response of the free bodies, in their order, to the twists of all solids.
+template <int D>
+void add_response(const Coupling<D>& coupling, Eigen::VectorXd V, std::vector<Twist<D>>& twists)
+{
+    constexpr int n = twist_size<D>;
+    project(coupling, V);
     for (std::size_t s = 0; s < twists.size(); ++s)
         if (const int b = coupling.free_body[s]; b >= 0)
             twists[s] += V.segment<n>(n * b);
@@ -207,11 +229,15 @@ void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& con
         const HeldContact<D>& contact = contacts[r];
         coupling.held_speed[r] = contact.speed;
         auto add = [&](int solid, const Twist<D>& row) {
-            if (const int b = coupling.free_body[solid]; b < 0)
+            const int b = coupling.free_body[solid];
+            if (b < 0) {
                 coupling.held_speed[r] -= row.dot(twists[solid]);
-            else
+                return;
+            }
+            const Twist<D> admissible = coupling.solids[solid].admissible * row;
+            if (admissible.norm() > round_off * row.norm())
                 for (int k = 0; k < n; ++k)
-                    entries.emplace_back(r, n * b + k, row[k]);
+                    entries.emplace_back(r, n * b + k, admissible[k]);
         };
         add(contact.a, contact.row_a);
         add(contact.b, contact.row_b);
@@ -402,6 +428,7 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
     for (std::size_t s = 0; s < twists.size(); ++s)
         if (coupling.free_body[s] >= 0)
             result[s].setZero();
+    project(coupling, momentum);
     add_response(coupling, coupling.response(momentum, coupling.held_speed, &contact_impulse), result);
     return result;
 }
@@ -419,6 +446,7 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
     for (std::size_t s = 0; s < twists.size(); ++s)
         if (const int b = coupling.free_body[s]; b >= 0)
             all.segment<n>(n * b) = impulse[s];
+    project(coupling, all);
     Eigen::VectorXd held;
     add_response(coupling, coupling.response(all, &held), twists);
     contact_impulse += held;

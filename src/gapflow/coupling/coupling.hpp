@@ -49,7 +49,7 @@ struct Coupling {
     std::shared_ptr<const FaceFractions<D>> fractions; ///< before closing
     std::shared_ptr<const FaceClipper<D>> clipper;     ///< finds the solids near a point
 
-    CoupledSystem<D> system;      ///< the free bodies' part
+    CoupledSystem<D> system;      ///< the free bodies' part, with rows K_b P_b and masses P M P + m (1 - P) (Solid::admissible)
     std::vector<int> free_body;   ///< number of each solid among the free bodies, -1: none
     /// K of all solids but walls; `body` is the solid. What the system has of them is the free bodies' share.
     std::vector<BodyFlux<D, Index<D>>> cell_flux;
@@ -81,7 +81,7 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
 template <int D>
 void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVelocity<D>& u);
 
-/// K^T p of all solids but walls: the fluid's impulse on each, about its centre. Collective.
+/// K^T p of all solids but walls: the fluid's impulse on each, about its centre, constraints left aside. Collective.
 template <int D>
 std::vector<Twist<D>> impulses(const Coupling<D>& coupling, const UnknownVector<D>& p);
 
@@ -106,8 +106,8 @@ struct HeldContact {
 template <int D>
 void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& contacts, const std::vector<Twist<D>>& twists);
 
-/// Twists of the free bodies before the solve: V* = M^-1 (M_body V_body + sum rho S N^T (w_n* - N V_prescribed)), held
-/// contacts at their speeds; others as given. `contact_impulse` becomes that of the held contacts.
+/// Twists of the free bodies before the solve: V* = M^-1 (M_body V_body + sum rho S N^T (w_n* - N V_prescribed)), admissible
+/// and with held contacts at their speeds; others as given. `contact_impulse` becomes that of the held contacts.
 template <int D>
 std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
                                           const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal,

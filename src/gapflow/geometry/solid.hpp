@@ -21,6 +21,8 @@ struct Solid {
     Vec<D> centre = Vec<D>::Zero(); ///< reference point of its twist and wrench: the centre of mass
     Motion motion = Motion::fixed;
     bool wall = false;              ///< a closed side of the domain: a half-space that owns the whole side's faces
+    /// Of a free body: the orthogonal projector onto the twists that its constraints let it have.
+    TwistMatrix<D> admissible = TwistMatrix<D>::Identity();
 };
 
 /// A solid displaced by whole periods.

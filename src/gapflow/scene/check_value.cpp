@@ -80,6 +80,15 @@ struct Check {
         return std::sqrt(sum);
     }
 
+    void direction() const
+    {
+        if (dimension == 2)
+            fail("an axis in a 2D scene");
+        numbers(value, 3);
+        if (length(value) == 0)
+            fail("a direction of length 0");
+    }
+
     void rotation() const
     {
         if (dimension == 2)
@@ -179,6 +188,8 @@ struct Check {
             return counts();
         case T::spin:
             return dimension == 2 ? number(value) : numbers(value, 3);
+        case T::direction:
+            return direction();
         case T::rotation:
             return rotation();
         case T::inertia:

@@ -70,12 +70,12 @@ std::vector<KeyInfo> body_keys()
         {"body.force", T::vector, "N", "0.0", any, {}, "constant external force at the centre of mass"},
         {"body.torque", T::spin, "N m", "0.0", any, {}, "constant external torque; 3D: world axes"},
         {"body.free", T::choices, "", "", any, {"x", "y", "z", "rx", "ry", "rz"},
-         "only these motions are free", "", "constrained bodies"},
-        {"body.spring.anchor", T::vector, "m", "", any, {}, "point that a spring pulls the position towards", "", "springs"},
-        {"body.spring.stiffness", T::number, "N/m", "", non_negative, {}, "of the spring", "", "springs"},
-        {"body.spring.damping", T::number, "N s/m", "", non_negative, {}, "of the spring", "", "springs"},
-        {"body.hinge.point", T::vector, "m", "", any, {}, "the body only turns about this point", "", "hinges"},
-        {"body.hinge.axis", T::vector, "", "", any, {}, "3D: of the hinge", "", "hinges"},
+         "of a free body: only these of its motions (2D: x, y, rz; world axes through the centre of mass); all if not given"},
+        {"body.spring.anchor", T::vector, "m", "", any, {}, "point that a spring pulls the position towards", "with a spring"},
+        {"body.spring.stiffness", T::number, "N/m", "", non_negative, {}, "of the spring", "with a spring"},
+        {"body.spring.damping", T::number, "N s/m", "0.0", non_negative, {}, "of the spring"},
+        {"body.hinge.point", T::vector, "m", "", any, {}, "the body only turns about this point", "with a hinge"},
+        {"body.hinge.axis", T::direction, "", "", any, {}, "that it turns about, through the point", "with a hinge in 3D"},
     };
 }
 
@@ -192,6 +192,8 @@ std::string allowed_values(const KeyInfo& key, int dimension)
         return "a list of " + count + " whole numbers" + (range.empty() ? "" : ", each" + range);
     case T::spin:
         return dimension == 2 ? "a number (2D)" : dimension == 3 ? "a list of 3 numbers" : "a number in 2D, 3 numbers in 3D";
+    case T::direction:
+        return dimension == 2 ? "no axis: in 2D all turn in the plane; remove it" : "a list of 3 numbers, not all 0";
     case T::rotation:
         return dimension == 2   ? "a number of degrees (2D)"
                : dimension == 3 ? "{ axis = [x, y, z], degrees = number } or a quaternion [w, x, y, z], neither of length 0"

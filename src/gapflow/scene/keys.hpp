@@ -13,6 +13,7 @@ enum class KeyType {
     vector,         ///< a number for each axis
     counts,         ///< a whole number for each axis
     spin,           ///< 2D: a number, 3D: three numbers
+    direction,      ///< 3D: three numbers, not all 0; not in 2D
     rotation,       ///< 2D: degrees, 3D: { axis, degrees } or a quaternion [w, x, y, z]
     inertia,        ///< 2D: a number, 3D: three principal moments or a matrix of three rows
     text,

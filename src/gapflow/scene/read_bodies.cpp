@@ -6,6 +6,7 @@
 #include "gapflow/core/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -211,12 +212,90 @@ void read_motion(const Values& v, Scene& scene, BodyScene& body)
         body.velocity = body.angular_velocity = {};
 }
 
+const std::array<std::string, 6> directions{"x", "y", "z", "rx", "ry", "rz"};
+
+/// Component of a velocity that belongs to a direction; 2D: z and turns about x and y do not exist.
+double start_velocity(const BodyScene& body, int dimension, int direction)
+{
+    return direction < 3 ? body.velocity[direction] : body.angular_velocity[dimension == 2 ? 0 : direction - 3];
+}
+
+void read_free(const Values& v, BodyScene& body)
+{
+    const std::vector<std::string> list = v.texts("free");
+    for (int k = 0; k < 6; ++k) {
+        body.free[k] = contains(list, directions[k]);
+        const bool exists = v.dimension() == 3 || k < 2 || k == 5;
+        if (body.free[k] && !exists)
+            v.refuse("free", directions[k] + " does not exist in a 2D scene", "choose from x, y and rz");
+        if (exists && !body.free[k] && start_velocity(body, v.dimension(), k) != 0)
+            v.refuse("free", "leaves out " + directions[k] + ", along which the body starts to move",
+                     "add it to the list, or take that component out of velocity or angular_velocity");
+    }
+    if (list.empty()) { // as if held
+        body.motion = Motion::fixed;
+        body.free.fill(true);
+    }
+}
+
+void read_hinge(const Values& v, BodyScene& body)
+{
+    if (v.given("free"))
+        v.refuse("hinge", "given together with free", "keep one of them: a hinged body does nothing but turn about its hinge");
+    if (v.given("velocity"))
+        v.refuse("velocity", "given together with hinge", "remove it: it follows from angular_velocity and the hinge's place");
+    HingeScene& hinge = body.hinge.emplace();
+    if (!v.given("hinge.point"))
+        v.refuse_missing("hinge.point", "a hinge needs it");
+    hinge.point = v.triple("hinge.point");
+    if (v.dimension() == 2)
+        return;
+    if (!v.given("hinge.axis"))
+        v.refuse_missing("hinge.axis", "a hinge in 3D needs it");
+    Triple axis = v.triple("hinge.axis");
+    const double length = std::hypot(axis[0], axis[1], axis[2]);
+    for (double& part : axis)
+        part /= length;
+    hinge.axis = axis;
+    const Triple& w = body.angular_velocity;
+    const double along = w[0] * axis[0] + w[1] * axis[1] + w[2] * axis[2];
+    if (std::hypot(w[0] - along * axis[0], w[1] - along * axis[1], w[2] - along * axis[2]) > 1e-9 * std::abs(along))
+        v.refuse("angular_velocity", "is not along the hinge's axis", "give a multiple of hinge.axis");
+}
+
+void read_spring(const Values& v, BodyScene& body)
+{
+    for (const char* name : {"spring.anchor", "spring.stiffness"})
+        if (!v.given(name))
+            v.refuse_missing(name, "a spring needs it");
+    body.spring = SpringScene{v.triple("spring.anchor"), v.number("spring.stiffness"), v.number("spring.damping")};
+}
+
+/// What holds a free body back.
+void read_constraints(const Values& v, Scene& scene, BodyScene& body)
+{
+    if (body.motion != Motion::free) {
+        for (const char* name : {"free", "spring", "hinge"})
+            if (const Node* node = v.given(name))
+                scene.warnings.push_back(place_of(*node, v.shown(name)) + " is ignored: the body's motion is \"" +
+                                         v.text("motion") + "\"");
+        return;
+    }
+    if (v.given("hinge"))
+        read_hinge(v, body);
+    if (v.given("spring"))
+        read_spring(v, body);
+    if (v.given("free"))
+        read_free(v, body);
+}
+
 BodyScene read_body(const Values& v, bool moves, Scene& scene)
 {
     BodyScene body;
     read_name(v, scene, body);
     read_shape(v, scene, body);
     read_motion(v, scene, body);
+    read_constraints(v, scene, body);
     read_mass(v, moves, body);
     return body;
 }

@@ -51,6 +51,19 @@ struct PairScene {
     ContactScene contact;
 };
 
+/// Pulls a body's position towards a point.
+struct SpringScene {
+    Triple anchor{};
+    double stiffness = 0.0;
+    double damping = 0.0;
+};
+
+/// The body only turns about a point; 3D: about an axis of unit length through it.
+struct HingeScene {
+    Triple point{};
+    Triple axis{1, 0, 0}; ///< 2D: as an angular velocity, the first number
+};
+
 struct BodyScene {
     enum class ShapeKind { box, ball, capsule, cylinder, half_space, mesh };
     enum class Motion { free, fixed, prescribed };
@@ -78,6 +91,9 @@ struct BodyScene {
     Triple angular_velocity{};     ///< 2D: the first number
     Triple force{};
     Triple torque{};               ///< 2D: the first number
+    std::array<bool, 6> free{true, true, true, true, true, true}; ///< x y z rx ry rz: what a free body can do; 2D uses x y rz
+    std::optional<SpringScene> spring;
+    std::optional<HingeScene> hinge; ///< only with all of `free`
 };
 
 struct Scene {

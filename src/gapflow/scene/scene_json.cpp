@@ -77,6 +77,15 @@ Json inertia_json(const std::vector<double>& inertia)
     return rows;
 }
 
+Json free_json(const BodyScene& body, int dimension)
+{
+    Json list = Json::array();
+    for (int k = 0; k < 6; ++k)
+        if (body.free[k] && (dimension == 3 || k < 2 || k == 5))
+            list.push_back(std::array{"x", "y", "z", "rx", "ry", "rz"}[k]);
+    return list;
+}
+
 Json body_json(const BodyScene& body, const Lists& list)
 {
     Json json;
@@ -99,6 +108,17 @@ Json body_json(const BodyScene& body, const Lists& list)
     }
     json["force"] = list.vector(body.force);
     json["torque"] = list.spin(body.torque);
+    if (body.hinge) {
+        json["hinge"]["point"] = list.vector(body.hinge->point);
+        if (list.dimension == 3)
+            json["hinge"]["axis"] = body.hinge->axis;
+    }
+    if (body.spring)
+        json["spring"] = {{"anchor", list.vector(body.spring->anchor)},
+                          {"stiffness", body.spring->stiffness},
+                          {"damping", body.spring->damping}};
+    if (const Json free = free_json(body, list.dimension); free.size() < (list.dimension == 2 ? 3U : 6U))
+        json["free"] = free;
     return json;
 }
 

@@ -93,7 +93,9 @@ void BodyCorrection<D>::update()
     Eigen::MatrixXd capacitance = added_ + Eigen::MatrixXd(system.mass);
     if (system.contact.rows() > 0) {
         const Eigen::VectorXd mobility = system.contact.cwiseAbs2() * capacitance.diagonal().cwiseInverse();
-        capacitance += system.contact.transpose() * (held_stiffness * mobility.cwiseInverse()).asDiagonal() * system.contact;
+        Eigen::VectorXd stiffness = held_stiffness * mobility.cwiseInverse();
+        stiffness = (mobility.array() > 0).select(stiffness, 0.0); // 0: constraints leave the contact nothing to push
+        capacitance += system.contact.transpose() * stiffness.asDiagonal() * system.contact;
     }
     capacitance_.compute(capacitance);
     ready_ = capacitance_.info() == Eigen::Success;

@@ -4,6 +4,7 @@
 #include "gapflow/solver/solver.hpp"
 #include "gapflow/stepping/setup.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -37,6 +38,7 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
         std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
         Coupling<D> c = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)}, gaps, {});
         c.system.bodies = 0;
+        std::fill(c.free_body.begin(), c.free_body.end(), -1);
         c.system.cell_flux.clear();
         c.system.node_flux.clear();
         c.system.mass.resize(0, 0);

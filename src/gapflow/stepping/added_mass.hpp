@@ -1,6 +1,8 @@
 // Added mass of a configuration (method, section 4): 2 T = V^T M_a V,
 //
 //     L p = -K e_k,   M_a = -K^T p + sum rho S N^T N   with the fluid's u* = 0: one solve a column.
+//
+// It belongs to shapes and places alone: constraints and springs of the bodies leave it as it is.
 #pragma once
 
 #include "gapflow/core/communicator.hpp"

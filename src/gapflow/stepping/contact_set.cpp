@@ -38,6 +38,13 @@ std::array<Vec<D>, D - 1> tangents_of(const Vec<D>& n)
     }
 }
 
+// Whether a push along the row can move the solid: constraints may let it go only across.
+template <int D>
+bool yields(const Solid<D>& solid, const Twist<D>& row)
+{
+    return solid.motion == Motion::free && (solid.admissible * row).norm() > 1e-12 * row.norm();
+}
+
 template <int D>
 double rate(const RelativeRow<D>& row, const Contact<D>& contact, const std::vector<Twist<D>>& twists)
 {
@@ -93,6 +100,8 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
         contact.restitution = pair.restitution;
         contact.friction = pair.friction;
         contact.normal = relative_row<D>(point, solids, point.normal);
+        if (!yields(solids[point.a], contact.normal.a) && !yields(solids[point.b], contact.normal.b))
+            continue;
         const auto directions = tangents_of<D>(point.normal);
         for (int k = 0; k < D - 1; ++k)
             contact.tangents[k] = relative_row<D>(point, solids, directions[k]);
@@ -169,12 +178,7 @@ bool ContactSet<D>::push_apart(std::vector<RigidBody<D>>& bodies) const
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (moved[b].isZero(0))
             continue;
-        const Vec<D> centre = bodies[b].centre() + moved[b].template head<D>();
-        const Spin<D> turn = moved[b].template tail<spin_size<D>>();
-        if constexpr (D == 2)
-            place<D>(bodies[b], centre, Rotation<2>(bodies[b].pose.rotation.angle() + turn[0]));
-        else
-            place<D>(bodies[b], centre, (rotation_of<3>(turn) * bodies[b].pose.rotation).normalized());
+        displace<D>(bodies[b], moved[b].template head<D>(), moved[b].template tail<spin_size<D>>());
     }
     return true;
 }

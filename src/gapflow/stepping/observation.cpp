@@ -1,6 +1,8 @@
 // What a simulation reports of its state: pressure, gaps, momentum and energy. Reads the state, never changes it.
 #include "gapflow/stepping/simulation.hpp"
 
+#include "gapflow/body/forces.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -158,7 +160,7 @@ Budget<D> Simulation<D>::budget() const
             const Twist<D> m = momentum(body);
             budget.momentum += m.template head<D>();
             budget.angular_momentum += angular_momentum_about(body, grid_.origin());
-            budget.energy_bodies += kinetic_energy(body);
+            budget.energy_bodies += kinetic_energy(body) + spring_energy(body);
         }
     return budget;
 }

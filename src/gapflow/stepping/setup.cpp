@@ -128,6 +128,14 @@ std::vector<RigidBody<D>> make_bodies(const Scene& scene)
                 twist = prescribed_twist<D>(motion, body.centre_of_mass, 0, instant);
             body.prescribed = std::make_shared<PrescribedMotion<D>>(std::move(motion));
         }
+        for (int k = 0; k < twist_size<D>; ++k)
+            body.can_move[k] = from.free[k < D ? k : k - D + (D == 2 ? 5 : 3)];
+        if (from.hinge) {
+            attach_hinge<D>(body, to_vec<D>(from.hinge->point), Eigen::Map<const Spin<D>>(from.hinge->axis.data()));
+            twist = hinged_twist<D>(body, body.hinge->axis.dot(twist.template tail<spin_size<D>>()));
+        }
+        if (from.spring)
+            body.spring = Spring<D>{to_vec<D>(from.spring->anchor), from.spring->stiffness, from.spring->damping};
         set_initial_twist(body, twist);
         body.force = to_vec<D>(from.force);
         body.torque = Eigen::Map<const Spin<D>>(from.torque.data());

@@ -1,5 +1,6 @@
 #include "gapflow/stepping/simulation.hpp"
 
+#include "gapflow/body/forces.hpp"
 #include "gapflow/body/move.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/grid/interpolation.hpp"
@@ -69,7 +70,7 @@ StepReport Simulation<D>::step(double next_output)
 {
     const double start = now();
     StepReport report;
-    const double dt = choose_step(next_output);
+    const double dt = dt_ = choose_step(next_output);
     move_bodies(dt);
     find_contacts(dt);
     rebuild();
@@ -80,7 +81,6 @@ StepReport Simulation<D>::step(double next_output)
     project(std::move(u_star), forced_twists(dt), dt, report);
     continue_velocities();
     time_ = next_output - (time_ + dt) < 1e-12 * next_output ? next_output : time_ + dt;
-    dt_ = dt;
     ++steps_;
     finish_report(report, dt);
     report.seconds = now() - start;
@@ -163,14 +163,14 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     return u_star;
 }
 
-// Stage 5: twists of free bodies after the explicit forces, of others as given.
+// Stage 5: twists of free bodies after all forces but the fluid's, of others as given.
 template <int D>
 std::vector<Twist<D>> Simulation<D>::forced_twists(double dt) const
 {
     std::vector<Twist<D>> V = twists();
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         if (bodies_[b].motion == Motion::free)
-            V[b] = twist_after(bodies_[b], Twist<D>(dt * explicit_wrench<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density)));
+            V[b] = forced_twist<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density, dt);
     return V;
 }
 
@@ -197,7 +197,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             const std::vector<Twist<D>> sliding = contacts_.sliding_impulses(coupling_->solids.size());
             for (std::size_t b = 0; b < bodies_.size(); ++b)
                 if (bodies_[b].motion == Motion::free)
-                    pushed[b] += twist_after(bodies_[b], sliding[b]) - twist_after(bodies_[b], Twist<D>(Twist<D>::Zero()));
+                    pushed[b] += impulse_response(bodies_[b], sliding[b], dt);
         }
         Eigen::VectorXd contact_impulse;
         V = intermediate_twists(*coupling_, masses(), pushed, u_star.film_normal, contact_impulse);
@@ -293,12 +293,13 @@ std::vector<Twist<D>> Simulation<D>::twists() const
     return V;
 }
 
+// Masses of the step's solve; springs act as inertia too.
 template <int D>
 std::vector<TwistMatrix<D>> Simulation<D>::masses() const
 {
     std::vector<TwistMatrix<D>> mass;
     for (const RigidBody<D>& body : bodies_)
-        mass.push_back(mass_matrix(body));
+        mass.push_back(mass_matrix(body) + spring_inertia(body, dt_));
     if (holding_) // heavy beyond any added mass; as prescribed bodies they could choose other masters for their films
         for (TwistMatrix<D>& m : mass)
             m *= held_mass_factor;

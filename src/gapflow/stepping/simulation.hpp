@@ -26,7 +26,7 @@ struct StepReport {
     long cells = 0; ///< unknowns of the grid
     int film_nodes = 0, iterations = 0;
     double residual = 0, divergence_max = 0; ///< divergence: net outflow of a cell over its volume, 1/time
-    double energy_fluid = 0, energy_bodies = 0;
+    double energy_fluid = 0, energy_bodies = 0; ///< as in Budget
     double seconds = 0;
     std::vector<std::string> notes; ///< for the user, once each: contacts that do not settle, blind film ends
 };
@@ -48,7 +48,8 @@ template <int D>
 struct Budget {
     Vec<D> momentum = Vec<D>::Zero(); ///< fluid, films, conduits and free bodies
     Spin<D> angular_momentum = Spin<D>::Zero(); ///< the same, about the domain's origin
-    double energy_grid = 0, energy_film = 0, energy_bodies = 0;
+    double energy_grid = 0, energy_film = 0;
+    double energy_bodies = 0; ///< kinetic energy of the free bodies and what their springs store
 };
 
 template <int D>
@@ -110,7 +111,8 @@ private:
     std::function<GapSettings(int, int)> gaps_;
     std::function<MouthLaw(int, int)> mouth_laws_;
 
-    double time_ = 0, dt_ = 0;
+    double time_ = 0;
+    double dt_ = 0;                         ///< of the step under way, else of the last one
     long steps_ = 0;
     bool holding_ = false;                  ///< in the initial projection
     std::unique_ptr<Coupling<D>> coupling_;

@@ -1,11 +1,13 @@
 // How long a step may be, and where gaps must be stopped at the contact thickness (method, section 5, stage 1).
 #include "gapflow/stepping/simulation.hpp"
 
+#include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace gapflow {
 
@@ -15,6 +17,10 @@ namespace {
 constexpr double smallest_limiting_gap = 1e-4;
 // Films between curved surfaces: dt <= this * sqrt(2 R h) / |u - P U_m|.
 constexpr double curved_film_cfl = 0.1;
+// A swing or an oscillation on a spring gets this many steps a period.
+constexpr double steps_a_period = 20;
+// A spring's oscillation of a smaller amplitude, in dx, is left to the implicit step.
+constexpr double invisible_amplitude = 1e-3;
 // Steps below this times time.max_step mean that something grows without bound.
 constexpr double smallest_step = 1e-9;
 
@@ -39,7 +45,23 @@ double Simulation<D>::choose_step(double next_output) const
     if (steps_ == 0) // before the first solve: what the explicit forces alone would do (added mass only slows it)
         for (std::size_t b = 0; b < bodies_.size(); ++b)
             if (bodies_[b].motion == Motion::free)
-                A[b] = twist_after(bodies_[b], explicit_wrench<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density)) - bodies_[b].twist;
+                A[b] = twist_after<D>(bodies_[b], explicit_wrench<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density) +
+                                                      spring_wrench(bodies_[b])) -
+                       bodies_[b].twist;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const RigidBody<D>& body = bodies_[b];
+        if (body.motion != Motion::free)
+            continue;
+        double frequency = swing_frequency<D>(body, to_vec<D>(scene_.gravity), scene_.density);
+        if (const double spring = spring_frequency(body); spring > 0) {
+            const Vec<D> arm = body.pose.position - body.centre();
+            const double amplitude = std::hypot(velocity_at<D>(V[b], arm).norm() / spring,
+                                                velocity_at<D>(A[b], arm).norm() / (spring * spring));
+            if (amplitude > invisible_amplitude * dx)
+                frequency = std::hypot(frequency, spring);
+        }
+        dt = std::min(dt, 2 * std::numbers::pi / (steps_a_period * std::max(frequency, tiny)));
+    }
     const std::vector<Solid<D>>& solids = coupling_->solids;
     for (const Film<D>& film : coupling_->network.films) {
         const FilmMesh<D>& mesh = film.mesh;

@@ -76,6 +76,11 @@ radius = 0.25
 position = [1, 1]
 mass = 3
 inertia = 0.5
+free = ["x", "rz"]
+[body.spring]
+anchor = [2, 3]
+stiffness = 10
+damping = 0.25
 [[body]]
 name = "arm"
 shape = "capsule"
@@ -121,6 +126,9 @@ mass = 2
 inertia = [[1, 0.1, 0], [0.1, 2, 0], [0, 0, 3]]
 angular_velocity = [0, 0, 1]
 torque = [1, 2, 3]
+[body.hinge]
+point = [0, 0, 1]
+axis = [0, 0, 2]
 [[body]]
 name = "shell"
 shape = "mesh"
@@ -246,6 +254,14 @@ TEST(Scene, Bodies2D)
     EXPECT_EQ(ball.mass, 3);
     EXPECT_EQ(ball.inertia, std::vector<double>{0.5});
     EXPECT_FALSE(ball.density);
+    EXPECT_EQ(ball.free, (std::array<bool, 6>{true, false, false, false, false, true}));
+    ASSERT_TRUE(ball.spring);
+    EXPECT_EQ(ball.spring->anchor, (Triple{2, 3, 0}));
+    EXPECT_EQ(ball.spring->stiffness, 10);
+    EXPECT_EQ(ball.spring->damping, 0.25);
+    EXPECT_FALSE(ball.hinge);
+    EXPECT_FALSE(box.spring);
+    EXPECT_TRUE(box.free[5]);
     EXPECT_EQ(arm.motion, BodyScene::Motion::prescribed);
     EXPECT_EQ(arm.motion_table.time, (std::vector<double>{0, 1}));
     EXPECT_EQ(arm.motion_table.rows[1], (std::vector<double>{2, 3, 0.5}));
@@ -264,11 +280,29 @@ TEST(Scene, Bodies3D)
     EXPECT_NEAR(post.quaternion[0], std::sqrt(0.5), 1e-15);
     EXPECT_NEAR(post.quaternion[2], -std::sqrt(0.5), 1e-15);
     EXPECT_EQ(post.torque, (Triple{1, 2, 3}));
+    ASSERT_TRUE(post.hinge);
+    EXPECT_EQ(post.hinge->point, (Triple{0, 0, 1}));
+    EXPECT_EQ(post.hinge->axis, (Triple{0, 0, 1}));
     EXPECT_TRUE(shell.inside_out);
     EXPECT_EQ(shell.mesh_scale, 1e-3);
     EXPECT_THAT(shell.mesh_file, testing::EndsWith("mesh.obj"));
     EXPECT_NEAR(shell.quaternion[3], std::sqrt(0.5), 1e-15);
     EXPECT_EQ(shell.motion_table.rows.size(), 2u);
+}
+
+TEST(Scene, BodyThatIsFreeInNothingIsFixed)
+{
+    const Scene s = flat({{"body.ball.free", "[]"}});
+    EXPECT_EQ(s.bodies[1].motion, BodyScene::Motion::fixed);
+}
+
+TEST(Scene, ConstraintsOfBodiesThatAreNotFreeAreIgnored)
+{
+    const Scene s = flat({{"body.ball.motion", "fixed"}});
+    EXPECT_FALSE(s.bodies[1].spring);
+    EXPECT_TRUE(s.bodies[1].free[1]);
+    ASSERT_EQ(s.warnings.size(), 3u); // free, spring, checkpoints
+    EXPECT_THAT(s.warnings[0], testing::HasSubstr("body.ball.free is ignored: the body's motion is \"fixed\""));
 }
 
 TEST(Scene, DefaultsOfTheTableAreThoseOfTheStruct)
@@ -321,10 +355,14 @@ TEST(Scene, Json)
     EXPECT_EQ(json["pair"][0]["threshold"], "auto");
     EXPECT_EQ(json["body"][0]["name"], "box");
     EXPECT_EQ(json["body"][2]["motion_file"], data + "motion.csv");
+    EXPECT_EQ(json["body"][1]["free"], (std::vector<std::string>{"x", "rz"}));
+    EXPECT_EQ(json["body"][1]["spring"]["damping"], 0.25);
+    EXPECT_FALSE(json["body"][0].contains("free"));
     EXPECT_EQ(json["time"]["max_step"], 0.01);
     const auto solid = nlohmann::json::parse(scene_as_json(deep()));
     EXPECT_EQ(solid["body"][0]["inertia"][1], (std::vector<double>{0.1, 2, 0}));
     EXPECT_EQ(solid["body"][0]["torque"], (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(solid["body"][0]["hinge"]["axis"], (std::vector<double>{0, 0, 1}));
     // Every name in it is a key or a table of the scene.
     std::set<std::string> names;
     for (const KeyInfo& key : scene_keys())

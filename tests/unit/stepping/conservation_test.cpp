@@ -181,7 +181,8 @@ void expect_momentum(const Scene& scene)
         twists[b] = Twist<D>::NullaryExpr([&] { return uniform(random); });
     const Twist<D> before = momentum(world, u, twists, u.film_normal);
 
-    std::vector<Twist<D>> V = intermediate_twists(c, world.mass, twists, u.film_normal);
+    Eigen::VectorXd no_contact;
+    std::vector<Twist<D>> V = intermediate_twists(c, world.mass, twists, u.film_normal, no_contact);
     UnknownVector<D> rhs, p{CellField<D>(world.grid), Eigen::VectorXd::Zero(c.system.nodes)};
     outflow(c, u, V, rhs);
     for (long i = 0; i < rhs.cells.size(); ++i)
@@ -194,7 +195,7 @@ void expect_momentum(const Scene& scene)
         const SolveReport report = CoupledSolver<D>(c.system, options).solve(p, rhs);
         EXPECT_TRUE(report.converged) << report.message;
         std::vector<Twist<D>> V_next = V;
-        add_pressure_impulse(c, p, V_next);
+        add_pressure_impulse(c, p, V_next, no_contact);
         FluidVelocity<D> u_next = u;
         subtract_gradient(c, p, u_next);
         const Twist<D> after = momentum(world, u_next, V_next, wall_normal_speed<D>(c.network, c.solids, V_next));
