@@ -50,9 +50,14 @@ ContactFeatures<D> contact_features(const Shape<D>& shape)
             joint.element[joint.element[0] < 0 ? 0 : 1] = e;
         }
 
-    // A vertex touches first unless it is smooth and a core stands for it, or all its edges are hollow.
+    // A vertex touches first if convex edges meet there, or if it is one of a curved part that no core stands for.
     const std::size_t count = mesh.vertices.size();
-    std::vector<char> convex(count, 0), hollow(count, 0);
+    std::vector<char> convex(count, 0), hollow(count, 0), curved(count, 0);
+    if (features.cores.empty() && !shape.inside_out())
+        for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+            if (shape.curvature(mesh.patch[e]) != 0)
+                for (int v : mesh.elements[e])
+                    curved[v] = 1;
     auto centroid = [&](int e) {
         Vec<D> sum = Vec<D>::Zero();
         for (int v : mesh.elements[e])
@@ -82,7 +87,7 @@ ContactFeatures<D> contact_features(const Shape<D>& shape)
             }
     }
     for (std::size_t v = 0; v < count; ++v)
-        if (convex[v] || (!hollow[v] && features.cores.empty() && !shape.inside_out()))
+        if (convex[v] || (curved[v] && !hollow[v]))
             features.vertices.push_back(mesh.vertices[v]);
     return features;
 }

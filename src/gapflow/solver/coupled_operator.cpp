@@ -211,7 +211,7 @@ double CoupledOperator<D>::round_off(const UnknownVector<D>& p) const
         terms.cells(entry.row) += twist(entry.body, entry.flux);
     for (const auto& entry : system_.node_flux)
         terms.nodes[entry.row] += twist(entry.body, entry.flux);
-    return 1e-15 * std::sqrt(dot(grid, terms, terms));
+    return 3e-15 * std::sqrt(dot(grid, terms, terms));
 }
 
 template <int D>

@@ -30,7 +30,7 @@ public:
     double apply(UnknownVector<D>& p, UnknownVector<D>& y) const;
     /// y = L p; returns p . y.
     double apply_fluid(UnknownVector<D>& p, UnknownVector<D>& y) const;
-    /// Bound of the round-off in a residual at p: 1e-15 times the norm of the sums of the terms' magnitudes. Collective.
+    /// Bound of the round-off in a residual at p: 3e-15 times the norm of the sums of the terms' magnitudes. Collective.
     double round_off(const UnknownVector<D>& p) const;
     /// K^T p. Collective.
     Eigen::VectorXd transpose_flux(const UnknownVector<D>& p) const;

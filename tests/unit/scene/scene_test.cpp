@@ -338,11 +338,11 @@ TEST(Scene, Overrides)
 
 TEST(Scene, FilesAreFoundBesideTheScene)
 {
-    const test::TemporaryFile table("inflow.csv", "0,1,0\n");
-    const std::string name = std::filesystem::path(table.path()).filename().string();
-    const test::TemporaryFile file("beside.toml",
-                             "[domain]\nsize = [1, 1]\ncells = [4, 4]\nsides.x_low = { inflow = \"" + name + "\" }\n");
-    EXPECT_EQ(read_scene(file.path(), {}, Purpose::check).sides[0].table.file, table.path());
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "inflow.csv") << "0,1,0\n";
+    std::ofstream(folder / "beside.toml") << "[domain]\nsize = [1, 1]\ncells = [4, 4]\nsides.x_low = { inflow = \"inflow.csv\" }\n";
+    const Scene scene = read_scene((folder / "beside.toml").string(), {}, Purpose::check);
+    EXPECT_EQ(scene.sides[0].table.file, (folder / "inflow.csv").string());
 }
 
 TEST(Scene, Json)

@@ -1,0 +1,148 @@
+// Contact inside the coupled solve: rest, impact, friction, stacks.
+#include "gapflow/stepping/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gapflow {
+namespace {
+
+BodyScene box(const std::string& name, const Triple& size, const Triple& position)
+{
+    BodyScene b;
+    b.name = name;
+    b.shape = BodyScene::ShapeKind::box;
+    b.size = size;
+    b.position = position;
+    b.density = 2.0;
+    return b;
+}
+
+// A tank of unit cells' width 1/16 with an open top, gravity 1 downwards.
+Scene tank(int dimension)
+{
+    Scene scene;
+    scene.dimension = dimension;
+    scene.size = dimension == 2 ? Triple{2, 1, 0} : Triple{1, 1, 1};
+    scene.cells = dimension == 2 ? std::array<int, 3>{32, 16, 1} : std::array<int, 3>{16, 16, 16};
+    scene.sides[2 * dimension - 1].kind = SideScene::Kind::open;
+    scene.gravity[dimension - 1] = -1;
+    scene.end = 1;
+    scene.max_step = 0.02;
+    return scene;
+}
+
+template <int D>
+void check_rest()
+{
+    Scene scene = tank(D);
+    const double height = 0.3, z = 0.5 * height;
+    scene.bodies = {D == 2 ? box("box", {0.6, height, 0}, {0.97, z, 0}) : box("box", {0.4, 0.5, height}, {0.47, 0.52, z})};
+    Simulation<D> simulation(scene, Communicator());
+    const double volume = D == 2 ? 0.6 * height : 0.4 * 0.5 * height;
+    for (int i = 0; i < 20; ++i) {
+        const StepReport report = simulation.step(scene.end);
+        const std::vector<GapState> gaps = simulation.gaps();
+        ASSERT_EQ(gaps.size(), 1u);
+        if (i > 0) { // the first step finds the contacts
+            EXPECT_NEAR(gaps[0].contact_force, volume, 1e-8 * volume);
+        }
+        EXPECT_LT(simulation.bodies()[0].twist.norm(), 1e-10);
+        EXPECT_LT(report.divergence_max, 1e-8);
+    }
+    EXPECT_NEAR(simulation.bodies()[0].pose.position[D - 1], z, 1e-12);
+}
+
+TEST(ContactSet, BoxRestsWithItsWeightLessBuoyancy2D)
+{
+    check_rest<2>();
+}
+
+TEST(ContactSet, BoxRestsWithItsWeightLessBuoyancy3D)
+{
+    check_rest<3>();
+}
+
+TEST(ContactSet, ReboundInAVeryLightFluid)
+{
+    for (double restitution : {0.0, 0.5, 1.0}) {
+        Scene scene = tank(2);
+        scene.density = 1e-6;
+        scene.gravity = {};
+        scene.contact.restitution = restitution;
+        BodyScene ball;
+        ball.name = "ball";
+        ball.radius = 0.2;
+        ball.position = {1, 0.3, 0};
+        ball.velocity = {0.1, -1, 0};
+        ball.density = 1;
+        scene.bodies = {ball};
+        Simulation<2> simulation(scene, Communicator());
+        while (simulation.time() < 0.15)
+            simulation.step(0.15);
+        EXPECT_NEAR(simulation.bodies()[0].twist[1], restitution, 1e-3);
+        EXPECT_NEAR(simulation.bodies()[0].twist[0], 0.1, 1e-3);
+        EXPECT_GT(simulation.bodies()[0].pose.position[1], 0.2 - 1e-3 / 16);
+    }
+}
+
+TEST(ContactSet, BlockSlidesBeyondTheAngleOfFriction)
+{
+    for (double friction : {0.297, 0.303}) {
+        Scene scene = tank(2);
+        scene.gravity = {0.3, -1, 0};
+        scene.contact.friction = friction;
+        scene.bodies = {box("block", {0.6, 0.3, 0}, {0.8, 0.15, 0})};
+        Simulation<2> simulation(scene, Communicator());
+        while (simulation.time() < 0.2)
+            simulation.step(0.2);
+        const double moved = simulation.bodies()[0].pose.position[0] - 0.8;
+        if (friction > 0.3)
+            EXPECT_LT(std::abs(moved), 1e-9);
+        else
+            EXPECT_GT(moved, 1e-6);
+    }
+}
+
+TEST(ContactSet, StackStandsWithoutOverlap)
+{
+    Scene scene = tank(2);
+    scene.contact.friction = 0.3;
+    for (int i = 0; i < 3; ++i)
+        scene.bodies.push_back(box("box" + std::to_string(i), {0.5, 0.2, 0}, {1 + 0.03 * (i % 2), 0.1 + 0.2 * i, 0}));
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 25; ++i) {
+        simulation.step(scene.end);
+        for (const GapState& gap : simulation.gaps())
+            EXPECT_GT(gap.thickness, -1e-3 / 16);
+    }
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(simulation.bodies()[i].pose.position[1], 0.1 + 0.2 * i, 1e-6);
+        EXPECT_LT(simulation.bodies()[i].twist.norm(), 1e-6);
+    }
+}
+
+TEST(ContactSet, OverlapIsTakenOutWithoutMomentum)
+{
+    Scene scene = tank(2);
+    scene.gravity = {};
+    BodyScene left;
+    left.name = "left";
+    left.radius = 0.2;
+    left.position = {0.8, 0.5, 0};
+    left.density = 2;
+    BodyScene right = left;
+    right.name = "right";
+    right.position = {0.8 + 0.4 - 1e-3, 0.5, 0};
+    scene.bodies = {left, right};
+    Simulation<2> simulation(scene, Communicator());
+    simulation.step(scene.end);
+    const auto& bodies = simulation.bodies();
+    EXPECT_NEAR((bodies[1].pose.position - bodies[0].pose.position).norm(), 0.4, 1e-9);
+    EXPECT_NEAR(bodies[0].pose.position[0] + bodies[1].pose.position[0], 2.0 - 1e-3, 1e-12);
+    EXPECT_LT(bodies[0].twist.norm(), 1e-12);
+}
+
+} // namespace
+} // namespace gapflow

@@ -1,0 +1,243 @@
+"""Contact: collisions against Lagrange's equation, rest, restitution, friction, stacks, valves, random scenes."""
+import copy
+import math
+import random
+
+import harness
+from harness import REFERENCE, Row
+
+SECTION = "Contact"
+OPEN_TOP = {"size": [4.0, 2.0], "cells": [64, 32], "sides": {"y_high": "open"}}
+
+
+def track(result, body):
+    return [row for row in result["bodies"] if row["body"] == body]
+
+
+def interpolated(file, column, x_name):
+    """Linear in log x."""
+    rows = sorted(harness.read_table(REFERENCE / file), key=lambda row: row[x_name])
+    rows = [row for row in rows if row[x_name] > 0]
+
+    def value(x):
+        x = min(max(x, rows[0][x_name]), rows[-1][x_name])
+        for a, b in zip(rows, rows[1:]):
+            if x <= b[x_name]:
+                s = math.log(x / a[x_name]) / math.log(b[x_name] / a[x_name])
+                return a[column] + s * (b[column] - a[column])
+        return rows[-1][column]
+    return value
+
+
+# ---- collisions ---------------------------------------------------------------------------------------------------------------
+
+def cylinders_collide(cells_a_radius, refine=1):
+    """[(h, speed of closing over the exact one)] of two cylinders of radius 1 and density 2 that meet from gap 0.3."""
+    n = 8 * cells_a_radius
+    scene = {"domain": {"size": [8.0, 8.0], "cells": [n, n]}, "fluid": {"initial": "potential"},
+             "body": [{"name": name, "shape": "ball", "radius": 1.0, "position": [4.0 + side * 1.15, 4.0], "velocity": [-0.5 * side, 0.0], "density": 2.0}
+                      for name, side in (("right", 1), ("left", -1))],
+             "time": {"end": 0.45, "max_step": 0.16 / cells_a_radius / refine, "gap_cfl": 0.25 / refine}, "output": {"every": 0.45}}
+    result = harness.run(scene)
+    M, mass = interpolated("I2b_two_cylinders_box8.csv", "M_opening_box8", "gap"), 2 * math.pi
+    energy = mass / 2 + M(0.3)
+    rows = []
+    for a, b in zip(track(result, "right"), track(result, "left")):
+        h, speed = a["x"] - b["x"] - 2, b["vx"] - a["vx"]
+        if h > 1e-4:
+            rows.append((h, speed / math.sqrt(energy / (mass / 2 + M(h)))))
+    return rows, len(result["steps"]) - 1
+
+
+def head_on(quick):
+    for cells in (8, 16) if quick else (8, 16, 24):
+        rows, steps = cylinders_collide(cells)
+        error = max(abs(ratio - 1) for _, ratio in rows)
+        yield Row(SECTION, f"two cylinders meet head-on from gap 0.3, {cells} cells a radius, to h = {min(h for h, _ in rows):.1g}, {steps} steps",
+                  "≤ 3 % in ḣ" if cells >= 16 else "", f"{100 * error:.2f} %", cells < 16 or error <= 0.03)
+
+
+def plates_approach(cells, h0, exit_law):
+    """[(h, ḣ over its law)] of the reference's rectangles from h0 with ḣ = -1 down to h = 0.002, and the whole run."""
+    scene = {"domain": {"size": [4.0, 4.0], "cells": [cells, cells]}, "fluid": {"initial": "potential"}, "gap": {"exit": exit_law},
+             "body": [{"name": name, "shape": "box", "size": [1.0, 0.5], "position": [2.0, 2.0 + side * (0.25 + h0 / 2)], "velocity": [0.0, -0.5 * side],
+                       "density": 2.0} for name, side in (("upper", 1), ("lower", -1))],
+             "time": {"end": 3 * h0 if h0 < 0.1 else 0.5, "max_step": 0.32 / cells, "cfl": 0.5, "gap_cfl": 8.0 / cells}, "output": {"every": 1.0}}
+    result = harness.run(scene)
+    M = interpolated("I4_rectangles_box4.csv", "M_opening", "h")
+    states = [(a["y"] - b["y"] - 0.5, a["vy"] - b["vy"]) for a, b in zip(track(result, "upper"), track(result, "lower"))]
+    if exit_law == "reversible":
+        def law(h):
+            return math.sqrt((0.5 + M(h0)) / (0.5 + M(h)))
+    else:    # (1/2 + M) h'' + M'/2 h'^2 = h'^2 / (8 h^2) as an equation for v^2(h), integrated down from h0
+        table, v2, h, count = [(h0, 1.0)], 1.0, h0, 20000
+        dh = (h0 - 0.0015) / count
+        for _ in range(count):
+            def slope(x, y):
+                derivative = (M(x * 1.001) - M(x * 0.999)) / (0.002 * x)
+                return 2 * y * (1 / (8 * x * x) - derivative / 2) / (0.5 + M(x))
+            k = slope(h, v2)
+            v2 -= dh * slope(h - dh / 2, v2 - dh / 2 * k)
+            h -= dh
+            table.append((h, v2))
+
+        def law(x):
+            i = min(int((h0 - x) / dh), count - 1)
+            return math.sqrt(table[i][1])
+    closing = []
+    for h, v in states:
+        if v >= 0 or h < 0.002:
+            break
+        closing.append((h, -v / law(h)))
+    return closing, states, result
+
+
+def plates_meet(quick):
+    for cells, reversible, jet in ((64, 0.06, 0.10), (128, 0.04, 0.05)):
+        if quick and cells > 64:
+            continue
+        closing, states, result = plates_approach(cells, 0.02, "reversible")
+        error = max(abs(ratio - 1) for _, ratio in closing)
+        yield Row(SECTION, f"rectangles approach from h = 0.02, reversible mouths, {cells}²: ḣ(h) down to {closing[-1][0]:.2g}",
+                  f"≤ {100 * reversible:.0f} %", f"{100 * error:.1f} %", error <= reversible)
+        back = [v for (h, v), (h1, _) in zip(states, states[1:]) if v > 0 and h <= 0.02 <= h1]
+        impulse = sum(row["contact_impulse"] for row in result["gaps"] if row["body_a"] in ("upper", "lower"))
+        regained = f"{back[0]:.3f}" if back else f"never (smallest gap {min(h for h, _ in states):.2g}, last {states[-1][0]:.2g} at {states[-1][1]:.2g})"
+        yield Row(SECTION, f"the same goes on: speed regained at h = 0.02; contact impulse over the momentum, {cells}²", "0.9 … 1.1; ≤ 1 %",
+                  f"{regained}; {100 * impulse / 0.5:.2g} %", bool(back) and abs(back[0] - 1) <= 0.1 and impulse <= 0.005)
+        closing, _, _ = plates_approach(cells, 0.02, "jet")
+        error = max(abs(ratio - 1) for _, ratio in closing)
+        yield Row(SECTION, f"the same with jets at the mouths, {cells}²: ḣ(h) down to {closing[-1][0]:.2g}", f"≤ {100 * jet:.0f} %",
+                  f"{100 * error:.1f} %", error <= jet)
+    if not quick:
+        for cells in (64, 128):
+            closing, _, _ = plates_approach(cells, 0.2, "reversible")
+            at = {mark: min(closing, key=lambda row, mark=mark: abs(row[0] - mark)) for mark in (0.1, 0.05, 0.02, 0.01)}
+            yield Row(SECTION, f"rectangles approach from h = 0.2, {cells}²: ḣ over the law of potential flow at h = 0.1, 0.05, 0.02, 0.01", "",
+                      ", ".join(f"{at[m][1]:.2f}" for m in at), True)
+
+
+# ---- rest, rebound, friction --------------------------------------------------------------------------------------------------
+
+def box_on_floor(end):
+    return {"gravity": [0.0, -1.0], "domain": OPEN_TOP,
+            "body": [{"name": "box", "shape": "box", "size": [1.0, 0.5], "position": [2.013, 0.25], "density": 2.0}],
+            "time": {"end": end, "max_step": 0.05}, "output": {"every": end}}
+
+
+def rest(quick):
+    end = 10.0 if quick else 100.0
+    result = harness.run(box_on_floor(end))
+    gaps, rows = result["gaps"][2:], track(result, "box")
+    force = max(abs(row["contact_force"] / 0.5 - 1) for row in gaps)
+    drift = max(math.hypot(row["x"] - 2.013, row["y"] - 0.25) for row in rows)
+    yield Row(SECTION, f"box on the floor to t = {end:g} √(size/g): contact force over weight less buoyancy − 1, drift over size", "≤ 1e-6",
+              f"{force:.1e}, {drift:.1e}", force <= 1e-6 and drift <= 1e-6)
+
+
+def rebound(quick):
+    for e in (0.0, 0.5, 1.0):
+        scene = {"gravity": [0.0, -1.0], "domain": {"size": [2.0, 2.0], "cells": [32, 32], "sides": {"y_high": "open"}}, "fluid": {"density": 1e-6},
+                 "contact": {"restitution": e},
+                 "body": [{"name": "ball", "shape": "ball", "radius": 0.25, "position": [1.0, 0.45], "velocity": [0.0, -1.0], "density": 1.0}],
+                 "time": {"end": 0.3, "max_step": 0.01}, "output": {"every": 0.3}}
+        rows = track(harness.run(scene), "ball")
+        before, after = next((a, b) for a, b in zip(rows, rows[1:]) if b["vy"] > a["vy"] + 0.5)
+        # Energy at the floor before, and just after from what the ball still has some steps later.
+        v0 = math.sqrt(1 + 2 * 0.2)
+        last = rows[-1]
+        v1 = math.sqrt(max(2 * (last["y"] - 0.25) + last["vy"] ** 2, 0)) if e > 0 else abs(after["vy"])
+        if e == 0:
+            v1 = max(abs(row["vy"]) for row in rows if row["time"] > before["time"] + 0.02)
+        error = abs(v1 / v0 - e)
+        yield Row(SECTION, f"ball on a floor in a fluid of density 1e-6, restitution {e:g}: rebound speed", "± 0.5 % of the speed of impact",
+                  f"{v1 / v0:.5f}", error <= 0.005)
+
+
+def friction(quick):
+    for dimension in (2,) if quick else (2, 3):
+        moved = {}
+        for factor in (0.99, 1.01):
+            domain = OPEN_TOP if dimension == 2 else {"size": [2.0, 1.0, 1.0], "cells": [32, 16, 16], "sides": {"z_high": "open"}}
+            size, position = ([1.0, 0.5], [1.5, 0.25]) if dimension == 2 else ([0.5, 0.4, 0.3], [0.8, 0.5, 0.15])
+            scene = {"gravity": [0.3] + [0.0] * (dimension - 2) + [-1.0], "domain": domain, "contact": {"friction": 0.3 * factor},
+                     "body": [{"name": "block", "shape": "box", "size": size, "position": position, "density": 2.0}],
+                     "time": {"end": 0.5, "max_step": 0.02}, "output": {"every": 0.5}}
+            rows = track(harness.run(scene), "block")
+            moved[factor] = rows[-1]["x"] - rows[0]["x"]
+        yield Row(SECTION, f"block on a floor tilted by tan θ = 0.3, {dimension}D: way in t = 0.5 at μ = 0.99 and 1.01 tan θ", "slides; holds (< 1e-6)",
+                  f"{moved[0.99]:.1e}; {moved[1.01]:.1e}", moved[0.99] > 1e-5 and abs(moved[1.01]) < 1e-6)
+
+
+def stack(quick):
+    bodies = [{"name": f"box{i}", "shape": "box", "size": [0.8, 0.3], "position": [2 + 0.05 * (-1) ** i, 0.15 + 0.3 * i + 0.002 * (i + 1)], "density": 2.0}
+              for i in range(5)]
+    scene = {"gravity": [0.0, -1.0], "domain": {"size": [4.0, 2.0], "cells": [64, 32], "sides": {"y_high": "open"}}, "contact": {"friction": 0.3},
+             "gap": {"roughness": 1e-3}, "body": bodies, "time": {"end": 2.0 if quick else 10.0, "max_step": 0.02}, "output": {"every": 10.0}}
+    result = harness.run(scene)
+    overlap = max(1e-3 - row["thickness"] for row in result["gaps"])
+    speed = max(math.hypot(row["vx"], row["vy"]) for row in result["bodies"][-5:])
+    energy = [row["energy_fluid"] + row["energy_bodies"] for row in result["steps"]]
+    yield Row(SECTION, f"stack of 5 boxes, let go {2:g} … 10 thousandths too high, to t = {scene['time']['end']:g}: overlap in cells, last speed, "
+              "largest kinetic energy", "overlap ≤ 1e-3", f"{max(overlap, 0) * 16:.1e}, {speed:.1e}, {max(energy):.1e}",
+              overlap * 16 <= 1e-3 and speed < 0.05)
+
+
+# ---- many bodies --------------------------------------------------------------------------------------------------------------
+
+def random_scene(number):
+    """3 to 12 bodies of all shapes anywhere in a tank, some overlapping, that fall on each other."""
+    rng = random.Random(number)
+    dimension = rng.choice((2, 2, 3))
+    n = 32 if dimension == 2 else 16
+    bodies = []
+    for i in range(rng.randint(3, 12)):
+        shape = rng.choice(("box", "ball", "capsule") + (("cylinder",) if dimension == 3 else ()))
+        r = rng.uniform(0.06, 0.16)
+        body = {"name": f"b{i}", "shape": shape, "position": [rng.uniform(0.15, 0.85) for _ in range(dimension)], "density": rng.choice((0.5, 1.0, 2.0, 8.0)),
+                "velocity": [rng.gauss(0, 0.3) for _ in range(dimension)]}
+        if shape == "box":
+            body["size"] = [rng.uniform(r, 2 * r) for _ in range(dimension)]
+        else:
+            body["radius"] = r
+        if shape in ("capsule", "cylinder"):
+            body["length"] = r
+        body["rotation"] = rng.uniform(0, 360) if dimension == 2 else [rng.gauss(0, 1) for _ in range(4)]
+        bodies.append(body)
+    scene = {"gravity": [0.0] * (dimension - 1) + [-1.0],
+             "domain": {"size": [1.0] * dimension, "cells": [n] * dimension, "sides": {"xyz"[dimension - 1] + "_high": "open"}},
+             "contact": {"friction": rng.choice((0.0, 0.3)), "restitution": rng.choice((0.0, 0.0, 0.5))},
+             "gap": {"roughness": rng.choice((0.0, 1e-3))}, "body": bodies,
+             "time": {"end": 1000.0, "max_step": 0.01}, "output": {"every": 1000.0}}
+    return scene, dimension
+
+
+def random_scenes(quick):
+    import tempfile
+    from pathlib import Path
+    count, steps = (12, 10) if quick else (200, 50)
+    bad, unsettled, grown = [], 0, 0.0
+    for number in range(count):
+        scene, dimension = random_scene(number)
+        scene = copy.deepcopy(scene)
+        scene["time"]["end"] = 0.01 * steps
+        with tempfile.TemporaryDirectory() as folder:
+            file, out = Path(folder) / "scene.toml", Path(folder) / "out"
+            file.write_text(harness.scene_text(scene))
+            done = harness.command(["run", file, "-o", out, "--quiet"], check=False, timeout=900)
+            rows = harness.read_table(out / "steps.csv") if (out / "steps.csv").exists() else []
+            if done.returncode != 0:
+                bad.append(f"{number}: {done.stderr.strip()[-120:]}")
+                continue
+            unsettled += "did not settle" in done.stderr
+            values = [row["energy_bodies"] for row in rows]
+            if any(not math.isfinite(v) for v in values):
+                bad.append(f"{number}: not finite")
+            # What falls from the top of the tank to its floor gains its weight times the height, and no more.
+            masses = sum(b.get("density") * 0.15 for b in scene["body"])
+            grown = max(grown, max(values) / (values[0] + masses))
+    yield Row(SECTION, f"{count} random scenes of 3 to 12 bodies in 2D and 3D, t = {0.01 * steps:g}: failures; contacts unsettled; largest kinetic energy over a bound",
+              "0; –; ≤ 1", f"{len(bad)}{' (' + '; '.join(bad[:3]) + ')' if bad else ''}; {unsettled}; {grown:.2f}", not bad and grown <= 1)
+
+
+ALL = (head_on, plates_meet, rest, rebound, friction, stack, random_scenes)
