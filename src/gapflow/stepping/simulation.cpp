@@ -132,7 +132,7 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     const BoundaryVelocity<D> sides = side_velocities(time_);
     const AdvectionScheme scheme = scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack
                                                                                     : AdvectionScheme::semi_lagrangian;
-    advect(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides);
+    advect<D>(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides, nullptr, faces_near_mouths());
     if (any_film_faces_) {
         FaceField<D> from_film(grid_);
         const auto& cells = coupling_->network.cells.cells;
@@ -161,6 +161,31 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     u_star.conduit = std::move(flow.conduit);
     conduit_scale = std::move(flow.conduit_scale);
     return u_star;
+}
+
+// Faces near the cells that a film's mouth joins: the jets there are thinner than a cell, and MacCormack's correction, clamped
+// or not, feeds on them until the flow through a valve's seat grows without bound.
+template <int D>
+const FaceField<D, std::int8_t>* Simulation<D>::faces_near_mouths()
+{
+    constexpr int reach = 2; // cells
+    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
+    if (conduits.empty())
+        return nullptr;
+    if (near_mouths_[0].size() == 0)
+        near_mouths_ = FaceField<D, std::int8_t>(grid_);
+    for (int axis = 0; axis < D; ++axis)
+        near_mouths_[axis].fill(0);
+    for (const Conduit<D>& conduit : conduits)
+        for (const auto& [key, weight] : conduit.cells) {
+            const Index<D> c = grid_.cell_of_key(key);
+            for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 2), [&](const Index<D>& f) {
+                for (int axis = 0; axis < D; ++axis)
+                    if (near_mouths_[axis].block().contains(f))
+                        near_mouths_(axis, f) = 1;
+            });
+        }
+    return &near_mouths_;
 }
 
 // Stage 5: twists of free bodies after all forces but the fluid's, of others as given.

@@ -39,6 +39,7 @@ void check_rest()
     Scene scene = tank(D);
     const double height = 0.3, z = 0.5 * height;
     scene.bodies = {D == 2 ? box("box", {0.6, height, 0}, {0.97, z, 0}) : box("box", {0.4, 0.5, height}, {0.47, 0.52, z})};
+    scene.tolerance = 1e-12;
     Simulation<D> simulation(scene, Communicator());
     const double volume = D == 2 ? 0.6 * height : 0.4 * 0.5 * height;
     for (int i = 0; i < 20; ++i) {
