@@ -21,6 +21,8 @@ constexpr double longest_push = 0.1;
 constexpr double same_place = 0.5;
 // Approach below this times what the step's forces add is resting, not impact.
 constexpr double resting = 2.0;
+// A contact whose opening rate changes by less than this times what the forces add leaves its bodies' motion smooth.
+constexpr double smooth = 0.05;
 // Rounds after which contacts change one at a time.
 constexpr int rounds_at_once = 8;
 constexpr double friction_accuracy = 1e-5; // of the friction's bound
@@ -189,9 +191,9 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
     changes_ = 0;
     for (Contact<D>& c : contacts_) {
         c.approach = rate(c.normal, c, before);
-        const double gained = std::abs(rate(c.normal, c, forced) - c.approach);
+        c.gained = std::abs(rate(c.normal, c, forced) - c.approach);
         c.least = -std::max(c.point.distance - c.hold, 0.0) / dt;
-        const bool impact = c.restitution > 0 && c.approach < -resting * gained && c.approach < 0;
+        const bool impact = c.restitution > 0 && c.approach < -resting * c.gained && c.approach < 0;
         c.target = impact ? -c.restitution * c.approach : c.least;
         // What rests near its place may drift within it: only what closes in this step is held.
         if (c.closed && c.point.distance - c.hold > cushion * dx_)
@@ -296,7 +298,8 @@ template <int D>
 bool ContactSet<D>::impact_on(int solid) const
 {
     return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
-        return (c.point.a == solid || c.point.b == solid) && (c.closed != c.was_closed || (c.closed && c.target > 0));
+        return (c.point.a == solid || c.point.b == solid) &&
+               (c.closed != c.was_closed || (c.closed && std::abs(c.target - c.approach) > smooth * c.gained));
     });
 }
 

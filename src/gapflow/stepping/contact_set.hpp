@@ -25,6 +25,7 @@ struct Contact {
     RelativeRow<D> normal;
     std::array<RelativeRow<D>, D - 1> tangents;
     double approach = 0;                ///< opening rate before the step
+    double gained = 0;                  ///< what the explicit forces add to it in the step, magnitude
     double least = 0;                   ///< opening rate that the end of the step may not fall below
     double target = 0;                  ///< opening rate while it holds: `least`, or a rebound
     bool closed = false, was_closed = false;
@@ -57,7 +58,8 @@ public:
 
     const std::vector<Contact<D>>& contacts() const { return contacts_; }
     bool empty() const { return contacts_.empty(); }
-    /// Whether a contact of this solid closed, opened or rebounded in the step.
+    /// Whether a contact of this solid closed, opened, rebounded or was brought to rest in the step: then the change of its
+    /// twist is no acceleration that goes on.
     bool impact_on(int solid) const;
 
 private:
