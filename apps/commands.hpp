@@ -4,6 +4,11 @@
 #include "gapflow/core/communicator.hpp"
 #include "gapflow/scene/scene.hpp"
 
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace gapflow {
 
 struct RunOptions {
@@ -12,6 +17,22 @@ struct RunOptions {
 
 /// Runs the scene to its end and writes the files of a run. Collective.
 int run_command(const Scene& scene, const RunOptions& options);
+
+struct ConvergeOptions {
+    std::string cells;                   ///< along the first axis, as "32,64,128"
+    std::string reference;               ///< CSV file; empty: the finest run
+    std::vector<std::string> quantities; ///< "body.column", "a-b.column" of a gap; empty: positions and velocities
+    std::vector<std::string> columns;    ///< "quantity=column" of the reference file
+    std::string window;                  ///< "from,to"; empty: the whole run
+    bool quiet = false;
+};
+
+/// Reads the user's scene with more overrides after the user's own.
+using SceneReader = std::function<Scene(const std::vector<std::pair<std::string, std::string>>& overrides)>;
+
+/// Runs the scene on several grids, with max_step and gap_cfl in proportion to the spacing, into folders cells_N of the output
+/// folder; prints errors and observed orders and writes converge.csv and converge.json there. Collective.
+int converge_command(const SceneReader& read, const ConvergeOptions& options);
 
 /// Prints what a valid scene asks for. Collective.
 int check_command(const Scene& scene);

@@ -19,7 +19,7 @@ constexpr int failed = 1, bad_input = 2;
 struct Arguments {
     std::string scene, directory, resume;
     std::vector<std::string> sets;
-    std::string cells, reference; // of converge
+    ConvergeOptions converge;
     bool quiet = false, json = false, png = false;
 };
 
@@ -37,12 +37,14 @@ Overrides overrides_of(const std::vector<std::string>& sets)
     return overrides;
 }
 
-Scene scene_of(const Arguments& arguments, Purpose purpose)
+Scene scene_of(const Arguments& arguments, Purpose purpose, const Overrides& more = {})
 {
-    Scene scene = read_scene(arguments.scene, overrides_of(arguments.sets), purpose);
+    Overrides overrides = overrides_of(arguments.sets);
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    Scene scene = read_scene(arguments.scene, overrides, purpose);
     if (!arguments.directory.empty())
         scene.output_directory = arguments.directory;
-    if (Communicator().root())
+    if (Communicator().root() && more.empty())
         for (const std::string& warning : scene.warnings)
             std::cerr << "gapflow: warning: " << warning << '\n';
     return scene;
@@ -54,6 +56,13 @@ int run(const Arguments& arguments)
         throw InputError("--resume " + arguments.resume +
                          ": not available in this version: checkpoints come later; start the run anew");
     return run_command(scene_of(arguments, Purpose::run), {arguments.quiet});
+}
+
+int converge(Arguments& arguments)
+{
+    arguments.converge.quiet = arguments.quiet;
+    return converge_command([&](const Overrides& more) { return scene_of(arguments, Purpose::run, more); },
+                            arguments.converge);
 }
 
 int not_available(const std::string& command)
@@ -93,11 +102,32 @@ void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& act
     add_scene(mass);
     mass->add_flag("--json", arguments.json, "Print JSON");
 
-    CLI::App* converge = add("converge", "Errors and observed orders on several grids (not available in this version)",
-                             [] { return not_available("converge"); });
-    add_scene(converge);
-    converge->add_option("--cells", arguments.cells, "Cells along x of each run, as 32,64,128")->type_name("LIST");
-    converge->add_option("--reference", arguments.reference, "Table to compare with")->type_name("FILE.csv");
+    CLI::App* converge_app = add("converge", "Run a scene on several grids; errors and observed orders of its motion",
+                                 [&] { return converge(arguments); });
+    add_scene(converge_app);
+    ConvergeOptions& options = arguments.converge;
+    converge_app->add_option("--cells", options.cells, "Cells along x of each run, as 32,64,128; others in proportion")
+        ->required()
+        ->type_name("LIST");
+    converge_app->add_option("--reference", options.reference,
+                             "Table to compare with: a line of column names, one of them time; without it, the finest run")
+        ->type_name("FILE.csv");
+    converge_app
+        ->add_option("--quantity", options.quantities,
+                     "What to compare: BODY.COLUMN of bodies.csv, as upper.y, or BODY-BODY.COLUMN of gaps.csv, as "
+                     "lower-upper.thickness; may be repeated; without it, positions and velocities of all free bodies")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    converge_app
+        ->add_option("--column", options.columns, "Column of the reference for a quantity, as upper.vy=speed; may be repeated")
+        ->allow_extra_args(false)
+        ->type_name("QUANTITY=NAME");
+    converge_app->add_option("--window", options.window, "Times to compare over, as 0,0.5")->type_name("FROM,TO");
+    converge_app->add_option("-o,--output", arguments.directory, "Folder for the runs and the table, instead of output.directory")
+        ->type_name("DIR");
+    converge_app->add_flag("-q,--quiet", arguments.quiet, "No progress, only the table");
+    converge_app->footer("Runs with domain.cells in proportion, time.max_step and time.gap_cfl scaled with the spacing, into "
+                         "folders cells_N; writes converge.csv and converge.json. Errors are divided by the reference's range.");
 
     CLI::App* report =
         add("report", "One HTML page of a run (not available in this version)", [] { return not_available("report"); });

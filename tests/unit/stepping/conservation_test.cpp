@@ -168,8 +168,10 @@ void expect_identities(const Scene& scene, bool walls_move)
     EXPECT_LT(worst, 1e-12);
 }
 
+// With a constrained body the momentum changes by its reaction alone, which does no work on admissible twists: nothing of it
+// is left after the projection.
 template <int D>
-void expect_momentum(const Scene& scene)
+void expect_momentum(const Scene& scene, int constrained = -1)
 {
     const World<D> world(scene);
     const Coupling<D>& c = world.coupling;
@@ -178,7 +180,7 @@ void expect_momentum(const Scene& scene)
     FluidVelocity<D> u = velocity_of<D>(world, [&](const Vec<D>&) { return Vec<D>(Vec<D>::NullaryExpr([&] { return uniform(random); })); });
     std::vector<Twist<D>> twists(c.solids.size(), Twist<D>::Zero());
     for (std::size_t b = 0; b < world.bodies.size(); ++b)
-        twists[b] = Twist<D>::NullaryExpr([&] { return uniform(random); });
+        twists[b] = c.solids[b].admissible * Twist<D>(Twist<D>::NullaryExpr([&] { return uniform(random); }));
     const Twist<D> before = momentum(world, u, twists, u.film_normal);
 
     Eigen::VectorXd no_contact;
@@ -199,7 +201,16 @@ void expect_momentum(const Scene& scene)
         FluidVelocity<D> u_next = u;
         subtract_gradient(c, p, u_next);
         const Twist<D> after = momentum(world, u_next, V_next, wall_normal_speed<D>(c.network, c.solids, V_next));
-        EXPECT_LT((after - before).cwiseAbs().maxCoeff(), 1e-10 * (1 + before.cwiseAbs().maxCoeff()));
+        Twist<D> change = after - before;
+        if (constrained >= 0) {
+            const TwistMatrix<D>& P = c.solids[constrained].admissible;
+            const Twist<D> V_after = V_next[constrained];
+            EXPECT_LT((V_after - P * V_after).norm(), 1e-14 * V_after.norm());
+            EXPECT_GT(change.norm(), 1e-3); // there is a reaction
+            change.template tail<spin_size<D>>() -= moment<D>(c.solids[constrained].centre, Vec<D>(change.template head<D>()));
+            change = P * change;
+        }
+        EXPECT_LT(change.cwiseAbs().maxCoeff(), 1e-10 * (1 + before.cwiseAbs().maxCoeff()));
     }
 }
 
@@ -209,6 +220,33 @@ TEST(Identities, TurnedPlates2D) { expect_identities<2>(turned_plates(2, 1e-3), 
 TEST(Identities, TurnedPlates3D) { expect_identities<3>(turned_plates(3, 1e-3), false); }
 TEST(Momentum, BallInContainer2D) { expect_momentum<2>(ball_in_container(2, 1e-3)); }
 TEST(Momentum, BallInContainer3D) { expect_momentum<3>(ball_in_container(3, 1e-3)); }
+
+Scene constrained(Scene scene, const std::array<bool, 6>& free)
+{
+    scene.bodies[1].free = free;
+    return scene;
+}
+
+Scene hinged(Scene scene, const Triple& point, const Triple& axis)
+{
+    scene.bodies[1].hinge = HingeScene{point, axis};
+    return scene;
+}
+
+TEST(Momentum, OfAllButAReactionWithDirectionsHeld2D)
+{
+    expect_momentum<2>(constrained(ball_in_container(2, 1e-3), {false, true, false, false, false, false}), 1);
+    expect_momentum<2>(constrained(ball_in_container(2, 1e-3), {true, true, false, false, false, false}), 1);
+}
+TEST(Momentum, OfAllButAReactionWithDirectionsHeld3D)
+{
+    expect_momentum<3>(constrained(ball_in_container(3, 1e-3), {true, false, true, false, true, false}), 1);
+}
+TEST(Momentum, OfAllButAReactionWithAHinge2D) { expect_momentum<2>(hinged(ball_in_container(2, 1e-3), {0.7, 1.2, 0}, {1, 0, 0}), 1); }
+TEST(Momentum, OfAllButAReactionWithAHinge3D)
+{
+    expect_momentum<3>(hinged(ball_in_container(3, 1e-3), {0.7, 1.2, 0.9}, {2.0 / 3, -1.0 / 3, 2.0 / 3}), 1);
+}
 
 } // namespace
 } // namespace gapflow

@@ -1,0 +1,307 @@
+// gapflow converge: a scene on several grids, with steps in proportion; errors and observed orders of chosen quantities.
+#include "commands.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/core/logging.hpp"
+#include "gapflow/core/text.hpp"
+#include "gapflow/output/convergence.hpp"
+#include "gapflow/output/file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gapflow {
+
+namespace {
+
+/// Of a run, "body.column" of bodies.csv or "a-b.column" of gaps.csv.
+struct Quantity {
+    std::string name, column;
+    std::string body, other; ///< other: of a gap, else empty
+    std::string reference;   ///< column of the reference file, empty: the finest run
+};
+
+const std::vector<std::string> gap_columns{"thickness", "opening_rate", "film_area",     "pressure_min",   "pressure_max",
+                                           "force",     "contact_force", "contact_impulse", "void_volume"};
+
+std::vector<std::string> body_columns(int dimension)
+{
+    if (dimension == 2)
+        return {"x", "y", "angle", "vx", "vy", "omega", "fx", "fy", "torque"};
+    return {"x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz", "fx", "fy", "fz", "tx", "ty", "tz"};
+}
+
+std::vector<int> grids_of(const std::string& list, const Scene& scene)
+{
+    std::vector<int> grids;
+    for (const auto part : split(list, ',')) {
+        const auto number = parse_number(part);
+        const std::string at = "--cells " + list + ": ";
+        if (!number || *number != std::floor(*number) || *number < 1 || *number > 1e6)
+            throw InputError(at + "'" + std::string(part) + "' is not a number of cells; write for example --cells 32,64,128");
+        const int n = static_cast<int>(*number);
+        for (int axis = 1; axis < scene.dimension; ++axis)
+            if (static_cast<long>(n) * scene.cells[axis] % scene.cells[0] != 0)
+                throw InputError(at + std::to_string(n) + " cells along x make no whole number of cells along " + "xyz"[axis] +
+                                 "; choose numbers that keep the proportions of domain.cells");
+        grids.push_back(n);
+    }
+    std::sort(grids.begin(), grids.end());
+    if (grids.size() < 2 || std::adjacent_find(grids.begin(), grids.end()) != grids.end())
+        throw InputError("--cells " + list + ": an order takes two different grids or more; write for example --cells 32,64,128");
+    return grids;
+}
+
+TimeWindow window_of(const std::string& text, const Scene& scene)
+{
+    if (text.empty())
+        return {0, scene.end};
+    const auto parts = split(text, ',');
+    const auto from = parse_number(parts[0]), to = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
+    if (!from || !to || !(*from >= 0 && *from < *to && *to <= scene.end))
+        throw InputError("--window " + text + ": two times FROM,TO are needed, 0 <= FROM < TO <= time.end = " +
+                         number_text(scene.end));
+    return {*from, *to};
+}
+
+/// The quantity of a name; throws InputError that lists what there is.
+Quantity quantity_of(const std::string& name, const Scene& scene)
+{
+    std::vector<std::string> bodies;
+    for (const BodyScene& body : scene.bodies)
+        bodies.push_back(body.name);
+    std::vector<std::string> solids = bodies;
+    for (int side = 0; side < 2 * scene.dimension; ++side)
+        solids.push_back("wall:" + side_names[side]);
+    const auto dot = name.rfind('.');
+    const std::string owner = name.substr(0, dot), column = dot == std::string::npos ? "" : name.substr(dot + 1);
+    const auto has = [](const std::vector<std::string>& list, const std::string& text) {
+        return std::find(list.begin(), list.end(), text) != list.end();
+    };
+    const auto check_column = [&](const std::vector<std::string>& columns) {
+        if (has(columns, column))
+            return;
+        const std::string near = nearest_name(column, columns);
+        throw InputError("quantity " + name + ": there is no '" + column + "'" +
+                         (near.empty() ? "" : ", did you mean '" + near + "'?") + "; choose from " + joined(columns));
+    };
+    if (has(bodies, owner)) {
+        check_column(body_columns(scene.dimension));
+        return {name, column, owner, "", ""};
+    }
+    for (const std::string& a : solids)
+        for (const std::string& b : solids)
+            if (a != b && owner == a + "-" + b) {
+                check_column(gap_columns);
+                return {name, column, a, b, ""};
+            }
+    const std::string near = nearest_name(owner, bodies);
+    throw InputError("quantity " + name + ": no body and no gap is named '" + owner + "'" +
+                     (near.empty() ? "" : ", did you mean '" + near + "." + column + "'?") +
+                     "; write BODY.COLUMN, as upper.y, or BODY-BODY.COLUMN, as lower-upper.thickness; the bodies are: " +
+                     joined(bodies));
+}
+
+/// Positions and velocities of the free bodies.
+std::vector<Quantity> default_quantities(const Scene& scene)
+{
+    std::vector<Quantity> all;
+    const std::vector<std::string> columns = scene.dimension == 2
+                                                 ? std::vector<std::string>{"x", "y", "angle", "vx", "vy", "omega"}
+                                                 : std::vector<std::string>{"x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"};
+    for (const BodyScene& body : scene.bodies)
+        if (body.motion == BodyScene::Motion::free)
+            for (const std::string& column : columns)
+                all.push_back(quantity_of(body.name + "." + column, scene));
+    if (all.empty())
+        throw InputError(scene.file + ": no body is free; choose what to compare with --quantity BODY.COLUMN");
+    return all;
+}
+
+std::string time_column(const CsvTable& table)
+{
+    for (const char* name : {"time", "t"})
+        if (std::find(table.names.begin(), table.names.end(), name) != table.names.end())
+            return name;
+    throw InputError(table.file + ": has no column 'time' (or 't'); its columns are: " + joined(table.names));
+}
+
+/// What to compare, with the reference's columns: those of --column; else columns that have the quantities' names.
+std::vector<Quantity> choose_quantities(const Scene& scene, const ConvergeOptions& options, const CsvTable* reference)
+{
+    std::vector<Quantity> chosen;
+    for (const std::string& name : options.quantities)
+        chosen.push_back(quantity_of(name, scene));
+    for (const std::string& mapping : options.columns) {
+        const auto equals = mapping.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == mapping.size())
+            throw InputError("--column " + mapping + ": not quantity=column; write for example --column upper.vy=speed");
+        if (!reference)
+            throw InputError("--column " + mapping + ": columns are those of a reference file; add --reference FILE.csv");
+        const std::string name = mapping.substr(0, equals), column = mapping.substr(equals + 1);
+        reference->column(column); // throws where there is none
+        auto known = std::find_if(chosen.begin(), chosen.end(), [&](const Quantity& q) { return q.name == name; });
+        if (known == chosen.end())
+            known = chosen.insert(chosen.end(), quantity_of(name, scene));
+        known->reference = column;
+    }
+    const bool asked = !chosen.empty();
+    if (!asked)
+        chosen = default_quantities(scene);
+    if (!reference)
+        return chosen;
+    std::vector<Quantity> found;
+    for (Quantity& q : chosen) {
+        const bool there = std::find(reference->names.begin(), reference->names.end(), q.name) != reference->names.end();
+        if (q.reference.empty() && there)
+            q.reference = q.name;
+        if (!q.reference.empty())
+            found.push_back(q);
+        else if (asked)
+            throw InputError(reference->file + ": has no column '" + q.name + "'; name one with --column " + q.name +
+                             "=NAME; its columns are: " + joined(reference->names));
+    }
+    if (found.empty())
+        throw InputError(reference->file + ": no column is named like a quantity of the scene (as " + chosen[0].name +
+                         "); name one with --column " + chosen[0].name + "=NAME; its columns are: " + joined(reference->names));
+    return found;
+}
+
+struct Run {
+    int cells = 0;
+    double spacing = 0;
+    long steps = 0;
+    std::string folder;
+    std::vector<Series> series; ///< of each quantity
+};
+
+Series series_of(const Quantity& q, const CsvTable& bodies, const CsvTable& gaps)
+{
+    if (q.other.empty())
+        return read_series(bodies, "time", q.column, {{"body", q.body}});
+    Series series = read_series(gaps, "time", q.column, {{"body_a", q.body}, {"body_b", q.other}});
+    if (series.time.empty())
+        series = read_series(gaps, "time", q.column, {{"body_a", q.other}, {"body_b", q.body}});
+    return series;
+}
+
+void read_run(const std::vector<Quantity>& quantities, Run& run)
+{
+    const CsvTable bodies = read_csv(run.folder + "/bodies.csv"), steps = read_csv(run.folder + "/steps.csv");
+    run.steps = static_cast<long>(steps.rows.size()) - 1;
+    const bool any_gap = std::any_of(quantities.begin(), quantities.end(), [](const Quantity& q) { return !q.other.empty(); });
+    const CsvTable gaps = any_gap ? read_csv(run.folder + "/gaps.csv") : CsvTable{};
+    for (const Quantity& q : quantities)
+        run.series.push_back(series_of(q, bodies, gaps));
+}
+
+/// Errors of one quantity. An empty result: it does not change, so that there is nothing to divide by.
+std::optional<ConvergenceOf> compare(std::size_t number, const Quantity& q, const std::vector<Run>& runs,
+                                     const CsvTable* reference_file, TimeWindow window)
+{
+    const bool finest = !reference_file;
+    const Series reference =
+        finest ? runs.back().series[number] : read_series(*reference_file, time_column(*reference_file), q.reference);
+    std::vector<const Series*> all{&reference};
+    for (const Run& run : runs)
+        all.push_back(&run.series[number]);
+    for (const Series* series : all) {
+        if (!series->time.empty()) {
+            window.from = std::max(window.from, series->time.front());
+            window.to = std::min(window.to, series->time.back());
+        }
+        const auto inside = std::count_if(series->time.begin(), series->time.end(),
+                                          [&](double t) { return t >= window.from && t <= window.to; });
+        if (inside < 2 && series != &reference)
+            throw InputError("quantity " + q.name + ": a run and its reference share no two times within " +
+                             number_text(window.from) + " ... " + number_text(window.to) +
+                             "; choose another quantity, or another --window FROM,TO");
+    }
+    ConvergenceOf result;
+    result.quantity = q.name;
+    result.reference = finest ? fmt::format("the run with {} cells", runs.back().cells)
+                              : reference_file->file + ", column " + q.reference;
+    result.window = window;
+    result.range = range_of(reference, window);
+    // What moves by rounding and solver tolerance only has no order.
+    double size = 0;
+    for (double value : reference.value)
+        size = std::max(size, std::abs(value));
+    if (!(result.range > 1e-9 * size) || !(result.range > 1e-12))
+        return std::nullopt;
+    for (std::size_t r = 0; r < runs.size() - (finest ? 1 : 0); ++r) {
+        SeriesError error = error_of(runs[r].series[number], reference, window);
+        error.max /= result.range;
+        error.l2 /= result.range;
+        result.rows.push_back({runs[r].cells, runs[r].spacing, runs[r].steps, error, {}, {}});
+    }
+    find_orders(result, finest ? runs.back().spacing : 0.0);
+    return result;
+}
+
+} // namespace
+
+int converge_command(const SceneReader& read, const ConvergeOptions& options)
+{
+    const Communicator comm;
+    const Logger log(comm, options.quiet);
+    const Scene scene = read({});
+    const std::vector<int> grids = grids_of(options.cells, scene);
+    const TimeWindow window = window_of(options.window, scene);
+    std::optional<CsvTable> reference;
+    if (!options.reference.empty()) {
+        reference = read_csv(options.reference);
+        time_column(*reference);
+    }
+    const CsvTable* reference_file = reference ? &*reference : nullptr;
+    const std::vector<Quantity> quantities = choose_quantities(scene, options, reference_file);
+
+    // All scenes first: a value out of range is told before anything runs.
+    std::vector<Scene> scenes;
+    for (int n : grids) {
+        const double ratio = static_cast<double>(scene.cells[0]) / n;
+        std::vector<std::string> cells;
+        for (int axis = 0; axis < scene.dimension; ++axis)
+            cells.push_back(std::to_string(static_cast<long>(n) * scene.cells[axis] / scene.cells[0]));
+        scenes.push_back(read({{"domain.cells", "[" + joined(cells, ",") + "]"},
+                               {"time.max_step", fmt::format("{:.17g}", scene.max_step * ratio)},
+                               {"time.gap_cfl", fmt::format("{:.17g}", scene.gap_cfl * ratio)}}));
+        scenes.back().output_directory = scene.output_directory + "/cells_" + std::to_string(n);
+    }
+    std::vector<Run> runs;
+    for (const Scene& each : scenes) {
+        log.info(fmt::format("run {} of {}: {} cells along x, max_step {:.4g}, gap_cfl {:.4g}, into {}", runs.size() + 1,
+                             grids.size(), each.cells[0], each.max_step, each.gap_cfl, each.output_directory));
+        if (const int status = run_command(each, {options.quiet}))
+            return status;
+        runs.push_back({each.cells[0], each.size[0] / each.cells[0], 0, each.output_directory, {}});
+    }
+    on_root(comm, [&] {
+        for (Run& run : runs)
+            read_run(quantities, run);
+        std::vector<ConvergenceOf> all;
+        std::vector<std::string> still;
+        for (std::size_t i = 0; i < quantities.size(); ++i) {
+            auto result = compare(i, quantities[i], runs, reference_file, window);
+            if (result)
+                all.push_back(std::move(*result));
+            else
+                still.push_back(quantities[i].name);
+        }
+        if (!still.empty())
+            log.info("left out, as the reference does not change: " + joined(still));
+        if (all.empty())
+            throw InputError("nothing to compare: none of the quantities changes within the window; choose others with "
+                             "--quantity, or another --window FROM,TO");
+        write_atomically(scene.output_directory + "/converge.csv", convergence_csv(all));
+        write_atomically(scene.output_directory + "/converge.json", convergence_json(all));
+        std::fputs(convergence_text(all).c_str(), stdout);
+        log.info(fmt::format("files: {0}/converge.csv, {0}/converge.json", scene.output_directory));
+    });
+    return 0;
+}
+
+} // namespace gapflow

@@ -1,0 +1,111 @@
+#include "gapflow/output/convergence.hpp"
+#include "temporary.hpp"
+
+#include "gapflow/core/error.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace gapflow {
+namespace {
+
+Series sampled(int steps, double end, double (*f)(double))
+{
+    Series series;
+    for (int i = 0; i <= steps; ++i) {
+        series.time.push_back(i * end / steps);
+        series.value.push_back(f(series.time.back()));
+    }
+    return series;
+}
+
+TEST(Convergence, ErrorsOfAHandMadeSeries)
+{
+    const Series reference = sampled(1, 2, [](double t) { return 3 * t; });
+    const Series run = sampled(4, 2, [](double t) { return 3 * t + t * t; }); // e = t^2 at 0, 0.5, 1, 1.5, 2
+    const SeriesError all = error_of(run, reference, {0, 2});
+    EXPECT_NEAR(all.max, 4, 1e-14);
+    EXPECT_NEAR(all.l2, std::sqrt(0.5 * (0.5 * 16 + 0.0625 + 1 + 5.0625) / 2), 1e-14);
+    const SeriesError part = error_of(run, reference, {0.4, 1.1});
+    EXPECT_NEAR(part.max, 1, 1e-14);
+    EXPECT_NEAR(range_of(reference, {0.5, 1.5}), 3, 1e-14);
+    EXPECT_NEAR(range_of(sampled(2, 2, [](double t) { return (t - 1) * (t - 1); }), {0, 2}), 1, 1e-14);
+}
+
+TEST(Convergence, OrdersAreThoseOfTheErrorsLaw)
+{
+    const std::vector<double> h{0.4, 0.2, 0.15, 0.05};
+    for (double p : {0.5, 1.0, 2.0, 3.3}) {
+        std::vector<double> exact, finest;
+        for (double spacing : h) {
+            exact.push_back(7 * std::pow(spacing, p));
+            finest.push_back(7 * (std::pow(spacing, p) - std::pow(0.05, p)));
+        }
+        EXPECT_NEAR(*observed_order(h, exact, 0), p, 1e-12);
+        EXPECT_NEAR(*observed_order({h[0], h[2]}, {exact[0], exact[2]}, 0), p, 1e-12);
+        EXPECT_NEAR(*observed_order({h[0], h[1]}, {finest[0], finest[1]}, 0.05), p, 1e-10);
+        EXPECT_NEAR(*observed_order(h, finest, 0.05), p, 1e-10); // its own row has error 0
+    }
+    EXPECT_NEAR(*observed_order({0.2, 0.1}, {std::log(0.2 / 0.05), std::log(0.1 / 0.05)}, 0.05), 0, 1e-6);
+    EXPECT_FALSE(observed_order({0.2, 0.1}, {0.1, 0.0}, 0));
+    EXPECT_FALSE(observed_order({0.2}, {0.1}, 0));
+    EXPECT_LT(*observed_order({0.2, 0.1}, {0.1, 0.2}, 0), 0); // errors that grow
+}
+
+TEST(Convergence, TableCsvAndJson)
+{
+    ConvergenceOf c{"ball.y", "a file", {0, 2}, 0.5, {}, {}, {}};
+    for (int n : {8, 16, 32})
+        c.rows.push_back({n, 1.0 / n, 10 * n, {1.0 / n / n, 0.5 / n}, {}, {}});
+    find_orders(c, 0);
+    EXPECT_FALSE(c.rows[0].order_max);
+    EXPECT_NEAR(*c.rows[2].order_max, 2, 1e-12);
+    EXPECT_NEAR(*c.slope_l2, 1, 1e-12);
+    const std::string text = convergence_text({c});
+    EXPECT_THAT(text, testing::HasSubstr("ball.y against a file, times 0 to 2, errors over its range 0.5"));
+    EXPECT_THAT(text, testing::HasSubstr("slope"));
+    EXPECT_THAT(convergence_csv({c}), testing::StartsWith("quantity,cells,spacing,steps,error_max,order_max,error_l2,order_l2\n"
+                                                          "ball.y,8,0.125,80,0.015625,,0.0625,\n"));
+    const auto json = nlohmann::json::parse(convergence_json({c}))["convergence"][0];
+    EXPECT_EQ(json["rows"][1]["cells"], 16);
+    EXPECT_TRUE(json["rows"][0]["order_max"].is_null());
+    EXPECT_NEAR(json["slope_max"].get<double>(), 2, 1e-12);
+}
+
+TEST(Convergence, ReadsNamedColumns)
+{
+    const test::TemporaryFile file("a.csv", "# made by hand\ntime, body ,x\n0,a,1\n0,b,7\n0.5,a,2\n0.5,b,8\n");
+    const CsvTable table = read_csv(file.path());
+    EXPECT_EQ(table.names, (std::vector<std::string>{"time", "body", "x"}));
+    EXPECT_EQ(read_series(table, "time", "x", {{"body", "b"}}).value, (std::vector<double>{7, 8}));
+    EXPECT_TRUE(read_series(table, "time", "x", {{"body", "c"}}).time.empty());
+}
+
+void expect_refusal(const std::string& content, const std::string& expected)
+{
+    const test::TemporaryFile file("bad.csv", content);
+    try {
+        read_series(read_csv(file.path()), "time", "x");
+        FAIL() << content;
+    } catch (const InputError& e) {
+        EXPECT_THAT(std::string(e.what()), testing::HasSubstr("bad.csv" + expected));
+    }
+}
+
+TEST(Convergence, BadReferencesAreRefusedWithPlaceAndRemedy)
+{
+    expect_refusal("", ": has no rows; write");
+    expect_refusal("0,1\n", ":1: the first line must name the columns");
+    expect_refusal("time,y\n0,1\n", ": has no column 'x'; its columns are: time, y");
+    expect_refusal("time,xx\n0,1\n", ": has no column 'x', did you mean 'xx'?");
+    expect_refusal("time,x\n0\n", ":2: has 1 columns, the first line names 2");
+    expect_refusal("time,x\n0,1\n1,one\n", ":3: x = 'one' is not a finite number");
+    expect_refusal("time,x\n1,1\n1,2\n", ":3: time = 1 does not come after 1");
+    EXPECT_THROW(read_csv("/nowhere/a.csv"), InputError);
+}
+
+} // namespace
+} // namespace gapflow
