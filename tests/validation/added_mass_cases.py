@@ -1,6 +1,6 @@
 """Added mass (`gapflow added-mass`) against exact solutions: error = M / M_exact - 1.
 
-Every case is one function of `quick` that yields Rows; `cases` calls them all. Nothing here knows how the code works: scenes in, matrix out.
+Every case is one function of `quick` that yields Rows; ALL lists them. Nothing here knows how the code works: scenes in, matrix out.
 """
 import math
 import time
@@ -604,14 +604,3 @@ def iterations(quick):
 
 ALL = [cylinder_in_container, rectangle_pair, turned_rectangles, voxels, cylinder_near_wall, sphere_near_wall, squeeze_plates, initial_acceleration, spread, jump,
        extruded, line_contact, several_films, invariance, ranks, iterations]
-
-
-def cases(quick, only=None):
-    """All Rows; a case that raises is a failed Row and does not stop the others. only: names of case functions."""
-    for case in ALL:
-        if only and case.__name__ not in only:
-            continue
-        try:
-            yield from case(quick)
-        except Exception as error:    # noqa: BLE001
-            yield Row("Cases that did not run", case.__name__, "runs", f"{type(error).__name__}: {str(error)[-300:]}".replace("\n", " "), False)
