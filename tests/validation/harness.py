@@ -1,6 +1,6 @@
 """Runs the gapflow command on scenes made here, and collects rows of measured against exact.
 
-A module of cases has `cases(quick)`, a generator of Row. quick: the few that every change must pass (minutes); else all.
+A module of cases has ALL, a list of generators of Row that take `quick`: the few that every change must pass (minutes); else all.
 """
 import csv
 import json
@@ -13,6 +13,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 REFERENCE = ROOT / "tests" / "data" / "reference"
 COMMAND = os.environ.get("GAPFLOW", str(ROOT / "build" / "release" / "apps" / "gapflow"))
+PICTURES = {}            # Markdown shown under a section's heading, set by the modules that have pictures
+PICTURE_FOLDER = None    # where cases draw them; None: they do not
 
 
 @dataclass
@@ -50,15 +52,18 @@ def scene_text(scene):
     return "\n".join(lines) + "\n"
 
 
+def single_process():
+    """Environment of one process: no MPI daemon and nothing shared with other runs, a quarter of the start-up time."""
+    return {**os.environ, "OMPI_MCA_plm": "isolated", "OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_orte_create_session_dirs": "0",
+            "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self"}
+
+
 def command(args, ranks=1, check=True, timeout=1800):
     words = [COMMAND, *map(str, args)]
-    env = dict(os.environ)
-    if ranks == 1:    # no MPI daemon and nothing shared with other runs: a quarter of the start-up time
-        env.update(OMPI_MCA_plm="isolated", OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_orte_create_session_dirs="0",
-                   OMPI_MCA_pml="ob1", OMPI_MCA_btl="self")
-    else:
+    env = single_process()
+    if ranks > 1:
         words = ["mpirun", "-n", str(ranks), *words]
-        env.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+        env = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
                    OMPI_MCA_hwloc_base_binding_policy="none", OMPI_MCA_pml="ob1", OMPI_MCA_btl="self,vader")
     done = subprocess.run(words, env=env, capture_output=True, text=True, timeout=timeout)
     if check and done.returncode != 0:
@@ -74,13 +79,30 @@ def added_mass(scene, ranks=1):
         return json.loads(command(["added-mass", file, "--json"], ranks).stdout)
 
 
-def run(scene, ranks=1):
-    """Runs a scene; returns {"bodies": rows, "gaps": rows, "steps": rows}, each a list of dicts of floats and strings."""
+def run(scene, ranks=1, look=None):
+    """Runs a scene; returns {"bodies": rows, "gaps": rows, "steps": rows}, each a list of dicts of floats and strings. `look`, if
+    given, is called with the output folder while it exists; what it returns is "look"."""
     with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "scene.toml"
+        file, out = Path(folder) / "scene.toml", Path(folder) / "out"
         file.write_text(scene_text(scene))
-        command(["run", file, "-o", Path(folder) / "out", "--quiet"], ranks)
-        return {name: read_table(Path(folder) / "out" / f"{name}.csv") for name in ("bodies", "gaps", "steps")}
+        command(["run", file, "-o", out, "--quiet"], ranks)
+        result = {name: read_table(out / f"{name}.csv") for name in ("bodies", "gaps", "steps")}
+        if look:
+            result["look"] = look(out)
+        return result
+
+
+def unit_figures(program, test):
+    """{name: text} that a unit test recorded, and whether it passed."""
+    executable = Path(COMMAND).parents[1] / "tests" / program
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "result.json"
+        subprocess.run([executable, f"--gtest_filter={test}", f"--gtest_output=json:{file}"], capture_output=True, timeout=1800, env=single_process())
+        found = json.loads(file.read_text())["testsuites"]
+    tests = [entry for suite in found for entry in suite["testsuite"]]
+    if len(tests) != 1:
+        raise RuntimeError(f"{executable} has no test {test}")
+    return tests[0], "failures" not in tests[0]
 
 
 def read_table(path):

@@ -1,11 +1,16 @@
-"""Runs the validation: python3 main.py [--quick] [--write FILE.md] [--only case,...] [module ...]
+"""Runs the validation: python3 main.py [--quick] [--write FILE.md] [--rows FILE.json] [--only case,...] [module ...]
 
-Modules (default: added_mass_cases, motion_cases, robustness_cases) have `cases(quick)`, a generator of harness.Row. Every row is printed as it
-comes; --write puts them all into a Markdown file, a table a section. Exit status 1 if any row misses its target.
+Modules (default: all *_cases.py beside this file, in the order of MODULES) have ALL, a list of case functions: each takes `quick` and
+generates harness.Row. Every row is printed as it comes; --write puts them all into a Markdown file, a table a section. --rows keeps the
+rows of finished cases until all are done: a run that was stopped goes on after the last of them (as long as command and cases are the
+same). Exit status 1 if any row misses its target.
 """
 import argparse
+import dataclasses
 import datetime
+import hashlib
 import importlib
+import json
 import sys
 import time
 from pathlib import Path
@@ -13,15 +18,55 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import harness    # noqa: E402
 
-MODULES = ["added_mass_cases", "motion_cases", "robustness_cases"]
+MODULES = ["added_mass_cases", "pressure_cases", "motion_cases", "contact_cases", "unit_cases", "robustness_cases"]
 
 
-def rows_of(name, quick, only):
-    module = importlib.import_module(name)
+def chosen_cases(names, only):
+    """[(module, case function)], those named in `only` (None: all)."""
+    cases = [(module, case) for module in map(importlib.import_module, names) for case in module.ALL]
+    if only is None:
+        return cases
+    known = {case.__name__ for _, case in cases}
+    if unknown := set(only) - known:
+        sys.exit(f"no case {', '.join(sorted(unknown))}; there are {', '.join(sorted(known))}")
+    return [(module, case) for module, case in cases if case.__name__ in only]
+
+
+def rows_of(case, quick):
+    """Rows of one case; one that raises ends with a failed row and does not stop the others."""
     try:
-        yield from module.cases(quick, only) if only else module.cases(quick)
+        yield from case(quick)
     except Exception as error:    # noqa: BLE001
-        yield harness.Row("Cases that did not run", name, "runs", f"{type(error).__name__}: {str(error)[-300:]}".replace("\n", " "), False)
+        yield harness.Row("Cases that did not run", case.__name__, "runs", f"{type(error).__name__}: {str(error)[-300:]}".replace("\n", " "), False)
+
+
+class KeptRows:
+    """Rows and seconds of finished cases in a file, by the case's name and what it depends on."""
+
+    def __init__(self, file, quick):
+        self.file, self.quick = file, quick
+        self.kept = json.loads(file.read_text()) if file and file.exists() else {}
+        self.command = Path(harness.COMMAND).read_bytes()
+
+    def key(self, module, case):
+        digest = hashlib.sha256(self.command + Path(module.__file__).read_bytes() + Path(harness.__file__).read_bytes()).hexdigest()[:16]
+        return f"{module.__name__}.{case.__name__}{' quick' if self.quick else ''} {digest}"
+
+    def get(self, module, case):
+        found = self.kept.get(self.key(module, case))
+        return ([harness.Row(**row) for row in found["rows"]], found["seconds"]) if found else None
+
+    def put(self, module, case, rows, seconds):
+        self.kept[self.key(module, case)] = {"rows": [dataclasses.asdict(row) for row in rows], "seconds": seconds}
+        if self.file:
+            self.file.parent.mkdir(parents=True, exist_ok=True)
+            partial = self.file.with_suffix(".part")
+            partial.write_text(json.dumps(self.kept, indent=1))
+            partial.replace(self.file)
+
+    def done(self):
+        if self.file:
+            self.file.unlink(missing_ok=True)
 
 
 def markdown(rows, version, seconds):
@@ -30,7 +75,10 @@ def markdown(rows, version, seconds):
              + (f"**{failed} miss their target**." if failed else "all meet their targets."),
              "Exact data: `tests/data/reference`. Ranges are lowest … highest error over the placements named.", ""]
     for section in dict.fromkeys(row.section for row in rows):
-        lines += [f"## {section}", "", "| case | target | measured | |", "|---|---|---|---|"]
+        lines += [f"## {section}", ""]
+        if section in harness.PICTURES:
+            lines += [harness.PICTURES[section], ""]
+        lines += ["| case | target | measured | |", "|---|---|---|---|"]
         for row in rows:
             if row.section == section:
                 mark = ("met" if row.ok else "**MISSED**") if row.target else "reported"
@@ -43,30 +91,41 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="the subset that every change must pass")
     parser.add_argument("--write", metavar="FILE", type=Path, help="Markdown table")
+    parser.add_argument("--rows", metavar="FILE", type=Path, help="keeps the rows of finished cases of a run that is stopped")
     parser.add_argument("--only", metavar="CASE,...", help="names of case functions of the modules")
-    parser.add_argument("module", nargs="*")
+    parser.add_argument("module", nargs="*", choices=[[], *MODULES], help=", ".join(MODULES))
     options = parser.parse_args()
-    names = options.module or [name for name in MODULES if (Path(__file__).parent / f"{name}.py").exists()]
-    only = options.only.split(",") if options.only else None
+    cases = chosen_cases(options.module or MODULES, options.only.split(",") if options.only else None)
+    if options.write:
+        harness.PICTURE_FOLDER = options.write.parent / "images"
+        harness.PICTURE_FOLDER.mkdir(parents=True, exist_ok=True)
 
     version = harness.command(["--version"]).stdout.strip()
-    start, rows, section = time.time(), [], None
-    for name in names:
-        for row in rows_of(name, options.quick, only):
+    kept = KeptRows(options.rows, options.quick)
+    rows, section, seconds = [], None, 0.0
+    for number, (module, case) in enumerate(cases, start=1):
+        start, known, own = time.time(), kept.get(module, case), []
+        for row in known[0] if known else rows_of(case, options.quick):
             if row.section != section:
                 section = row.section
                 print(f"\n{section}", flush=True)
-            rows.append(row)
+            own.append(row)
             mark = "ok  " if row.ok else "MISS"
             print(f"  {mark} {row.case}: {row.measured}" + (f"  [{row.target}]" if row.target else ""), flush=True)
+        taken = known[1] if known else time.time() - start
+        if not known:
+            kept.put(module, case, own, taken)
+        rows += own
+        seconds += taken
+        print(f"  ---- {number} of {len(cases)} cases, {case.__name__} took {taken:.0f} s{' in an earlier run' if known else ''}, all so far {seconds:.0f} s", flush=True)
     failed = [row for row in rows if not row.ok]
-    seconds = time.time() - start
     print(f"\n{len(rows)} rows, {len(failed)} missed, {seconds:.0f} s")
     for row in failed:
         print(f"  MISS {row.section}: {row.case}: {row.measured}  [{row.target}]")
     if options.write:
         options.write.parent.mkdir(parents=True, exist_ok=True)
         options.write.write_text(markdown(rows, version, seconds))
+    kept.done()
     if not rows:
         print("no rows", file=sys.stderr)
     return 1 if failed or not rows else 0

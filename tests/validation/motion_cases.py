@@ -210,31 +210,37 @@ def still_cases(quick):
 
 # ---- everything moving together -----------------------------------------------------------------------------------------------
 
-PERIODIC = {side: "periodic" for side in ("x_low", "x_high", "y_low", "y_high")}
+PERIODIC = {f"{axis}_{end}": "periodic" for axis in "xy" for end in ("low", "high")}
 
 
-def common_scene(velocity, gap, cells=64):
-    """Two plates and a cylinder in a periodic box, `gap` apart, everything at one velocity, for 5 cells."""
+def common_scene(velocity, gap, cells):
+    """Two plates and a cylinder (3D: a sphere) in a periodic box, `gap` apart, everything at one velocity, for 5 cells."""
     speed = math.hypot(*velocity)
     moving = {"density": 2.0, "velocity": list(velocity)}
-    dx = 4.0 / cells
-    return {"domain": {"size": [4.0, 4.0], "cells": [cells, cells], "sides": PERIODIC}, "fluid": {"velocity": list(velocity)},
-            "body": [{"name": "upper", "shape": "box", "size": [1.0, 0.5], "position": [1.53, 2.26 + gap], **moving},
-                     {"name": "lower", "shape": "box", "size": [1.0, 0.5], "position": [1.53, 1.76], **moving},
-                     {"name": "disk", "shape": "ball", "radius": 0.4, "position": [1.53 + 0.5 + gap + 0.4, 2.26 + gap], **moving}],
+    if len(velocity) == 2:
+        side, box = 4.0, {"shape": "box", "size": [1.0, 0.5], **moving}
+        bodies = [{"name": "upper", **box, "position": [1.53, 2.26 + gap]}, {"name": "lower", **box, "position": [1.53, 1.76]},
+                  {"name": "ball", "shape": "ball", "radius": 0.4, "position": [1.53 + 0.5 + gap + 0.4, 2.26 + gap], **moving}]
+    else:
+        side, box = 2.0, {"shape": "box", "size": [0.8, 0.8, 0.4], **moving}
+        bodies = [{"name": "upper", **box, "position": [0.83, 1.01, 1.21 + gap]}, {"name": "lower", **box, "position": [0.83, 1.01, 0.81]},
+                  {"name": "ball", "shape": "ball", "radius": 0.3, "position": [0.83 + 0.4 + gap + 0.3, 1.01, 1.21 + gap], **moving}]
+    dx = side / cells
+    sides = {f"{axis}_{end}": "periodic" for axis in "xyz"[:len(velocity)] for end in ("low", "high")}
+    return {"domain": {"size": [side] * len(velocity), "cells": [cells] * len(velocity), "sides": sides}, "fluid": {"velocity": list(velocity)}, "body": bodies,
             "time": {"end": 5 * dx / speed, "max_step": 1.0, "cfl": 0.5}, "solver": SOLVER, "output": {"every": 5 * dx / speed}}
 
 
 def common_cases(quick):
     section = "Everything moving together"
     directions = {"x": (1.0, 0.0), "y": (0.0, 1.0), "diagonal": (1.0, 0.7)}
-    for gap in (1e-3,) if quick else (1e-3, 1e-6):
-        for direction in ("diagonal",) if quick else directions:
-            velocity = directions[direction]
-            result = harness.run(common_scene(velocity, gap))
-            speed = math.hypot(*velocity)
-            error = max(max(math.hypot(r["vx"] - velocity[0], r["vy"] - velocity[1]), abs(r["omega"])) for r in result["bodies"]) / speed
-            yield Row(section, f"periodic 64², gap {gap:g}, along {direction}, 5 cells: bodies' velocity", "<= 1e-6", f"{error:.1e}", error <= 1e-6)
+    runs = [("64²", gap, name, directions[name]) for gap in (1e-3, 1e-6) for name in directions]
+    runs += [("24³", gap, "a diagonal", (1.0, 0.7, 0.4)) for gap in (1e-3, 1e-6)]
+    for cells, gap, direction, velocity in [runs[2]] if quick else runs:
+        result = harness.run(common_scene(velocity, gap, int(cells[:-1])))
+        speed = math.hypot(*velocity)
+        error = max(max(math.dist(vector(r, VELOCITIES), velocity), *map(abs, vector(r, SPINS))) for r in result["bodies"]) / speed
+        yield Row(section, f"periodic {cells}, gap {gap:g}, along {direction}, 5 cells: bodies' velocity", "<= 1e-6", f"{error:.1e}", error <= 1e-6)
     if quick:
         return
     rest = changed(example("01"), domain={"cells": [64, 64], "sides": PERIODIC},
@@ -351,52 +357,47 @@ def difference_of_tracks(first, second):
     return error
 
 
-def mirrored(scene):
-    """x -> size - x."""
+def moved(scene, place, vector, spin, turn):
+    """The scene seen otherwise: positions, vectors and angular velocities mapped, rotations (2D) by turn(degrees)."""
     scene = copy.deepcopy(scene)
-    width = scene["domain"]["size"][0]
-    scene["gravity"][0] *= -1
+    scene["gravity"] = vector(scene["gravity"])
     for body in scene["body"]:
-        body["position"][0] = width - body["position"][0]
+        body["position"] = place(body["position"])
         for key in ("velocity", "force"):
             if key in body:
-                body[key][0] *= -1
-        for key in ("rotation", "torque", "angular_velocity"):
+                body[key] = vector(body[key])
+        for key in ("torque", "angular_velocity"):
             if key in body:
-                body[key] *= -1
-    return scene
-
-
-def quarter_turn(scene):
-    """(x, y) -> (size - y, x)."""
-    scene = copy.deepcopy(scene)
-    width = scene["domain"]["size"][1]
-    scene["gravity"] = [-scene["gravity"][1], scene["gravity"][0]]
-    for body in scene["body"]:
-        body["position"] = [width - body["position"][1], body["position"][0]]
-        for key in ("velocity", "force"):
-            if key in body:
-                body[key] = [-body[key][1], body[key][0]]
-        body["rotation"] = body.get("rotation", 0.0) + 90.0
+                body[key] = spin(body[key])
+        if len(body["position"]) == 2:
+            body["rotation"] = turn(body.get("rotation", 0.0))
     return scene
 
 
 def symmetry_cases(quick):
     section = "Mirrored and turned"
-    scene = steps_of(three_bodies(), 10, 0.01)
-    scene["solver"] = SOLVER
-    first = tracks(harness.run(scene))
-    scale = max(math.hypot(r["vx"], r["vy"]) for rows in first.values() for r in rows)
-    for name, turned, back in (("mirrored", mirrored(scene), lambda v: (-v[0], v[1])),
-                               ("turned by 90°", quarter_turn(scene), lambda v: (v[1], -v[0]))):
-        second = tracks(harness.run(turned))
-        error = 0
-        for body, rows in first.items():
-            for a, b in zip(rows, second[body]):
-                v = back((b["vx"], b["vy"]))
-                omega = -b["omega"] if name == "mirrored" else b["omega"]
-                error = max(error, math.hypot(a["vx"] - v[0], a["vy"] - v[1]) / scale, 0.5 * abs(a["omega"] - omega) / scale)
-        yield Row(section, f"three bodies, 48², 10 steps, {name}: velocities", "<= 0.2 %", f"{error:.1e}", error <= 2e-3)
+    scenes = {"three bodies, 48², 10 steps": steps_of(three_bodies(), 10, 0.01)}
+    if not quick:
+        scenes["spheres and plate, 32³, 5 steps"] = steps_of(spheres_and_plate(), 5, 0.01)    # its plate is square
+    for name, scene in scenes.items():
+        size = scene["domain"]["size"]
+        first = tracks(harness.run(scene))
+        scale = max(math.hypot(*vector(r, VELOCITIES)) for rows in first.values() for r in rows)
+        flat = len(size) == 2
+        # (the other scene, velocities and angular velocities of the first seen there)
+        others = {
+            "mirrored": (moved(scene, lambda x: [size[0] - x[0], *x[1:]], lambda v: [-v[0], *v[1:]], lambda w: -w, lambda a: -a),
+                         lambda v: [-v[0], *v[1:]], lambda w: [-w[0]] if flat else [w[0], -w[1], -w[2]]),
+            "turned by 90°": (moved(scene, lambda x: [size[1] - x[1], x[0], *x[2:]], lambda v: [-v[1], v[0], *v[2:]], lambda w: w, lambda a: a + 90.0),
+                              lambda v: [-v[1], v[0], *v[2:]], lambda w: w if flat else [-w[1], w[0], w[2]])}
+        for how, (other, velocity, spin) in others.items():
+            second = tracks(harness.run(other))
+            error = 0
+            for body, rows in first.items():
+                for a, b in zip(rows, second[body]):
+                    error = max(error, math.dist(velocity(vector(a, VELOCITIES)), vector(b, VELOCITIES)) / scale,
+                                0.5 * math.dist(spin(vector(a, SPINS)), vector(b, SPINS)) / scale)
+            yield Row(section, f"{name}, {how}: velocities", "<= 0.2 %", f"{error:.1e}", error <= 2e-3)
 
 
 # ---- ranks --------------------------------------------------------------------------------------------------------------------
@@ -405,6 +406,8 @@ def rank_cases(quick):
     section = "One, two and three processes"
     scenes = {"example 01, 64²": changed(example("01"), domain={"cells": [64, 64]}, time={"max_step": 0.01, "end": 0.05}, solver=SOLVER),
               "spheres and plate, 32³": spheres_and_plate()}
+    if not quick:
+        scenes["three bodies, 48²"] = changed(three_bodies(), time={"end": 0.05})
     for name, scene in scenes.items():
         first = tracks(harness.run(scene))
         for ranks in (2, 3):
@@ -505,7 +508,5 @@ def contact_cases(quick):
         yield Row(section, name + ": steps", f"<= 4 x {allowed:.0f}", f"{count:.0f}", count <= 4 * allowed)
 
 
-def cases(quick):
-    for group in (plates_cases, cylinders_cases, still_cases, common_cases, energy_cases, order_cases, symmetry_cases, rank_cases,
-                  example_cases, drive_cases, contact_cases):
-        yield from group(quick)
+ALL = [plates_cases, cylinders_cases, still_cases, common_cases, energy_cases, order_cases, symmetry_cases, rank_cases, example_cases, drive_cases,
+       contact_cases]

@@ -1,6 +1,6 @@
 """Random configurations that a solver must survive: touching, overlapping, outside the domain, smaller than a cell.
 
-`cases` yields one Row a group of configurations. Every configuration follows from its number alone, so a failure is repeated by
+Every case yields one Row a group of configurations. Every configuration follows from its number alone, so a failure is repeated by
     python3 robustness_cases.py added-mass NUMBER...        or      run NUMBER...       or      show added-mass NUMBER
 """
 import json
@@ -361,25 +361,38 @@ def defects_of_run(number, timeout=120):
 
 # ---- rows
 
-def cases(quick):
-    groups = defaultdict(lambda: [0, []])
-    for number in range(40 if quick else CONFIGURATIONS):
-        defects, facts = defects_of_added_mass(number)
-        group = groups[f"added mass, {facts['mode']}, {facts['dimension']}D"]
-        group[0] += 1
-        group[1] += [f"{number}: {defect}" for defect in defects]
-    for number in range(0 if quick else RUNS):  # free bodies that overlap need contact: known misses, in the long table
-        defects, facts = defects_of_run(number)
-        group = groups[f"5 steps of free bodies, densities 1e-3 to 1e3, {facts['dimension']}D"]
-        group[0] += 1
-        group[1] += [f"{number}: {defect}" for defect in defects]
+def rows_of(groups, target):
     for name in sorted(groups):
         count, defects = groups[name]
         bad = len({defect.split(":")[0] for defect in defects})
-        target = ("no crash, no NaN, energy bounded" if "steps" in name
-                  else "converged, symmetric and semidefinite to 1e-6" + (", pocket named" if "sealing" in name else ""))
-        yield Row(SECTION, f"{name}: {count} random configurations", target,
+        yield Row(SECTION, f"{name}: {count} random configurations", target(name),
                   f"{count - bad} of {count}" + ("; " + "; ".join(defects)[:300] if defects else ""), not defects)
+
+
+def grouped(numbers, examine, name):
+    """{group: [count, defects]}"""
+    groups = defaultdict(lambda: [0, []])
+    for number in numbers:
+        defects, facts = examine(number)
+        group = groups[name(facts)]
+        group[0] += 1
+        group[1] += [f"{number}: {defect}" for defect in defects]
+    return groups
+
+
+def random_added_mass(quick):
+    groups = grouped(range(40 if quick else CONFIGURATIONS), defects_of_added_mass, lambda facts: f"added mass, {facts['mode']}, {facts['dimension']}D")
+    yield from rows_of(groups, lambda name: "converged, symmetric and semidefinite to 1e-6" + (", pocket named" if "sealing" in name else ""))
+
+
+def random_runs(quick):
+    if quick:
+        return    # free bodies that overlap need contact: known misses, in the long table
+    groups = grouped(range(RUNS), defects_of_run, lambda facts: f"5 steps of free bodies, densities 1e-3 to 1e3, {facts['dimension']}D")
+    yield from rows_of(groups, lambda name: "no crash, no NaN, energy bounded")
+
+
+ALL = [random_added_mass, random_runs]
 
 
 def main():

@@ -1,0 +1,174 @@
+// Advection of the film's velocity on a curved film of varying thickness: a swirl in the narrow annulus between two circles, the
+// inner one off centre. The film fills the gap; everything is at rest but its fluid.
+#include "gapflow/solver/solver.hpp"
+#include "gapflow/stepping/setup.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace gapflow {
+namespace {
+
+constexpr double inner_radius = 0.98, mean_gap = 0.02, eccentricity = 0.01;
+
+// Thickness h, from 0.01 to 0.03, at an angle about the inner circle's centre: the distance to the outer circle along its normal.
+double thickness(double angle)
+{
+    const double outer = inner_radius + mean_gap;
+    const Vec<2> x(eccentricity + inner_radius * std::cos(angle), inner_radius * std::sin(angle));
+    return outer - x.norm();
+}
+
+struct Annulus {
+    explicit Annulus(int cells) : scene(make_scene(cells)), grid(make_grid<2>(scene, Communicator())), bodies(make_bodies<2>(scene)), walls(make_walls<2>(scene))
+    {
+        const auto solids = make_solids<2>(bodies, walls);
+        const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
+        coupling = couple<2>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
+        rest.assign(solids.size(), Twist<2>::Zero());
+        centre = solids[0].centre;
+    }
+    static Scene make_scene(int cells)
+    {
+        Scene scene;
+        scene.dimension = 2;
+        scene.size = {2.24, 2.24, 0};
+        scene.cells = {cells, cells, 1};
+        scene.gap.threshold = 4.0;
+        BodyScene inner, outer;
+        inner.name = "inner";
+        outer.name = "outer";
+        inner.shape = outer.shape = BodyScene::ShapeKind::ball;
+        inner.motion = outer.motion = BodyScene::Motion::fixed;
+        inner.radius = inner_radius;
+        inner.position = {1.13 + eccentricity, 1.11, 0};
+        outer.radius = inner_radius + mean_gap;
+        outer.position = {1.13, 1.11, 0};
+        outer.inside_out = true;
+        scene.bodies = {inner, outer};
+        return scene;
+    }
+    const Film<2>& film() const { return coupling.network.films.front(); }
+    double angle(const FilmElement<2>& e) const
+    {
+        const Vec<2> x = e.centroid_master - centre;
+        return std::atan2(x[1], x[0]);
+    }
+    // Along the film, counterclockwise.
+    Vec<2> along(const FilmElement<2>& e) const { return {-e.normal[1], e.normal[0]}; }
+    std::vector<Vec<2>> film_velocity(const std::function<double(double)>& speed) const
+    {
+        std::vector<Vec<2>> u;
+        for (const FilmElement<2>& e : film().mesh.elements)
+            u.push_back(speed(angle(e)) * along(e));
+        return u;
+    }
+    // One step of advection alone.
+    std::vector<Vec<2>> advected(const std::vector<Vec<2>>& u, double dt) const
+    {
+        const FilmMemories<2> memories = remember_films<2>(coupling.network, coupling.solids, rest, u, {}, grid.dx());
+        return advect_films<2>(
+                   coupling.network, coupling.solids, memories, rest, [](const Vec<2>&) { return Vec<2>(Vec<2>::Zero()); },
+                   [](int, int) { return MouthLaw{}; }, dt)
+            .velocity;
+    }
+
+    Scene scene;
+    Grid<2> grid;
+    std::vector<RigidBody<2>> bodies;
+    DomainWalls<2> walls;
+    Coupling<2> coupling;
+    std::vector<Twist<2>> rest;
+    Vec<2> centre;
+};
+
+// Slope of log(error) over log(dx) between the first and the last; recorded for the table of the validation.
+double order(const std::vector<double>& errors)
+{
+    std::string text;
+    for (double e : errors) {
+        char number[32];
+        std::snprintf(number, sizeof number, "%s%.2e", text.empty() ? "" : ", ", e);
+        text += number;
+    }
+    const double slope = std::log2(errors.front() / errors.back()) / static_cast<double>(errors.size() - 1);
+    testing::Test::RecordProperty("series", text);
+    testing::Test::RecordProperty("order", std::to_string(slope));
+    return slope;
+}
+
+// Without pressure the speed is carried along the film: u_t + u u_s = 0, u(s, t) = u_0(s - u t), s the length along the master.
+TEST(FilmAdvection, ConvectedSwirlIsFirstOrder)
+{
+    const auto start = [](double angle) { return mean_gap / thickness(angle); };
+    const double end = 0.3;
+    const auto exact = [&](double angle) {
+        double u = start(angle);
+        for (int i = 0; i < 200; ++i) // a contraction: no shock before t = 1
+            u = start(angle - u * end / inner_radius);
+        return u;
+    };
+    std::vector<double> errors;
+    for (int cells : {24, 48, 96}) {
+        const Annulus annulus(cells);
+        ASSERT_EQ(annulus.coupling.network.films.size(), 1u);
+        ASSERT_TRUE(annulus.film().mesh.rim.empty());
+        const int steps = cells / 2; // the speed is 2 at most: up to half a cell a step
+        std::vector<Vec<2>> u = annulus.film_velocity(start);
+        for (int step = 0; step < steps; ++step)
+            u = annulus.advected(u, end / steps);
+        double error = 0, length = 0;
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            const FilmElement<2>& e = annulus.film().mesh.elements[i];
+            error += e.measure * (u[i] - exact(annulus.angle(e)) * annulus.along(e)).norm();
+            length += e.measure;
+        }
+        errors.push_back(error / length);
+    }
+    EXPECT_GE(order(errors), 0.9);
+}
+
+// With pressure the swirl u = Q / h is steady, and the circulation around the inner circle stays: its loss is the error.
+TEST(FilmAdvection, SteadySwirlKeepsItsCirculation)
+{
+    std::vector<double> errors;
+    for (int cells : {24, 48, 96}) {
+        const Annulus annulus(cells);
+        const Coupling<2>& c = annulus.coupling;
+        ASSERT_TRUE(c.network.mouths.conduits.empty());
+        SolverOptions options;
+        options.tolerance = 1e-12;
+        const CoupledSolver<2> solver(c.system, options);
+        FluidVelocity<2> u;
+        u.grid = FaceField<2>(annulus.grid);
+        u.film_normal.assign(annulus.film().mesh.elements.size(), 0.0);
+        const auto project = [&] {
+            UnknownVector<2> rhs, p{CellField<2>(annulus.grid), Eigen::VectorXd::Zero(c.system.nodes)};
+            outflow(c, u, annulus.rest, rhs);
+            rhs.nodes *= -1;
+            ASSERT_TRUE(solver.solve(p, rhs).converged);
+            subtract_gradient(c, p, u);
+        };
+        const auto circulation = [&] {
+            double sum = 0;
+            for (std::size_t i = 0; i < u.film.size(); ++i)
+                sum += annulus.film().mesh.elements[i].measure * u.film[i].dot(annulus.along(annulus.film().mesh.elements[i]));
+            return sum;
+        };
+        u.film = annulus.film_velocity([](double angle) { return mean_gap / thickness(angle); });
+        project();
+        const double first = circulation(), end = 2 * std::numbers::pi; // about one turn
+        const int steps = 10 * cells;
+        for (int step = 0; step < steps; ++step) {
+            u.film = annulus.advected(u.film, end / steps);
+            project();
+        }
+        errors.push_back(std::abs(circulation() / first - 1));
+    }
+    EXPECT_GE(order(errors), 0.9);
+}
+
+} // namespace
+} // namespace gapflow

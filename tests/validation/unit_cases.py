@@ -1,0 +1,23 @@
+"""Figures that unit tests of the library record: what no scene of the command can show."""
+import harness
+from harness import Row
+
+
+def film_advection(quick):
+    section = "Film advection in a narrow annulus (radii 0.98 and 1, inner circle 0.01 off centre)"
+    for test, name in (("ConvectedSwirlIsFirstOrder", "swirl carried along the film without pressure, mean error of the speed"),
+                       ("SteadySwirlKeepsItsCirculation", "steady swirl, loss of circulation in a turn")):
+        found, passed = harness.unit_figures("unit_stepping", f"FilmAdvection.{test}")
+        order = round(float(found["order"]), 2)
+        yield Row(section, f"{name}, 24² to 96²: order", "≥ 1", f"{order:.2f} ({found['series']})", passed and order >= 1)
+
+
+def momentum(quick):
+    section = "Momentum of fluid, films and bodies across one projection of a random state"
+    for test, name in (("BallInContainer2D", "2D, ball in a free container, linear and angular"), ("BallInContainer3D", "3D, ball in a free container, linear and angular"),
+                       ("PeriodicBox2D", "2D, turned plates and a disk in a periodic box, linear"), ("PeriodicBox3D", "3D, turned plates and a ball in a periodic box, linear")):
+        found, passed = harness.unit_figures("unit_stepping", f"Momentum.{test}")
+        yield Row(section, name + ", both backends: change relative to the largest component", "≤ 1e-10", found["change"], passed)
+
+
+ALL = [film_advection, momentum]
