@@ -1,5 +1,4 @@
 """Contact: collisions against Lagrange's equation, rest, restitution, friction, stacks, valves, random scenes."""
-import copy
 import math
 import random
 
@@ -186,15 +185,23 @@ def stack(quick):
 # ---- many bodies --------------------------------------------------------------------------------------------------------------
 
 def random_scene(number):
-    """3 to 12 bodies of all shapes anywhere in a tank, some overlapping, that fall on each other."""
+    """3 to 12 bodies of all shapes in a tank, apart by their bounding balls, that fall on each other."""
     rng = random.Random(number)
     dimension = rng.choice((2, 2, 3))
     n = 32 if dimension == 2 else 16
-    bodies = []
+    bodies, balls = [], []
     for i in range(rng.randint(3, 12)):
         shape = rng.choice(("box", "ball", "capsule") + (("cylinder",) if dimension == 3 else ()))
-        r = rng.uniform(0.06, 0.16)
-        body = {"name": f"b{i}", "shape": shape, "position": [rng.uniform(0.15, 0.85) for _ in range(dimension)], "density": rng.choice((0.5, 1.0, 2.0, 8.0)),
+        for _ in range(200):
+            r = rng.uniform(0.06, 0.13)
+            reach = {"box": math.sqrt(dimension) * r, "ball": r}.get(shape, 1.5 * r)
+            place = [rng.uniform(reach, 1 - reach) for _ in range(dimension)]
+            if all(math.dist(place, other) > reach + far for other, far in balls):
+                break
+        else:
+            continue
+        balls.append((place, reach))
+        body = {"name": f"b{i}", "shape": shape, "position": place, "density": rng.choice((0.5, 1.0, 2.0, 8.0)),
                 "velocity": [rng.gauss(0, 0.3) for _ in range(dimension)]}
         if shape == "box":
             body["size"] = [rng.uniform(r, 2 * r) for _ in range(dimension)]
@@ -219,7 +226,6 @@ def random_scenes(quick):
     bad, unsettled, grown = [], 0, 0.0
     for number in range(count):
         scene, dimension = random_scene(number)
-        scene = copy.deepcopy(scene)
         scene["time"]["end"] = 0.01 * steps
         with tempfile.TemporaryDirectory() as folder:
             file, out = Path(folder) / "scene.toml", Path(folder) / "out"

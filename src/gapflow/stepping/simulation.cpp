@@ -16,6 +16,8 @@ namespace {
 
 // While contacts change, their solves go to this relative residual only; and so many times at most.
 constexpr double rough_tolerance = 1e-4;
+// Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
+constexpr double settled_tolerance = 0.1;
 constexpr int most_rounds = 60;
 // Masses in the initial projection, which holds the bodies to their velocities.
 constexpr double held_mass_factor = 1e12;
@@ -237,7 +239,9 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             solver.emplace(coupling_->system, options);
         else
             solver->update_bodies();
-        const double tolerance = settled ? options.tolerance : std::max(options.tolerance, rough_tolerance);
+        const double tolerance = !contacts ? options.tolerance
+                                 : settled ? settled_tolerance * options.tolerance
+                                           : std::max(options.tolerance, rough_tolerance);
         const SolveReport solve = solver->solve(impulse_, rhs, 1e-13 * std::sqrt(squares), tolerance);
         report.iterations += solve.iterations;
         report.residual = solve.residual;
