@@ -100,10 +100,9 @@ void Simulation<D>::move_bodies(double dt)
 template <int D>
 void Simulation<D>::rebuild()
 {
-    const auto timer = stages_.measure("coupling");
     old_fractions_ = coupling_ ? coupling_->fractions : nullptr;
     coupling_ = std::make_unique<Coupling<D>>(couple<D>(grid_, make_solids<D>(bodies_, walls_), masses(),
-                                                        {scene_.density, fraction_mode(scene_)}, gaps_, alive_));
+                                                        {scene_.density, fraction_mode(scene_), &stages_}, gaps_, alive_));
     alive_.clear();
     for (const Film<D>& film : coupling_->network.films)
         alive_.insert(film.pair);
@@ -121,21 +120,19 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
                                                                                     : AdvectionScheme::semi_lagrangian;
     advect(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides);
     if (any_film_faces_) {
-        FaceField<D> from_film(grid_);
         const auto& cells = coupling_->network.cells.cells;
         auto beside_film = [&](int axis, const Index<D>& f) {
             return cells.count(grid_.key(grid_.wrapped(f))) || cells.count(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
         };
-        advect(grid_, from_film, painted_, painted_, dt, AdvectionScheme::semi_lagrangian, sides);
         for (int axis = 0; axis < D; ++axis)
             for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
                 // Where a film still passes, its conduits carry its flow: there the bulk's own velocity counts.
-                film_faces_(axis, f) = film_faces_(axis, f) && !beside_film(axis, f);
-                if (film_faces_(axis, f))
-                    u_star.grid(axis, f) = from_film(axis, f);
+                if (film_faces_(axis, f) && beside_film(axis, f))
+                    film_faces_(axis, f) = 0;
             });
+        advect_marked_faces(grid_, u_star.grid, painted_, film_faces_, dt);
+        share_uncovered_faces(u_star.grid);
     }
-    share_uncovered_faces(u_star.grid);
     fill_velocity_ghosts(grid_, u_star.grid, side_velocities(time_ + dt));
 
     std::vector<Twist<D>> predicted = twists();
@@ -166,13 +163,14 @@ std::vector<Twist<D>> Simulation<D>::forced_twists(double dt) const
 template <int D>
 void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report)
 {
-    const auto timer = stages_.measure("pressure");
+    const double start = now();
+    double solver_seconds = 0;
     SolverOptions options;
     options.tolerance = scene_.tolerance;
     options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
     const std::vector<Stop> stops = dt > 0 ? possible_stops(dt) : std::vector<Stop>{};
     std::vector<char> held(stops.size(), 0);
-    impulse_ = {CellField<D>(grid_), Eigen::VectorXd::Zero(coupling_->system.nodes)};
+    first_guess(dt);
     std::vector<Twist<D>> V;
     for (int round = 0;; ++round) {
         V = intermediate_twists(*coupling_, masses(), forced, u_star.film_normal);
@@ -186,6 +184,9 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         const CoupledSolver<D> solver(coupling_->system, options);
         const SolveReport solve = solver.solve(impulse_, rhs, 1e-13 * std::sqrt(squares));
         report.iterations += solve.iterations;
+        stages_.add("solver set-up", solver.setup_seconds());
+        stages_.add("solve", solve.seconds);
+        solver_seconds += solver.setup_seconds() + solve.seconds;
         report.residual = solve.residual;
         if (!solve.converged)
             throw ComputationError("the pressure solve of step " + std::to_string(steps_ + 1) + " did not converge: " +
@@ -229,6 +230,23 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         if (dt > 0)
             wrenches_[b] += impulse[b] / dt;
     }
+    stages_.add("projection", now() - start - solver_seconds);
+}
+
+// The last step's pressure, if the films have kept their meshes; else zero.
+template <int D>
+void Simulation<D>::first_guess(double dt)
+{
+    if (impulse_.cells.size() == 0)
+        impulse_.cells = CellField<D>(grid_);
+    const bool same = dt > 0 && dt_ > 0 && impulse_.nodes.size() == coupling_->system.nodes;
+    const double scale = same ? dt / dt_ : 0.0;
+    for (long i = 0; i < impulse_.cells.size(); ++i)
+        impulse_.cells.data()[i] = same ? scale * impulse_.cells.data()[i] : 0.0;
+    if (same)
+        impulse_.nodes *= scale;
+    else
+        impulse_.nodes.setZero(coupling_->system.nodes);
 }
 
 // A pocket that a prescribed body squeezes has no solution: name it.

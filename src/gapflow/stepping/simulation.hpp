@@ -88,6 +88,7 @@ private:
     FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale);
     std::vector<Twist<D>> forced_twists(double dt) const;
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
+    void first_guess(double dt);
     void continue_velocities();
     void paint_films(FaceField<D, std::int8_t>& valid);
     void share_uncovered_faces(FaceField<D>& u_star) const;
