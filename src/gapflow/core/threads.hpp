@@ -1,5 +1,5 @@
 // Threads inside a rank (OpenMP, optional). Loops are cut into parts that depend on the number of threads only where every
-// value is computed by itself; sums go over parts of fixed size, so that results are the same bits for any number of threads.
+// value is computed by itself; sums go over parts of fixed size, in the same order for any number of threads.
 #pragma once
 
 #ifdef _OPENMP

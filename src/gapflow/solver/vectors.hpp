@@ -51,8 +51,8 @@ void for_each_field_row(const Grid<D>& grid, F&& f, Fields&... fields)
     for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) { f(n, &fields(row)...); });
 }
 
-/// Sum of the N numbers f(first cell, number of cells) over the pieces of all planes, plane by plane: the same bits on any
-/// number of threads.
+/// Sum of the N numbers f(first cell, number of cells) over the pieces of all planes, plane by plane: in the same order on
+/// any number of threads.
 template <int N, int D, class F>
 std::array<double, N> sum_over_pieces(const Grid<D>& grid, F&& f)
 {

@@ -1,4 +1,5 @@
-// Results do not depend on the number of threads: the same bits.
+// Results do not depend on the number of threads but for round-off: the order of sweeps and sums is the same, but how a sum is
+// vectorised follows from where its values lie in memory, on one thread too.
 #include "gapflow/core/threads.hpp"
 #include "unit/solver/synthetic_system.hpp"
 
@@ -28,12 +29,11 @@ void compare(const TestScene<D>& scene)
     const UnknownVector<D> one = solved(*test, 1);
     for (int threads : {2, 3, 5}) {
         const UnknownVector<D> several = solved(*test, threads);
-        EXPECT_TRUE(std::equal(one.cells.data(), one.cells.data() + one.cells.size(), several.cells.data())) << threads;
-        EXPECT_EQ(one.nodes, several.nodes) << threads;
+        EXPECT_LT(distance(*test, several, one), 1e-13) << threads;
     }
 }
 
-TEST(Threads, SameBits)
+TEST(Threads, SameResult)
 {
     for (SideKind kind : {SideKind::wall, SideKind::periodic}) {
         compare(two_bodies<3>(48, 1.0, kind));
