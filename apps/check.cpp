@@ -80,7 +80,7 @@ int check_command(const Scene& scene)
         std::printf("scene     %s%s%s\n", scene.file.c_str(), scene.title.empty() ? "" : ": ", scene.title.c_str());
         std::printf("cells     %s = %.0f, spacing %s\n", count_text(scene).c_str(), cells,
                     number_text(scene.size[0] / scene.cells[0]).c_str());
-        std::printf("memory    about %.3g MiB\n", cells * bytes_per_cell / 1048576.0);
+        std::printf("memory    about %.3g MiB\n", expected_memory(scene.dimension, cells) / 1048576.0);
         std::printf("bodies    %zu, of which %td move\n", scene.bodies.size(), moving);
         std::printf("gaps      model %s, threshold %s\n", scene.gap.film ? "film" : "none",
                     scene.gap.threshold ? (number_text(*scene.gap.threshold) + " cells").c_str() : "auto");

@@ -3,6 +3,7 @@
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/logging.hpp"
+#include "gapflow/core/threads.hpp"
 #include "gapflow/output/progress.hpp"
 #include "gapflow/output/run_files.hpp"
 #include "gapflow/stepping/simulation.hpp"
@@ -45,8 +46,8 @@ int run(const Scene& scene, const RunOptions& options)
         log.warn_once(warning);
     Simulation<D> simulation(scene, comm);
     RunFiles<D> files(scene.output_directory, simulation, GAPFLOW_VERSION);
-    log.info(fmt::format("{}: {} cells, {} film nodes, {} rank(s)", scene.title.empty() ? scene.file : scene.title,
-                         simulation.initial_report().cells, simulation.initial_report().film_nodes, comm.size()));
+    log.info(fmt::format("{}: {} cells, {} film nodes, {} rank(s) of {} thread(s)", scene.title.empty() ? scene.file : scene.title,
+                         simulation.initial_report().cells, simulation.initial_report().film_nodes, comm.size(), thread_count()));
     if (const auto& sealed = simulation.coupling().sealed; !sealed.empty())
         log.info(fmt::format("{} pocket(s) of fluid are sealed in", sealed.size()));
     files.write_step(simulation, simulation.initial_report());

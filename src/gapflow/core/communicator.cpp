@@ -2,6 +2,17 @@
 
 #include <petscsys.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 namespace gapflow {
 
 namespace {
@@ -75,8 +86,37 @@ void Communicator::broadcast(std::span<double> values, int root) const
         MPI_Bcast(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, root, comm_);
 }
 
+namespace {
+
+/// Threads of this rank where the user gives no number: the cores that the process was bound to, or else an equal share of
+/// the machine's.
+int default_threads(int cores)
+{
+    if (cores < static_cast<int>(std::thread::hardware_concurrency()))
+        return cores;
+    MPI_Comm machine;
+    int ranks = 1;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    MPI_Comm_size(machine, &ranks);
+    MPI_Comm_free(&machine);
+    return std::max(1, cores / ranks);
+}
+
+/// Memory of grid-sized arrays that a time step frees stays with the process for the next: handing pages back and forth
+/// costs as much as computing on them.
+void keep_freed_memory()
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, -1);
+#endif
+}
+
+} // namespace
+
 Environment::Environment()
 {
+    keep_freed_memory();
     int argc = 1;
     char name[] = "gapflow";
     char skip_rc[] = "-skip_petscrc";
@@ -86,6 +126,11 @@ Environment::Environment()
     PetscInitialize(&argc, &argv, nullptr, nullptr);
     PetscPopSignalHandler();
     PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
+#ifdef _OPENMP
+    const int threads = default_threads(omp_get_num_procs()); // collective
+    if (!std::getenv("OMP_NUM_THREADS"))
+        omp_set_num_threads(threads);
+#endif
 }
 
 Environment::~Environment()

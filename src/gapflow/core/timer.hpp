@@ -36,6 +36,9 @@ public:
     /// auto timer = timers.measure("projection");
     [[nodiscard]] Scope measure(const std::string& name) { return Scope(stages_[name]); }
 
+    /// For scopes that are opened later.
+    Stage& stage(const std::string& name) { return stages_[name]; }
+
     void add(const std::string& name, double seconds)
     {
         Stage& stage = stages_[name];

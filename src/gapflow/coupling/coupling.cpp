@@ -1,11 +1,13 @@
 #include "gapflow/coupling/coupling.hpp"
 
+#include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_rows.hpp"
 #include "gapflow/grid/body_flux.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 namespace gapflow {
 
@@ -13,6 +15,13 @@ namespace {
 
 // A contact's row that constraints leave less of cannot move its body.
 constexpr double round_off = 1e-12;
+
+template <int D>
+Index<D> with_plane(Index<D> i, int plane)
+{
+    i[D - 1] = plane;
+    return i;
+}
 
 // Kinds of this rank's cells and their ghosts, the faces that the grid sees open, and their conductance a |f| / (rho dx).
 template <int D>
@@ -23,12 +32,18 @@ void fill_grid(Coupling<D>& coupling)
     coupling.open = coupling.fractions->open;
     coupling.kind = CellField<D, std::int8_t>(grid, static_cast<std::int8_t>(CellKind::solid));
     const Index<D> low = grid.low(), high = grid.high();
-    for_each_index<D>(low, high, [&](const Index<D>& c) {
-        for (int axis = 0; axis < D; ++axis)
-            if (coupling.open(axis, c) > 1e-12 || coupling.open(axis, c + step<D>(axis)) > 1e-12) {
-                coupling.kind(c) = static_cast<std::int8_t>(CellKind::bulk);
-                return;
+    const int n = high[0] - low[0];
+    for_each_plane(low[D - 1], high[D - 1], [&](int plane) {
+        for_each_row<D>(with_plane(low, plane), with_plane(high, plane + 1), [&](const Index<D>& row) {
+            std::int8_t* kind = &coupling.kind(row);
+            for (int axis = 0; axis < D; ++axis) {
+                const double* a = &coupling.open(axis, row);
+                const long next = coupling.open[axis].block().stride[axis];
+                for (int i = 0; i < n; ++i)
+                    if (a[i] > 1e-12 || a[i + next] > 1e-12)
+                        kind[i] = static_cast<std::int8_t>(CellKind::bulk);
             }
+        });
     });
     for (const auto& [key, cell] : network.cells.cells) {
         const Index<D> c = grid.cell_of_key(key);
@@ -57,22 +72,30 @@ void fill_grid(Coupling<D>& coupling)
     system.grid = coupling.grid;
     system.conductance = FaceField<D>(grid, 0.0);
     const double unit_conductance = std::pow(grid.dx(), D - 2) / coupling.density;
-    for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(low, high + step<D>(axis), [&](const Index<D>& f) {
-            const double a = coupling.open(axis, f);
-            if (a <= 1e-12)
-                return;
-            const bool at_low = f[axis] == 0 && !grid.periodic(axis);
-            const bool at_high = f[axis] == grid.cells()[axis] && !grid.periodic(axis);
-            double factor = 1;
-            if (at_low || at_high) {
-                factor = grid.side(axis, at_high) == SideKind::open ? 2 : 0;
-                const Index<D> inner = at_high ? Index<D>(f - step<D>(axis)) : f;
-                if (coupling.kind(inner) == is_film)
-                    factor = 0;
-            }
-            system.conductance(axis, f) = factor * a * unit_conductance;
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> end = high + step<D>(axis);
+        for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
+            for_each_row<D>(with_plane(low, plane), with_plane(end, plane + 1), [&](const Index<D>& row) {
+                const double* a = &coupling.open(axis, row);
+                double* to = &system.conductance(axis, row);
+                for (int i = 0; i < end[0] - low[0]; ++i)
+                    to[i] = a[i] > 1e-12 ? a[i] * unit_conductance : 0.0;
+            });
         });
+        for (int side = 0; side < 2; ++side) { // the domain's sides: to the pressure beyond an open one, half a cell away
+            const int place = side * grid.cells()[axis];
+            if (grid.periodic(axis) || (side == 0 ? low[axis] : high[axis]) != place)
+                continue;
+            Index<D> first = low, last = high;
+            first[axis] = place;
+            last[axis] = place + 1;
+            for_each_index<D>(first, last, [&](const Index<D>& f) {
+                const Index<D> inner = side ? Index<D>(f - step<D>(axis)) : f;
+                const bool open = grid.side(axis, side) == SideKind::open && coupling.kind(inner) != is_film;
+                system.conductance(axis, f) *= open ? 2.0 : 0.0;
+            });
+        }
+    }
 }
 
 // K in the rows of the grid: J of every body (walls left out: nothing flows through them), then what films add.
@@ -192,16 +215,26 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     coupling.grid = &grid;
     coupling.density = options.density;
     coupling.solids = std::move(solids);
-    coupling.clipper = std::make_shared<FaceClipper<D>>(grid, coupling.solids, options.fractions);
-    coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(grid, *coupling.clipper));
+    StageTimers unused;
+    StageTimers& timers = options.timers ? *options.timers : unused;
+    {
+        const auto timer = timers.measure("fractions");
+        coupling.clipper = std::make_shared<FaceClipper<D>>(grid, coupling.solids, options.fractions);
+        coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(grid, *coupling.clipper));
+    }
+    std::optional<StageTimers::Scope> timer;
+    timer.emplace(timers.stage("films"));
     coupling.network = build_film_network<D>(grid, coupling.solids, *coupling.clipper, gap, alive);
     for (const Solid<D>& solid : coupling.solids)
         coupling.free_body.push_back(solid.motion == Motion::free ? coupling.system.bodies++ : -1);
     coupling.system.nodes = coupling.network.nodes;
 
+    timer.emplace(timers.stage("system"));
     fill_grid(coupling);
     FluxRows<D> rows;
+    timer.emplace(timers.stage("films"));
     assemble_films(coupling, rows);
+    timer.emplace(timers.stage("system"));
     fill_flux(coupling, rows);
     fill_mass(coupling, mass);
     coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact);
@@ -258,21 +291,35 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
     out.nodes = Eigen::VectorXd::Zero(coupling.system.nodes);
     double squares = 0;
     const double area = grid.face_area();
-    const Block<D>& block = out.cells.block();
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        const long at = block.offset(c);
-        if (coupling.system.component.data()[at] < 0)
-            return;
-        double sum = 0, size = 0;
-        for (int axis = 0; axis < D; ++axis) {
-            const long next = at + block.stride[axis];
-            const double in = coupling.open[axis].data()[at] * u.grid[axis].data()[at];
-            const double go = coupling.open[axis].data()[next] * u.grid[axis].data()[next];
-            sum += go - in;
-            size += std::abs(go) + std::abs(in);
-        }
-        out.cells.data()[at] = area * sum;
-        squares += area * size * area * size;
+    squares = sum_over_planes(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
+        double sum_of_plane = 0;
+        for_each_row<D>(with_plane(grid.low(), plane), with_plane(grid.high(), plane + 1), [&](const Index<D>& row) {
+            std::array<const double*, D> a, v;
+            std::array<long, D> next;
+            for (int axis = 0; axis < D; ++axis) {
+                a[axis] = &coupling.open(axis, row);
+                v[axis] = &u.grid(axis, row);
+                next[axis] = out.cells.block().stride[axis];
+            }
+            const int* component = &coupling.system.component(row);
+            double* to = &out.cells(row);
+            double row_sum = 0;
+#pragma omp simd reduction(+ : row_sum)
+            for (int i = 0; i < grid.high()[0] - grid.low()[0]; ++i) {
+                double sum = 0, size = 0;
+                for (int axis = 0; axis < D; ++axis) {
+                    const double in = a[axis][i] * v[axis][i];
+                    const double go = a[axis][i + next[axis]] * v[axis][i + next[axis]];
+                    sum += go - in;
+                    size += std::abs(go) + std::abs(in);
+                }
+                const bool unknown = component[i] >= 0;
+                to[i] = unknown ? area * sum : 0.0;
+                row_sum += unknown ? area * size * area * size : 0.0;
+            }
+            sum_of_plane += row_sum;
+        });
+        return sum_of_plane;
     });
     for (const auto& entry : coupling.cell_flux) {
         const double value = entry.flux.dot(twists[entry.body]);
@@ -315,21 +362,31 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
     exchange(grid, p.cells, 1);
     const double scale = 1 / (coupling.density * grid.dx());
     for (int axis = 0; axis < D; ++axis) {
-        const Block<D>& block = p.cells.block();
-        const long back = block.stride[axis];
-        for_each_index<D>(grid.low(), grid.high() + step<D>(axis), [&](const Index<D>& f) {
-            const long at = block.offset(f);
-            if (system.conductance[axis].data()[at] <= 0)
-                return;
-            const bool at_low = f[axis] == 0 && !grid.periodic(axis);
-            const bool at_high = f[axis] == grid.cells()[axis] && !grid.periodic(axis);
-            double drop = p.cells.data()[at] - p.cells.data()[at - back];
-            if (at_low)
-                drop = 2 * p.cells.data()[at];
-            else if (at_high)
-                drop = -2 * p.cells.data()[at - back];
-            u.grid[axis].data()[at] -= scale * drop;
+        const long back = p.cells.block().stride[axis];
+        // The pressure beyond an open side is 0, half a cell away: twice the drop.
+        auto subtract = [&](const Index<D>& first, int n, double above, double below) {
+            const double *a = &system.conductance(axis, first), *from = &p.cells(first);
+            double* to = &u.grid(axis, first);
+            for (int i = 0; i < n; ++i)
+                to[i] -= a[i] > 0 ? scale * (above * from[i] - below * from[i - back]) : 0.0;
+        };
+        Index<D> low = grid.low(), end = grid.high() + step<D>(axis);
+        const bool at_low = !grid.periodic(axis) && low[axis] == 0;
+        const bool at_high = !grid.periodic(axis) && grid.high()[axis] == grid.cells()[axis];
+        low[axis] += at_low;
+        end[axis] -= at_high;
+        for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
+            for_each_row<D>(with_plane(low, plane), with_plane(end, plane + 1),
+                            [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
         });
+        for (int side = 0; side < 2; ++side) {
+            if (!(side ? at_high : at_low))
+                continue;
+            Index<D> first = grid.low(), last = grid.high();
+            first[axis] = side * grid.cells()[axis];
+            last[axis] = first[axis] + 1;
+            for_each_row<D>(first, last, [&](const Index<D>& row) { subtract(row, last[0] - first[0], side ? 0 : 2, side ? 2 : 0); });
+        }
     }
     for (const Film<D>& film : coupling.network.films)
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {

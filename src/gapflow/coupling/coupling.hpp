@@ -2,6 +2,7 @@
 // operators of a projection: outflow D u*, body flux K V, gradient.
 #pragma once
 
+#include "gapflow/core/timer.hpp"
 #include "gapflow/coupling/body_response.hpp"
 #include "gapflow/coupling/system.hpp"
 #include "gapflow/film/conduits.hpp"
@@ -63,6 +64,7 @@ struct Coupling {
 struct CouplingOptions {
     double density = 1;
     FractionMode fractions = FractionMode::cut_cell;
+    StageTimers* timers = nullptr; ///< receives the time of the stages, if not null
 };
 
 /// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). Collective.

@@ -1,6 +1,7 @@
 // Values on cells and faces of this rank's block, with ghosts.
 #pragma once
 
+#include "gapflow/core/large_memory.hpp"
 #include "gapflow/grid/grid.hpp"
 
 #include <array>
@@ -48,6 +49,15 @@ void for_each_index(const Index<D>& low, const Index<D>& high, F&& f)
     }
 }
 
+/// Calls f(index of the row's first cell) for every row along the first axis of the box low <= i < high.
+template <int D, class F>
+void for_each_row(const Index<D>& low, const Index<D>& high, F&& f)
+{
+    Index<D> end = high;
+    end[0] = low[0] + 1;
+    for_each_index<D>(low, end, f);
+}
+
 /// A value a cell, on owned cells and `ghost` layers around them.
 template <int D, class T = double>
 class CellField {
@@ -68,7 +78,7 @@ public:
 
 private:
     Block<D> block_;
-    std::vector<T> values_;
+    LargeVector<T> values_;
 };
 
 /// A value a face: one CellField an axis; entry c of axis `a` is the face of cell c on its low side along a.

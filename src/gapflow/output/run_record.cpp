@@ -1,5 +1,6 @@
 #include "gapflow/output/run_record.hpp"
 
+#include "gapflow/core/threads.hpp"
 #include "gapflow/output/file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -28,7 +29,7 @@ std::string cpu_name()
 
 Machine describe_machine(const Communicator& comm)
 {
-    return {cpu_name(), static_cast<int>(std::thread::hardware_concurrency()), comm.size()};
+    return {cpu_name(), static_cast<int>(std::thread::hardware_concurrency()), comm.size(), thread_count()};
 }
 
 PeakMemory peak_memory(const Communicator& comm)
@@ -48,7 +49,10 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
         json["message"] = record.message;
     json["time"] = record.time;
     json["steps"] = record.steps;
-    json["machine"] = {{"cpu", record.machine.cpu}, {"cores", record.machine.cores}, {"ranks", record.machine.ranks}};
+    json["machine"] = {{"cpu", record.machine.cpu},
+                       {"cores", record.machine.cores},
+                       {"ranks", record.machine.ranks},
+                       {"threads", record.machine.threads}};
     json["timings"]["total_seconds"] = record.seconds;
     json["timings"]["stages"] = nlohmann::ordered_json::object();
     for (const auto& [name, stage] : record.stages)

@@ -14,6 +14,7 @@ struct Machine {
     std::string cpu; ///< name of the root's processor ("unknown" where the system does not tell)
     int cores = 0;   ///< that the root's machine has
     int ranks = 1;
+    int threads = 1; ///< of the root
 };
 
 /// What the system tells of this machine.

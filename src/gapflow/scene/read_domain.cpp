@@ -74,7 +74,7 @@ void check_memory(const Values& v, const Scene& scene)
         return;
     char text[96];
     std::snprintf(text, sizeof text, "%.3g cells would need about %.3g GiB of memory", count,
-                  count * bytes_per_cell / 1073741824.0);
+                  expected_memory(scene.dimension, count) / 1073741824.0);
     v.refuse("domain.cells", text, "allowed: up to 2^31 cells in all; use fewer cells");
 }
 

@@ -157,8 +157,12 @@ std::vector<double> derivative_at(const TimeTable& table, double time);
 /// What a reader shall check beyond the file's own sense.
 enum class Purpose { run, added_mass, check };
 
-/// Memory that a scene needs, for `check` and for refusing an absurd one.
-constexpr double bytes_per_cell = 300;
+/// Bytes that a run needs on one rank, films not counted, for `check` and for refusing an absurd one: a fixed part and one a
+/// cell, from the peaks of measured runs (docs/performance.md).
+inline double expected_memory(int dimension, double cells)
+{
+    return 80e6 + (dimension == 2 ? 285.0 : 440.0) * cells;
+}
 
 /// Reads and validates a scene. `overrides` are dotted keys and TOML values as given to --set.
 /// Throws InputError that names file, line, key, value, range and remedy.

@@ -29,7 +29,9 @@ double BodyCorrection<D>::lightness(const Inverse& inverse) const
     }
     UnknownVector<D> r = zero_vector(system), z = zero_vector(system);
     matrix_.add_flux(direction, r);
+    r.nodes.setZero(); // the bulk's part alone: what films add are a few isolated eigenvalues, one iteration each
     inverse(r, z);
+    z.nodes.setZero();
     const Eigen::VectorXd response = matrix_.transpose_flux(z);
     double largest = 0;
     for (int body = 0; body < system.bodies; ++body) {

@@ -19,7 +19,8 @@ public:
 
     explicit BodyCorrection(const CoupledOperator<D>& matrix) : matrix_(matrix) {}
 
-    /// Estimates how strongly the bodies act: the largest ratio of added to own mass among them in one (mixed) direction.
+    /// Estimates how strongly the bodies act: the largest ratio of mass added by the bulk to own mass among them in one (mixed)
+    /// direction.
     /// One application of B. Collective.
     double lightness(const Inverse& inverse) const;
     /// Computes the columns, dofs applications of B. They are kept if they need no more than `bytes_per_cell`. False, and

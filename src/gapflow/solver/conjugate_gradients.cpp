@@ -28,22 +28,24 @@ double expected_iterations(int done, double reached, double wanted)
     return done * (std::log(wanted) / std::log(reached) - 1);
 }
 
-/// x += a p, r -= a q; returns |r|^2.
+/// x += a p, r -= a q; returns |r|^2. Hands r to the preconditioner, divided by `size`.
 template <int D>
-double advance(const Grid<D>& grid, UnknownVector<D>& x, UnknownVector<D>& r, double a, const UnknownVector<D>& p,
-               const UnknownVector<D>& q)
+double advance(const Grid<D>& grid, Preconditioner<D>& preconditioner, UnknownVector<D>& x, UnknownVector<D>& r, double a,
+               const UnknownVector<D>& p, const UnknownVector<D>& q, double size)
 {
-    double square = 0;
-    for_each_field_row(
-        grid,
-        [&](int n, double* x_row, double* r_row, const double* p_row, const double* q_row) {
-            for (int i = 0; i < n; ++i) {
-                x_row[i] += a * p_row[i];
-                r_row[i] -= a * q_row[i];
-            }
-            square += Eigen::Map<const Eigen::VectorXd>(r_row, n).squaredNorm();
-        },
-        x.cells, r.cells, p.cells, q.cells);
+    const double square = sum_over_pieces<1>(grid, [&](const Index<D>& first, int n) {
+        double *__restrict xs = &x.cells(first), *__restrict rs = &r.cells(first);
+        const double *ps = &p.cells(first), *qs = &q.cells(first);
+        double sum = 0;
+#pragma omp simd reduction(+ : sum)
+        for (int i = 0; i < n; ++i) {
+            xs[i] += a * ps[i];
+            rs[i] -= a * qs[i];
+            sum += rs[i] * rs[i];
+        }
+        preconditioner.load(first, rs, n, 1 / size);
+        return std::array<double, 1>{sum};
+    })[0];
     x.nodes += a * p.nodes;
     r.nodes -= a * q.nodes;
     return grid.comm().sum(square) + r.nodes.squaredNorm();
@@ -51,72 +53,106 @@ double advance(const Grid<D>& grid, UnknownVector<D>& x, UnknownVector<D>& r, do
 
 struct Dots {
     double zr, zq; ///< z . r and z . q with z projected
-    double sum;    ///< of z
+    double shift;  ///< what is to be subtracted from z, the same in all unknowns
 };
 
-/// In one reduction. With one component z is projected on the fly, else it must be already.
+/// Of the preconditioner's last result z, in one reduction. With one component z is projected on the fly, else it must be
+/// already.
 template <int D>
-Dots dots(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const UnknownVector<D>& z, const UnknownVector<D>& r,
-          const UnknownVector<D>& q)
+Dots dots(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const Preconditioner<D>& preconditioner,
+          const UnknownVector<D>& z, const UnknownVector<D>& r, const UnknownVector<D>& q)
 {
     enum { zr, zq, z1, r1, q1 };
-    std::array<double, 5> sums{};
-    for_each_field_row(
-        *system.grid,
-        [&](int n, const double* z_row, const double* r_row, const double* q_row) {
-            using Row = Eigen::Map<const Eigen::VectorXd>;
-            const Row zs(z_row, n), rs(r_row, n), qs(q_row, n);
-            sums[zr] += zs.dot(rs);
-            sums[zq] += zs.dot(qs);
-            sums[z1] += zs.sum();
-            sums[r1] += rs.sum();
-            sums[q1] += qs.sum();
-        },
-        z.cells, r.cells, q.cells);
-    system.grid->comm().sum(sums);
+    const Grid<D>& grid = *system.grid;
+    std::array<double, 5> sums = sum_over_pieces<5>(grid, [&](const Index<D>& first, int n) {
+        double buffer[piece];
+        const double* zs = preconditioner.result(first, z, n, buffer);
+        const double *rs = &r.cells(first), *qs = &q.cells(first);
+        double a = 0, b = 0, c = 0, d = 0, e = 0;
+#pragma omp simd reduction(+ : a, b, c, d, e)
+        for (int i = 0; i < n; ++i) {
+            a += zs[i] * rs[i];
+            b += zs[i] * qs[i];
+            c += zs[i];
+            d += rs[i];
+            e += qs[i];
+        }
+        return std::array<double, 5>{a, b, c, d, e};
+    });
+    for (int plane = grid.low()[D - 1]; plane < grid.high()[D - 1]; ++plane)
+        preconditioner.result_rest(plane, [&](const Index<D>& cell, double value) {
+            sums[zr] += value * r.cells(cell);
+            sums[zq] += value * q.cells(cell);
+            sums[z1] += value;
+        });
+    grid.comm().sum(sums);
     sums[zr] += z.nodes.dot(r.nodes);
     sums[zq] += z.nodes.dot(q.nodes);
     sums[z1] += z.nodes.sum();
     sums[r1] += r.nodes.sum();
     sums[q1] += q.nodes.sum();
+    double shift = 0;
     if (!null_space.empty() && system.components.size() == 1) {
-        const double mean = null_space.shifts(sums[z1])[1];
-        sums[zr] -= mean * sums[r1];
-        sums[zq] -= mean * sums[q1];
+        shift = null_space.shifts(sums[z1])[1];
+        sums[zr] -= shift * sums[r1];
+        sums[zq] -= shift * sums[q1];
     }
-    return {sums[zr], sums[zq], sums[z1]};
+    return {sums[zr], sums[zq], shift};
 }
 
-/// p = (projected z) + b p; whatever p holds if b = 0.
+/// p = z - shift + b p and q = A p in one pass over memory; returns p . q. Cells without unknown get -shift: q is 0 there.
 template <int D>
-void turn(const CoupledSystem<D>& system, const NullSpace<D>& null_space, UnknownVector<D>& p, double b,
-          const UnknownVector<D>& z, double sum)
+double turn(const CoupledOperator<D>& matrix, const Preconditioner<D>& preconditioner, const UnknownVector<D>& z, double shift,
+            double b, UnknownVector<D>& p, UnknownVector<D>& q)
 {
-    if (b == 0) {
-        p.cells.fill(0);
-        p.nodes.setZero();
-    }
-    if (null_space.empty() || system.components.size() > 1) { // z is projected
-        for_each_field_row(
-            *system.grid,
-            [&](int n, double* p_row, const double* z_row) {
+    const Grid<D>& grid = *matrix.system().grid;
+    const int low = grid.low()[D - 1], planes = grid.high()[D - 1] - low;
+    auto turn_plane = [&](int plane) {
+        for_each_piece_of_plane<D>(grid, plane, [&](const Index<D>& first, int n) {
+            double buffer[piece];
+            const double* zs = preconditioner.result(first, z, n, buffer);
+            double* __restrict ps = &p.cells(first);
+            if (b == 0) // whatever p holds
                 for (int i = 0; i < n; ++i)
-                    p_row[i] = z_row[i] + b * p_row[i];
-            },
-            p.cells, z.cells);
-        p.nodes = z.nodes + b * p.nodes;
-        return;
-    }
-    const Eigen::VectorXd& shift = null_space.shifts(sum);
-    for_each_field_row(
-        *system.grid,
-        [&, s = shift.data() + 1](int n, double* p_row, const double* z_row, const int* component) {
-            for (int i = 0; i < n; ++i)
-                p_row[i] = z_row[i] - s[component[i]] + b * p_row[i];
-        },
-        p.cells, z.cells, system.component);
-    for (int i = 0; i < system.nodes; ++i)
-        p.nodes[i] = z.nodes[i] - shift[system.node_component[i] + 1] + b * p.nodes[i];
+                    ps[i] = zs[i] - shift;
+            else
+                for (int i = 0; i < n; ++i)
+                    ps[i] = zs[i] - shift + b * ps[i];
+        });
+        preconditioner.result_rest(plane, [&](const Index<D>& cell, double value) { p.cells(cell) += value; });
+    };
+    if (b == 0)
+        p.nodes.setZero();
+    p.nodes = z.nodes + b * p.nodes;
+    p.nodes.array() -= shift;
+    matrix.begin_product(p);
+    // Slabs of planes for threads: the products of planes whose neighbours lie in the slab follow on the heels of p.
+    const int slabs = std::max(1, std::min(thread_count(), planes / 4));
+    const bool fused = matrix.halo_only_last_axis();
+    std::vector<double> energy(planes, 0.0);
+    auto multiply = [&](int plane) { energy[plane - low] = matrix.product_plane(p.cells, q.cells, plane); };
+    auto slab_begin = [&](int t) { return low + static_cast<int>(static_cast<long>(planes) * t / slabs); };
+    for_each_part_of(slabs, slabs, [&](long t, long end) {
+        for (; t < end; ++t)
+            for (int k = slab_begin(static_cast<int>(t)); k < slab_begin(static_cast<int>(t) + 1); ++k) {
+                turn_plane(k);
+                if (fused && k >= slab_begin(static_cast<int>(t)) + 2)
+                    multiply(k - 1);
+            }
+    });
+    matrix.exchange(p);
+    for_each_part_of(slabs, slabs, [&](long t, long end) {
+        for (; t < end; ++t) {
+            const int from = slab_begin(static_cast<int>(t)), to = slab_begin(static_cast<int>(t) + 1);
+            for (int k = from; k < to; ++k)
+                if (!fused || k == from || k == to - 1)
+                    multiply(k);
+        }
+    });
+    double sum = 0;
+    for (double part : energy)
+        sum += part;
+    return matrix.finish_product(p, q, sum);
 }
 
 } // namespace
@@ -124,13 +160,13 @@ void turn(const CoupledSystem<D>& system, const NullSpace<D>& null_space, Unknow
 template <int D>
 void compatible(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const UnknownVector<D>& rhs, UnknownVector<D>& v)
 {
-    for_each_field_row(
-        *system.grid,
-        [&](int n, double* row, const double* from, const int* component) {
-            for (int i = 0; i < n; ++i)
-                row[i] = component[i] >= 0 ? from[i] : 0.0;
-        },
-        v.cells, rhs.cells, system.component);
+    for_each_piece(*system.grid, [&](const Index<D>& first, int n) {
+        double* row = &v.cells(first);
+        const double* from = &rhs.cells(first);
+        const int* component = &system.component(first);
+        for (int i = 0; i < n; ++i)
+            row[i] = component[i] >= 0 ? from[i] : 0.0;
+    });
     v.nodes = rhs.nodes;
     null_space.project(v);
 }
@@ -139,11 +175,30 @@ template <int D>
 double true_residual(const CoupledOperator<D>& matrix, const NullSpace<D>& null_space, UnknownVector<D>& x,
                      const UnknownVector<D>& rhs, UnknownVector<D>& q, UnknownVector<D>& r)
 {
-    compatible(matrix.system(), null_space, rhs, r);
+    const CoupledSystem<D>& system = matrix.system();
+    const Grid<D>& grid = *system.grid;
     matrix.apply(x, q);
-    add(*matrix.system().grid, r, -1.0, q);
+    // r = rhs - A x where there is an unknown, and what its projection leaves of |r|^2.
+    std::array<double, 2> sums = sum_over_pieces<2>(grid, [&](const Index<D>& first, int n) {
+        double* row = &r.cells(first);
+        const double *from = &rhs.cells(first), *product = &q.cells(first);
+        const int* component = &system.component(first);
+        double square = 0, sum = 0;
+#pragma omp simd reduction(+ : square, sum)
+        for (int i = 0; i < n; ++i) {
+            row[i] = component[i] >= 0 ? from[i] - product[i] : 0.0;
+            square += row[i] * row[i];
+            sum += row[i];
+        }
+        return std::array<double, 2>{square, sum};
+    });
+    r.nodes = rhs.nodes - q.nodes;
+    if (null_space.empty()) {
+        grid.comm().sum(sums);
+        return std::sqrt(sums[0] + r.nodes.squaredNorm());
+    }
     null_space.project(r);
-    return std::sqrt(dot(*matrix.system().grid, r, r));
+    return std::sqrt(dot(grid, r, r));
 }
 
 template <int D>
@@ -161,6 +216,8 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
     const double reference = std::max(size, magnitude), target = options.tolerance * reference;
     bool reached = false; // by the recursive residual
     auto finish = [&](std::string reason) {
+        compatible(system, null_space, x, p); // without what CG left in cells without unknown
+        std::swap(x, p);
         const double residual = true_residual(matrix, null_space, x, rhs, q, r);
         report.residual = reference > 0 ? residual / reference : residual;
         report.converged = std::isfinite(residual) && (residual <= target || (reached && residual <= matrix.round_off(x)));
@@ -172,41 +229,53 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
         report.message = "the right-hand side is not finite";
         return report;
     }
-    compatible(system, null_space, x, p); // the first guess without its part along the null vectors
-    std::swap(x, p);
-    if (!std::isfinite(dot(grid, x, x))) {
+    const double guess = dot(grid, x, x);
+    if (!std::isfinite(guess)) {
         x.cells.fill(0);
         x.nodes.setZero();
+    } else if (guess > 0) {
+        compatible(system, null_space, x, p); // without its part along the null vectors
+        std::swap(x, p);
     }
+    bool fresh = !(guess > 0); // r is the residual already
 
+    const bool in_z = !null_space.empty() && system.components.size() > 1;
     std::string reason;
     constexpr int most_restarts = 2; // by a residual that drifted from the true one, or by a breakdown
     for (int restarts = 0; restarts <= most_restarts;) {
-        const double start = true_residual(matrix, null_space, x, rhs, q, r);
+        double start = fresh ? size : true_residual(matrix, null_space, x, rhs, q, r);
+        if (!fresh && report.iterations == 0 && restarts == 0 && start > size) { // a guess worse than none
+            x.cells.fill(0);
+            x.nodes.setZero();
+            compatible(system, null_space, rhs, r);
+            start = size;
+        }
+        fresh = false;
         if (start <= target || (reached && start <= matrix.round_off(x)))
             break;
-        double residual = start, zr = 0, alpha = 0;
+        double residual = start, zr = 0, alpha = 0, loaded_size = start;
         bool broken = false, bodies_added = false;
         for (int k = 0; residual > 0.9 * target && report.iterations < options.max_iterations; ++k, ++report.iterations) {
-            preconditioner.apply(r, z, residual);
-            if (system.components.size() > 1)
+            preconditioner.apply_in_place(r, z, loaded_size, k > 0, in_z);
+            if (in_z)
                 null_space.project(z);
-            const auto [zr_new, zq, sum] = dots(system, null_space, z, r, q);
+            const auto [zr_new, zq, shift] = dots(system, null_space, preconditioner, z, r, q);
             if (!(zr_new > 0) || !std::isfinite(zr_new)) {
                 reason = describe("the preconditioner is not positive: r.Br = %g", zr_new);
                 broken = true;
                 break;
             }
-            turn(system, null_space, p, k == 0 ? 0.0 : -alpha * zq / zr, z, sum);
+            const double beta = k == 0 ? 0.0 : -alpha * zq / zr;
             zr = zr_new;
-            const double energy = matrix.apply(p, q);
+            const double energy = turn(matrix, preconditioner, z, shift, beta, p, q);
             if (!(energy > 0) || !std::isfinite(energy)) {
                 reason = describe("the matrix is not positive definite: p.Ap = %g", energy);
                 broken = true;
                 break;
             }
             alpha = zr / energy;
-            residual = std::sqrt(advance(grid, x, r, alpha, p, q));
+            loaded_size = residual;
+            residual = std::sqrt(advance(grid, preconditioner, x, r, alpha, p, q, loaded_size));
             if (k >= 4 && preconditioner.wants_bodies(expected_iterations(k + 1, residual / start, target / start))) {
                 preconditioner.add_bodies();
                 bodies_added = true;

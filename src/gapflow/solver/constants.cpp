@@ -202,6 +202,8 @@ void ConstantCorrection<D>::set_up_energies()
         const double energy_k = links[k] + (squares[k] > 1e-20 * fluxes[k] ? squares[k] : 0.0);
         inverse_diagonal_[k - full_] = energy_k > 0 ? 1 / energy_k : 0.0;
     }
+    if (inverse_energy_.isZero(0) && inverse_diagonal_.isZero(0)) // null vectors only
+        columns_ = 0;
 }
 
 template <int D>

@@ -16,7 +16,7 @@ namespace gapflow {
 
 template <int D>
 CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
-    : system_(system), dofs_(twist_size<D> * system.bodies), ground_(system.nodes, 0.0)
+    : system_(system), dofs_(twist_size<D> * system.bodies), conductance_(shared_conductances(system)), ground_(system.nodes, 0.0)
 {
     const Grid<D>& grid = *system.grid;
     for (std::size_t r = 0; r < system.links.size(); ++r)
@@ -47,38 +47,53 @@ void CoupledOperator<D>::update_bodies()
 }
 
 template <int D>
-double CoupledOperator<D>::grid_product(const CellField<D>& p, CellField<D>& y) const
+double CoupledOperator<D>::product_plane(const CellField<D>& p, CellField<D>& y, int plane) const
 {
+    constexpr int chunk = SharedRows<double>::chunk;
     const Grid<D>& grid = *system_.grid;
     const int n = grid.high()[0] - grid.low()[0];
-    const Index<D> p_stride = p.block().stride, a_stride = system_.conductance[0].block().stride;
+    const Index<D> stride = p.block().stride;
+    const long rows = D == 3 ? grid.high()[1] - grid.low()[1] + 2 : 0; // of the conductances, in a plane
+    Index<D> low = grid.low(), high = grid.high();
+    low[D - 1] = plane;
+    high[D - 1] = plane + 1;
+    long row = (plane - grid.low()[D - 1] + 1) * (D == 3 ? rows : 1) + (D == 3 ? 1 : 0); // Level::row_number
     double total = 0;
-    for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
-        const double* x = &p(row);
-        double* to = &y(row);
-        const double* a0 = &system_.conductance(0, row);
-        const double* a1 = &system_.conductance(1, row);
-        const long s1 = p_stride[1], t1 = a_stride[1];
-        if constexpr (D == 2) {
-#pragma GCC ivdep
-            for (int i = 0; i < n; ++i)
-                to[i] = a0[i] * (x[i] - x[i - 1]) + a0[i + 1] * (x[i] - x[i + 1]) + a1[i] * (x[i] - x[i - s1]) +
-                        a1[i + t1] * (x[i] - x[i + s1]);
-        } else {
-            const double* a2 = &system_.conductance(2, row);
-            const long s2 = p_stride[2], t2 = a_stride[2];
-#pragma GCC ivdep
-            for (int i = 0; i < n; ++i)
-                to[i] = a0[i] * (x[i] - x[i - 1]) + a0[i + 1] * (x[i] - x[i + 1]) + a1[i] * (x[i] - x[i - s1]) +
-                        a1[i + t1] * (x[i] - x[i + s1]) + a2[i] * (x[i] - x[i - s2]) + a2[i + t2] * (x[i] - x[i + s2]);
+    for_each_row<D>(low, high, [&](const Index<D>& first) {
+        for (int c = 0, begin = 0; begin < n; ++c, begin += chunk) {
+            const double* x = &p(first) + begin;
+            double* __restrict to = &y(first) + begin;
+            const double* a0 = conductance_[0](row, c);
+            const double *a1 = conductance_[1](row, c), *b1 = conductance_[1](row + 1, c);
+            const long s1 = stride[1];
+            const int count = std::min(chunk, n - begin);
+            double energy = 0;
+            if constexpr (D == 2) {
+#pragma omp simd reduction(+ : energy)
+                for (int i = 0; i < count; ++i) {
+                    to[i] = a0[i] * (x[i] - x[i - 1]) + a0[i + 1] * (x[i] - x[i + 1]) + a1[i] * (x[i] - x[i - s1]) +
+                            b1[i] * (x[i] - x[i + s1]);
+                    energy += x[i] * to[i];
+                }
+            } else {
+                const double *a2 = conductance_[2](row, c), *b2 = conductance_[2](row + rows, c);
+                const long s2 = stride[2];
+#pragma omp simd reduction(+ : energy)
+                for (int i = 0; i < count; ++i) {
+                    to[i] = a0[i] * (x[i] - x[i - 1]) + a0[i + 1] * (x[i] - x[i + 1]) + a1[i] * (x[i] - x[i - s1]) +
+                            b1[i] * (x[i] - x[i + s1]) + a2[i] * (x[i] - x[i - s2]) + b2[i] * (x[i] - x[i + s2]);
+                    energy += x[i] * to[i];
+                }
+            }
+            total += energy;
         }
-        total += Eigen::Map<const Eigen::VectorXd>(x, n).dot(Eigen::Map<const Eigen::VectorXd>(to, n));
+        ++row;
     });
     return total;
 }
 
 template <int D>
-void CoupledOperator<D>::clear_outside(CellField<D>& p) const
+void CoupledOperator<D>::begin_product(UnknownVector<D>& p) const
 {
     const Grid<D>& grid = *system_.grid;
     for (int axis = 0; axis < D; ++axis)
@@ -88,7 +103,7 @@ void CoupledOperator<D>::clear_outside(CellField<D>& p) const
             Index<D> low = grid.low(), high = grid.high();
             low[axis] = end ? high[axis] : low[axis] - 1;
             high[axis] = low[axis] + 1;
-            for_each_index<D>(low, high, [&](const Index<D>& c) { p(c) = 0; });
+            for_each_index<D>(low, high, [&](const Index<D>& c) { p.cells(c) = 0; });
         }
 }
 
@@ -105,10 +120,18 @@ template <int D>
 double CoupledOperator<D>::apply(UnknownVector<D>& p, UnknownVector<D>& y, bool with_bodies) const
 {
     const Grid<D>& grid = *system_.grid;
-    clear_outside(p.cells);
-    halo_.exchange(p.cells.data());
-    const double grid_energy = grid_product(p.cells, y.cells);
+    begin_product(p);
+    exchange(p);
+    const double grid_energy = sum_over_planes(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
+        return product_plane(p.cells, y.cells, plane);
+    });
+    return finish_product(p, y, grid_energy, with_bodies);
+}
 
+template <int D>
+double CoupledOperator<D>::finish_product(const UnknownVector<D>& p, UnknownVector<D>& y, double grid_energy, bool with_bodies) const
+{
+    const Grid<D>& grid = *system_.grid;
     const long links = static_cast<long>(system_.links.size());
     partial_.setZero();
     for (const LinkCell& entry : link_cells_)
@@ -244,7 +267,10 @@ Eigen::VectorXd CoupledOperator<D>::inverse_mass(const Eigen::VectorXd& w) const
 template <int D>
 long CoupledOperator<D>::bytes() const
 {
-    return static_cast<long>(link_cells_.size() * sizeof(LinkCell) + edges_.size() * sizeof(FilmEdge));
+    long sum = static_cast<long>(link_cells_.size() * sizeof(LinkCell) + edges_.size() * sizeof(FilmEdge));
+    for (const SharedRows<double>& values : conductance_)
+        sum += values.bytes();
+    return sum;
 }
 
 template <int D>

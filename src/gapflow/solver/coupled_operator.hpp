@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/coupling/body_response.hpp"
+#include "gapflow/solver/level.hpp"
 #include "gapflow/solver/vectors.hpp"
 
 #include <vector>
@@ -39,6 +40,18 @@ public:
     /// M^-1 w, contacts held.
     Eigen::VectorXd inverse_mass(const Eigen::VectorXd& w) const;
 
+    /// The parts of apply(), for callers that pass over memory once for several things: first begin_product, then
+    /// product_plane of every plane normal to the last axis, once p is known on the planes beside it and ghosts are filled,
+    /// then finish_product with the sum of what product_plane returned.
+    void begin_product(UnknownVector<D>& p) const;
+    double product_plane(const CellField<D>& p, CellField<D>& y, int plane) const;
+    double finish_product(const UnknownVector<D>& p, UnknownVector<D>& y, double grid_energy, bool with_bodies = true) const;
+    /// Ghosts of p that other ranks, or the far side of a periodic axis, own. Collective.
+    void exchange(UnknownVector<D>& p) const { halo_.exchange(p.cells.data()); }
+    /// Whether ghosts are exchanged along the last axis at most.
+    bool halo_only_last_axis() const { return halo_.only_last_axis(); }
+    const std::array<SharedRows<double>, D>& conductance() const { return conductance_; }
+
     const std::vector<FilmEdge>& film_edges() const { return edges_; }
     const std::vector<double>& film_ground() const { return ground_; }
     /// Weighted sum of x over a link's nodes.
@@ -52,11 +65,10 @@ private:
         double weight;
     };
     double apply(UnknownVector<D>& p, UnknownVector<D>& y, bool with_bodies) const;
-    double grid_product(const CellField<D>& p, CellField<D>& y) const;
-    void clear_outside(CellField<D>& p) const;
 
     const CoupledSystem<D>& system_;
     int dofs_;
+    std::array<SharedRows<double>, D> conductance_;
     std::vector<LinkCell> link_cells_; ///< those of this rank
     std::vector<FilmEdge> edges_;
     std::vector<double> ground_;

@@ -111,6 +111,11 @@ void FilmBand<D>::find_cells(const Level<D>& finest)
                 outside_.push_back({finest.block.offset(other), row, faces_[i][side]});
         }
     }
+    const int first_plane = grid.low()[D - 1], planes = grid.high()[D - 1] - first_plane;
+    plane_begin_.assign(planes + 1, 0);
+    for (const OwnedCell& entry : owned_)
+        ++plane_begin_[entry.cell[D - 1] - first_plane + 1];
+    std::partial_sum(plane_begin_.begin(), plane_begin_.end(), plane_begin_.begin());
     for (std::size_t r = 0; r < system_.links.size(); ++r)
         for (const auto& [key, weight] : system_.links[r].cells) {
             const Index<D> c = grid.cell_of_key(key);
@@ -265,7 +270,7 @@ void FilmBand<D>::first(const UnknownVector<D>& r, double scale, Level<D>& level
             mean[block_[i]] += on_band[i] / block_size_[block_[i]];
     for (const OwnedCell& entry : owned_)
         level.b[entry.level_offset] =
-            block_[entry.row] >= 0 && level.inverse_diagonal[entry.level_offset] > 0
+            block_[entry.row] >= 0 && level.inverse(entry.cell) > 0
                 ? static_cast<float>(scale * mean[block_[entry.row]])
                 : 0.0f;
     for (const Neighbour& entry : outside_)
@@ -302,16 +307,6 @@ void FilmBand<D>::second(double scale, const Level<D>& level)
         }
     }
     correction_ += solve(r.head(size_));
-}
-
-template <int D>
-void FilmBand<D>::add_correction(UnknownVector<D>& z) const
-{
-    if (empty())
-        return;
-    z.nodes += correction_.head(system_.nodes);
-    for (const OwnedCell& entry : owned_)
-        z.cells(entry.cell) += correction_[entry.row];
 }
 
 template <int D>

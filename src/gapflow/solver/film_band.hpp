@@ -38,8 +38,18 @@ public:
     /// Second half: correction += solve(-L x) with x = scale * level.x in the cells; ghosts of level.x are up to date.
     /// Collective.
     void second(double scale, const Level<D>& level);
-    /// z += correction.
-    void add_correction(UnknownVector<D>& z) const;
+    /// The correction of the film nodes; empty without films.
+    Eigen::VectorXd node_correction() const { return correction_.head(system_.nodes); }
+    /// Calls f(cell, correction) for this rank's band cells of a plane normal to the last axis.
+    template <class F>
+    void for_each_correction(int plane, F&& f) const
+    {
+        if (empty())
+            return;
+        const int k = plane - system_.grid->low()[D - 1];
+        for (int i = plane_begin_[k]; i < plane_begin_[k + 1]; ++i)
+            f(owned_[i].cell, correction_[owned_[i].row]);
+    }
 
     long bytes() const;
 
@@ -61,7 +71,8 @@ private:
     const CoupledSystem<D>& system_;
     int size_ = 0;
     std::vector<long> keys_;                   ///< of the band's cells, sorted
-    std::vector<OwnedCell> owned_;
+    std::vector<OwnedCell> owned_;             ///< in the order of keys_: by planes normal to the last axis
+    std::vector<int> plane_begin_;             ///< first of owned_ in every plane of the rank's block; and the end
     std::vector<Neighbour> outside_;           ///< this rank's
     std::vector<LinkCell> link_cells_;         ///< this rank's
     std::vector<std::array<double, 2 * D>> faces_; ///< conductances around every band cell

@@ -3,20 +3,12 @@
 
 #include "gapflow/grid/field.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <vector>
 
 namespace gapflow {
-
-/// Calls f(index of the row's first cell) for every row along the first axis of the box low <= i < high.
-template <int D, class F>
-void for_each_row(const Index<D>& low, const Index<D>& high, F&& f)
-{
-    Index<D> end = high;
-    end[0] = low[0] + 1;
-    for_each_index<D>(low, end, f);
-}
 
 /// Plan and buffers of the exchange. Ghosts beyond walls, open and inflow sides are left as they are.
 template <int D, class T>
@@ -30,6 +22,13 @@ public:
     void exchange(T* data);
     /// Whether there is anything to exchange.
     bool active() const { return active_; }
+    /// Whether only the sides normal to the last axis have neighbours.
+    bool only_last_axis() const
+    {
+        return std::all_of(neighbours_.begin(), neighbours_.end() - 2, [](int neighbour) { return neighbour < 0; });
+    }
+    /// Whether the low (end = 0) or high side of an axis has a neighbour.
+    bool active(int axis, int end) const { return neighbours_[2 * axis + end] >= 0; }
 
 private:
     struct Plane {
@@ -38,8 +37,15 @@ private:
     void pack(const Plane& plane, const T* data, std::vector<T>& buffer) const;
     void unpack(const Plane& plane, const std::vector<T>& buffer, T* data) const;
 
+    static std::array<int, 2 * D> none()
+    {
+        std::array<int, 2 * D> all;
+        all.fill(-1);
+        return all;
+    }
+
     Block<D> storage_;
-    std::array<int, 2 * D> neighbours_{};
+    std::array<int, 2 * D> neighbours_ = none();
     std::array<Plane, 2 * D> inner_, ghost_;
     std::array<std::vector<T>, 2 * D> send_, take_;
     MPI_Comm comm_ = MPI_COMM_NULL;

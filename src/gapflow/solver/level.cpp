@@ -34,16 +34,29 @@ double Level<D>::distance(int axis, int i) const
 template <int D>
 long Level<D>::bytes() const
 {
-    return static_cast<long>(sizeof(float)) * block.size * (D + 3);
+    long sum = static_cast<long>(sizeof(float)) * block.size * 2 + inverse_diagonal.bytes();
+    for (const auto& values : conductance)
+        sum += values.bytes();
+    return sum;
 }
+
+namespace {
+
+template <int D>
+long rows_of(const Block<D>& block)
+{
+    return block.size / block.stride[1];
+}
+
+} // namespace
 
 template <int D>
 void allocate(Level<D>& level, const Communicator& comm)
 {
     level.block = Block<D>(level.low - Index<D>::Ones(), level.high + Index<D>::Ones());
-    for (auto& values : level.conductance)
-        values.assign(level.block.size, 0.0f);
-    level.inverse_diagonal.assign(level.block.size, 0.0f);
+    const int n = level.high[0] - level.low[0];
+    for (int axis = 0; axis < D; ++axis)
+        level.conductance[axis] = SharedRows<float>(rows_of(level.block), n + (axis == 0 ? 1 : 0));
     level.x.assign(level.block.size, 0.0f);
     level.b.assign(level.block.size, 0.0f);
     level.halo = Halo<D, float>(level.block, level.low, level.high, level.neighbours, comm);
@@ -52,18 +65,40 @@ void allocate(Level<D>& level, const Communicator& comm)
 template <int D>
 void finish(Level<D>& level)
 {
-    const Block<D>& block = level.block;
+    const int n = level.high[0] - level.low[0];
     for (int axis = 0; axis < D; ++axis)
         if (level.periodic[axis] && level.cells[axis] == 1) // the cell is its own neighbour
-            std::fill(level.conductance[axis].begin(), level.conductance[axis].end(), 0.0f);
-    for_each_index<D>(level.low, level.high, [&](const Index<D>& c) {
-        const long i = block.offset(c);
-        double diagonal = 0;
-        for (int axis = 0; axis < D; ++axis)
-            diagonal += static_cast<double>(level.conductance[axis][i]) + level.conductance[axis][i + block.stride[axis]];
-        level.inverse_diagonal[i] = diagonal > 1e-30 ? static_cast<float>(1.0 / diagonal) : 0.0f;
+            level.conductance[axis] = SharedRows<float>(rows_of(level.block), n + (axis == 0 ? 1 : 0));
+    level.inverse_diagonal = SharedRows<float>(rows_of(level.block), n);
+    std::vector<float> inverse(n);
+    // Whether all faces of a row are those of another row.
+    auto same_faces = [&](long row, long other) {
+        bool same = level.conductance[0].equal(row, other);
+        for (int axis = 1; axis < D && same; ++axis)
+            for (long next : {0L, level.row_stride(axis)})
+                same = same && level.conductance[axis].equal(row + next, other + next);
+        return same;
+    };
+    const long back = level.row_stride(D - 1);
+    for_each_row<D>(level.low, level.high, [&](const Index<D>& first) {
+        const long row = level.row_number(first), before = row - 1;
+        const long below = first[D - 1] > level.low[D - 1] ? row - back : -1;
+        if (before >= 0 && same_faces(row, before))
+            return level.inverse_diagonal.share(row, before);
+        if (below >= 0 && same_faces(row, below))
+            return level.inverse_diagonal.share(row, below);
+        for (int c = 0; c < level.inverse_diagonal.chunks(); ++c) {
+            const int begin = c * SharedRows<float>::chunk, count = std::min(SharedRows<float>::chunk, n - begin);
+            const Stencil<D> s(level, row, c);
+            for (int i = 0; i < count; ++i) {
+                double diagonal = static_cast<double>(s.a0[i]) + s.a0[i + 1];
+                for (int axis = 1; axis < D; ++axis)
+                    diagonal += static_cast<double>(s.below[axis - 1][i]) + s.above[axis - 1][i];
+                inverse[begin + i] = diagonal > 1e-30 ? static_cast<float>(1.0 / diagonal) : 0.0f;
+            }
+        }
+        level.inverse_diagonal.set(row, inverse.data(), before, below);
     });
-    const int n = level.high[0] - level.low[0];
     for (int seam = 0; seam < 2; ++seam)
         for (int parity = 0; parity < 2; ++parity) {
             auto& weight = level.weight[seam][parity];
@@ -75,7 +110,27 @@ void finish(Level<D>& level)
 }
 
 template <int D>
-Level<D> finest_level(const CoupledSystem<D>& system, double scale)
+std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& system)
+{
+    const Grid<D>& grid = *system.grid;
+    Level<D> level; // for its numbering alone
+    level.low = grid.low();
+    level.high = grid.high();
+    level.block = Block<D>(level.low - Index<D>::Ones(), level.high + Index<D>::Ones());
+    const long back = level.row_stride(D - 1);
+    std::array<SharedRows<double>, D> result;
+    for (int axis = 0; axis < D; ++axis) {
+        result[axis] = SharedRows<double>(rows_of(level.block), level.high[0] - level.low[0] + (axis == 0 ? 1 : 0));
+        for_each_row<D>(level.low, level.high + step<D>(axis), [&](const Index<D>& first) {
+            const long row = level.row_number(first);
+            result[axis].set(row, &system.conductance(axis, first), row - 1, first[D - 1] > level.low[D - 1] ? row - back : -1);
+        });
+    }
+    return result;
+}
+
+template <int D>
+Level<D> finest_level(const CoupledSystem<D>& system, const std::array<SharedRows<double>, D>& conductance, double scale)
 {
     const Grid<D>& grid = *system.grid;
     Level<D> level;
@@ -89,15 +144,9 @@ Level<D> finest_level(const CoupledSystem<D>& system, double scale)
             level.neighbours[2 * axis + end] = grid.neighbour(axis, end);
     }
     allocate(level, grid.comm());
-    for (int axis = 0; axis < D; ++axis) {
-        const int width = level.high[0] - level.low[0] + (axis == 0 ? 1 : 0);
-        for_each_row<D>(level.low, level.high + step<D>(axis), [&](const Index<D>& row) {
-            const double* from = &system.conductance(axis, row);
-            float* to = &level.conductance[axis][level.block.offset(row)];
-            for (int i = 0; i < width; ++i)
-                to[i] = static_cast<float>(scale * from[i]);
-        });
-    }
+    for (int axis = 0; axis < D; ++axis)
+        level.conductance[axis] =
+            conductance[axis].template mapped<float>([&](double a) { return static_cast<float>(scale * a); });
     finish(level);
     return level;
 }
@@ -131,18 +180,53 @@ Level<D> coarsened(const Level<D>& fine, const Communicator& comm)
         coarse.high[axis] = (fine.high[axis] + factor[axis] - 1) / factor[axis];
     }
     allocate(coarse, comm);
-    for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(coarse.low, coarse.high + step<D>(axis), [&](const Index<D>& c) {
-            Index<D> first, last;
-            for (int k = 0; k < D; ++k) {
-                first[k] = std::min(c[k] * factor[k], fine.high[k]);
-                last[k] = k == axis ? first[k] + 1 : std::min(first[k] + factor[k], fine.high[k]);
+    const long back = coarse.row_stride(D - 1);
+    const int width = coarse.high[0] - coarse.low[0], fine_width = fine.high[0] - fine.low[0];
+    std::vector<double> fine_sum(fine_width + 1);
+    std::vector<float> row_values(width + 1);
+    for (int axis = 0; axis < D; ++axis) {
+        const SharedRows<float>& from = fine.conductance[axis];
+        const int values = fine_width + (axis == 0 ? 1 : 0);
+        for_each_row<D>(coarse.low, coarse.high + step<D>(axis), [&](const Index<D>& first) {
+            Index<D> begin = first, end = first + Index<D>::Ones(); // its fine rows
+            for (int k = 1; k < D; ++k) {
+                begin[k] = std::min(first[k] * factor[k], fine.high[k]);
+                end[k] = k == axis ? begin[k] + 1 : std::min(begin[k] + factor[k], fine.high[k]);
             }
-            double sum = 0;
-            for_each_index<D>(first, last, [&](const Index<D>& f) { sum += fine.conductance[axis][fine.block.offset(f)]; });
-            coarse.conductance[axis][coarse.block.offset(c)] =
-                static_cast<float>(sum * fine.distance(axis, first[axis]) / coarse.distance(axis, c[axis]));
+            std::fill(fine_sum.begin(), fine_sum.end(), 0.0);
+            begin[0] = fine.low[0];
+            end[0] = begin[0] + 1;
+            for_each_index<D>(begin, end, [&](const Index<D>& f) {
+                const long row = fine.row_number(f);
+                for (int c = 0; c < from.chunks(); ++c) {
+                    const float* a = from(row, c);
+                    double* to = &fine_sum[c * SharedRows<float>::chunk];
+                    const int count = std::min(SharedRows<float>::chunk, values - c * SharedRows<float>::chunk);
+                    for (int i = 0; i < count; ++i)
+                        to[i] += a[i];
+                }
+            });
+            auto ratio = [&](int fine_face, int coarse_face) {
+                return fine.distance(axis, fine_face) / coarse.distance(axis, coarse_face);
+            };
+            if (axis == 0)
+                for (int i = 0; i <= width; ++i) {
+                    const int f = std::min(i * factor[0], fine_width);
+                    row_values[i] = static_cast<float>(fine_sum[f] * ratio(fine.low[0] + f, coarse.low[0] + i));
+                }
+            else {
+                const double r = ratio(begin[axis], first[axis]);
+                for (int i = 0; i < width; ++i) {
+                    const int f = i * factor[0];
+                    const double sum = fine_sum[f] + (factor[0] == 2 && f + 1 < fine_width ? fine_sum[f + 1] : 0.0);
+                    row_values[i] = static_cast<float>(sum * r);
+                }
+            }
+            const long row = coarse.row_number(first);
+            coarse.conductance[axis].set(row, row_values.data(), row - 1,
+                                         first[D - 1] > coarse.low[D - 1] ? row - back : -1);
         });
+    }
     finish(coarse);
     return coarse;
 }
@@ -166,11 +250,15 @@ Level<D> gathered(const Level<D>& part, const Communicator& comm)
         Index<D> end = part.high;
         if (part.high[axis] == part.cells[axis])
             ++end[axis]; // the domain's last faces
-        for_each_index<D>(part.low, end, [&](const Index<D>& f) {
-            values[whole.block.offset(f)] = part.conductance[axis][part.block.offset(f)];
-        });
+        for_each_index<D>(part.low, end, [&](const Index<D>& f) { values[whole.block.offset(f)] = part.face(axis, f); });
         comm.sum(values);
-        std::copy(values.begin(), values.end(), whole.conductance[axis].begin());
+        std::vector<float> row_values(whole.conductance[axis].width());
+        Index<D> rows_end = whole.high + step<D>(axis);
+        for_each_row<D>(whole.low, rows_end, [&](const Index<D>& first) {
+            const double* from = &values[whole.block.offset(first)];
+            std::copy_n(from, row_values.size(), row_values.begin());
+            whole.conductance[axis].set(whole.row_number(first), row_values.data(), whole.row_number(first) - 1, -1);
+        });
     }
     finish(whole);
     return whole;
@@ -178,7 +266,8 @@ Level<D> gathered(const Level<D>& part, const Communicator& comm)
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template struct Level<D>;                                                                                                  \
-    template Level<D> finest_level<D>(const CoupledSystem<D>&, double);                                                        \
+    template std::array<SharedRows<double>, D> shared_conductances<D>(const CoupledSystem<D>&);                                \
+    template Level<D> finest_level<D>(const CoupledSystem<D>&, const std::array<SharedRows<double>, D>&, double);              \
     template bool can_halve<D>(const Level<D>&, const Grid<D>&);                                                               \
     template Level<D> coarsened<D>(const Level<D>&, const Communicator&);                                                      \
     template void allocate<D>(Level<D>&, const Communicator&);                                                                 \

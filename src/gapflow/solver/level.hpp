@@ -3,6 +3,7 @@
 
 #include "gapflow/coupling/system.hpp"
 #include "gapflow/solver/halo.hpp"
+#include "gapflow/solver/shared_rows.hpp"
 
 #include <array>
 #include <vector>
@@ -18,9 +19,9 @@ struct Level {
     std::array<bool, D> periodic;
     std::array<int, 2 * D> neighbours;
     Block<D> block;                  ///< what is stored: one ghost layer around low .. high
-    std::array<std::vector<float>, D> conductance; ///< of each cell's low face; on all faces of this rank's cells
-    std::vector<float> inverse_diagonal;           ///< 0: no unknown here
-    std::vector<float> x, b;                       ///< correction, right-hand side
+    std::array<SharedRows<float>, D> conductance; ///< of each cell's low face, by row_number; on all faces of this rank's cells
+    SharedRows<float> inverse_diagonal;           ///< 0: no unknown here
+    LargeVector<float> x, b;                       ///< correction, right-hand side
     /// Relaxation weight of each cell of a row: [row on a seam][parity of the first axis' index]. 0: other colour.
     std::array<std::array<std::vector<float>, 2>, 2> weight;
     Halo<D, float> halo;
@@ -34,12 +35,43 @@ struct Level {
     bool on_seam(int axis, int i) const { return seam(axis) && (i == 0 || i == cells[axis] - 1); }
     /// Whether the next level halves the cells along the axis.
     bool halves(int axis) const { return cells[axis] > 1; }
+    /// Number of the row that holds a cell among the block's rows along the first axis.
+    long row_number(const Index<D>& c) const
+    {
+        long row = c[D - 1] - block.low[D - 1];
+        for (int axis = D - 2; axis > 0; --axis)
+            row = row * (block.high[axis] - block.low[axis]) + (c[axis] - block.low[axis]);
+        return row;
+    }
+    /// What a row's number gains by a step along an axis other than the first.
+    long row_stride(int axis) const { return block.stride[axis] / block.stride[1]; }
+    float face(int axis, const Index<D>& f) const { return conductance[axis].value(row_number(f), f[0] - low[0]); }
+    float inverse(const Index<D>& c) const { return inverse_diagonal.value(row_number(c), c[0] - low[0]); }
     long bytes() const;
 };
 
+/// The coefficients of a chunk of cells of a row: conductances of the low and high faces normal to axes 1 and 2.
+template <int D>
+struct Stencil {
+    const float *a0, *inverse;
+    std::array<const float*, D - 1> below, above;
+
+    Stencil(const Level<D>& level, long row, int c) : a0(level.conductance[0](row, c)), inverse(level.inverse_diagonal(row, c))
+    {
+        for (int axis = 1; axis < D; ++axis) {
+            below[axis - 1] = level.conductance[axis](row, c);
+            above[axis - 1] = level.conductance[axis](row + level.row_stride(axis), c);
+        }
+    }
+};
+
+/// Conductances of the system's faces on this rank's block, by Level::row_number of a block with one layer of ghosts.
+template <int D>
+std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& system);
+
 /// The finest level: the system's conductances times `scale`.
 template <int D>
-Level<D> finest_level(const CoupledSystem<D>& system, double scale);
+Level<D> finest_level(const CoupledSystem<D>& system, const std::array<SharedRows<double>, D>& conductance, double scale);
 
 /// Whether this rank's block can be halved with all the others.
 template <int D>

@@ -17,21 +17,6 @@ namespace {
 constexpr long coarsest_cells = 64;
 constexpr long gathered_cells = 20000; // smaller levels are gathered: halo exchanges would cost more than the cells
 
-template <int D>
-double largest_conductance(const CoupledSystem<D>& system)
-{
-    double largest = 0;
-    for (int axis = 0; axis < D; ++axis) {
-        const int width = system.grid->high()[0] - system.grid->low()[0] + (axis == 0 ? 1 : 0);
-        for_each_row<D>(system.grid->low(), system.grid->high() + step<D>(axis), [&](const Index<D>& row) {
-            const double* a = &system.conductance(axis, row);
-            for (int i = 0; i < width; ++i)
-                largest = std::max(largest, a[i]);
-        });
-    }
-    return system.grid->comm().max(largest);
-}
-
 /// Inverse of a symmetric positive semidefinite matrix with unit-free scaling, zero on its kernel.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a)
 {
@@ -45,12 +30,16 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a)
 } // namespace
 
 template <int D>
-Multigrid<D>::Multigrid(const CoupledSystem<D>& system) : comm_(system.grid->comm())
+Multigrid<D>::Multigrid(const CoupledSystem<D>& system, const std::array<SharedRows<double>, D>& conductance)
+    : comm_(system.grid->comm())
 {
     const Grid<D>& grid = *system.grid;
-    const double largest = largest_conductance(system);
+    double largest = 0;
+    for (const SharedRows<double>& values : conductance)
+        largest = std::max(largest, values.largest());
+    largest = comm_.max(largest);
     scale_ = largest > 0 ? 1 / largest : 1;
-    levels_.push_back(finest_level(system, scale_));
+    levels_.push_back(finest_level<D>(system, conductance, scale_));
     const bool parallel = comm_.size() > 1;
     auto total = [](const Level<D>& level) { return level.cells.template cast<long>().prod(); };
     first_gathered_ = parallel ? ~std::size_t{0} : 0;
@@ -92,7 +81,7 @@ Multigrid<D>::Multigrid(const CoupledSystem<D>& system) : comm_(system.grid->com
     std::vector<int> number(coarsest.block.size, -1);
     for_each_index<D>(coarsest.low, coarsest.high, [&](const Index<D>& c) {
         const long i = coarsest.block.offset(c);
-        if (coarsest.inverse_diagonal[i] > 0) {
+        if (coarsest.inverse(c) > 0) {
             number[i] = static_cast<int>(coarsest_cells_.size());
             coarsest_cells_.push_back(i);
         }
@@ -106,7 +95,7 @@ Multigrid<D>::Multigrid(const CoupledSystem<D>& system) : comm_(system.grid->com
         for (int side = 0; side < 2 * D; ++side) {
             const int axis = side / 2;
             const Index<D> face = side % 2 ? Index<D>(c + step<D>(axis)) : c;
-            const double a = coarsest.conductance[axis][coarsest.block.offset(face)];
+            const double a = coarsest.face(axis, face);
             matrix(row, row) += a;
             Index<D> other = side % 2 ? Index<D>(c + step<D>(axis)) : Index<D>(c - step<D>(axis));
             if (coarsest.periodic[axis])

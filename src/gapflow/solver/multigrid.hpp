@@ -13,7 +13,8 @@ namespace gapflow {
 template <int D>
 class Multigrid {
 public:
-    explicit Multigrid(const CoupledSystem<D>& system);
+    /// `conductance`: the system's, as shared_conductances gives it.
+    Multigrid(const CoupledSystem<D>& system, const std::array<SharedRows<double>, D>& conductance);
 
     /// The finest level. Before cycle(): its b holds the right-hand side. After: its x, ghosts included, times scale() is
     /// the approximate solution.

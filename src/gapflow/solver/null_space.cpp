@@ -36,8 +36,9 @@ const Eigen::VectorXd& NullSpace<D>::shifts(const UnknownVector<D>& v) const
     const int components = static_cast<int>(system_.components.size());
     sums_.setZero(components + 1); // entry 0: cells without unknown
     if (components == 1)
-        for_each_field_row(
-            grid, [&](int n, const double* row) { sums_[1] += Eigen::Map<const Eigen::VectorXd>(row, n).sum(); }, v.cells);
+        sums_[1] = sum_over_pieces<1>(grid, [&](const Index<D>& first, int n) {
+            return std::array<double, 1>{Eigen::Map<const Eigen::VectorXd>(&v.cells(first), n).sum()};
+        })[0];
     else
         for_each_field_row(
             grid,
@@ -69,13 +70,12 @@ void NullSpace<D>::project(UnknownVector<D>& v) const
     if (empty())
         return;
     const Eigen::VectorXd& shift = shifts(v);
-    for_each_field_row(
-        *system_.grid,
-        [&](int n, double* row, const int* component) {
-            for (int i = 0; i < n; ++i)
-                row[i] -= shift[component[i] + 1];
-        },
-        v.cells, system_.component);
+    for_each_piece(*system_.grid, [&](const Index<D>& first, int n) {
+        double* row = &v.cells(first);
+        const int* component = &system_.component(first);
+        for (int i = 0; i < n; ++i)
+            row[i] -= shift[component[i] + 1];
+    });
     for (int i = 0; i < system_.nodes; ++i)
         v.nodes[i] -= shift[system_.node_component[i] + 1];
 }

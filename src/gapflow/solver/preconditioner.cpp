@@ -19,7 +19,8 @@ constexpr double column_bytes = 96; // a cell, for kept columns
 
 template <int D>
 Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bodies)
-    : matrix_(matrix), mode_(bodies), multigrid_(matrix.system()), band_(matrix, multigrid_.finest()), bodies_(matrix)
+    : matrix_(matrix), mode_(bodies), multigrid_(matrix.system(), matrix.conductance()), band_(matrix, multigrid_.finest()),
+      bodies_(matrix)
 {
     constants_.emplace(matrix, band_);
     if (matrix.dofs() == 0 || mode_ == BodyMode::never)
@@ -29,32 +30,39 @@ Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bod
 }
 
 template <int D>
-void Preconditioner<D>::apply_fluid(const UnknownVector<D>& r, UnknownVector<D>& z, double size)
+void Preconditioner<D>::cycle(const UnknownVector<D>& r, UnknownVector<D>& z, double size, bool loaded)
 {
     const Grid<D>& grid = *matrix_.system().grid;
-    Level<D>& level = multigrid_.finest();
-    const double scale = multigrid_.scale();
-    const int n = grid.high()[0] - grid.low()[0];
     const double to_level = size > 0 ? 1 / size : 1; // single precision has a range of 1e38
-    for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
-        const double* from = &r.cells(row);
-        const float* inverse = &level.inverse_diagonal[level.block.offset(row)];
-        float* to = &level.b[level.block.offset(row)];
-        for (int i = 0; i < n; ++i)
-            to[i] = inverse[i] > 0 ? static_cast<float>(to_level * from[i]) : 0.0f;
-    });
-    band_.first(r, to_level, level);
+    if (!loaded)
+        for_each_piece(grid, [&](const Index<D>& first, int n) { load(first, &r.cells(first), n, to_level); });
+    band_.first(r, to_level, multigrid_.finest());
     multigrid_.cycle();
-    const double from_level = scale / to_level;
-    band_.second(from_level, level);
-    for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
-        const float* from = &level.x[level.block.offset(row)];
-        double* to = &z.cells(row);
+    from_level_ = multigrid_.scale() / to_level;
+    band_.second(from_level_, multigrid_.finest());
+    z.nodes = band_.node_correction();
+}
+
+template <int D>
+void Preconditioner<D>::fetch(UnknownVector<D>& z) const
+{
+    const Grid<D>& grid = *matrix_.system().grid;
+    const Level<D>& level = multigrid_.finest();
+    for_each_piece(grid, [&](const Index<D>& first, int n) {
+        const float* from = &level.x[level.block.offset(first)];
+        double* to = &z.cells(first);
         for (int i = 0; i < n; ++i)
-            to[i] = from_level * from[i];
+            to[i] = from_level_ * from[i];
     });
-    z.nodes.setZero();
-    band_.add_correction(z);
+    for (int plane = grid.low()[D - 1]; plane < grid.high()[D - 1]; ++plane)
+        band_.for_each_correction(plane, [&](const Index<D>& c, double value) { z.cells(c) += value; });
+}
+
+template <int D>
+void Preconditioner<D>::apply_fluid(const UnknownVector<D>& r, UnknownVector<D>& z, double size)
+{
+    cycle(r, z, size, false);
+    fetch(z);
 }
 
 template <int D>
@@ -69,6 +77,20 @@ template <int D>
 void Preconditioner<D>::apply(const UnknownVector<D>& r, UnknownVector<D>& z, double size)
 {
     apply_fluid(r, z, size);
+    if (bodies_.ready())
+        bodies_.correct(inverse(), r, z);
+    constants_->add_correction(r, z);
+    dense_ = true;
+}
+
+template <int D>
+void Preconditioner<D>::apply_in_place(const UnknownVector<D>& r, UnknownVector<D>& z, double size, bool loaded, bool in_z)
+{
+    cycle(r, z, size, loaded);
+    dense_ = in_z || bodies_.ready() || !constants_->empty();
+    if (!dense_)
+        return;
+    fetch(z);
     if (bodies_.ready())
         bodies_.correct(inverse(), r, z);
     constants_->add_correction(r, z);

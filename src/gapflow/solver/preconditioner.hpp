@@ -18,6 +18,35 @@ public:
 
     /// z = B r; 0 in cells without unknown. `size`: about |r|, the scale for single precision. Collective.
     void apply(const UnknownVector<D>& r, UnknownVector<D>& z, double size);
+    /// The same, but unless `in_z` the cells of z may stay where the cycle left them, to be read by result and result_rest.
+    /// `loaded`: load() has been called for all cells with to_level = 1 / size.
+    void apply_in_place(const UnknownVector<D>& r, UnknownVector<D>& z, double size, bool loaded, bool in_z);
+    /// Hands n cells of a row of r to the next application.
+    void load(const Index<D>& first, const double* r, int n, double to_level)
+    {
+        Level<D>& level = multigrid_.finest();
+        float* to = &level.b[level.block.offset(first)];
+        for (int i = 0; i < n; ++i)
+            to[i] = static_cast<float>(to_level * r[i]);
+    }
+    /// n cells of a row of B r but for result_rest: in `buffer`, or where z holds them.
+    const double* result(const Index<D>& first, const UnknownVector<D>& z, int n, double* buffer) const
+    {
+        if (dense_)
+            return &z.cells(first);
+        const Level<D>& level = multigrid_.finest();
+        const float* from = &level.x[level.block.offset(first)];
+        for (int i = 0; i < n; ++i)
+            buffer[i] = from_level_ * from[i];
+        return buffer;
+    }
+    /// Calls f(cell, value) for the cells of a plane normal to the last axis where B r is more than result, by value.
+    template <class F>
+    void result_rest(int plane, F&& f) const
+    {
+        if (!dense_)
+            band_.for_each_correction(plane, f);
+    }
     /// Whether the bodies' correction should be added now: `remaining` iterations are expected without.
     bool wants_bodies(double remaining) const;
     void add_bodies();
@@ -28,6 +57,10 @@ public:
 private:
     /// z = B r with B ~ L^-1.
     void apply_fluid(const UnknownVector<D>& r, UnknownVector<D>& z, double size);
+    /// The same, in the finest level's x and the band's correction; nodes in z.
+    void cycle(const UnknownVector<D>& r, UnknownVector<D>& z, double size, bool loaded);
+    /// z.cells from there.
+    void fetch(UnknownVector<D>& z) const;
     typename BodyCorrection<D>::Inverse inverse();
 
     const CoupledOperator<D>& matrix_;
@@ -36,6 +69,8 @@ private:
     FilmBand<D> band_;
     std::optional<ConstantCorrection<D>> constants_;
     BodyCorrection<D> bodies_;
+    double from_level_ = 1; ///< what the finest level's x is to be multiplied by
+    bool dense_ = true;     ///< the last result is in z
 };
 
 } // namespace gapflow

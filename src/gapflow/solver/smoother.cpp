@@ -16,8 +16,6 @@ namespace gapflow {
 
 namespace {
 
-constexpr int chunk = 256; // cells relaxed at once, a multiple of the vector width
-
 template <int D>
 const float* weights(const Level<D>& level, const Index<D>& row, int colour)
 {
@@ -30,32 +28,44 @@ const float* weights(const Level<D>& level, const Index<D>& row, int colour)
     return level.weight[seam][sum & 1].data();
 }
 
-template <int D>
-void relax_row(Level<D>& level, const Index<D>& row, int colour)
+/// n cells of a chunk; `full`: n is the whole chunk, known to the compiler.
+template <int D, bool full>
+inline void relax_chunk(const Stencil<D>& s, const float* __restrict w, const float* b, float* __restrict x,
+                        const std::array<long, D>& stride, int n)
 {
-    const long o = level.block.offset(row);
-    const int n = level.high[0] - level.low[0];
-    const float* w = weights(level, row, colour);
-    const float* b = level.b.data() + o;
-    const float* inverse = level.inverse_diagonal.data() + o;
-    const float* a0 = level.conductance[0].data() + o;
-    const long s1 = level.block.stride[1];
-    const float* a1 = level.conductance[1].data() + o;
-    float* x = level.x.data() + o;
+    constexpr int chunk = SharedRows<float>::chunk;
+    if (full)
+        n = chunk;
     float gs[chunk];
-    for (int begin = 0; begin < n; begin += chunk) {
-        const int end = std::min(n, begin + chunk);
-        for (int i = begin; i < end; ++i) {
-            float sum = b[i] + a0[i] * x[i - 1] + a0[i + 1] * x[i + 1] + a1[i] * x[i - s1] + a1[i + s1] * x[i + s1];
-            if constexpr (D == 3) {
-                const float* a2 = level.conductance[2].data() + o;
-                const long s2 = level.block.stride[2];
-                sum += a2[i] * x[i - s2] + a2[i + s2] * x[i + s2];
-            }
-            gs[i - begin] = sum * inverse[i];
-        }
-        for (int i = begin; i < end; ++i)
-            x[i] += w[i] * (gs[i - begin] - x[i]);
+    for (int i = 0; i < n; ++i) {
+        float sum = b[i] + s.a0[i] * x[i - 1] + s.a0[i + 1] * x[i + 1] + s.below[0][i] * x[i - stride[1]] +
+                    s.above[0][i] * x[i + stride[1]];
+        if constexpr (D == 3)
+            sum += s.below[1][i] * x[i - stride[2]] + s.above[1][i] * x[i + stride[2]];
+        gs[i] = sum * s.inverse[i];
+    }
+    for (int i = 0; i < n; ++i)
+        x[i] += w[i] * (gs[i] - x[i]);
+}
+
+template <int D>
+void relax_row(Level<D>& level, const Index<D>& first, int colour)
+{
+    constexpr int chunk = SharedRows<float>::chunk;
+    const long o = level.block.offset(first), row = level.row_number(first);
+    const int n = level.high[0] - level.low[0];
+    const float* w = weights(level, first, colour);
+    std::array<long, D> stride;
+    for (int axis = 0; axis < D; ++axis)
+        stride[axis] = level.block.stride[axis];
+    for (int c = 0, begin = 0; begin < n; ++c, begin += chunk) {
+        const Stencil<D> s(level, row, c);
+        const float* b = level.b.data() + o + begin;
+        float* x = level.x.data() + o + begin;
+        if (n - begin >= chunk)
+            relax_chunk<D, true>(s, w + begin, b, x, stride, chunk);
+        else
+            relax_chunk<D, false>(s, w + begin, b, x, stride, n - begin);
     }
 }
 
@@ -77,11 +87,18 @@ void relax_plane_from_zero(Level<D>& level, int colour, int plane)
     low[D - 1] = plane;
     high[D - 1] = plane + 1;
     const int n = high[0] - low[0];
-    for_each_row<D>(low, high, [&](const Index<D>& row) {
-        const long o = level.block.offset(row);
-        const float* w = weights(level, row, colour);
-        for (int i = 0; i < n; ++i)
-            level.x[o + i] = w[i] * (level.b[o + i] * level.inverse_diagonal[o + i]);
+    for_each_row<D>(low, high, [&](const Index<D>& first) {
+        constexpr int chunk = SharedRows<float>::chunk;
+        const long o = level.block.offset(first), row = level.row_number(first);
+        const float* w = weights(level, first, colour);
+        for (int c = 0, begin = 0; begin < n; ++c, begin += chunk) {
+            const float* inverse = level.inverse_diagonal(row, c);
+            const float* b = level.b.data() + o + begin;
+            float* x = level.x.data() + o + begin;
+            const int count = std::min(chunk, n - begin);
+            for (int i = 0; i < count; ++i)
+                x[i] = w[begin + i] * (b[i] * inverse[i]);
+        }
     });
 }
 

@@ -9,27 +9,19 @@ namespace gapflow {
 
 namespace {
 
-constexpr int chunk = 256; // cells at once, even
+constexpr int chunk = SharedRows<float>::chunk; // even
 
-template <int D>
-void residual_row(const Level<D>& level, const Index<D>& row, int begin, int n, float* r)
+template <int D, bool full>
+inline void residual_chunk(const Stencil<D>& s, const float* b, const float* x, const std::array<long, D>& stride, int n, float* r)
 {
-    const long o = level.block.offset(row) + begin;
-    const float* b = level.b.data() + o;
-    const float* inverse = level.inverse_diagonal.data() + o;
-    const float* x = level.x.data() + o;
-    const float* a0 = level.conductance[0].data() + o;
-    const float* a1 = level.conductance[1].data() + o;
-    const long s1 = level.block.stride[1];
+    if (full)
+        n = chunk;
     for (int i = 0; i < n; ++i) {
-        float flux = a0[i] * (x[i] - x[i - 1]) + a0[i + 1] * (x[i] - x[i + 1]) + a1[i] * (x[i] - x[i - s1]) +
-                     a1[i + s1] * (x[i] - x[i + s1]);
-        if constexpr (D == 3) {
-            const float* a2 = level.conductance[2].data() + o;
-            const long s2 = level.block.stride[2];
-            flux += a2[i] * (x[i] - x[i - s2]) + a2[i + s2] * (x[i] - x[i + s2]);
-        }
-        r[i] = inverse[i] > 0.0f ? b[i] - flux : 0.0f;
+        float flux = s.a0[i] * (x[i] - x[i - 1]) + s.a0[i + 1] * (x[i] - x[i + 1]) + s.below[0][i] * (x[i] - x[i - stride[1]]) +
+                     s.above[0][i] * (x[i] - x[i + stride[1]]);
+        if constexpr (D == 3)
+            flux += s.below[1][i] * (x[i] - x[i - stride[2]]) + s.above[1][i] * (x[i] - x[i + stride[2]]);
+        r[i] = s.inverse[i] > 0.0f ? b[i] - flux : 0.0f;
     }
 }
 
@@ -43,6 +35,9 @@ void restrict_plane(const Level<D>& fine, Level<D>& coarse, int plane)
     Index<D> low = fine.low, high = fine.high;
     low[D - 1] = plane;
     high[D - 1] = plane + 1;
+    std::array<long, D> stride;
+    for (int axis = 0; axis < D; ++axis)
+        stride[axis] = fine.block.stride[axis];
     for_each_row<D>(low, high, [&](const Index<D>& row) {
         Index<D> parent = row;
         bool first = true; // of the coarse row's fine rows
@@ -54,10 +49,16 @@ void restrict_plane(const Level<D>& fine, Level<D>& coarse, int plane)
         float* to = coarse.b.data() + coarse.block.offset(parent);
         if (first)
             std::fill_n(to, m, 0.0f);
+        const long o = fine.block.offset(row), number = fine.row_number(row);
         float r[chunk + 1];
-        for (int begin = 0; begin < n; begin += chunk) {
+        for (int c = 0, begin = 0; begin < n; ++c, begin += chunk) {
             const int count = std::min(chunk, n - begin);
-            residual_row(fine, row, begin, count, r);
+            const Stencil<D> s(fine, number, c);
+            const float *b = fine.b.data() + o + begin, *x = fine.x.data() + o + begin;
+            if (count == chunk)
+                residual_chunk<D, true>(s, b, x, stride, count, r);
+            else
+                residual_chunk<D, false>(s, b, x, stride, count, r);
             r[count] = 0;
             if (half == 1)
                 to[0] += r[0];
@@ -80,13 +81,21 @@ void prolong_plane(const Level<D>& coarse, Level<D>& fine, int plane)
         for (int axis = 0; axis < D; ++axis)
             parent[axis] >>= fine.halves(axis) ? 1 : 0;
         const float* from = coarse.x.data() + coarse.block.offset(parent);
-        const float* inverse = fine.inverse_diagonal.data() + fine.block.offset(row);
+        const long number = fine.row_number(row);
         float* to = fine.x.data() + fine.block.offset(row);
-        if (fine.halves(0))
-            for (int i = 0; i < n; ++i)
-                to[i] += inverse[i] > 0.0f ? from[i >> 1] : 0.0f;
-        else
-            to[0] += inverse[0] > 0.0f ? from[0] : 0.0f;
+        const int half = fine.halves(0) ? 2 : 1;
+        for (int c = 0, begin = 0; begin < n; ++c, begin += chunk) {
+            const float* inverse = fine.inverse_diagonal(number, c);
+            const int count = std::min(chunk, n - begin);
+            float doubled[chunk + 1]; // interleaved first: the sum itself then vectorises
+            if (half == 1)
+                doubled[0] = from[begin];
+            else
+                for (int i = 0; i < (count + 1) / 2; ++i)
+                    doubled[2 * i] = doubled[2 * i + 1] = from[begin / 2 + i];
+            for (int i = 0; i < count; ++i)
+                to[begin + i] += inverse[i] > 0.0f ? doubled[i] : 0.0f;
+        }
     });
 }
 

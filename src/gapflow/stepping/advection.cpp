@@ -6,15 +6,17 @@
 //     phi_hat = A(phi),  phi_back = A^R(phi_hat) with the flow reversed,
 //     result  = phi_hat + (phi - phi_back) / 2,  clamped to the values of phi at the corners around x_d.
 //
-// Points are kept as displacements from their face, in cells: the same bits on any number of ranks, and a constant field
-// is reproduced exactly.
+// Points are kept as displacements from their face, in cells: a constant field is reproduced exactly, and results depend on the
+// number of ranks only by round-off.
 #include "gapflow/stepping/advection.hpp"
+
+#include "gapflow/core/threads.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <tuple>
 #include <utility>
-#include <vector>
 
 namespace gapflow {
 
@@ -37,16 +39,29 @@ void fill_component_ghosts(const Grid<D>& grid, int axis, CellField<D>& u, const
             const bool set_boundary = axis == normal && kind != SideKind::open;
             Index<D> low = block.low, high = block.high;
             (end == 0 ? high[normal] : low[normal]) = end == 0 ? (set_boundary ? 1 : 0) : last + (set_boundary ? 0 : 1);
-            for_each_index<D>(low, high, [&](const Index<D>& ghost) {
-                const int beyond = end == 0 ? -ghost[normal] : ghost[normal] - last; // 0 on the boundary face, else >= 1
-                Index<D> inside = ghost;
-                if (kind == SideKind::inflow || (set_boundary && beyond == 0)) {
-                    u(ghost) = given;
-                    return;
+            Index<D> rows_end = high;
+            rows_end[0] = low[0] + 1;
+            for_each_index<D>(low, rows_end, [&](const Index<D>& row) {
+                const int width = high[0] - low[0];
+                double* to = &u(row);
+                // Along axis 0 every value of the row has its own source, else the whole row has one.
+                for (int i = 0, n; i < width; i += n) {
+                    n = normal == 0 ? 1 : width;
+                    const int place = row[normal] + (normal == 0 ? i : 0);
+                    const int beyond = end == 0 ? -place : place - last; // 0 on the boundary face, else >= 1
+                    if (kind == SideKind::inflow || (set_boundary && beyond == 0)) {
+                        std::fill_n(to + i, n, given);
+                        continue;
+                    }
+                    const int mirrored = kind == SideKind::open ? 0 : axis == normal ? beyond : beyond - 1;
+                    const int source = end == 0 ? std::min(mirrored, last) : std::max(last - mirrored, 0);
+                    const double* from = to + i + static_cast<long>(source - place) * block.stride[normal];
+                    if (kind == SideKind::wall && axis == normal)
+                        for (int j = 0; j < n; ++j)
+                            to[i + j] = 2 * given - from[j];
+                    else
+                        std::copy_n(from, n, to + i);
                 }
-                const int mirrored = kind == SideKind::open ? 0 : axis == normal ? beyond : beyond - 1;
-                inside[normal] = end == 0 ? std::min(mirrored, last) : std::max(last - mirrored, 0);
-                u(ghost) = kind == SideKind::wall && axis == normal ? 2 * given - u(inside) : u(inside);
             });
         }
 }
@@ -175,23 +190,185 @@ private:
     }
 };
 
-// Calls f(offset of the face in its field, position of its centre in cells) for all owned faces normal to Axis.
+// Up to `lanes` faces of a row at once. Within half a cell of a face every interpolation reads fixed neighbours, or one of
+// two by the displacement's sign: all faces then do the same, which vectorises. Faces further travelled go one by one.
+constexpr int lanes = 64;
+
+template <int D>
+using Lanes = std::array<std::array<double, lanes>, D>;
+
+/// Which neighbours an interpolation reads along an axis: before or after by the sign of d (|d| <= 1), or, for components
+/// half a cell off, always those on one side (|d| <= 1/2).
+enum class Reach { by_sign, after, before };
+
+template <Reach reach>
+inline double along(double before, double here, double after, double d)
+{
+    if constexpr (reach == Reach::by_sign) {
+        const double far = d < 0 ? before : after;
+        return here + std::abs(d) * (far - here);
+    } else if constexpr (reach == Reach::after) {
+        return here + (d + 0.5) * (after - here);
+    } else {
+        return before + (d + 0.5) * (here - before);
+    }
+}
+
+template <int D, Reach reach0, Reach reach1, Reach reach2>
+inline double interpolate_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2)
+{
+    auto line = [&](const double* c) { return along<reach0>(c[-1], c[0], c[1], d0); };
+    auto plane = [&](const double* c) { return along<reach1>(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
+    if constexpr (D == 2)
+        return plane(p);
+    else
+        return along<reach2>(plane(p - stride[2]), plane(p), plane(p + stride[2]), d2);
+}
+
+/// Least (largest) of the values that interpolate_near with Reach::by_sign reads.
+template <int D, class Pick>
+inline double extreme_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2, Pick&& pick)
+{
+    auto either = [&](double before, double here, double after, double d) {
+        const double far = d < 0 ? before : after;
+        return pick(here, far);
+    };
+    auto line = [&](const double* c) { return either(c[-1], c[0], c[1], d0); };
+    auto plane = [&](const double* c) { return either(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
+    if constexpr (D == 2)
+        return plane(p);
+    else
+        return either(plane(p - stride[2]), plane(p), plane(p + stride[2]), d2);
+}
+
+template <int D, int Axis>
+constexpr Reach reach_of(int component, int axis)
+{
+    if (component == Axis || (axis != component && axis != Axis))
+        return Reach::by_sign;
+    return axis == component ? Reach::after : Reach::before;
+}
+
+template <int D, int Axis>
+class RowTracer {
+public:
+    explicit RowTracer(const Tracer<D, Axis>& tracer) : tracer_(tracer) {}
+
+    /// Velocities at n face centres from `offset` on.
+    void start(long offset, const Point<D>& x, int n)
+    {
+        offset_ = offset;
+        x_ = x;
+        n_ = n;
+        for (int b = 0; b < D; ++b) {
+            const double* p = tracer_.u[b] + offset;
+            const long up = tracer_.stride[b], back = tracer_.stride[Axis];
+            double* w = w_[b].data();
+            if (b == Axis)
+                std::copy_n(p, n, w);
+            else
+                for (int i = 0; i < n; ++i)
+                    w[i] = 0.25 * (p[i] + p[i + up] + p[i - back] + p[i + up - back]);
+        }
+    }
+
+    /// Displacements of the feet for all faces; false if one lies too far for this way.
+    bool trace(double courant, Lanes<D>& d) const
+    {
+        Lanes<D> half, w;
+        if (!(displace(w_, 0.5 * courant, half) <= 0.5))
+            return false;
+        component_at<0>(half, w[0]);
+        component_at<1>(half, w[1]);
+        if constexpr (D == 3)
+            component_at<2>(half, w[2]);
+        return displace(w, courant, d) <= 1;
+    }
+
+private:
+    /// d = -courant w, clamped as Tracer does; returns the largest component.
+    double displace(const Lanes<D>& w, double courant, Lanes<D>& d) const
+    {
+        double largest = 0;
+        for (int k = 0; k < D; ++k) {
+            const double low = tracer_.low[k] - x_[k], high = tracer_.high[k] - x_[k], shift = k == 0 ? 1.0 : 0.0;
+            const double* from = w[k].data();
+            double* to = d[k].data();
+#pragma omp simd reduction(max : largest)
+            for (int i = 0; i < n_; ++i) {
+                double v = -courant * from[i];
+                v = v > low - shift * i ? v : low - shift * i;
+                v = v < high - shift * i ? v : high - shift * i;
+                to[i] = v;
+                largest = std::max(largest, std::abs(v));
+            }
+        }
+        return largest;
+    }
+
+    template <int B>
+    void component_at(const Lanes<D>& d, std::array<double, lanes>& result) const
+    {
+        constexpr Reach r0 = reach_of<D, Axis>(B, 0), r1 = reach_of<D, Axis>(B, 1), r2 = reach_of<D, Axis>(B, 2);
+        const double* p = tracer_.u[B] + offset_;
+        const std::array<long, D> stride = tracer_.stride;
+        double* to = result.data();
+#pragma omp simd
+        for (int i = 0; i < n_; ++i)
+            to[i] = interpolate_near<D, r0, r1, r2>(p + i, stride, d[0][i], d[1][i], d[D - 1][i]);
+    }
+
+    const Tracer<D, Axis>& tracer_;
+    long offset_ = 0;
+    Point<D> x_{};
+    int n_ = 0;
+    Lanes<D> w_;
+};
+
+template <int D>
+void values_near(const double* field, const std::array<long, D>& stride, const Lanes<D>& d, int n, double* result)
+{
+    constexpr Reach r = Reach::by_sign;
+#pragma omp simd
+    for (int i = 0; i < n; ++i)
+        result[i] = interpolate_near<D, r, r, r>(field + i, stride, d[0][i], d[1][i], d[D - 1][i]);
+}
+
+// Calls f(offset of the first face in its field, position of its centre in cells, number of faces) for pieces of rows, of up
+// to `lanes` owned faces normal to Axis, that make up all of them; planes are shared out over threads.
+template <int D, int Axis, class F>
+void for_owned_pieces(const Grid<D>& grid, const Block<D>& block, F&& f)
+{
+    const Index<D> low = grid.low(), end = owned_faces_end(grid, Axis);
+    for_each_part(end[D - 1] - low[D - 1], [&](long first_plane, long end_plane) {
+        Index<D> from = low, to = end;
+        from[D - 1] = low[D - 1] + static_cast<int>(first_plane);
+        to[D - 1] = low[D - 1] + static_cast<int>(end_plane);
+        to[0] = low[0] + 1;
+        for_each_index<D>(from, to, [&](const Index<D>& row) {
+            const long offset = block.offset(row);
+            Point<D> x;
+            for (int k = 0; k < D; ++k)
+                x[k] = row[k] + (k == Axis ? 0.0 : 0.5);
+            const double x0 = x[0];
+            const int width = end[0] - low[0];
+            for (int i = 0; i < width; i += lanes) {
+                x[0] = x0 + i;
+                f(offset + i, static_cast<const Point<D>&>(x), std::min(lanes, width - i));
+            }
+        });
+    });
+}
+
+// The same, one by one: f(offset of the face, position of its centre).
 template <int D, int Axis, class F>
 void for_owned_faces(const Grid<D>& grid, const Block<D>& block, F&& f)
 {
-    const Index<D> low = grid.low(), end = owned_faces_end(grid, Axis);
-    Index<D> row_end = end;
-    row_end[0] = low[0] + 1;
-    for_each_index<D>(low, row_end, [&](const Index<D>& row) {
-        const long offset = block.offset(row);
-        Point<D> x;
-        for (int k = 0; k < D; ++k)
-            x[k] = row[k] + (k == Axis ? 0.0 : 0.5);
+    for_owned_pieces<D, Axis>(grid, block, [&](long offset, Point<D> x, int n) {
         const double x0 = x[0];
-        const int n = end[0] - low[0];
         for (int i = 0; i < n; ++i) {
             x[0] = x0 + i;
-            f(offset + i, x);
+            f(offset + i, static_cast<const Point<D>&>(x));
         }
     });
 }
@@ -199,7 +376,7 @@ void for_owned_faces(const Grid<D>& grid, const Block<D>& block, F&& f)
 template <int D, int Axis>
 void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField<D>& u, const CellField<D>& carried, double dt,
                       AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceFractions<D>* fractions,
-                      const CellField<D, std::int8_t>* plain)
+                      const CellField<D, std::int8_t>* plain, CellField<D>& hat_field)
 {
     const Tracer<D, Axis> tracer(grid, u);
     const auto& stride = tracer.stride;
@@ -213,30 +390,49 @@ void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField
         return interpolate<D>(cell_at<D>(field + offset, stride, d), stride);
     };
 
-    CellField<D> hat_field;
-    if (!corrected) {
-        for_owned_faces<D, Axis>(grid, block, [&](long f, const Point<D>& x) {
-            out[f] = value(phi, f, tracer.foot(f, x, centre, tracer.velocity(f), courant));
-        });
-    } else {
-        hat_field = CellField<D>(grid);
-        double* hat = hat_field.data();
-        std::vector<std::pair<double, double>> range(block.size);
-        for_owned_faces<D, Axis>(grid, block, [&](long f, const Point<D>& x) {
-            const Point<D> d = tracer.foot(f, x, centre, tracer.velocity(f), courant);
-            const Cell<D> cell = cell_at<D>(phi + f, stride, d);
-            hat[f] = interpolate<D>(cell, stride);
-            range[f] = corner_range<D>(cell, stride);
-        });
+    double* hat = corrected ? hat_field.data() : out;
+    for_owned_pieces<D, Axis>(grid, block, [&](long first, Point<D> x, int n) {
+        RowTracer<D, Axis> rows(tracer);
+        Lanes<D> d;
+        rows.start(first, x, n);
+        if (rows.trace(courant, d))
+            return values_near<D>(phi + first, stride, d, n, hat + first);
+        for (long f = first; f < first + n; ++f, ++x[0])
+            hat[f] = value(phi, f, tracer.foot(f, x, centre, tracer.velocity(f), courant));
+    });
+    if (corrected) {
         fill_component_ghosts(grid, Axis, hat_field, sides);
         const std::int8_t* uncorrected = plain ? plain->data() : nullptr;
-        for_owned_faces<D, Axis>(grid, block, [&](long f, const Point<D>& x) {
-            if (uncorrected && uncorrected[f]) {
-                out[f] = hat[f];
-                return;
+        for_owned_pieces<D, Axis>(grid, block, [&](long first, Point<D> x, int n) {
+            RowTracer<D, Axis> rows(tracer);
+            Lanes<D> d, back_d;
+            rows.start(first, x, n);
+            std::array<double, lanes> back, low, high;
+            if (rows.trace(courant, d) && rows.trace(-courant, back_d)) {
+                values_near<D>(hat + first, stride, back_d, n, back.data());
+#pragma omp simd
+                for (int i = 0; i < n; ++i) {
+                    const double* p = phi + first + i;
+                    low[i] = extreme_near<D>(p, stride, d[0][i], d[1][i], d[D - 1][i], [](double a, double b) { return a < b ? a : b; });
+                    high[i] = extreme_near<D>(p, stride, d[0][i], d[1][i], d[D - 1][i], [](double a, double b) { return a > b ? a : b; });
+                }
+            } else {
+                for (int i = 0; i < n; ++i, ++x[0]) {
+                    const long f = first + i;
+                    const Point<D> w = tracer.velocity(f);
+                    std::tie(low[i], high[i]) = corner_range<D>(cell_at<D>(phi + f, stride, tracer.foot(f, x, centre, w, courant)), stride);
+                    back[i] = value(hat, f, tracer.foot(f, x, centre, w, -courant));
+                }
             }
-            const double back = value(hat, f, tracer.foot(f, x, centre, tracer.velocity(f), -courant));
-            out[f] = std::clamp(hat[f] + 0.5 * (phi[f] - back), range[f].first, range[f].second);
+            for (int i = 0; i < n; ++i) {
+                const long f = first + i;
+                const double v = hat[f] + 0.5 * (phi[f] - back[i]), least = v < low[i] ? low[i] : v;
+                out[f] = least > high[i] ? high[i] : least;
+            }
+            if (uncorrected)
+                for (long f = first; f < first + n; ++f)
+                    if (uncorrected[f])
+                        out[f] = hat[f];
         });
     }
     if (!fractions)
@@ -260,6 +456,29 @@ void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField
     });
 }
 
+// Semi-Lagrangian values of marked faces.
+template <int D, int Axis>
+void advect_marked(const Grid<D>& grid, CellField<D>& result, const FaceField<D>& u, const CellField<D, std::int8_t>& marked, double dt)
+{
+    const Tracer<D, Axis> tracer(grid, u);
+    const double* phi = u[Axis].data();
+    for_owned_faces<D, Axis>(grid, result.block(), [&](long f, const Point<D>& x) {
+        if (marked.data()[f]) {
+            const Point<D> d = tracer.foot(f, x, Point<D>{}, tracer.velocity(f), dt / grid.dx());
+            result.data()[f] = interpolate<D>(cell_at<D>(phi + f, tracer.stride, d), tracer.stride);
+        }
+    });
+}
+
+template <int D, class F>
+void for_each_axis(F&& f)
+{
+    f(std::integral_constant<int, 0>{});
+    f(std::integral_constant<int, 1>{});
+    if constexpr (D == 3)
+        f(std::integral_constant<int, 2>{});
+}
+
 } // namespace
 
 template <int D>
@@ -275,20 +494,30 @@ void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, co
             const FaceField<D, std::int8_t>* plain)
 {
     assert(grid.ghost() >= 2 && &result != &u && &result != &carried);
-    auto component = [&]<int Axis>(std::integral_constant<int, Axis>) {
+    CellField<D> hat;
+    if (scheme == AdvectionScheme::maccormack)
+        hat = CellField<D>(grid);
+    for_each_axis<D>([&]<int Axis>(std::integral_constant<int, Axis>) {
         advect_component<D, Axis>(grid, result[Axis], u, carried[Axis], dt, scheme, sides, fractions,
-                                  plain ? &(*plain)[Axis] : nullptr);
-    };
-    component(std::integral_constant<int, 0>{});
-    component(std::integral_constant<int, 1>{});
-    if constexpr (D == 3)
-        component(std::integral_constant<int, 2>{});
+                                  plain ? &(*plain)[Axis] : nullptr, hat);
+    });
+}
+
+template <int D>
+void advect_marked_faces(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D, std::int8_t>& marked,
+                         double dt)
+{
+    assert(&result != &u);
+    for_each_axis<D>([&]<int Axis>(std::integral_constant<int, Axis>) {
+        advect_marked<D, Axis>(grid, result[Axis], u, marked[Axis], dt);
+    });
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void fill_velocity_ghosts<D>(const Grid<D>&, FaceField<D>&, const BoundaryVelocity<D>&);                          \
     template void advect<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D>&, double, AdvectionScheme,  \
-                            const BoundaryVelocity<D>&, const FaceFractions<D>*, const FaceField<D, std::int8_t>*);
+                            const BoundaryVelocity<D>&, const FaceFractions<D>*, const FaceField<D, std::int8_t>*);                \
+    template void advect_marked_faces<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D, std::int8_t>&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -56,8 +56,10 @@ void Simulation<D>::share_uncovered_faces(FaceField<D>& u_star) const
     std::vector<int> near;
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+            if (!film_faces_(axis, f))
+                return;
             const double a_old = old_fractions_->open(axis, f), a_new = c.fractions->open(axis, f);
-            if (film_faces_(axis, f) && a_new > a_old + 1e-12)
+            if (a_new > a_old + 1e-12)
                 u_star(axis, f) += (a_new - a_old) / a_new * normal_surplus(velocity_.grid, axis, f, V, near);
         });
 }

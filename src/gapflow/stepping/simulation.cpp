@@ -115,10 +115,9 @@ void Simulation<D>::find_contacts(double dt)
 template <int D>
 void Simulation<D>::rebuild()
 {
-    const auto timer = stages_.measure("coupling");
     old_fractions_ = coupling_ ? coupling_->fractions : nullptr;
     coupling_ = std::make_unique<Coupling<D>>(couple<D>(grid_, make_solids<D>(bodies_, walls_), masses(),
-                                                        {scene_.density, fraction_mode(scene_)}, gaps_, alive_));
+                                                        {scene_.density, fraction_mode(scene_), &stages_}, gaps_, alive_));
     alive_.clear();
     for (const Film<D>& film : coupling_->network.films)
         alive_.insert(film.pair);
@@ -136,21 +135,19 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
                                                                                     : AdvectionScheme::semi_lagrangian;
     advect<D>(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides, nullptr, faces_near_mouths());
     if (any_film_faces_) {
-        FaceField<D> from_film(grid_);
         const auto& cells = coupling_->network.cells.cells;
         auto beside_film = [&](int axis, const Index<D>& f) {
             return cells.count(grid_.key(grid_.wrapped(f))) || cells.count(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
         };
-        advect(grid_, from_film, painted_, painted_, dt, AdvectionScheme::semi_lagrangian, sides);
         for (int axis = 0; axis < D; ++axis)
             for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
                 // Where a film still passes, its conduits carry its flow: there the bulk's own velocity counts.
-                film_faces_(axis, f) = film_faces_(axis, f) && !beside_film(axis, f);
-                if (film_faces_(axis, f))
-                    u_star.grid(axis, f) = from_film(axis, f);
+                if (film_faces_(axis, f) && beside_film(axis, f))
+                    film_faces_(axis, f) = 0;
             });
+        advect_marked_faces(grid_, u_star.grid, painted_, film_faces_, dt);
+        share_uncovered_faces(u_star.grid);
     }
-    share_uncovered_faces(u_star.grid);
     fill_velocity_ghosts(grid_, u_star.grid, side_velocities(time_ + dt));
 
     std::vector<Twist<D>> predicted = twists();
@@ -206,14 +203,18 @@ std::vector<Twist<D>> Simulation<D>::forced_twists(double dt) const
 template <int D>
 void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report)
 {
-    const auto timer = stages_.measure("pressure");
+    const double start = now();
+    double solver_seconds = 0;
     SolverOptions options;
     options.tolerance = scene_.tolerance;
     options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
     const bool contacts = dt > 0 && !contacts_.empty();
     if (contacts)
         contacts_.prepare(twists(), forced, dt);
-    impulse_ = {CellField<D>(grid_), Eigen::VectorXd::Zero(coupling_->system.nodes)};
+    if (impulse_.cells.size() == 0)
+        impulse_.cells = CellField<D>(grid_);
+    impulse_.cells.fill(0);
+    impulse_.nodes.setZero(coupling_->system.nodes);
     std::optional<CoupledSolver<D>> solver;
     std::vector<Twist<D>> V;
     bool settled = !contacts; // whether the contacts of this round are known to be right
@@ -235,15 +236,20 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             rhs.cells.data()[i] *= -1;
         rhs.nodes *= -1;
         check_compatibility(rhs, std::sqrt(squares));
-        if (!solver)
-            solver.emplace(coupling_->system, options);
-        else
+        if (solver) {
             solver->update_bodies();
+        } else {
+            solver.emplace(coupling_->system, options);
+            stages_.add("solver set-up", solver->setup_seconds());
+            solver_seconds += solver->setup_seconds();
+        }
         const double tolerance = !contacts ? options.tolerance
                                  : settled ? settled_tolerance * options.tolerance
                                            : std::max(options.tolerance, rough_tolerance);
         const SolveReport solve = solver->solve(impulse_, rhs, 1e-13 * std::sqrt(squares), tolerance);
         report.iterations += solve.iterations;
+        stages_.add("solve", solve.seconds);
+        solver_seconds += solve.seconds;
         report.residual = solve.residual;
         if (!solve.converged)
             throw ComputationError("the pressure solve of step " + std::to_string(steps_ + 1) + " did not converge: " +
@@ -278,6 +284,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         if (dt > 0)
             wrenches_[b] += impulse[b] / dt;
     }
+    stages_.add("projection", now() - start - solver_seconds);
 }
 
 // A pocket that a prescribed body squeezes has no solution: name it.

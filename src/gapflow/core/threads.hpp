@@ -1,0 +1,75 @@
+// Threads inside a rank (OpenMP, optional). Loops are cut into parts that depend on the number of threads only where every
+// value is computed by itself; sums go over parts of fixed size, in the same order for any number of threads.
+#pragma once
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include <algorithm>
+#include <vector>
+
+namespace gapflow {
+
+/// Threads that a loop runs on: OMP_NUM_THREADS, else all cores that the process was given; 1 without OpenMP.
+inline int thread_count()
+{
+#ifdef _OPENMP
+    return omp_get_max_threads();
+#else
+    return 1;
+#endif
+}
+
+/// Calls f(begin, end) for parts that make up 0 <= i < n, one a thread, on no more than `threads`.
+template <class F>
+void for_each_part_of(int threads, long n, F&& f)
+{
+    threads = static_cast<int>(std::min<long>(threads, n));
+    if (threads <= 1) {
+        if (n > 0)
+            f(0L, n);
+        return;
+    }
+#ifdef _OPENMP
+#pragma omp parallel num_threads(threads)
+    {
+        const long count = omp_get_num_threads(), mine = omp_get_thread_num();
+        f(n * mine / count, n * (mine + 1) / count);
+    }
+#endif
+}
+
+/// The same on all threads.
+template <class F>
+void for_each_part(long n, F&& f)
+{
+    for_each_part_of(thread_count(), n, f);
+}
+
+/// Calls f(k) for low <= k < high.
+template <class F>
+void for_each_plane(int low, int high, F&& f)
+{
+    for_each_part(high - low, [&](long begin, long end) {
+        for (long k = begin; k < end; ++k)
+            f(low + static_cast<int>(k));
+    });
+}
+
+/// Sum of f(k) over low <= k < high, added in the order of k.
+template <class F>
+double sum_over_planes(int low, int high, F&& f)
+{
+    std::vector<double> parts(std::max(high - low, 0));
+    for_each_part(high - low, [&](long begin, long end) {
+        for (long k = begin; k < end; ++k)
+            parts[k] = f(low + static_cast<int>(k));
+    });
+    double sum = 0;
+    for (double part : parts)
+        sum += part;
+    return sum;
+}
+
+} // namespace gapflow

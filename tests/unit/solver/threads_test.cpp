@@ -1,0 +1,60 @@
+// Results do not depend on the number of threads but for round-off: the order of sweeps and sums is the same, but how a sum is
+// vectorised follows from where its values lie in memory, on one thread too.
+#include "gapflow/core/threads.hpp"
+#include "unit/solver/synthetic_system.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gapflow::test {
+namespace {
+
+#ifdef _OPENMP
+
+template <int D>
+UnknownVector<D> solved(const TestSystem<D>& test, int threads)
+{
+    const int before = thread_count();
+    omp_set_num_threads(threads);
+    UnknownVector<D> p = zeros(test);
+    const SolveReport report = CoupledSolver<D>(test.system, {}).solve(p, motion_outflow(test));
+    omp_set_num_threads(before);
+    EXPECT_TRUE(report.converged) << report.message;
+    return p;
+}
+
+template <int D>
+void compare(const TestScene<D>& scene)
+{
+    const auto test = build(scene);
+    const UnknownVector<D> one = solved(*test, 1);
+    for (int threads : {2, 3, 5}) {
+        const UnknownVector<D> several = solved(*test, threads);
+        EXPECT_LT(distance(*test, several, one), 1e-13) << threads;
+    }
+}
+
+TEST(Threads, SameResult)
+{
+    for (SideKind kind : {SideKind::wall, SideKind::periodic}) {
+        compare(two_bodies<3>(48, 1.0, kind));
+        compare(film_scene<2>(192, 0.1, 1.0, 1.0, kind));
+    }
+}
+
+#endif
+
+TEST(Threads, PartsMakeUpTheWhole)
+{
+    for (long n : {0L, 1L, 2L, 7L, 100L}) {
+        std::vector<int> seen(n, 0);
+        for_each_part_of(3, n, [&](long begin, long end) {
+            for (long i = begin; i < end; ++i)
+                ++seen[i];
+        });
+        EXPECT_EQ(seen, std::vector<int>(n, 1));
+    }
+    EXPECT_EQ(sum_over_planes(-2, 4, [](int k) { return k; }), 3);
+}
+
+} // namespace
+} // namespace gapflow::test
