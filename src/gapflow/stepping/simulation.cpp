@@ -124,7 +124,7 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
         FaceField<D> from_film(grid_);
         const auto& cells = coupling_->network.cells.cells;
         auto beside_film = [&](int axis, const Index<D>& f) {
-            return cells.count(grid_.key(grid_.wrapped(f))) || cells.count(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
+            return cells.contains(grid_.key(grid_.wrapped(f))) || cells.contains(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
         };
         advect(grid_, from_film, painted_, painted_, dt, AdvectionScheme::semi_lagrangian, sides);
         for (int axis = 0; axis < D; ++axis)
