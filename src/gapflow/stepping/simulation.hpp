@@ -99,7 +99,7 @@ private:
     std::vector<TwistMatrix<D>> masses() const;
     void check_compatibility(const UnknownVector<D>& rhs, double magnitude) const;
     BoundaryVelocity<D> side_velocities(double time) const;
-    Vec<D> sample(const Vec<D>& x) const;
+    std::vector<Vec<D>> sample(const std::vector<Vec<D>>& points) const;
 
     /// A place where a gap has reached the contact thickness: row_a . twist_a + row_b . twist_b is its opening rate, which
     /// may not fall below `least`.
