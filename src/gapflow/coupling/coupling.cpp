@@ -56,7 +56,7 @@ void fill_grid(Coupling<D>& coupling)
     if (!network.cells.closed.empty()) {
         for (const auto& [key, cell] : network.cells.cells)
             for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
-                if (!side.inside || !network.cells.closed.count(network.faces->key(side.axis, side.face)))
+                if (!side.inside || !network.cells.closed.contains(network.faces->key(side.axis, side.face)))
                     continue;
                 // Every place where this rank stores the face (periodic: the same face on both sides).
                 for_each_index<D>(Index<D>::Constant(-1), Index<D>::Constant(2), [&](const Index<D>& k) {
@@ -224,7 +224,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     }
     std::optional<StageTimers::Scope> timer;
     timer.emplace(timers.stage("films"));
-    coupling.network = build_film_network<D>(grid, coupling.solids, *coupling.clipper, gap, alive);
+    coupling.network = build_film_network<D>(grid, coupling.solids, *coupling.clipper, *coupling.fractions, gap, alive);
     for (const Solid<D>& solid : coupling.solids)
         coupling.free_body.push_back(solid.motion == Motion::free ? coupling.system.bodies++ : -1);
     coupling.system.nodes = coupling.network.nodes;

@@ -19,7 +19,7 @@ public:
     void assemble()
     {
         rows_.nodes.assign(network_.nodes, {});
-        find_mouth_cells();
+        find_mouths();
         assemble_elements();
         assemble_closed_faces();
         assemble_other_walls();
@@ -53,49 +53,75 @@ private:
         return [this, key](int solid, const Twist<D>& flux) { rows_.add_cell(key, solid, flux); };
     }
 
-    // Each film's conduits' cells with their share of the rim.
-    void find_mouth_cells()
+    // Each film's conduits that end in cells.
+    void find_mouths()
     {
-        mouth_.assign(network_.films.size(), {});
-        std::vector<double> total(network_.films.size(), 0);
         conduits_.assign(network_.films.size(), {});
-        for (const Conduit<D>& conduit : network_.mouths.conduits) {
+        for (const Conduit<D>& conduit : network_.mouths.conduits)
             if (!conduit.cells.empty())
                 conduits_[conduit.film].push_back(&conduit);
-            for (const auto& [key, weight] : conduit.cells) {
-                mouth_[conduit.film][key] += conduit.length * weight;
-                total[conduit.film] += conduit.length * weight;
-            }
-        }
-        for (std::size_t k = 0; k < mouth_.size(); ++k)
-            for (auto& [key, weight] : mouth_[k])
-                weight /= total[k];
     }
 
     // Item 8: stiffness S / rho grad N_i . grad N_j (harmonic on coarse elements), and the flux that the master carries
     // along; item 9: inertia across the gap.
     void assemble_elements()
     {
-        std::vector<Eigen::Triplet<double>> entries;
         coupling_.normal_inertia.clear();
+        coupling_.normal_inertia.reserve(network_.elements);
+        Eigen::SparseMatrix<double>& matrix = coupling_.system.film;
+        matrix.resize(network_.nodes, network_.nodes);
+        matrix.reserve(static_cast<long>(D == 2 ? 3 : 8) * network_.nodes);
         for (const Film<D>& f : network_.films) {
             const FilmMesh<D>& mesh = f.mesh;
             for (const FilmElement<D>& e : mesh.elements) {
-                const double conductance = e.conductance() / coupling_.density;
-                for (int i = 0; i < D; ++i) {
-                    const int node = f.first_node + e.nodes[i];
-                    for (int j = 0; j < D; ++j)
-                        entries.emplace_back(node, f.first_node + e.nodes[j], conductance * e.gradient[i].dot(e.gradient[j]));
-                    rows_.add_node(node, mesh.master, e.volume * wrench<D>(e.gradient[i], e.centroid - centre(mesh.master)));
-                }
+                for (int i = 0; i < D; ++i)
+                    rows_.add_node(f.first_node + e.nodes[i], mesh.master,
+                                   e.volume * wrench<D>(e.gradient[i], e.centroid - centre(mesh.master)));
                 coupling_.normal_inertia.push_back({mesh.master, mesh.other,
                                                     0.5 * wrench<D>(e.normal, e.centroid - centre(mesh.master)),
                                                     0.5 * wrench<D>(e.normal, e.centroid - other_centre(mesh)),
                                                     coupling_.density * e.volume});
             }
+            append_stiffness(f, matrix);
         }
-        coupling_.system.film.resize(network_.nodes, network_.nodes);
-        coupling_.system.film.setFromTriplets(entries.begin(), entries.end());
+        matrix.finalize();
+    }
+
+    // Appends the columns of a film's nodes, which know none but each other.
+    void append_stiffness(const Film<D>& f, Eigen::SparseMatrix<double>& matrix)
+    {
+        const FilmMesh<D>& mesh = f.mesh;
+        const int n = static_cast<int>(mesh.h.size());
+        std::vector<int> first(n + 1, 0); // elements around each node
+        for (const FilmElement<D>& e : mesh.elements)
+            for (int node : e.nodes)
+                ++first[node + 1];
+        for (int i = 0; i < n; ++i)
+            first[i + 1] += first[i];
+        std::vector<int> around(first[n]), next(first.begin(), first.end() - 1);
+        for (int k = 0; k < static_cast<int>(mesh.elements.size()); ++k)
+            for (int node : mesh.elements[k].nodes)
+                around[next[node]++] = k;
+        std::vector<std::pair<int, double>> column;
+        for (int j = 0; j < n; ++j) {
+            column.clear();
+            for (int at = first[j]; at < first[j + 1]; ++at) {
+                const FilmElement<D>& e = mesh.elements[around[at]];
+                const int mine = static_cast<int>(std::find(e.nodes.begin(), e.nodes.end(), j) - e.nodes.begin());
+                for (int i = 0; i < D; ++i) {
+                    const double value = e.conductance() / coupling_.density * e.gradient[i].dot(e.gradient[mine]);
+                    const auto known = std::find_if(column.begin(), column.end(), [&](const auto& c) { return c.first == e.nodes[i]; });
+                    if (known == column.end())
+                        column.emplace_back(e.nodes[i], value);
+                    else
+                        known->second += value;
+                }
+            }
+            std::sort(column.begin(), column.end());
+            matrix.startVec(f.first_node + j);
+            for (const auto& [i, value] : column)
+                matrix.insertBack(f.first_node + i, f.first_node + j) = value;
+        }
     }
 
     // Item 5: whoever looks at a closed face from outside film k sees a solid of its master there.
@@ -107,27 +133,25 @@ private:
             for (const CellSide<D>& side : sides_of(grid_, c)) {
                 if (!side.inside)
                     continue;
-                auto closed = network_.cells.closed.find(faces_.key(side.axis, side.face));
-                if (closed == network_.cells.closed.end())
+                const int* closed = network_.cells.closed.find(faces_.key(side.axis, side.face));
+                if (!closed)
                     continue;
-                const int k = closed->second;
-                const long beyond_key = grid_.key(grid_.wrapped(side.cell));
-                auto beyond = cells.find(beyond_key);
+                const int k = *closed;
+                const long beyond = grid_.key(grid_.wrapped(side.cell));
                 const Index<D> offset = cell.offset(k);
                 if (!(cell.kind == CellKind::film && cell.owner == k))
                     add_closed(key, k, side, offset, 2 * side.end - 1);
-                if (beyond == cells.end())
-                    add_closed(beyond_key, k, side, offset, 1 - 2 * side.end);
+                if (!cells.contains(beyond))
+                    add_closed(beyond, k, side, offset, 1 - 2 * side.end);
             }
         }
     }
 
     void add_closed(long key, int k, const CellSide<D>& side, const Index<D>& offset, int sign)
     {
-        const ClippedFace<D>& face = faces_.face(side.axis, side.face);
-        const Vec<D> x = face.open_centroid + faces_.displacement(side.face) + grid_.dx() * offset.template cast<double>();
+        const Vec<D> x = faces_.open_centroid(side.axis, side.face) + grid_.dx() * offset.template cast<double>();
         const int master = film(k).mesh.master;
-        const Vec<D> area = sign * face.open * grid_.face_area() * unit<D>(side.axis);
+        const Vec<D> area = sign * faces_.open(side.axis, side.face) * grid_.face_area() * unit<D>(side.axis);
         closed_flux_[key].push_back({master, wrench<D>(area, x - centre(master)),
                                      centre(master) - grid_.dx() * offset.template cast<double>()});
     }
@@ -138,14 +162,19 @@ private:
         Vec<D> centre; ///< of the solid's image that lies here
     };
 
-    // Flux of each solid out of a film cell through its own clipped faces.
-    std::vector<CellFlux> own_flux(const Index<D>& c) const
+    // Flux of each solid out of a film cell through its own clipped faces; none where all of them lie in one solid.
+    InlineVector<CellFlux, 4> own_flux(const Index<D>& c) const
     {
-        std::vector<CellFlux> fluxes;
-        for (const CellSide<D>& side : sides_of(grid_, c))
-            for (const SolidPart<D>& part : faces_.face(side.axis, side.face).solid) {
-                const Twist<D> flux = wrench<D>((2 * side.end - 1) * part.fraction * grid_.face_area() * unit<D>(side.axis), part.arm);
-                const Vec<D> x = part.centroid + faces_.displacement(side.face);
+        InlineVector<CellFlux, 4> fluxes;
+        bool closed = true;
+        for (int side = 0; side < 2 * D; ++side) {
+            const Index<D> face = c + (side % 2) * step<D>(side / 2);
+            closed = closed && faces_.open(side / 2, face) <= 0;
+            const Vec<D> displacement = faces_.displacement(face);
+            for (const SolidPart<D>& part : faces_.parts(side / 2, face)) {
+                const Twist<D> flux =
+                    wrench<D>((2 * (side % 2) - 1) * part.fraction * grid_.face_area() * unit<D>(side / 2), part.arm);
+                const Vec<D> x = part.centroid + displacement;
                 // Parts of one solid may belong to different images: keep them apart by the place of their centre.
                 auto same = std::find_if(fluxes.begin(), fluxes.end(), [&](const CellFlux& other) {
                     return other.solid == part.solid && (x - part.arm - other.centre).norm() < grid_.dx();
@@ -155,6 +184,9 @@ private:
                 else
                     same->flux += flux;
             }
+        }
+        if (closed && fluxes.size() == 1)
+            fluxes.clear();
         return fluxes;
     }
 
@@ -162,18 +194,19 @@ private:
     // the closest point lies; what a film cell's own J and its points disagree on goes to the mouths.
     void assemble_other_walls()
     {
-        std::map<long, Twist<D>> remainder; // of film cells: own J of the other wall less what its points took
-        for (const auto& [key, cell] : network_.cells.cells) {
+        const KeyMap<FilmCell<D>>& cells = network_.cells.cells;
+        std::vector<Twist<D>> remainder(cells.size(), Twist<D>::Zero()); // of film cells: own J of the other wall less what its points took
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const auto& [key, cell] = cells.item(static_cast<int>(i));
             if (cell.kind != CellKind::film)
                 continue;
-            Twist<D>& rest = remainder.emplace(key, Twist<D>::Zero()).first->second;
             const FilmMesh<D>& mesh = film(cell.owner).mesh;
             const Vec<D> here = grid_.dx() * cell.offset(cell.owner).template cast<double>();
             for (const CellFlux& flux : own_flux(grid_.cell_of_key(key)))
-                add_in_film_cell_of(key, mesh, flux, here, rest);
-            if (auto closed = closed_flux_.find(key); closed != closed_flux_.end())
-                for (const CellFlux& flux : closed->second)
-                    add_in_film_cell_of(key, mesh, flux, here, rest);
+                add_in_film_cell_of(key, mesh, flux, here, remainder[i]);
+            if (const auto* closed = closed_flux_.find(key))
+                for (const CellFlux& flux : *closed)
+                    add_in_film_cell_of(key, mesh, flux, here, remainder[i]);
         }
         std::vector<Twist<D>> lost(network_.films.size(), Twist<D>::Zero());
         for (int k = 0; k < static_cast<int>(network_.films.size()); ++k) {
@@ -183,37 +216,45 @@ private:
                 add_at_point(k, point, mesh.other, other_centre(mesh), flux, 1.0);
                 const Index<D> c = grid_.wrapped(grid_.cell_of(point.y + 1e-9 * grid_.dx() * point.other_normal));
                 const long key = grid_.in_domain(c) ? grid_.key(c) : -1;
-                auto it = network_.cells.cells.find(key);
-                const CellKind kind = key < 0 ? CellKind::solid
-                                      : it != network_.cells.cells.end() ? it->second.kind
-                                                                         : kind_of(faces_, network_.cells, c);
+                const int i = cells.index(key);
+                const CellKind kind = key < 0 ? CellKind::solid : i >= 0 ? cells.item(i).second.kind : kind_of(faces_, network_.cells, c);
                 if (kind == CellKind::bulk || kind == CellKind::mixed)
                     add_relative(to_cell(key), mesh, mesh.other, other_centre(mesh), flux, -1.0);
-                else if (kind == CellKind::film && it->second.owner == k)
-                    remainder[key] -= flux;
+                else if (kind == CellKind::film && cells.item(i).second.owner == k)
+                    remainder[i] -= flux;
                 else if (kind == CellKind::film)
-                    add_in_film_cell(it->second, k, c, flux, -1.0);
+                    add_in_film_cell(cells.item(i).second, k, c, flux, -1.0);
                 else
                     lost[k] -= flux;
             }
         }
-        for (const auto& [key, rest] : remainder)
-            add_to_nearest_mouth(key, rest, lost);
-        for (int k = 0; k < static_cast<int>(network_.films.size()); ++k) {
-            const FilmMesh<D>& mesh = film(k).mesh;
-            for (const auto& [key, weight] : mouth_[k])
-                add_relative(to_cell(key), mesh, mesh.other, other_centre(mesh), lost[k], weight);
-            if (mouth_[k].empty())
-                for (const FilmPoint<D>& point : mesh.points)
-                    add_at_point(k, point, mesh.other, other_centre(mesh), lost[k], 1.0 / static_cast<double>(mesh.points.size()));
-        }
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            if (cells.item(static_cast<int>(i)).second.kind == CellKind::film)
+                add_to_nearest_mouth(cells.item(static_cast<int>(i)).first, cells.item(static_cast<int>(i)).second, remainder[i], lost);
+        for (int k = 0; k < static_cast<int>(network_.films.size()); ++k)
+            if (!lost[k].isZero(0))
+                spread(k, lost[k]);
+    }
+
+    // Over all mouths of a film; without any over its points.
+    void spread(int k, const Twist<D>& flux)
+    {
+        const FilmMesh<D>& mesh = film(k).mesh;
+        double total = 0;
+        for (const Conduit<D>* conduit : conduits_[k])
+            total += conduit->length;
+        for (const Conduit<D>* conduit : conduits_[k])
+            for (const auto& [key, weight] : conduit->cells)
+                add_relative(to_cell(key), mesh, mesh.other, other_centre(mesh), flux, conduit->length / total * weight);
+        if (conduits_[k].empty())
+            for (const FilmPoint<D>& point : mesh.points)
+                add_at_point(k, point, mesh.other, other_centre(mesh), flux, 1.0 / static_cast<double>(mesh.points.size()));
     }
 
     // A film cell's remainder leaves through the nearest mouth of its film (spread over all mouths it would short-circuit
     // pockets that several films enclose); without mouths it is left to the film as a whole.
-    void add_to_nearest_mouth(long key, const Twist<D>& rest, std::vector<Twist<D>>& lost)
+    void add_to_nearest_mouth(long key, const FilmCell<D>& cell, const Twist<D>& rest, std::vector<Twist<D>>& lost)
     {
-        const FilmCell<D>& cell = network_.cells.cells.at(key);
         const Vec<D> x = grid_.cell_centre(grid_.cell_of_key(key) + cell.offset(cell.owner));
         const std::vector<const Conduit<D>*>& mouths = conduits_[cell.owner];
         const auto nearest = std::min_element(mouths.begin(), mouths.end(), [&](const Conduit<D>* a, const Conduit<D>* b) {
@@ -273,12 +314,11 @@ private:
         for (const Third& third : third_) {
             if (third.flux.template head<D>().norm() <= 1e-14 * grid_.face_area())
                 continue;
-            const FilmCell<D>& cell = network_.cells.cells.at(third.key);
+            const FilmCell<D>& cell = *network_.cells.cells.find(third.key);
             add_at_point(cell.owner, nearest_point(cell, grid_.cell_of_key(third.key)), third.solid, third.centre, third.flux, 1.0);
         }
         for (const auto& [key, fluxes] : closed_flux_) { // bulk and mixed cells beside closed faces
-            auto it = network_.cells.cells.find(key);
-            if (it != network_.cells.cells.end() && it->second.kind == CellKind::film)
+            if (network_.cells.kind(key, CellKind::bulk) == CellKind::film)
                 continue;
             for (const CellFlux& flux : fluxes)
                 rows_.add_cell(key, flux.solid, flux.flux);
@@ -328,9 +368,8 @@ private:
     const Grid<D>& grid_;
     const FilmNetwork<D>& network_;
     const FaceCache<D>& faces_;
-    std::vector<std::map<long, double>> mouth_;               ///< of each film: cells and their share of the rim
     std::vector<std::vector<const Conduit<D>*>> conduits_;    ///< of each film, those that end in cells
-    std::map<long, std::vector<CellFlux>> closed_flux_;
+    KeyMap<std::vector<CellFlux>> closed_flux_;
     std::vector<Third> third_;
 };
 

@@ -3,27 +3,31 @@
 
 #include "gapflow/coupling/coupling.hpp"
 
-#include <map>
+#include <utility>
+#include <vector>
 
 namespace gapflow {
 
 /// K while it is assembled: flux rows of cells (all of the grid's that films touch) and of film nodes.
 template <int D>
 struct FluxRows {
-    std::map<long, std::map<int, Twist<D>>> cells;       ///< Grid::key -> solid -> flux
-    std::vector<std::map<int, Twist<D>>> nodes;          ///< film node -> solid -> flux
+    /// Flux per unit twist of the few solids that a row knows, in the order in which they were added.
+    using Row = InlineVector<std::pair<int, Twist<D>>, 2>;
+    KeyMap<Row> cells;      ///< by Grid::key
+    std::vector<Row> nodes; ///< of film nodes
 
-    void add_cell(long key, int solid, const Twist<D>& flux)
+    void add_cell(long key, int solid, const Twist<D>& flux) { add(cells[key], solid, flux); }
+    void add_node(int node, int solid, const Twist<D>& flux) { add(nodes[node], solid, flux); }
+
+private:
+    static void add(Row& row, int solid, const Twist<D>& flux)
     {
-        auto [it, is_new] = cells[key].try_emplace(solid, flux);
-        if (!is_new)
-            it->second += flux;
-    }
-    void add_node(int node, int solid, const Twist<D>& flux)
-    {
-        auto [it, is_new] = nodes[node].try_emplace(solid, flux);
-        if (!is_new)
-            it->second += flux;
+        for (auto& [known, sum] : row)
+            if (known == solid) {
+                sum += flux;
+                return;
+            }
+        row.push_back({solid, flux});
     }
 };
 

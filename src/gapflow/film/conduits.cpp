@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 
 namespace gapflow {
@@ -13,6 +14,7 @@ constexpr double sample_distance = 0.5;     // of a conduit's grid pressure beyo
 constexpr double mouth_radius = 0.8;        // r in the mouth formulas, in dx: what the grid itself resolves
 constexpr double minimum_resistance = 0.2;
 constexpr double rim_spacing = 0.125;       // of points along a rim, in dx
+constexpr double smooth_rim_spacing = 0.5;  // the same where the film goes out between curved surfaces
 constexpr double full_aperture = 0.25;      // a cell counts in full for a conduit if its open fractions sum to this
 constexpr double minimum_weight = 0.02;     // of a stencil: below, there is none
 constexpr double touching = 1e-6;           // distance to a third body that closes a rim, in dx
@@ -49,7 +51,10 @@ std::vector<RimPoint<D>> rim_points(std::span<const Film<D>> films, double dx)
                 points.push_back({k, &edge, {1.0}, mesh.mid[edge.nodes[0]], 1.0, mesh.h[edge.nodes[0]]});
             } else {
                 const auto [a, b] = edge.nodes;
-                const int count = std::max(1, static_cast<int>(std::ceil(edge.length / (rim_spacing * dx) - 1e-9)));
+                const bool smooth = !mesh.flat && (edge.end == RimEnd::thickness || edge.end == RimEnd::normals ||
+                                                   edge.end == RimEnd::third_body);
+                const double spacing = (smooth ? smooth_rim_spacing : rim_spacing) * dx;
+                const int count = std::max(1, static_cast<int>(std::ceil(edge.length / spacing - 1e-9)));
                 for (int i = 0; i < count; ++i) {
                     const double s = (i + 0.5) / count;
                     points.push_back({k, &edge, {1 - s, s}, (1 - s) * mesh.mid[a] + s * mesh.mid[b], edge.length / count,
@@ -64,15 +69,10 @@ std::vector<RimPoint<D>> rim_points(std::span<const Film<D>> films, double dx)
 template <int D>
 class MouthFinder {
 public:
-    MouthFinder(const FaceCache<D>& faces, const FaceClipper<D>& clipper, std::span<const Solid<D>> solids,
-                std::span<const Film<D>> films, const FilmCells<D>& cells)
-        : faces_(faces), grid_(faces.grid()), clipper_(clipper), solids_(solids), films_(films), cells_(cells)
+    MouthFinder(const Grid<D>& grid, const FaceClipper<D>& clipper, const FilmGaps<D>& gaps, const FilmCells<D>& cells)
+        : grid_(grid), clipper_(clipper), gaps_(gaps), films_(gaps.films()), cells_(cells),
+          points_(rim_points(films_, grid_.dx())), ends_(points_.size())
     {
-    }
-
-    Mouths<D> find()
-    {
-        points_ = rim_points(films_, grid_.dx());
         for (int i = 0; i < static_cast<int>(points_.size()); ++i)
             bins_[bin(grid_.wrapped(grid_.cell_of(points_[i].x)))].push_back(i);
         for (const RimPoint<D>& point : points_) {
@@ -80,41 +80,85 @@ public:
             if (D == 3)
                 longest_edge_ = std::max(longest_edge_, point.edge->length);
         }
-        for (const RimPoint<D>& point : points_)
-            place(point);
-        std::set<long> reached;
-        for (const Conduit<D>& conduit : result_.conduits)
-            for (const auto& [key, weight] : conduit.cells)
-                reached.insert(key);
-        result_.reached.assign(reached.begin(), reached.end());
-        return std::move(result_);
+    }
+
+    /// Finds what each point of the rims ends at; after the first time only for points near the cells that changed since.
+    void find(CellStates<D>& states, const std::vector<long>& changed)
+    {
+        states_ = &states;
+        KeyMap<char> near;
+        for (long key : changed)
+            for_each_index<D>(Index<D>::Constant(-2), Index<D>::Constant(3), [&](const Index<D>& d) {
+                const Index<D> c = grid_.cell_of_key(key) + d.unaryExpr([](int k) { return k * std::abs(k); }); // -4, -1, 0, 1, 4
+                near.insert(block(c));
+            });
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            if (!found_ || near.contains(block(grid_.cell_of(points_[i].x)))) {
+                ends_[i] = {};
+                place(points_[i], ends_[i]);
+            }
+        found_ = true;
+    }
+
+    std::vector<long> reached() const
+    {
+        KeyMap<char> reached;
+        for (const End& end : ends_)
+            if (end.conduit)
+                for (const auto& [key, weight] : end.conduit->cells)
+                    reached.insert(key);
+        std::vector<long> keys;
+        for (const auto& item : reached)
+            keys.push_back(item.first);
+        return keys;
+    }
+
+    Mouths<D> mouths()
+    {
+        Mouths<D> result;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            End& end = ends_[i];
+            if (end.conduit)
+                result.conduits.push_back(std::move(*end.conduit));
+            else if (end.closed)
+                result.closed_length += points_[i].length;
+            else if (end.joints.empty())
+                result.blind_length += points_[i].length;
+            result.joints.insert(result.joints.end(), end.joints.begin(), end.joints.end());
+        }
+        return result;
     }
 
 private:
+    /// What a point of a rim ends at; nothing of it: blind.
+    struct End {
+        bool closed = false;
+        std::optional<Conduit<D>> conduit;
+        std::vector<Joint<D>> joints;
+    };
+
     // First match: closed, side of the domain, free conduit, joint of neighbours, conduit, joint within reach, blind.
-    void place(const RimPoint<D>& point)
+    void place(const RimPoint<D>& point, End& end)
     {
         const double dx = grid_.dx();
         if (closed(point)) {
-            result_.closed_length += point.length;
+            end.closed = true;
             return;
         }
-        if (add_side_conduit(point))
+        if (add_side_conduit(point, end))
             return;
         const Vec<D> y = point.x + sample_distance * dx * point.edge->outward;
-        const std::vector<std::pair<long, double>> cells = stencil(y);
+        std::vector<std::pair<long, double>> cells = stencil(y);
         if (!cells.empty() && is_free(point, y)) {
-            add_conduit(point, kind_of_rim(point), cells);
+            add_conduit(point, kind_of_rim(point), std::move(cells), end);
             return;
         }
-        if (add_joints(point, joint_reach, 0))
+        if (add_joints(point, joint_reach, 0, end))
             return;
-        if (!cells.empty()) {
-            add_conduit(point, kind_of_rim(point), cells);
-            return;
-        }
-        if (!add_joints(point, 0, joint_reach * dx))
-            result_.blind_length += point.length;
+        if (!cells.empty())
+            add_conduit(point, kind_of_rim(point), std::move(cells), end);
+        else
+            add_joints(point, 0, joint_reach * dx, end);
     }
 
     // The rim abuts a third solid: going on would enter it.
@@ -128,7 +172,7 @@ private:
         });
     }
 
-    bool add_side_conduit(const RimPoint<D>& point)
+    bool add_side_conduit(const RimPoint<D>& point, End& result)
     {
         for (int axis = 0; axis < D; ++axis)
             for (int end = 0; end < 2; ++end) {
@@ -137,7 +181,7 @@ private:
                 if ((side != SideKind::open && side != SideKind::inflow) ||
                     std::abs(point.x[axis] - plane) > 1e-3 * grid_.dx() || point.edge->outward[axis] * (2 * end - 1) < 0.5)
                     continue;
-                add_conduit(point, side == SideKind::open ? ConduitKind::open_side : ConduitKind::inflow, {});
+                add_conduit(point, side == SideKind::open ? ConduitKind::open_side : ConduitKind::inflow, {}, result);
                 return true;
             }
         return false;
@@ -147,18 +191,16 @@ private:
     bool is_free(const RimPoint<D>& point, const Vec<D>& y)
     {
         const FilmPair<D>& own = films_[point.film].pair;
-        if (solids_[own.master].shape.distance(y) < 0 || other_shape(grid_, solids_, own).distance(y) < 0 ||
+        if (gaps_.master(point.film).distance(y) < 0 || gaps_.other(point.film).distance(y) < 0 ||
             any_third(point, y, [&](const PlacedShape<D>& shape) { return shape.distance(y) < 0; }))
             return false;
         const Index<D> c = grid_.cell_of(y), w = grid_.wrapped(c);
         if (!grid_.in_domain(w))
             return false;
-        auto it = cells_.cells.find(grid_.key(w));
-        if (it == cells_.cells.end())
-            return true;
-        return std::none_of(it->second.touches.begin(), it->second.touches.end(), [&](const Touch<D>& touch) {
+        const FilmCell<D>* cell = cells_.cells.find(grid_.key(w));
+        return !cell || std::none_of(cell->touches.begin(), cell->touches.end(), [&](const Touch<D>& touch) {
             const Vec<D> there = y + grid_.dx() * (w + touch.offset - c).template cast<double>();
-            return films_[touch.film].pair != own && in_film_gap(grid_, solids_, films_[touch.film], there);
+            return films_[touch.film].pair != own && gaps_.holds(touch.film, there);
         });
     }
 
@@ -190,33 +232,27 @@ private:
     {
         if (point.edge->end == RimEnd::thickness || point.edge->end == RimEnd::normals)
             return ConduitKind::smooth;
-        const FilmPair<D>& pair = films_[point.film].pair;
         const Vec<D> probe = point.x + mouth_radius * grid_.dx() * point.edge->outward;
         auto goes_on = [&](const PlacedShape<D>& shape) {
             const SurfacePoint<D> p = shape.closest(probe);
             return p.feature == Feature::face && p.distance > -1e-9 * grid_.dx();
         };
-        const bool either = goes_on(solids_[pair.master].shape) || goes_on(other_shape(grid_, solids_, pair));
+        const bool either = goes_on(gaps_.master(point.film)) || goes_on(gaps_.other(point.film));
         return either ? ConduitKind::edge_face : ConduitKind::edge_edge;
-    }
-
-    double aperture(const Index<D>& cell)
-    {
-        double sum = 0;
-        for (const CellSide<D>& side : sides_of(grid_, cell))
-            sum += open_after_closing(faces_, cells_, side.axis, side.face);
-        return sum;
     }
 
     // Multilinear weights over bulk and mixed cells around y, those connected to the heaviest one through open faces
     // nearby (within one cell of the stencil: nothing leaks through a thin wall).
     std::vector<std::pair<long, double>> stencil(const Vec<D>& y)
     {
+        constexpr int count = 1 << D;
         const Vec<D> place = (y - grid_.origin()) / grid_.dx() - Vec<D>::Constant(0.5);
         const Index<D> base = place.array().floor().template cast<int>();
-        std::vector<std::pair<Index<D>, double>> corners;
+        std::array<Index<D>, count> cell;
+        std::array<double, count> weights;
+        unsigned wanted = 0; // bit k: corner k has weight
         int heaviest = -1;
-        for (int corner = 0; corner < (1 << D); ++corner) {
+        for (int corner = 0; corner < count; ++corner) {
             Index<D> c = base;
             double weight = 1;
             for (int axis = 0; axis < D; ++axis) {
@@ -225,27 +261,35 @@ private:
                 c[axis] += high;
                 weight *= high ? f : 1 - f;
             }
+            cell[corner] = c;
             if (weight <= 1e-9 || !grid_.in_domain(grid_.wrapped(c)))
                 continue;
-            const CellKind kind = kind_of(faces_, cells_, c);
-            if (kind != CellKind::bulk && kind != CellKind::mixed)
+            const auto state = (*states_)(c);
+            if (state.kind != CellKind::bulk && state.kind != CellKind::mixed)
                 continue;
-            weight *= std::min(1.0, aperture(c) / full_aperture);
+            weight *= std::min(1.0, state.aperture / full_aperture);
             if (weight <= 0)
                 continue;
-            corners.emplace_back(c, weight);
-            if (heaviest < 0 || weight > corners[heaviest].second)
-                heaviest = static_cast<int>(corners.size()) - 1;
+            weights[corner] = weight;
+            wanted |= 1u << corner;
+            if (heaviest < 0 || weight > weights[heaviest])
+                heaviest = corner;
         }
         if (heaviest < 0)
             return {};
-        const std::vector<Index<D>> connected = connected_around(corners[heaviest].first, base);
+        unsigned connected = connected_corners(cell, heaviest);
+        if (wanted & ~connected) {
+            const std::vector<Index<D>> around = connected_around(cell[heaviest], base);
+            for (int corner = 0; corner < count; ++corner)
+                if (std::find(around.begin(), around.end(), cell[corner]) != around.end())
+                    connected |= 1u << corner;
+        }
         std::vector<std::pair<long, double>> result;
         double total = 0;
-        for (const auto& [c, weight] : corners)
-            if (std::find(connected.begin(), connected.end(), c) != connected.end()) {
-                result.emplace_back(grid_.key(grid_.wrapped(c)), weight);
-                total += weight;
+        for (int corner = 0; corner < count; ++corner)
+            if (wanted & connected & 1u << corner) {
+                result.emplace_back(grid_.key(grid_.wrapped(cell[corner])), weights[corner]);
+                total += weights[corner];
             }
         if (total < minimum_weight)
             return {};
@@ -254,29 +298,53 @@ private:
         return result;
     }
 
+    // Corners of the stencil joined to `start` through open faces between corners.
+    unsigned connected_corners(const std::array<Index<D>, 1 << D>& cell, int start)
+    {
+        unsigned found = 1u << start, next = found;
+        while (next) {
+            const unsigned now = next;
+            next = 0;
+            for (int corner = 0; corner < 1 << D; ++corner)
+                if (now >> corner & 1) {
+                    const unsigned open = (*states_)(cell[corner]).open;
+                    for (int axis = 0; axis < D; ++axis) {
+                        const bool high = corner >> axis & 1;
+                        if (open >> (2 * axis + !high) & 1)
+                            next |= 1u << (corner ^ 1 << axis);
+                    }
+                }
+            next &= ~found;
+            found |= next;
+        }
+        return found;
+    }
+
     // Cells joined to `start` through open faces within one cell of the stencil at base .. base + 1.
     std::vector<Index<D>> connected_around(const Index<D>& start, const Index<D>& base)
     {
         std::vector<Index<D>> found{start};
-        for (std::size_t i = 0; i < found.size(); ++i)
-            for (const CellSide<D>& side : sides_of(grid_, found[i])) {
-                const Index<D> d = side.cell - base;
-                if (!side.inside || (d.array() < -1).any() || (d.array() > 2).any() ||
-                    std::find(found.begin(), found.end(), side.cell) != found.end())
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const unsigned open = (*states_)(found[i]).open;
+            for (int side = 0; side < 2 * D; ++side) {
+                if (!(open >> side & 1))
                     continue;
-                if (open_after_closing(faces_, cells_, side.axis, side.face) > 1e-12)
-                    found.push_back(side.cell);
+                const Index<D> beyond = found[i] + (side % 2 ? 1 : -1) * step<D>(side / 2), d = beyond - base;
+                if ((d.array() >= -1).all() && (d.array() <= 2).all() &&
+                    std::find(found.begin(), found.end(), beyond) == found.end())
+                    found.push_back(beyond);
             }
+        }
         return found;
     }
 
-    void add_conduit(const RimPoint<D>& point, ConduitKind kind, const std::vector<std::pair<long, double>>& cells)
+    void add_conduit(const RimPoint<D>& point, ConduitKind kind, std::vector<std::pair<long, double>> cells, End& end) const
     {
         const Film<D>& film = films_[point.film];
         const double resistance = kind == ConduitKind::smooth ? std::max(channel_length(point, cells) / point.h, minimum_resistance)
                                                               : mouth_resistance(kind, point.h, grid_.dx());
-        result_.conduits.push_back({point.film, kind, global_nodes(film, point.edge->nodes), point.shape, point.x,
-                                    point.edge->outward, point.length, point.h, resistance, cells});
+        end.conduit = {point.film, kind, global_nodes(film, point.edge->nodes), point.shape, point.x,
+                       point.edge->outward, point.length, point.h, resistance, std::move(cells)};
     }
 
     // A smooth end goes on as a channel up to where the stencil takes its pressure: the weighted mean of its cells, along the
@@ -298,21 +366,20 @@ private:
     }
 
     // Ties the point to the nearest rim of other films within factor * (h + h_other) + reach. 2D: to all ends there.
-    bool add_joints(const RimPoint<D>& point, double factor, double reach)
+    bool add_joints(const RimPoint<D>& point, double factor, double reach, End& end) const
     {
         const RimPoint<D>* nearest = nullptr;
         double best = std::numeric_limits<double>::infinity();
         std::array<double, D - 1> best_shape{};
-        bool any = false;
         const Index<D> centre = grid_.cell_of(point.x);
         const double slack = 1e-9 * grid_.dx();
         const double furthest = factor * (point.h + largest_h_) + reach + slack + 0.5 * longest_edge_;
         const int cells = std::min(2, static_cast<int>(furthest / grid_.dx()) + 1);
         for_each_index<D>(Index<D>::Constant(-cells), Index<D>::Constant(cells + 1), [&](const Index<D>& d) {
-            auto it = bins_.find(bin(grid_.wrapped(centre + d)));
-            if (it == bins_.end())
+            const std::vector<int>* in_bin = bins_.find(bin(grid_.wrapped(centre + d)));
+            if (!in_bin)
                 return;
-            for (int i : it->second) {
+            for (int i : *in_bin) {
                 const RimPoint<D>& other = points_[i];
                 if (other.film == point.film)
                     continue;
@@ -322,9 +389,8 @@ private:
                 const double distance = distance_to_rim(point.x, other, shape);
                 if (distance > factor * (point.h + other.h) + reach + slack)
                     continue;
-                any = true;
                 if constexpr (D == 2)
-                    tie(point, other, shape);
+                    end.joints.push_back(tie(point, other, shape));
                 else if (distance < best) {
                     best = distance;
                     nearest = &other;
@@ -333,8 +399,8 @@ private:
             }
         });
         if (nearest)
-            tie(point, *nearest, best_shape);
-        return any;
+            end.joints.push_back(tie(point, *nearest, best_shape));
+        return !end.joints.empty();
     }
 
     // From the other point to x, or to its nearest image.
@@ -368,11 +434,11 @@ private:
         return to.norm();
     }
 
-    void tie(const RimPoint<D>& a, const RimPoint<D>& b, const std::array<double, D - 1>& shape_b)
+    Joint<D> tie(const RimPoint<D>& a, const RimPoint<D>& b, const std::array<double, D - 1>& shape_b) const
     {
         const double conductance = a.length * std::min(a.h, b.h) / (joint_length<D> * grid_.dx());
-        result_.joints.push_back({global_nodes(films_[a.film], a.edge->nodes), global_nodes(films_[b.film], b.edge->nodes),
-                                  a.shape, shape_b, conductance});
+        return {global_nodes(films_[a.film], a.edge->nodes), global_nodes(films_[b.film], b.edge->nodes), a.shape, shape_b,
+                conductance};
     }
 
     // Of a cell in the domain or outside (rims lie on walls, to round-off).
@@ -384,17 +450,21 @@ private:
         return k;
     }
 
-    const FaceCache<D>& faces_;
+    // The block of four cells a side around a cell.
+    long block(const Index<D>& cell) const { return bin(grid_.wrapped(cell).unaryExpr([](int k) { return k >> 2; })); }
+
     const Grid<D>& grid_;
     const FaceClipper<D>& clipper_;
-    std::span<const Solid<D>> solids_;
+    const FilmGaps<D>& gaps_;
     std::span<const Film<D>> films_;
     const FilmCells<D>& cells_;
+    CellStates<D>* states_ = nullptr;
     std::vector<RimPoint<D>> points_;
-    std::unordered_map<long, std::vector<int>> bins_;
+    std::vector<End> ends_;
+    bool found_ = false;
+    KeyMap<std::vector<int>> bins_;
     double largest_h_ = 0, longest_edge_ = 0;
     std::vector<int> candidates_;
-    Mouths<D> result_;
 };
 
 } // namespace
@@ -417,28 +487,28 @@ double mouth_resistance(ConduitKind kind, double h, double dx)
 }
 
 template <int D>
-Mouths<D> find_mouths(const FaceCache<D>& faces, const FaceClipper<D>& clipper, std::span<const Solid<D>> solids,
-                      std::span<const Film<D>> films, const FilmCells<D>& cells)
-{
-    return MouthFinder<D>(faces, clipper, solids, films, cells).find();
-}
-
-template <int D>
 FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
-                                  const std::function<GapSettings(int, int)>& settings, const std::set<FilmPair<D>>& alive)
+                                  const FaceFractions<D>& fractions, const std::function<GapSettings(int, int)>& settings,
+                                  const std::set<FilmPair<D>>& alive)
 {
     FilmNetwork<D> network;
-    auto faces = std::make_shared<FaceCache<D>>(grid, clipper);
+    auto faces = std::make_shared<FaceCache<D>>(grid, clipper, solids, fractions);
     network.faces = faces;
     network.films = find_films(grid, solids, clipper, settings, alive);
     for (bool dropped = true; dropped && !network.films.empty();) {
-        network.cells = classify_cells<D>(*faces, solids, network.films);
+        const FilmGaps<D> gaps(grid, solids, network.films);
+        network.cells = classify_cells<D>(*faces, gaps);
+        MouthFinder<D> finder(grid, clipper, gaps, network.cells);
+        std::vector<long> changed;
         for (int pass = 0; pass < 10; ++pass) {
-            close_faces<D>(*faces, solids, network.films, network.cells);
-            network.mouths = find_mouths<D>(*faces, clipper, solids, network.films, network.cells);
-            if (!absorb_pockets(*faces, network.mouths.reached, network.cells))
+            close_faces<D>(*faces, gaps, network.cells);
+            CellStates<D> states(*faces, network.cells);
+            finder.find(states, changed);
+            changed = absorb_pockets(*faces, states, finder.reached(), network.cells);
+            if (changed.empty())
                 break;
         }
+        network.mouths = finder.mouths();
         std::set<int> used;
         for (const auto& [key, cell] : network.cells.cells)
             if (cell.kind == CellKind::film)
@@ -463,10 +533,9 @@ FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>>
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template Mouths<D> find_mouths<D>(const FaceCache<D>&, const FaceClipper<D>&, std::span<const Solid<D>>,                   \
-                                      std::span<const Film<D>>, const FilmCells<D>&);                                          \
     template FilmNetwork<D> build_film_network<D>(const Grid<D>&, std::span<const Solid<D>>, const FaceClipper<D>&,            \
-                                                  const std::function<GapSettings(int, int)>&, const std::set<FilmPair<D>>&);
+                                                  const FaceFractions<D>&, const std::function<GapSettings(int, int)>&,        \
+                                                  const std::set<FilmPair<D>>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -45,15 +45,10 @@ struct Mouths {
     std::vector<Joint<D>> joints;
     double closed_length = 0; ///< of rim that ends against a wall or a third body (2D: number of ends)
     double blind_length = 0;  ///< of rim that found nothing to join
-    std::vector<long> reached; ///< keys of the cells that conduits draw on
 };
 
 /// Resistance R of a mouth of thickness h.
 double mouth_resistance(ConduitKind kind, double h, double dx);
-
-template <int D>
-Mouths<D> find_mouths(const FaceCache<D>& faces, const FaceClipper<D>& clipper, std::span<const Solid<D>> solids,
-                      std::span<const Film<D>> films, const FilmCells<D>& cells);
 
 /// Films with their cells, closed faces and mouths: everything that the coupling needs of them.
 template <int D>
@@ -69,6 +64,7 @@ struct FilmNetwork {
 /// cell is dropped (it would only double the open faces beside it).
 template <int D>
 FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
+                                  const FaceFractions<D>& fractions,
                                   const std::function<GapSettings(int, int)>& settings, const std::set<FilmPair<D>>& alive);
 
 } // namespace gapflow

@@ -1,8 +1,10 @@
 #include "gapflow/film/film_cells.hpp"
 
+#include "gapflow/film/for_each_job.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <optional>
 
 namespace gapflow {
 
@@ -14,6 +16,9 @@ constexpr double negligible_opening = 1e-12;
 // Sum of open fractions below which a mixed cell gets its faces to other mixed cells back.
 constexpr double strangled_aperture = 0.25;
 
+// A solid of at least this many cells in every direction does not divide the open part of a face.
+constexpr double thick = 2;
+
 // Largest grid component that a film absorbs.
 template <int D>
 constexpr int pocket_cells = D == 2 ? 9 : 27;
@@ -23,15 +28,9 @@ constexpr int pocket_cells = D == 2 ? 9 : 27;
 // ---- faces
 
 template <int D>
-Index<D> FaceCache<D>::stored(const Index<D>& f) const
-{
-    return grid_->wrapped(f);
-}
-
-template <int D>
 long FaceCache<D>::key(int axis, const Index<D>& f) const
 {
-    const Index<D> s = stored(f);
+    const Index<D> s = grid_->wrapped(f);
     long k = 0;
     for (int a = D - 1; a >= 0; --a)
         k = k * (grid_->cells()[a] + 1) + s[a];
@@ -39,36 +38,84 @@ long FaceCache<D>::key(int axis, const Index<D>& f) const
 }
 
 template <int D>
-typename FaceCache<D>::Entry& FaceCache<D>::entry(int axis, const Index<D>& f) const
+bool FaceCache<D>::mine(int axis, const Index<D>& stored) const
 {
-    auto [it, is_new] = entries_.try_emplace(key(axis, f));
-    if (is_new)
-        clipper_->clip(axis, stored(f), it->second.parts);
-    return it->second;
+    return (stored.array() >= grid_->low().array()).all() && (stored.array() < (grid_->high() + step<D>(axis)).array()).all();
 }
 
 template <int D>
-const ClippedFace<D>& FaceCache<D>::face(int axis, const Index<D>& f) const
+const ClippedFace<D>& FaceCache<D>::clipped(int axis, const Index<D>& stored) const
 {
-    return entry(axis, f).parts;
+    const auto [number, is_new] = numbers_.insert(key(axis, stored));
+    if (is_new) {
+        number = static_cast<int>(faces_.size());
+        clipper_->clip(axis, stored, faces_.emplace_back());
+    }
+    return faces_[number];
+}
+
+template <int D>
+double FaceCache<D>::open(int axis, const Index<D>& f) const
+{
+    const Index<D> s = grid_->wrapped(f);
+    return mine(axis, s) ? fractions_->open(axis, s) : clipped(axis, s).open;
+}
+
+template <int D>
+std::span<const SolidPart<D>> FaceCache<D>::parts(int axis, const Index<D>& f) const
+{
+    const Index<D> s = grid_->wrapped(f);
+    const ClippedFace<D>* face;
+    if (mine(axis, s)) {
+        const int cut = fractions_->cut(axis, s);
+        if (cut < 0)
+            return {};
+        face = &fractions_->faces[cut];
+    } else {
+        face = &clipped(axis, s);
+    }
+    return {face->solid.begin(), face->solid.size()};
 }
 
 template <int D>
 Vec<D> FaceCache<D>::displacement(const Index<D>& f) const
 {
-    return grid_->dx() * (f - stored(f)).template cast<double>();
+    return grid_->dx() * (f - grid_->wrapped(f)).template cast<double>();
+}
+
+template <int D>
+Vec<D> FaceCache<D>::open_centroid(int axis, const Index<D>& f) const
+{
+    const Index<D> s = grid_->wrapped(f);
+    if (mine(axis, s)) {
+        const int cut = fractions_->cut(axis, s);
+        return (cut < 0 ? grid_->face_centre(axis, s) : fractions_->faces[cut].open_centroid) + displacement(f);
+    }
+    return clipped(axis, s).open_centroid + displacement(f);
+}
+
+template <int D>
+bool FaceCache<D>::centroid_stands(std::span<const SolidPart<D>> parts, const Vec<D>& centroid) const
+{
+    return std::all_of(parts.begin(), parts.end(), [&](const SolidPart<D>& part) {
+        const Solid<D>& solid = solids_[part.solid];
+        const Bounds<D> bounds = solid.shape.shape().bounds();
+        const Vec<D> image = part.centroid - part.arm - solid.centre;
+        return (bounds.high - bounds.low).minCoeff() >= thick * grid_->dx() && solid.shape.shifted(image).distance(centroid) > 0;
+    });
 }
 
 template <int D>
 Vec<D> FaceCache<D>::open_point(int axis, const Index<D>& f) const
 {
-    Entry& e = entry(axis, f);
-    if (!e.has_open_point) {
-        e.open_point = e.parts.solid.size() == 0 ? grid_->face_centre(axis, stored(f))
-                                                 : clipper_->deepest_open_centroid(axis, stored(f));
-        e.has_open_point = true;
-    }
-    return e.open_point + displacement(f);
+    const Index<D> s = grid_->wrapped(f);
+    const std::span<const SolidPart<D>> parts = this->parts(axis, s);
+    if (const Vec<D> centroid = open_centroid(axis, s); centroid_stands(parts, centroid))
+        return centroid + displacement(f);
+    const auto [point, is_new] = open_points_.insert(key(axis, s));
+    if (is_new)
+        point = clipper_->deepest_open_centroid(axis, s);
+    return point + displacement(f);
 }
 
 // ---- cells
@@ -90,9 +137,12 @@ std::array<CellSide<D>, 2 * D> sides_of(const Grid<D>& grid, const Index<D>& cel
 }
 
 template <int D>
-bool in_film_gap(const Grid<D>& grid, std::span<const Solid<D>> solids, const Film<D>& film, const Vec<D>& x)
+FilmGaps<D>::FilmGaps(const Grid<D>& grid, std::span<const Solid<D>> solids, std::span<const Film<D>> films)
+    : solids_(solids), films_(films)
 {
-    return in_gap<D>(solids[film.pair.master].shape, other_shape(grid, solids, film.pair), x, film.threshold);
+    others_.reserve(films.size());
+    for (const Film<D>& film : films)
+        others_.push_back(other_shape(grid, solids, film.pair));
 }
 
 template <int D>
@@ -123,67 +173,86 @@ void cells_on_segment(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& y, std
 
 namespace {
 
+/// Points that stand for the open faces of a cell.
+template <int D>
+struct OpenPoints {
+    std::array<Vec<D>, 2 * D> points;
+    int size = 0;
+    const Vec<D>* begin() const { return points.data(); }
+    const Vec<D>* end() const { return points.data() + size; }
+};
+
 template <int D>
 struct Classifier {
     const FaceCache<D>& faces;
+    const FilmGaps<D>& gaps;
     const Grid<D>& grid;
-    std::span<const Solid<D>> solids;
-    std::span<const Film<D>> films;
     FilmCells<D>& result;
 
-    // Points that stand for the open faces of a cell of the domain.
-    std::vector<Vec<D>> open_points(const Index<D>& cell) const
+    // Of a cell of the domain.
+    OpenPoints<D> open_points(const Index<D>& cell) const
     {
-        std::vector<Vec<D>> points;
-        for (const CellSide<D>& side : sides_of(grid, cell))
-            if (faces.face(side.axis, side.face).open > negligible_opening)
-                points.push_back(faces.open_point(side.axis, side.face));
-        return points;
+        OpenPoints<D> open;
+        for (int axis = 0; axis < D; ++axis)
+            for (int end = 0; end < 2; ++end)
+                if (const Index<D> face = cell + end * step<D>(axis); faces.open(axis, face) > negligible_opening)
+                    open.points[open.size++] = faces.open_point(axis, face);
+        return open;
     }
 
     bool holds(const Touch<D>& touch, const Vec<D>& x) const
     {
-        return in_film_gap<D>(grid, solids, films[touch.film], x + grid.dx() * touch.offset.template cast<double>());
+        return gaps.holds(touch.film, x + grid.dx() * touch.offset.template cast<double>());
     }
 
-    bool holds(const Touch<D>& touch, const std::vector<Vec<D>>& points) const
+    bool holds(const Touch<D>& touch, const OpenPoints<D>& points) const
     {
         return std::all_of(points.begin(), points.end(), [&](const Vec<D>& x) { return holds(touch, x); });
     }
 
-    // Do both solids of a pair meet in the closed cell, so that neither's flux out of it vanishes?
-    bool has_body_flux(const Index<D>& cell, const FilmPair<D>& pair) const
+    // Do both solids of a pair meet in the cell, all closed, so that neither's flux out of it vanishes?
+    bool is_orphan(const Index<D>& cell, const FilmPair<D>& pair) const
     {
-        std::map<int, Vec<D>> area;
-        for (const CellSide<D>& side : sides_of(grid, cell))
-            for (const SolidPart<D>& part : faces.face(side.axis, side.face).solid) {
-                auto [it, is_new] = area.try_emplace(part.solid, Vec<D>::Zero());
-                it->second += (2 * side.end - 1) * part.fraction * unit<D>(side.axis);
+        for (int side = 0; side < 2 * D; ++side)
+            if (faces.open(side / 2, cell + (side % 2) * step<D>(side / 2)) > negligible_opening)
+                return false;
+        std::optional<Vec<D>> master, other; // area of their parts of the faces
+        for (int side = 0; side < 2 * D; ++side)
+            for (const SolidPart<D>& part : faces.parts(side / 2, cell + (side % 2) * step<D>(side / 2)))
+                for (auto [solid, area] : {std::pair(pair.master, &master), std::pair(pair.other, &other)})
+                    if (part.solid == solid)
+                        *area = area->value_or(Vec<D>::Zero()) + (2 * (side % 2) - 1) * part.fraction * unit<D>(side / 2);
+        return master && other && master->norm() > 1e-12 && other->norm() > 1e-12;
+    }
+
+    // The cells that the gap segments of a film's points pass through.
+    KeyMap<Touch<D>> touches_of(int k) const
+    {
+        KeyMap<Touch<D>> touches;
+        std::vector<Index<D>> passed;
+        for (const FilmPoint<D>& point : gaps.films()[k].mesh.points) {
+            cells_on_segment<D>(grid, point.x, point.y, passed);
+            const Index<D> last = grid.cell_of(point.y + 1e-9 * grid.dx() * point.other_normal);
+            if (std::find(passed.begin(), passed.end(), last) == passed.end())
+                passed.push_back(last);
+            for (const Index<D>& c : passed) {
+                const Index<D> w = grid.wrapped(c);
+                if (grid.in_domain(w))
+                    ++touches.insert(grid.key(w), Touch<D>{k, 0, c - w}).first.points;
             }
-        return area.count(pair.master) && area.count(pair.other) && area[pair.master].norm() > 1e-12 &&
-               area[pair.other].norm() > 1e-12;
+        }
+        return touches;
     }
 
     void count_touches()
     {
-        std::map<std::pair<long, int>, Touch<D>> touches;
-        std::vector<Index<D>> passed;
-        for (int k = 0; k < static_cast<int>(films.size()); ++k)
-            for (const FilmPoint<D>& point : films[k].mesh.points) {
-                cells_on_segment<D>(grid, point.x, point.y, passed);
-                const Index<D> last = grid.cell_of(point.y + 1e-9 * grid.dx() * point.other_normal);
-                if (std::find(passed.begin(), passed.end(), last) == passed.end())
-                    passed.push_back(last);
-                for (const Index<D>& c : passed) {
-                    const Index<D> w = grid.wrapped(c);
-                    if (!grid.in_domain(w))
-                        continue;
-                    auto [it, is_new] = touches.try_emplace({grid.key(w), k}, Touch<D>{k, 0, c - w});
-                    ++it->second.points;
-                }
-            }
-        for (const auto& [where, touch] : touches)
-            result.cells[where.first].touches.push_back(touch);
+        const int n = static_cast<int>(gaps.films().size());
+        std::vector<KeyMap<Touch<D>>> touches(n);
+        for_each_job(n, [&](int k) { touches[k] = touches_of(k); });
+        for (const KeyMap<Touch<D>>& of_film : touches)
+            for (const auto& [key, touch] : of_film)
+                result.cells[key].touches.push_back(touch);
+        result.cells.sort();
         for (auto& [key, cell] : result.cells)
             std::stable_sort(cell.touches.begin(), cell.touches.end(),
                              [](const Touch<D>& a, const Touch<D>& b) { return a.points > b.points; });
@@ -191,8 +260,8 @@ struct Classifier {
 
     void set_kind(long key, FilmCell<D>& cell)
     {
-        const std::vector<Vec<D>> points = open_points(grid.cell_of_key(key));
-        cell.owner = cell.touches.front().film;
+        const OpenPoints<D> points = open_points(grid.cell_of_key(key));
+        cell.owner = cell.touches[0].film;
         for (const Touch<D>& touch : cell.touches)
             if (holds(touch, points)) {
                 cell.owner = touch.film;
@@ -212,16 +281,16 @@ struct Classifier {
         cell.kind = CellKind::film;
         cell.owner = touch.film;
         cell.touches.push_back({touch.film, 0, touch.offset});
-        result.cells.emplace(key, cell);
+        result.cells.insert(key, cell);
     }
 
     // Calls f(neighbour's key, touch of `cell` by `film` seen from there) for a cell of the domain displaced by d.
     template <class F>
-    void seen_from(long key, const FilmCell<D>& cell, int film, const Index<D>& d, F&& f) const
+    void seen_from(const Index<D>& from, const FilmCell<D>& cell, int film, const Index<D>& d, F&& f) const
     {
-        const Index<D> c = grid.cell_of_key(key) + d, w = grid.wrapped(c);
-        if (grid.in_domain(w) && !result.cells.count(grid.key(w)))
-            f(grid.key(w), Touch<D>{film, 0, cell.offset(film) + c - w});
+        const Index<D> c = from + d, w = grid.wrapped(c);
+        if (grid.in_domain(w))
+            f(w, Touch<D>{film, 0, cell.offset(film) + c - w});
     }
 
     // Bulk cells beside film cells that lie wholly in the same gap.
@@ -232,11 +301,14 @@ struct Classifier {
             if (cell.kind != CellKind::film)
                 continue;
             for (int side = 0; side < 2 * D; ++side)
-                seen_from(key, cell, cell.owner, (side % 2 ? 1 : -1) * step<D>(side / 2), [&](long beyond, const Touch<D>& touch) {
-                    const std::vector<Vec<D>> points = open_points(grid.cell_of_key(beyond));
-                    if (!points.empty() && holds(touch, points))
-                        taken.emplace_back(beyond, touch);
-                });
+                seen_from(grid.cell_of_key(key), cell, cell.owner, (side % 2 ? 1 : -1) * step<D>(side / 2),
+                          [&](const Index<D>& beyond, const Touch<D>& touch) {
+                              if (result.cells.contains(grid.key(beyond)))
+                                  return;
+                              const OpenPoints<D> points = open_points(beyond);
+                              if (points.size > 0 && holds(touch, points))
+                                  taken.emplace_back(grid.key(beyond), touch);
+                          });
         }
         for (const auto& [key, touch] : taken)
             add_film_cell(key, touch);
@@ -245,16 +317,14 @@ struct Classifier {
     // Closed cells with a body flux that no film touches (contact surfaces on a grid plane), up to two cells from one.
     void take_orphans()
     {
-        std::map<long, Touch<D>> taken;
-        std::set<long> seen;
+        std::vector<std::pair<long, Touch<D>>> taken;
         for (const auto& [key, cell] : result.cells) {
-            if (cell.touches.front().points == 0)
+            if (cell.touches[0].points == 0)
                 continue;
             for_each_index<D>(Index<D>::Constant(-2), Index<D>::Constant(3), [&](const Index<D>& d) {
-                seen_from(key, cell, cell.touches.front().film, d, [&](long beyond, const Touch<D>& touch) {
-                    if (seen.insert(beyond).second && open_points(grid.cell_of_key(beyond)).empty() &&
-                        has_body_flux(grid.cell_of_key(beyond), films[touch.film].pair))
-                        taken.emplace(beyond, touch);
+                seen_from(grid.cell_of_key(key), cell, cell.touches[0].film, d, [&](const Index<D>& beyond, const Touch<D>& touch) {
+                    if (is_orphan(beyond, gaps.films()[touch.film].pair) && !result.cells.contains(grid.key(beyond)))
+                        taken.emplace_back(grid.key(beyond), touch);
                 });
             });
         }
@@ -266,15 +336,16 @@ struct Classifier {
 } // namespace
 
 template <int D>
-FilmCells<D> classify_cells(const FaceCache<D>& faces, std::span<const Solid<D>> solids, std::span<const Film<D>> films)
+FilmCells<D> classify_cells(const FaceCache<D>& faces, const FilmGaps<D>& gaps)
 {
     FilmCells<D> result;
-    Classifier<D> classifier{faces, faces.grid(), solids, films, result};
+    Classifier<D> classifier{faces, gaps, faces.grid(), result};
     classifier.count_touches();
     for (auto& [key, cell] : result.cells)
         classifier.set_kind(key, cell);
     classifier.take_neighbours();
     classifier.take_orphans();
+    result.cells.sort();
     return result;
 }
 
@@ -282,21 +353,39 @@ template <int D>
 CellKind kind_of(const FaceCache<D>& faces, const FilmCells<D>& cells, const Index<D>& cell)
 {
     const Index<D> w = faces.grid().wrapped(cell);
-    auto it = cells.cells.find(faces.grid().key(w));
-    if (it != cells.cells.end())
-        return it->second.kind;
-    for (const CellSide<D>& side : sides_of(faces.grid(), w))
-        if (faces.face(side.axis, side.face).open > negligible_opening)
-            return CellKind::bulk;
+    if (const FilmCell<D>* known = cells.cells.find(faces.grid().key(w)))
+        return known->kind;
+    for (int axis = 0; axis < D; ++axis)
+        for (int end = 0; end < 2; ++end)
+            if (faces.open(axis, w + end * step<D>(axis)) > negligible_opening)
+                return CellKind::bulk;
     return CellKind::solid;
 }
 
 template <int D>
 double open_after_closing(const FaceCache<D>& faces, const FilmCells<D>& cells, int axis, const Index<D>& face)
 {
-    if (!cells.closed.empty() && cells.closed.count(faces.key(axis, face)))
-        return 0.0;
-    return faces.face(axis, face).open;
+    const double open = faces.open(axis, face);
+    return open > 0 && cells.closed.contains(faces.key(axis, face)) ? 0.0 : open;
+}
+
+template <int D>
+typename CellStates<D>::State CellStates<D>::operator()(const Index<D>& cell)
+{
+    const Grid<D>& grid = faces_.grid();
+    const Index<D> w = grid.wrapped(cell);
+    const auto [state, is_new] = known_.insert(grid.key(w));
+    if (!is_new)
+        return state;
+    state = {kind_of(faces_, cells_, w), 0, false, 0};
+    for (const CellSide<D>& side : sides_of(grid, w)) {
+        const double open = open_after_closing(faces_, cells_, side.axis, side.face);
+        state.aperture += open;
+        if (open > negligible_opening && side.inside)
+            state.open |= 1u << (2 * side.axis + side.end);
+        state.leads_out |= open > negligible_opening && !side.inside;
+    }
+    return state;
 }
 
 namespace {
@@ -308,41 +397,47 @@ void reopen_strangled(const FaceCache<D>& faces, FilmCells<D>& cells)
 {
     const Grid<D>& grid = faces.grid();
     auto is_mixed = [&](long key) { return cells.kind(key, CellKind::bulk) == CellKind::mixed; };
-    std::vector<long> reopened;
+    KeyMap<char> reopened;
     for (const auto& [key, cell] : cells.cells) {
         if (cell.kind != CellKind::mixed)
             continue;
         double aperture = 0;
-        std::vector<long> closed;
-        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
+        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key)))
             aperture += open_after_closing(faces, cells, side.axis, side.face);
+        if (aperture >= strangled_aperture)
+            continue;
+        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
             const long face = faces.key(side.axis, side.face);
-            if (side.inside && cells.closed.count(face) && is_mixed(grid.key(grid.wrapped(side.cell))))
-                closed.push_back(face);
+            if (side.inside && cells.closed.contains(face) && is_mixed(grid.key(grid.wrapped(side.cell))))
+                reopened.insert(face);
         }
-        if (aperture < strangled_aperture)
-            reopened.insert(reopened.end(), closed.begin(), closed.end());
     }
-    for (long face : reopened)
-        cells.closed.erase(face);
+    if (reopened.empty())
+        return;
+    KeyMap<int> still_closed;
+    for (const auto& [face, film] : cells.closed)
+        if (!reopened.contains(face))
+            still_closed.insert(face, film);
+    cells.closed = std::move(still_closed);
 }
 
 } // namespace
 
 template <int D>
-void close_faces(const FaceCache<D>& faces, std::span<const Solid<D>> solids, std::span<const Film<D>> films, FilmCells<D>& cells)
+void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D>& cells)
 {
     const Grid<D>& grid = faces.grid();
     cells.closed.clear();
     auto holds = [&](const FilmCell<D>& cell, int film, const Vec<D>& x) {
-        return in_film_gap<D>(grid, solids, films[film], x + grid.dx() * cell.offset(film).template cast<double>());
+        return gaps.holds(film, x + grid.dx() * cell.offset(film).template cast<double>());
     };
     for (const auto& [key, cell] : cells.cells) {
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
-            if (!side.inside || faces.face(side.axis, side.face).open <= 0)
+            if (!side.inside || faces.open(side.axis, side.face) <= 0)
                 continue;
-            auto beyond = cells.cells.find(grid.key(grid.wrapped(side.cell)));
-            const FilmCell<D>* other = beyond == cells.cells.end() ? nullptr : &beyond->second;
+            const FilmCell<D>* other = cells.cells.find(grid.key(grid.wrapped(side.cell)));
+            if (other && side.end == 1) // met from the other cell too
+                continue;
             const bool film = cell.kind == CellKind::film, other_film = other && other->kind == CellKind::film;
             int owner = -1;
             if (film && other_film && cell.owner != other->owner) {
@@ -363,90 +458,97 @@ void close_faces(const FaceCache<D>& faces, std::span<const Solid<D>> solids, st
                 }
             }
             if (owner >= 0)
-                cells.closed.emplace(faces.key(side.axis, side.face), owner);
+                cells.closed.insert(faces.key(side.axis, side.face), owner);
         }
     }
     reopen_strangled(faces, cells);
 }
 
 template <int D>
-bool absorb_pockets(const FaceCache<D>& faces, const std::vector<long>& reached, FilmCells<D>& cells)
+std::vector<long> absorb_pockets(const FaceCache<D>& faces, CellStates<D>& states, const std::vector<long>& reached,
+                                 FilmCells<D>& cells)
 {
     const Grid<D>& grid = faces.grid();
-    std::set<long> seen, reach(reached.begin(), reached.end());
+    KeyMap<char> done, large; // in a component dealt with; in one that is no pocket
+    KeyMap<char> reach;
+    for (long key : reached)
+        reach.insert(key);
     std::vector<std::pair<long, FilmCell<D>>> taken;
-    // Seeds: mixed cells, and unclassified cells beside film or mixed ones.
-    std::vector<std::tuple<long, long, const FilmCell<D>*>> seeds;
-    for (const auto& [key, cell] : cells.cells) {
-        if (cell.kind == CellKind::mixed)
-            seeds.emplace_back(key, key, &cell);
-        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key)))
-            if (side.inside && faces.face(side.axis, side.face).open > negligible_opening) {
-                const long beyond = grid.key(grid.wrapped(side.cell));
-                if (!cells.cells.count(beyond))
-                    seeds.emplace_back(beyond, key, &cell);
-            }
-    }
-    for (const auto& [seed, beside_key, beside] : seeds) {
-        if (seen.count(seed))
-            continue;
-        std::vector<long> component{seed};
-        std::set<long> members{seed};
+    std::vector<long> component;
+    auto visit = [&](long seed, long beside_key, const FilmCell<D>& beside) {
+        if (done.contains(seed) || large.contains(seed))
+            return;
+        component.assign(1, seed);
         bool small = true;
         for (std::size_t i = 0; i < component.size() && small; ++i) {
-            for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(component[i]))) {
-                if (open_after_closing(faces, cells, side.axis, side.face) <= negligible_opening)
+            const Index<D> c = grid.cell_of_key(component[i]);
+            const auto state = states(c);
+            small = !state.leads_out; // an open side of the domain: not a pocket
+            for (int side = 0; side < 2 * D && small; ++side) {
+                if (!(state.open >> side & 1))
                     continue;
-                if (!side.inside) { // an open side of the domain: not a pocket
-                    small = false;
-                    break;
-                }
-                const long beyond = grid.key(grid.wrapped(side.cell));
-                if (members.insert(beyond).second)
+                const long beyond = grid.key(grid.wrapped(Index<D>(c + (side % 2 ? 1 : -1) * step<D>(side / 2))));
+                if (std::find(component.begin(), component.end(), beyond) == component.end())
                     component.push_back(beyond);
+                small = !large.contains(beyond);
             }
             small = small && static_cast<int>(component.size()) <= pocket_cells<D>;
         }
-        if (!small)
-            continue;
-        seen.insert(members.begin(), members.end());
-        if (std::any_of(component.begin(), component.end(), [&](long key) { return reach.count(key) > 0; }))
-            continue;
+        for (long key : component)
+            (small ? done : large).insert(key);
+        if (!small || std::any_of(component.begin(), component.end(), [&](long key) { return reach.contains(key); }))
+            return;
         for (long key : component) {
-            auto it = cells.cells.find(key);
             FilmCell<D> cell;
-            if (it != cells.cells.end()) {
-                cell = it->second;
+            if (const FilmCell<D>* known = cells.cells.find(key)) {
+                cell = *known;
             } else {
                 // Pockets are a few cells wide: the nearest image of the cell beside it is the film's.
                 const Index<D> from = grid.cell_of_key(beside_key), to = grid.cell_of_key(key);
-                Index<D> offset = beside->offset(beside->owner);
+                Index<D> offset = beside.offset(beside.owner);
                 for (int axis = 0; axis < D; ++axis)
                     if (grid.periodic(axis))
                         offset[axis] += grid.cells()[axis] *
                                         static_cast<int>(std::lround(double(from[axis] - to[axis]) / grid.cells()[axis]));
-                cell.owner = beside->owner;
-                cell.touches = {{beside->owner, 0, offset}};
+                cell.owner = beside.owner;
+                cell.touches.push_back({beside.owner, 0, offset});
             }
             cell.kind = CellKind::film;
             taken.emplace_back(key, cell);
         }
+    };
+    // Seeds: mixed cells, and unclassified cells beside film or mixed ones.
+    for (const auto& [key, cell] : cells.cells) {
+        if (cell.kind == CellKind::mixed)
+            visit(key, key, cell);
+        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key)))
+            if (side.inside && faces.open(side.axis, side.face) > negligible_opening) {
+                const long beyond = grid.key(grid.wrapped(side.cell));
+                if (!cells.cells.contains(beyond))
+                    visit(beyond, key, cell);
+            }
     }
-    for (const auto& [key, cell] : taken)
+    std::vector<long> changed;
+    for (const auto& [key, cell] : taken) {
         cells.cells[key] = cell;
-    return !taken.empty();
+        changed.push_back(key);
+    }
+    if (!taken.empty())
+        cells.cells.sort();
+    return changed;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template class FaceCache<D>;                                                                                               \
+    template class FilmGaps<D>;                                                                                                \
+    template class CellStates<D>;                                                                                              \
     template std::array<CellSide<D>, 2 * D> sides_of<D>(const Grid<D>&, const Index<D>&);                                      \
-    template bool in_film_gap<D>(const Grid<D>&, std::span<const Solid<D>>, const Film<D>&, const Vec<D>&);                    \
     template void cells_on_segment<D>(const Grid<D>&, const Vec<D>&, const Vec<D>&, std::vector<Index<D>>&);                   \
-    template FilmCells<D> classify_cells<D>(const FaceCache<D>&, std::span<const Solid<D>>, std::span<const Film<D>>);         \
+    template FilmCells<D> classify_cells<D>(const FaceCache<D>&, const FilmGaps<D>&);                                          \
     template CellKind kind_of<D>(const FaceCache<D>&, const FilmCells<D>&, const Index<D>&);                                   \
     template double open_after_closing<D>(const FaceCache<D>&, const FilmCells<D>&, int, const Index<D>&);                     \
-    template void close_faces<D>(const FaceCache<D>&, std::span<const Solid<D>>, std::span<const Film<D>>, FilmCells<D>&);     \
-    template bool absorb_pockets<D>(const FaceCache<D>&, const std::vector<long>&, FilmCells<D>&);
+    template void close_faces<D>(const FaceCache<D>&, const FilmGaps<D>&, FilmCells<D>&);                                      \
+    template std::vector<long> absorb_pockets<D>(const FaceCache<D>&, CellStates<D>&, const std::vector<long>&, FilmCells<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

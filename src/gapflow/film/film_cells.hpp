@@ -4,25 +4,38 @@
 #pragma once
 
 #include "gapflow/film/film_set.hpp"
+#include "gapflow/film/key_map.hpp"
+#include "gapflow/grid/inline_vector.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <functional>
-#include <map>
-#include <unordered_map>
 #include <vector>
 
 namespace gapflow {
 
 enum class CellKind : std::int8_t { solid, bulk, film, mixed };
 
-/// Clipped faces near films, computed when first asked for. Indices may lie outside the domain along periodic axes.
+/// The grid's faces as films see them: any face of the domain, the same on every rank. Indices may lie outside the domain along
+/// periodic axes.
 template <int D>
 class FaceCache {
 public:
-    FaceCache(const Grid<D>& grid, const FaceClipper<D>& clipper) : grid_(&grid), clipper_(&clipper) {}
+    /// `fractions`: of this rank's faces; other ranks' are clipped when first asked for. All arguments must outlive it.
+    FaceCache(const Grid<D>& grid, const FaceClipper<D>& clipper, std::span<const Solid<D>> solids,
+              const FaceFractions<D>& fractions)
+        : grid_(&grid), clipper_(&clipper), solids_(solids), fractions_(&fractions)
+    {
+    }
 
-    const ClippedFace<D>& face(int axis, const Index<D>& f) const;
-    /// Centroid of the open piece that holds the face's deepest point, next to the index asked for.
+    double open(int axis, const Index<D>& f) const;
+    /// Parts in solids, at the index stored (see displacement()). May be none for a face that lies wholly in one solid and
+    /// whose cells do too.
+    std::span<const SolidPart<D>> parts(int axis, const Index<D>& f) const;
+    /// Centroid of the open part, next to the index asked for.
+    Vec<D> open_centroid(int axis, const Index<D>& f) const;
+    /// A point that stands for the open part, next to the index asked for: the centroid, where that lies in no solid and the
+    /// solids are too thick to divide a face, else that of the open piece that holds the face's deepest point.
     Vec<D> open_point(int axis, const Index<D>& f) const;
     /// Displacement of the index asked for from the one that is stored.
     Vec<D> displacement(const Index<D>& f) const;
@@ -30,17 +43,17 @@ public:
     const Grid<D>& grid() const { return *grid_; }
 
 private:
-    struct Entry {
-        ClippedFace<D> parts;
-        Vec<D> open_point;
-        bool has_open_point = false;
-    };
-    Entry& entry(int axis, const Index<D>& f) const;
-    Index<D> stored(const Index<D>& f) const;
+    bool mine(int axis, const Index<D>& stored) const;
+    const ClippedFace<D>& clipped(int axis, const Index<D>& stored) const;
+    bool centroid_stands(std::span<const SolidPart<D>> parts, const Vec<D>& centroid) const;
 
     const Grid<D>* grid_;
     const FaceClipper<D>* clipper_;
-    mutable std::unordered_map<long, Entry> entries_;
+    std::span<const Solid<D>> solids_;
+    const FaceFractions<D>* fractions_;
+    mutable KeyMap<int> numbers_;                ///< of other ranks' faces in faces_
+    mutable std::deque<ClippedFace<D>> faces_;
+    mutable KeyMap<Vec<D>> open_points_;
 };
 
 /// A film that passes through a cell.
@@ -55,7 +68,7 @@ template <int D>
 struct FilmCell {
     CellKind kind = CellKind::bulk;
     int owner = -1;             ///< film; of mixed cells the one with most points
-    std::vector<Touch<D>> touches; ///< most points first
+    InlineVector<Touch<D>, 2> touches; ///< most points first
 
     /// From the cell in the domain to where a film (one of `touches`) is.
     Index<D> offset(int film) const
@@ -63,19 +76,19 @@ struct FilmCell {
         for (const Touch<D>& touch : touches)
             if (touch.film == film)
                 return touch.offset;
-        return touches.empty() ? Index<D>(Index<D>::Zero()) : touches.front().offset;
+        return touches.empty() ? Index<D>(Index<D>::Zero()) : touches[0].offset;
     }
 };
 
 template <int D>
 struct FilmCells {
-    std::map<long, FilmCell<D>> cells;          ///< by Grid::key: touched cells and those that became film
-    std::unordered_map<long, int> closed;       ///< FaceCache::key of closed faces -> film
+    KeyMap<FilmCell<D>> cells; ///< by Grid::key, in order: touched cells and those that became film
+    KeyMap<int> closed;        ///< FaceCache::key of closed faces -> film
 
     CellKind kind(long key, CellKind otherwise) const
     {
-        auto it = cells.find(key);
-        return it == cells.end() ? otherwise : it->second.kind;
+        const FilmCell<D>* cell = cells.find(key);
+        return cell ? cell->kind : otherwise;
     }
 };
 
@@ -92,9 +105,26 @@ struct CellSide {
 template <int D>
 std::array<CellSide<D>, 2 * D> sides_of(const Grid<D>& grid, const Index<D>& cell);
 
-/// Does the point lie in the film's gap? x is next to the film (not wrapped).
+/// The gaps of films, to ask which points lie in them.
 template <int D>
-bool in_film_gap(const Grid<D>& grid, std::span<const Solid<D>> solids, const Film<D>& film, const Vec<D>& x);
+class FilmGaps {
+public:
+    FilmGaps(const Grid<D>& grid, std::span<const Solid<D>> solids, std::span<const Film<D>> films);
+
+    /// Does the point lie in the film's gap? x is next to the film (not wrapped).
+    bool holds(int film, const Vec<D>& x) const
+    {
+        return in_gap<D>(solids_[films_[film].pair.master].shape, others_[film], x, films_[film].threshold);
+    }
+    std::span<const Film<D>> films() const { return films_; }
+    const PlacedShape<D>& master(int film) const { return solids_[films_[film].pair.master].shape; }
+    const PlacedShape<D>& other(int film) const { return others_[film]; }
+
+private:
+    std::span<const Solid<D>> solids_;
+    std::span<const Film<D>> films_;
+    std::vector<PlacedShape<D>> others_;
+};
 
 /// Cells that the segment x..y passes through, exact traversal; not wrapped.
 template <int D>
@@ -102,16 +132,39 @@ void cells_on_segment(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& y, std
 
 /// Classifies the cells of all films (section 3.2, item 4, without pockets).
 template <int D>
-FilmCells<D> classify_cells(const FaceCache<D>& faces, std::span<const Solid<D>> solids, std::span<const Film<D>> films);
+FilmCells<D> classify_cells(const FaceCache<D>& faces, const FilmGaps<D>& gaps);
 
 /// Finds the faces that films close (item 5); to be called again after cells changed kind.
 template <int D>
-void close_faces(const FaceCache<D>& faces, std::span<const Solid<D>> solids, std::span<const Film<D>> films, FilmCells<D>& cells);
+void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D>& cells);
+
+/// Kinds and openings of cells as closed faces leave them, found when first asked for.
+template <int D>
+class CellStates {
+public:
+    struct State {
+        CellKind kind;
+        unsigned open;   ///< bit 2 axis + end: that face is open and leads to another cell of the domain
+        bool leads_out;  ///< a face is open and leads out of the domain
+        double aperture; ///< sum of open fractions
+    };
+
+    CellStates(const FaceCache<D>& faces, const FilmCells<D>& cells) : faces_(faces), cells_(cells) {}
+    /// The cell may lie outside the domain along periodic axes.
+    State operator()(const Index<D>& cell);
+    const Grid<D>& grid() const { return faces_.grid(); }
+
+private:
+    const FaceCache<D>& faces_;
+    const FilmCells<D>& cells_;
+    KeyMap<State> known_;
+};
 
 /// Turns small components of the grid that touch a film and that no conduit reaches into film; `reached` are the keys of
-/// cells that conduits draw on. Returns whether any cell changed (close_faces and the conduits must then be redone).
+/// cells that conduits draw on. Returns the keys of the cells that changed (close_faces and the conduits must then be redone).
 template <int D>
-bool absorb_pockets(const FaceCache<D>& faces, const std::vector<long>& reached, FilmCells<D>& cells);
+std::vector<long> absorb_pockets(const FaceCache<D>& faces, CellStates<D>& states, const std::vector<long>& reached,
+                                 FilmCells<D>& cells);
 
 /// Kind of any cell of the domain, near films or not.
 template <int D>

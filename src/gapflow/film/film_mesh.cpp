@@ -298,29 +298,49 @@ std::optional<std::vector<FilmMesh<D>>> films_at_scale(const GapSurface<D>& base
 } // namespace
 
 template <int D>
+FilmMeshOptions coupling_sizes()
+{
+    FilmMeshOptions options;
+    if (D == 3) {
+        options.largest_curved = 1;
+        options.curved = 0.4;
+        options.smallest = 1. / 16;
+        options.straddle_smooth = 1;
+        options.kink = 0.06;
+        options.spacing = 0.5;
+        options.ratio = 3;
+    }
+    return options;
+}
+
+template <int D>
 std::vector<FilmMesh<D>> film_meshes(const PlacedShape<D>& master, const PlacedShape<D>& other,
                                      const std::function<double(const Vec<D>&, const Vec<D>&)>& third,
-                                     const FilmMeshOptions& options)
+                                     const FilmMeshOptions& options, const SurfaceMesh<D>* base)
 {
     GapTest<D> test{master, other, third, options, {}};
     if (test.options.smallest <= 0)
         test.options.smallest = D == 2 ? 1e-4 : 1. / 32;
 
-    const GapSurface<D> base(test);
-    if (base.elements().empty())
+    const GapSurface<D> surface(test, base ? *base : master.shape().surface_mesh());
+    if (surface.elements().empty())
         return {};
     double scale = 1;
-    auto films = films_at_scale(base, scale);
+    auto films = films_at_scale(surface, scale);
     while (!films && scale < 1e6) {
         scale *= D == 2 ? 2 : std::sqrt(2.0);
-        films = films_at_scale(base, scale);
+        films = films_at_scale(surface, scale);
     }
     return films ? std::move(*films) : std::vector<FilmMesh<D>>{};
 }
 
+template FilmMeshOptions coupling_sizes<2>();
+template FilmMeshOptions coupling_sizes<3>();
 template std::vector<FilmMesh<2>> film_meshes(const PlacedShape<2>&, const PlacedShape<2>&,
-                                              const std::function<double(const Vec<2>&, const Vec<2>&)>&, const FilmMeshOptions&);
+                                              const std::function<double(const Vec<2>&, const Vec<2>&)>&, const FilmMeshOptions&,
+                                              const SurfaceMesh<2>*);
 template std::vector<FilmMesh<3>> film_meshes(const PlacedShape<3>&, const PlacedShape<3>&,
-                                              const std::function<double(const Vec<3>&, const Vec<3>&)>&, const FilmMeshOptions&);
+                                              const std::function<double(const Vec<3>&, const Vec<3>&)>&, const FilmMeshOptions&,
+                                              const SurfaceMesh<3>*);
 
 } // namespace gapflow

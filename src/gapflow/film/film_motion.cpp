@@ -1,5 +1,8 @@
 #include "gapflow/film/film_motion.hpp"
 
+#include "gapflow/film/edge_table.hpp"
+#include "gapflow/film/for_each_job.hpp"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -17,6 +20,8 @@ constexpr double same_element = 0.25;
 constexpr double surplus_bound = 1.5;
 // A mouth continues an old one within this many cells.
 constexpr double mouth_reach = 2.0;
+// Films of up to this many elements are searched without bins.
+constexpr int few_elements = 256;
 
 // Barycentric coordinates of x in the plane of a simplex, and the distance from x to the (closed) simplex.
 template <int D>
@@ -81,55 +86,97 @@ FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, 
             flux_.push_back(h_mean_.back() * (w_.back() - master_velocity(centroid)));
         }
     }
-    for (int e = 0; e < static_cast<int>(elements_.size()); ++e)
-        bins_[bin_key(bin(centroid_[e]))].push_back(e);
+    radius_.assign(elements_.size(), 0.0);
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+        for (int node : elements_[e])
+            radius_[e] = std::max(radius_[e], (x_[node] - centroid_[e]).norm());
+    if (elements() > few_elements)
+        for (int e = 0; e < elements(); ++e)
+            bins_[bin_key(bin(centroid_[e]))].push_back(e);
+    join_elements();
     fit_vertices(weight);
 }
 
-// Vertex values: linear fit to the fluxes of the elements around the vertex (two rings where one is too few).
+template <int D>
+void FilmMemory<D>::join_elements()
+{
+    EdgeTable first; // facets (2D: nodes) -> D * element + node opposite
+    first.reset(2 * elements_.size());
+    beyond_.assign(elements_.size(), {});
+    for (int e = 0; e < elements(); ++e)
+        for (int i = 0; i < D; ++i) {
+            beyond_[e][i] = -1;
+            int& facet = first.insert(elements_[e][(i + 1) % D], elements_[e][(i + D - 1) % D]);
+            if (facet < 0) {
+                facet = D * e + i;
+            } else {
+                beyond_[e][i] = facet / D;
+                beyond_[facet / D][facet % D] = e;
+            }
+        }
+}
+
+// Vertex values: linear fit a + b . t to the fluxes of the elements around the vertex (two rings where one is too few), t from
+// the vertex in the tangent plane. With weights of sum 1, a = sum w f (1 - (t - <t>) . C^-1 <t>), C the covariance of t.
 template <int D>
 void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
 {
-    std::vector<std::vector<int>> ring(x_.size());
-    for (int e = 0; e < static_cast<int>(elements_.size()); ++e)
+    const int n = static_cast<int>(x_.size());
+    std::vector<int> first(n + 1, 0);
+    for (const auto& nodes : elements_)
+        for (int node : nodes)
+            ++first[node + 1];
+    for (int i = 0; i < n; ++i)
+        first[i + 1] += first[i];
+    std::vector<int> ring(first[n]), next(first.begin(), first.end() - 1);
+    for (int e = 0; e < elements(); ++e)
         for (int node : elements_[e])
-            ring[node].push_back(e);
-    flux_vertex_.assign(x_.size(), Vec<D>::Zero());
-    fastest_.assign(x_.size(), 0.0);
-    for (std::size_t i = 0; i < x_.size(); ++i)
-        for (int e : ring[i])
+            ring[next[node]++] = e;
+    std::vector<Vec<D>> normal_body(elements_.size());
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+        normal_body[e] = rotation_.transpose() * normal_[e];
+
+    flux_vertex_.assign(n, Vec<D>::Zero());
+    fastest_.assign(n, 0.0);
+    std::vector<int> around;
+    for (int i = 0; i < n; ++i) {
+        around.assign(ring.begin() + first[i], ring.begin() + first[i + 1]);
+        for (int e : around)
             fastest_[i] = std::max(fastest_[i], flux_[e].norm() / h_mean_[e]);
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-        std::vector<int> around = ring[i];
         if (around.size() < (D == 2 ? 2 : 5)) {
-            for (int e : ring[i])
-                for (int node : elements_[e])
-                    around.insert(around.end(), ring[node].begin(), ring[node].end());
+            for (int k = first[i]; k < first[i + 1]; ++k)
+                for (int node : elements_[ring[k]])
+                    around.insert(around.end(), ring.begin() + first[node], ring.begin() + first[node + 1]);
             std::sort(around.begin(), around.end());
             around.erase(std::unique(around.begin(), around.end()), around.end());
         }
         if (around.empty())
             continue;
-        Eigen::Matrix<double, D + 1, D + 1> normal = Eigen::Matrix<double, D + 1, D + 1>::Zero();
-        Eigen::Matrix<double, D + 1, D> rhs = Eigen::Matrix<double, D + 1, D>::Zero();
         double reach = 0, total = 0;
         Vec<D> across = Vec<D>::Zero(); // mean normal, master's frame
         for (int e : around) {
-            reach = std::max(reach, (centroid_[e] - x_[i]).norm());
+            reach = std::max(reach, (centroid_[e] - x_[i]).squaredNorm());
             total += weight[e];
-            across += weight[e] * (rotation_.transpose() * normal_[e]);
+            across += weight[e] * normal_body[e];
         }
+        reach = std::max(std::sqrt(reach), 1e-300);
         across.normalize();
+        Vec<D> mean = Vec<D>::Zero();
+        Mat<D> covariance = Mat<D>::Zero();
         for (int e : around) {
-            Eigen::Matrix<double, D + 1, 1> row;
-            row << 1.0, tangential<D>(centroid_[e] - x_[i], across) / std::max(reach, 1e-300);
-            normal += weight[e] / total * row * row.transpose();
-            rhs += weight[e] / total * row * flux_[e].transpose();
+            const Vec<D> t = tangential<D>(centroid_[e] - x_[i], across) / reach;
+            mean += weight[e] / total * t;
+            covariance += weight[e] / total * t * t.transpose();
         }
+        covariance -= mean * mean.transpose();
         // Slopes across the surface are 0, and so are those of a lone element.
-        normal.template bottomRightCorner<D, D>() += across * across.transpose();
-        normal.diagonal().template tail<D>().array() += 1e-8;
-        flux_vertex_[i] = normal.ldlt().solve(rhs).row(0).transpose();
+        covariance += across * across.transpose();
+        covariance.diagonal().array() += 1e-8;
+        const Vec<D> slope = covariance.inverse() * mean;
+        for (int e : around) {
+            const Vec<D> t = tangential<D>(centroid_[e] - x_[i], across) / reach;
+            flux_vertex_[i] += weight[e] / total * (1 - (t - mean).dot(slope)) * flux_[e];
+        }
         if (!flux_vertex_[i].allFinite())
             flux_vertex_[i] = flux_[around.front()];
     }
@@ -151,30 +198,68 @@ long FilmMemory<D>::bin_key(const Index<D>& bin) const
 }
 
 template <int D>
-typename FilmMemory<D>::Place FilmMemory<D>::locate(const Vec<D>& x_body) const
+typename FilmMemory<D>::Place FilmMemory<D>::place_in(int element, const Vec<D>& x_body) const
+{
+    Place place{element, {}, 0};
+    std::array<Vec<D>, D> v;
+    for (int i = 0; i < D; ++i)
+        v[i] = x_[elements_[element][i]];
+    place.distance = to_simplex<D>(v, x_body, place.shape);
+    return place;
+}
+
+// From element to element towards x, across the facet that x lies furthest beyond. Element -1: x lies beyond the film's end.
+template <int D>
+typename FilmMemory<D>::Place FilmMemory<D>::walk(const Vec<D>& x_body, int start) const
+{
+    Place place = place_in(start, x_body);
+    for (int step = 0; step < 2 * elements(); ++step) {
+        const int i = static_cast<int>(std::min_element(place.shape.begin(), place.shape.end()) - place.shape.begin());
+        if (place.shape[i] >= 0)
+            return place;
+        const int next = beyond_[place.element][i];
+        if (next < 0)
+            break;
+        place = place_in(next, x_body);
+    }
+    place.element = -1;
+    return place;
+}
+
+// The element nearest to x; where a walk from the hint ends inside one close to x, that.
+template <int D>
+typename FilmMemory<D>::Place FilmMemory<D>::locate(const Vec<D>& x_body, int hint) const
 {
     Place best{-1, {}, std::numeric_limits<double>::infinity()};
+    if (hint >= 0) {
+        const Place place = walk(x_body, hint);
+        if (place.element >= 0 && place.distance < 0.5 * radius_[place.element])
+            return place;
+        best = place_in(hint, x_body);
+    }
     auto consider = [&](int e) {
-        std::array<Vec<D>, D> v;
-        for (int i = 0; i < D; ++i)
-            v[i] = x_[elements_[e][i]];
-        std::array<double, D> shape;
-        const double distance = to_simplex<D>(v, x_body, shape);
-        if (distance < best.distance)
-            best = {e, shape, distance};
+        const double least = best.distance + radius_[e];
+        if ((x_body - centroid_[e]).squaredNorm() >= least * least)
+            return;
+        if (const Place place = place_in(e, x_body); place.distance < best.distance)
+            best = place;
     };
+    if (bins_.empty()) {
+        for (int e = 0; e < elements(); ++e)
+            consider(e);
+        return best;
+    }
     for (int reach = 1; reach <= 3; ++reach) {
         for_each_index<D>(Index<D>::Constant(-reach), Index<D>::Constant(reach + 1), [&](const Index<D>& d) {
-            auto it = bins_.find(bin_key(Index<D>(bin(x_body) + d)));
-            if (it != bins_.end())
-                for (int e : it->second)
+            if (const std::vector<int>* in_bin = bins_.find(bin_key(Index<D>(bin(x_body) + d))))
+                for (int e : *in_bin)
                     consider(e);
         });
         if (best.distance < (reach - 0.5) * dx_)
             return best;
     }
     if (best.element < 0)
-        for (int e = 0; e < static_cast<int>(elements_.size()); ++e)
+        for (int e = 0; e < elements(); ++e)
             consider(e);
     return best;
 }
@@ -215,9 +300,10 @@ Vec<D> FilmMemory<D>::master_velocity(const Vec<D>& x_body) const
 }
 
 template <int D>
-typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_body, double dt) const
+typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_body, double dt, int& hint) const
 {
-    const Place arrival = locate(x_body);
+    const Place arrival = locate(x_body, hint);
+    hint = arrival.element;
     auto relative = [&](const Vec<D>& x, const Place& place) { // along the film, seen from the master, in its frame
         const Vec<D> v = vertex_velocity(x, place) - master_velocity(x);
         return Vec<D>(rotation_.transpose() * tangential<D>(v, normal_[place.element]));
@@ -226,8 +312,8 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     Vec<D> x_foot = x_body;
     if (dt > 0) {
         const Vec<D> middle = x_body - 0.5 * dt * relative(x_body, arrival);
-        x_foot = x_body - dt * relative(middle, locate(middle));
-        foot = locate(x_foot);
+        x_foot = x_body - dt * relative(middle, locate(middle, hint));
+        foot = locate(x_foot, hint);
     }
     // What the old element has beyond its vertex values is kept where the new element is the old one and as far as the foot is
     // still in it: no diffusion at rest, and elsewhere that of linear interpolation (kept whole, the scheme would be a centred
@@ -274,49 +360,72 @@ std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<c
 
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
-                         const std::vector<Twist<D>>& predicted, const std::function<Vec<D>(const Vec<D>&)>& grid_velocity,
+                         const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
                          const std::function<MouthLaw(int, int)>& law, double dt)
 {
+    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
+    const int films = static_cast<int>(network.films.size());
+    std::vector<const FilmMemory<D>*> memory(films, nullptr); // of each film's pair
+    for (int k = 0; k < films; ++k)
+        if (auto it = memories.find(network.films[k].pair); it != memories.end())
+            memory[k] = it->second.get();
+
+    // What the old films carry to the new elements and conduits.
+    using Transported = typename FilmMemory<D>::Transported;
+    const Transported unknown{Vec<D>::Zero(), Vec<D>::Zero(), false};
+    std::vector<Transported> at_element(network.elements, unknown), at_conduit(conduits.size(), unknown);
+    for_each_job(films, [&](int k) {
+        if (!memory[k])
+            return;
+        const Film<D>& film = network.films[k];
+        const PlacedShape<D>& master = solids[film.pair.master].shape;
+        int hint = -1;
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
+            at_element[film.first_element + e] =
+                memory[k]->transport(master.to_body(film.mesh.elements[e].centroid_master), dt, hint);
+    });
+    constexpr int chunk = 64;
+    for_each_job(static_cast<int>((conduits.size() + chunk - 1) / chunk), [&](int job) {
+        for (std::size_t r = static_cast<std::size_t>(job) * chunk; r < std::min(conduits.size(), (job + std::size_t(1)) * chunk); ++r)
+            if (const int k = conduits[r].film; memory[k])
+                at_conduit[r] = memory[k]->at(solids[network.films[k].pair.master].shape.to_body(conduits[r].x));
+    });
+
+    // The bulk's velocity where no old film is near.
+    std::vector<Vec<D>> places;
+    for (const Film<D>& film : network.films)
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
+            if (!at_element[film.first_element + e].near)
+                places.push_back(film.mesh.elements[e].centroid);
+    for (std::size_t r = 0; r < conduits.size(); ++r)
+        if (!at_conduit[r].near)
+            places.push_back(conduits[r].x);
+    const std::vector<Vec<D>> from_grid = grid_velocity(places);
+    auto next = from_grid.begin();
+
     FilmFlow<D> flow;
     const std::vector<double> normal_speed = wall_normal_speed<D>(network, solids, predicted);
-    auto memory_of = [&](const FilmPair<D>& pair) {
-        auto it = memories.find(pair);
-        return it == memories.end() ? nullptr : it->second.get();
-    };
-    for (const Film<D>& film : network.films) {
-        const FilmMemory<D>* memory = memory_of(film.pair);
-        const PlacedShape<D>& master = solids[film.pair.master].shape;
+    for (const Film<D>& film : network.films)
         for (const FilmElement<D>& e : film.mesh.elements) {
-            Vec<D> w, n_bar = e.normal;
-            bool known = false;
-            if (memory) {
-                const auto old = memory->transport(master.to_body(e.centroid_master), dt);
-                known = old.near;
-                w = old.velocity;
-                n_bar += old.normal;
-            }
-            if (!known) {
-                w = grid_velocity(e.centroid);
-                n_bar = e.normal;
-            }
+            const Transported& old = at_element[flow.velocity.size()];
+            Vec<D> w = old.near ? old.velocity : *next++;
+            const Vec<D> n_bar = old.near ? Vec<D>(e.normal + old.normal) : e.normal;
             const double across = n_bar.dot(e.normal);
             flow.normal.push_back(w.dot(e.normal));
             if (across > 0.1 * n_bar.norm())
                 w += (normal_speed[flow.velocity.size()] - w.dot(e.normal)) / across * n_bar;
             flow.velocity.push_back(tangential<D>(w, e.normal));
         }
-    }
-    for (const Conduit<D>& conduit : network.mouths.conduits) {
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        const Conduit<D>& conduit = conduits[r];
         const Film<D>& film = network.films[conduit.film];
-        const FilmMemory<D>* memory = memory_of(film.pair);
-        const Solid<D>& master = solids[film.pair.master];
-        const Vec<D> place = master.shape.to_body(conduit.x);
         const double section = conduit.length * conduit.h;
         double q = 0, scale = 1.0;
-        if (memory && memory->at(place).near) {
-            const Vec<D> w = memory->at(place).velocity, U = memory->master_velocity(place);
+        if (at_conduit[r].near) {
+            const Vec<D> place = solids[film.pair.master].shape.to_body(conduit.x);
+            const Vec<D> w = at_conduit[r].velocity, U = memory[conduit.film]->master_velocity(place);
             const double u = conduit.outward.dot(w - U); // out of the film, seen from the master
-            const auto* old = memory->mouth(place, conduit.outward);
+            const auto* old = memory[conduit.film]->mouth(place, conduit.outward);
             q = section * conduit.outward.dot(w);
             if (old)
                 q = conduit.length * (old->flux + (conduit.h * conduit.outward - old->h * old->outward).dot(old->master_velocity));
@@ -331,7 +440,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                 q += conduit.length * std::min(dt * 0.5 * u * u / conduit.resistance, conduit.h * u);
             }
         } else {
-            q = section * conduit.outward.dot(grid_velocity(conduit.x));
+            q = section * conduit.outward.dot(*next++);
         }
         flow.conduit.push_back(q);
         flow.conduit_scale.push_back(scale);
@@ -353,23 +462,35 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
             w[i] = tangential<D>(u[i], film.mesh.elements[e].normal) + normal_speed[i] * film.mesh.elements[e].normal;
         }
     }
-    std::map<FilmPair<D>, std::shared_ptr<FilmMemory<D>>> memories;
-    for (const auto& [pair, films] : pieces)
-        memories[pair] = std::make_shared<FilmMemory<D>>(solids[pair.master], twists[pair.master], films, w, dx);
+    std::vector<std::pair<const FilmPair<D>*, const std::vector<const Film<D>*>*>> list;
+    std::vector<int> number(network.films.size()); // of each film's pair
+    for (const auto& [pair, films] : pieces) {
+        for (const Film<D>* film : films)
+            number[film - network.films.data()] = static_cast<int>(list.size());
+        list.emplace_back(&pair, &films);
+    }
+    std::vector<std::shared_ptr<FilmMemory<D>>> memories(list.size());
+    for_each_job(static_cast<int>(list.size()), [&](int k) {
+        const int master = list[k].first->master;
+        memories[k] = std::make_shared<FilmMemory<D>>(solids[master], twists[master], *list[k].second, w, dx);
+    });
     for (std::size_t r = 0; r < conduit.size(); ++r) {
         const Conduit<D>& c = network.mouths.conduits[r];
         const FilmPair<D>& pair = network.films[c.film].pair;
         const Solid<D>& master = solids[pair.master];
-        memories[pair]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.h, conduit[r] / c.length,
+        memories[number[c.film]]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.h, conduit[r] / c.length,
                                           velocity_at<D>(twists[pair.master], c.x - master.centre), c.kind});
     }
-    return {memories.begin(), memories.end()};
+    FilmMemories<D> by_pair;
+    for (std::size_t k = 0; k < list.size(); ++k)
+        by_pair.emplace_hint(by_pair.end(), *list[k].first, std::move(memories[k]));
+    return by_pair;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template class FilmMemory<D>;                                                                                              \
     template FilmFlow<D> advect_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmMemories<D>&,             \
-                                         const std::vector<Twist<D>>&, const std::function<Vec<D>(const Vec<D>&)>&,            \
+                                         const std::vector<Twist<D>>&, const VelocitySampler<D>&,                              \
                                          const std::function<MouthLaw(int, int)>&, double);                                    \
     template FilmMemories<D> remember_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<Twist<D>>&, \
                                                const std::vector<Vec<D>>&, const std::vector<double>&, double);                \

@@ -14,6 +14,7 @@
 #include "gapflow/film/conduits.hpp"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -40,9 +41,15 @@ public:
         Vec<D> velocity, normal;
         bool near; ///< an old film lies within two cells of the arrival point
     };
-    Transported transport(const Vec<D>& x_body, double dt) const;
+    /// `hint`: an element near it, or -1; on return the one it arrived in.
+    Transported transport(const Vec<D>& x_body, double dt, int& hint) const;
     /// Old velocity at a point of the master's frame, extrapolated linearly beyond the film, and the film's normal there.
-    Transported at(const Vec<D>& x_body) const { return transport(x_body, 0.0); }
+    Transported at(const Vec<D>& x_body) const
+    {
+        int hint = -1;
+        return transport(x_body, 0.0, hint);
+    }
+    int elements() const { return static_cast<int>(elements_.size()); }
     /// Velocity of the master's old rigid motion at a point of its frame (world axes).
     Vec<D> master_velocity(const Vec<D>& x_body) const;
     /// The old mouth that a new one at this place continues; null: none near.
@@ -56,7 +63,10 @@ private:
         std::array<double, D> shape; ///< barycentric, may lie outside 0..1
         double distance;
     };
-    Place locate(const Vec<D>& x_body) const;
+    Place place_in(int element, const Vec<D>& x_body) const;
+    Place locate(const Vec<D>& x_body, int hint) const;
+    Place walk(const Vec<D>& x_body, int start) const;
+    void join_elements();
     Vec<D> vertex_velocity(const Vec<D>& x_body, const Place& place) const;
     void fit_vertices(const std::vector<double>& weight);
     Index<D> bin(const Vec<D>& x_body) const;
@@ -68,12 +78,14 @@ private:
     Twist<D> twist_;
     std::vector<Vec<D>> x_; ///< vertices on the master, its frame
     std::vector<std::array<int, D>> elements_;
+    std::vector<std::array<int, D>> beyond_; ///< element across the facet opposite each node, -1: none
     std::vector<Vec<D>> centroid_; ///< master's frame
+    std::vector<double> radius_;   ///< of elements about their centroids
     std::vector<double> fastest_;  ///< largest |w - U_m| of the elements around a vertex
     std::vector<double> h_, h_mean_; ///< thickness at the vertices, mean over the elements
     std::vector<Vec<D>> w_, normal_; ///< of elements, world axes
     std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
-    std::unordered_map<long, std::vector<int>> bins_;
+    KeyMap<std::vector<int>> bins_;
 };
 
 /// All that films remember, by pair.
@@ -89,16 +101,20 @@ struct FilmFlow {
     std::vector<double> conduit_scale;   ///< factor on the conduit's 1/R (semi-implicit inflow)
 };
 
+/// Velocities at a list of points.
+template <int D>
+using VelocitySampler = std::function<std::vector<Vec<D>>(const std::vector<Vec<D>>&)>;
+
 struct MouthLaw {
     double entrance_loss = 0; ///< zeta
     bool jet = false;         ///< outflow leaves as a jet: its kinetic head is lost
 };
 
-/// Advects what the old films carried onto the new ones. `twists` are V^n, `predicted` V^n + dt A; `grid_velocity` samples the
-/// bulk's continued velocity (for elements that no old film is near).
+/// Advects what the old films carried onto the new ones. `predicted`: V^n + dt A; `grid_velocity` samples the bulk's continued
+/// velocity at a list of points (elements and conduits that no old film is near), once.
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
-                         const std::vector<Twist<D>>& predicted, const std::function<Vec<D>(const Vec<D>&)>& grid_velocity,
+                         const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
                          const std::function<MouthLaw(int, int)>& law, double dt);
 
 /// Remembers the films after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}.

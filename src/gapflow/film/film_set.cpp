@@ -1,8 +1,10 @@
 #include "gapflow/film/film_set.hpp"
 
+#include "gapflow/film/for_each_job.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 
 namespace gapflow {
 
@@ -22,49 +24,149 @@ std::tuple<int, int, double, std::string> master_rank(const Solid<D>& solid, dou
     return {unbounded ? 2 : solid.shape.shape().inside_out() ? 1 : 0, static_cast<int>(solid.motion), radius, solid.name};
 }
 
-} // namespace
-
+// Whether surfaces are further apart than `reach`, as far as the bounding ball of one, radius about the centre of its bounds,
+// against the other's distance tells.
 template <int D>
-double third_distance(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
-                      const FilmPair<D>& pair, const Vec<D>& x, const Vec<D>& n, double reach)
+bool are_apart(const PlacedShape<D>& a, double radius_a, const PlacedShape<D>& b, double radius_b, double reach)
 {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const Vec<D> size = grid.size();
-    Vec<D> wrap = Vec<D>::Zero();
-    Index<D> periods = Index<D>::Zero();
-    for (int axis = 0; axis < D; ++axis)
-        if (grid.periodic(axis)) {
-            periods[axis] = -static_cast<int>(std::floor((x[axis] - grid.origin()[axis]) / size[axis]));
-            wrap[axis] = periods[axis] * size[axis];
-        } else {
-            const double below = grid.origin()[axis] - x[axis], above = x[axis] - grid.origin()[axis] - size[axis];
-            if ((grid.side(axis, 0) != SideKind::wall && below > 0) || (grid.side(axis, 1) != SideKind::wall && above > 0))
-                return -infinity;
-        }
-    thread_local std::vector<int> candidates;
-    clipper.near(x + wrap, reach, candidates);
-    double nearest = infinity;
-    for (int i : candidates) {
-        const Image<D>& image = clipper.images()[i];
-        if (image.solid == pair.master || image.solid == pair.other) {
-            Index<D> shift = periods;
-            if (image.solid == pair.other)
-                shift += Index<D>(pair.shift.data());
-            if ((image.shift - shift.template cast<double>().cwiseProduct(size)).norm() < 1e-9 * size.norm())
-                continue;
-        }
-        const SurfacePoint<D> p = image.shape.closest(x + wrap);
-        if (std::abs(p.distance) <= coincident * grid.dx() && n.dot(p.normal) > same_way) {
-            // Round-off must not tell which of two flush bodies bears the film there: the names do.
-            if (solids[image.solid].name < solids[pair.master].name)
-                return -infinity;
-            continue;
-        }
-        if (p.distance < nearest && (p.distance < 0 || n.dot(p.normal) < facing_cosine))
-            nearest = p.distance;
-    }
-    return nearest;
+    auto apart = [&](const PlacedShape<D>& ball, double radius, const PlacedShape<D>& other) {
+        const Bounds<D> bounds = ball.shape().bounds();
+        return std::isfinite(radius) && other.distance(ball.to_world(0.5 * (bounds.low + bounds.high))) > radius + reach;
+    };
+    return apart(a, radius_a, b) || apart(b, radius_b, a);
 }
+
+// Largest distance of a shape's surface from the centre of its bounds, by its base mesh and how far the surface bulges from it.
+template <int D>
+double surface_radius(const Shape<D>& shape, const SurfaceMesh<D>& mesh)
+{
+    const Bounds<D> bounds = shape.bounds();
+    const double limit = bounding_radius(bounds);
+    if (mesh.elements.empty() || !std::isfinite(limit))
+        return limit;
+    const Vec<D> centre = 0.5 * (bounds.low + bounds.high);
+    double radius = 0;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        double furthest = 0, longest = 0;
+        for (int k = 0; k < D; ++k) {
+            const Vec<D>& x = mesh.vertices[mesh.elements[e][k]];
+            furthest = std::max(furthest, (x - centre).norm());
+            longest = std::max(longest, (x - mesh.vertices[mesh.elements[e][(k + 1) % D]]).norm());
+        }
+        radius = std::max(radius, furthest + std::min(0.25 * std::abs(shape.curvature(mesh.patch[e])) * longest, 0.5) * longest);
+    }
+    return std::min(radius, limit);
+}
+
+/// The solids beside a pair that may end its film.
+template <int D>
+class ThirdBodies {
+public:
+    /// `reach`: h_c. Lists the images near the part of the master that may face the other.
+    ThirdBodies(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper, const FilmPair<D>& pair,
+                double reach)
+        : grid_(grid), solids_(solids), clipper_(clipper), pair_(pair), reach_(reach)
+    {
+        const Bounds<D> a = world_bounds(solids[pair.master].shape), b = world_bounds(other_shape(grid, solids, pair));
+        const Vec<D> around = Vec<D>::Constant(reach + 1e-6 * grid.dx());
+        Vec<D> low = a.low, high = a.high;
+        if (!solids[pair.other].shape.shape().inside_out()) {
+            low = low.cwiseMax(b.low - around);
+            high = high.cwiseMin(b.high + around);
+        }
+        if (!low.allFinite() || !high.allFinite() || (low.array() > high.array()).any())
+            return;
+        const Vec<D> end = grid.origin() + grid.size();
+        bool periodic = false;
+        for (int axis = 0; axis < D; ++axis) {
+            periodic |= grid.periodic(axis);
+            if (grid.periodic(axis) && (low[axis] < grid.origin()[axis] + around[axis] || high[axis] > end[axis] - around[axis]))
+                return;
+        }
+        const Vec<D> centre = 0.5 * (low + high);
+        const double radius = 0.5 * (high - low).norm() + around[0];
+        if (periodic && radius > 4 * grid.dx()) // further than the clipper sees
+            return;
+        clipper.near(centre, radius, near_);
+        std::erase_if(near_, [&](int i) {
+            const Image<D>& image = clipper.images()[i];
+            return is_of_pair(image, Index<D>::Zero()) || image.shape.distance(centre) > radius;
+        });
+        listed_ = true;
+    }
+
+    /// Distance from the master's surface point x with normal n to the nearest third solid (or image) that faces it too, and so
+    /// competes with the pair's other solid for the film there; negative inside any third solid and beyond an open side of the
+    /// domain, where films end; infinity if none is within reach. Where a third solid's surface is the master's too (flush
+    /// bodies), the one first by name has the film. x may lie outside a periodic domain.
+    double distance(const Vec<D>& x, const Vec<D>& n) const
+    {
+        const Vec<D> size = grid_.size();
+        Index<D> periods = Index<D>::Zero();
+        for (int axis = 0; axis < D; ++axis)
+            if (grid_.periodic(axis)) {
+                if (!listed_)
+                    periods[axis] = -static_cast<int>(std::floor((x[axis] - grid_.origin()[axis]) / size[axis]));
+            } else {
+                const double below = grid_.origin()[axis] - x[axis], above = x[axis] - grid_.origin()[axis] - size[axis];
+                if ((grid_.side(axis, 0) != SideKind::wall && below > 0) || (grid_.side(axis, 1) != SideKind::wall && above > 0))
+                    return -infinity;
+            }
+        double nearest = infinity;
+        if (listed_) {
+            for (int i : near_)
+                if (!consider(clipper_.images()[i], x, n, nearest))
+                    return -infinity;
+            return nearest;
+        }
+        const Vec<D> wrapped = x + periods.template cast<double>().cwiseProduct(size);
+        thread_local std::vector<int> candidates;
+        clipper_.near(wrapped, reach_, candidates);
+        for (int i : candidates)
+            if (!is_of_pair(clipper_.images()[i], periods) && !consider(clipper_.images()[i], wrapped, n, nearest))
+                return -infinity;
+        return nearest;
+    }
+
+private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /// Whether the image is one of the pair itself, everything moved by `periods`.
+    bool is_of_pair(const Image<D>& image, Index<D> periods) const
+    {
+        if (image.solid != pair_.master && image.solid != pair_.other)
+            return false;
+        if (image.solid == pair_.other)
+            periods += Index<D>(pair_.shift.data());
+        const Vec<D> size = grid_.size();
+        return (image.shift - periods.template cast<double>().cwiseProduct(size)).norm() < 1e-9 * size.norm();
+    }
+
+    /// Lowers `nearest` if the image is nearer; false if it has the film at x.
+    bool consider(const Image<D>& image, const Vec<D>& x, const Vec<D>& n, double& nearest) const
+    {
+        const double d = image.shape.distance(x);
+        if (d > reach_ || d >= std::max(nearest, coincident * grid_.dx()))
+            return true;
+        const Vec<D> normal = image.shape.closest(x).normal;
+        if (std::abs(d) <= coincident * grid_.dx() && n.dot(normal) > same_way)
+            // Round-off must not tell which of two flush bodies bears the film there: the names do.
+            return !(solids_[image.solid].name < solids_[pair_.master].name);
+        if (d < nearest && (d < 0 || n.dot(normal) < facing_cosine))
+            nearest = d;
+        return true;
+    }
+
+    const Grid<D>& grid_;
+    std::span<const Solid<D>> solids_;
+    const FaceClipper<D>& clipper_;
+    const FilmPair<D>& pair_;
+    double reach_;
+    std::vector<int> near_;
+    bool listed_ = false;
+};
+
+} // namespace
 
 template <int D>
 void number_films(std::vector<Film<D>>& films)
@@ -86,10 +188,10 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
     const Vec<D> size = grid.size();
     std::vector<double> radius(solids.size());
     for (std::size_t s = 0; s < solids.size(); ++s)
-        radius[s] = bounding_radius<D>(world_bounds(solids[s].shape));
+        radius[s] = bounding_radius(world_bounds(solids[s].shape));
 
     std::set<FilmPair<D>> pairs;
-    for (const auto& [a, b] : close_images<D>(images, solids, 4 * hysteresis * grid.dx())) {
+    for (const auto& [a, b] : close_images(images, solids, 4 * hysteresis * grid.dx())) {
         FilmPair<D> pair{images[a].solid, images[b].solid, {}}, turned{images[b].solid, images[a].solid, {}};
         for (int axis = 0; axis < D; ++axis) {
             const double shift = images[b].shift[axis] - images[a].shift[axis];
@@ -110,33 +212,52 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
         return std::tie(solids[p.master].name, solids[p.other].name, p.shift) <
                std::tie(solids[q.master].name, solids[q.other].name, q.shift);
     });
-    std::vector<Film<D>> films;
+    struct Job {
+        FilmPair<D> pair;
+        GapSettings gap;
+        double threshold;
+        std::vector<FilmMesh<D>> meshes;
+    };
+    std::vector<Job> jobs;
+    std::vector<std::optional<SurfaceMesh<D>>> base(solids.size());
+    std::vector<double> reach(solids.size());
     for (const FilmPair<D>& pair : ordered) {
         const GapSettings gap = settings(pair.master, pair.other);
-        if (!gap.film)
-            continue;
-        FilmMeshOptions options;
-        options.dx = grid.dx();
-        options.threshold = gap.threshold * (alive.count(pair) ? hysteresis : 1.0);
-        options.floor = gap.floor;
-        options.origin.template head<D>() = grid.origin();
-        const double reach = options.threshold;
-        auto third = [&](const Vec<D>& x, const Vec<D>& n) { return third_distance(grid, solids, clipper, pair, x, n, reach); };
-        for (FilmMesh<D>& mesh :
-             film_meshes<D>(solids[pair.master].shape, other_shape(grid, solids, pair), third, options)) {
-            mesh.master = pair.master;
-            mesh.other = pair.other;
-            mesh.shift = size.cwiseProduct(Index<D>(pair.shift.data()).template cast<double>());
-            films.push_back({pair, std::move(mesh), options.threshold});
-        }
+        const double threshold = gap.threshold * (alive.count(pair) ? hysteresis : 1.0);
+        for (int s : {pair.master, pair.other})
+            if (!base[s]) {
+                base[s] = solids[s].shape.shape().surface_mesh();
+                reach[s] = surface_radius(solids[s].shape.shape(), *base[s]);
+            }
+        if (gap.film && !are_apart(solids[pair.master].shape, reach[pair.master], other_shape(grid, solids, pair),
+                                   reach[pair.other], threshold))
+            jobs.push_back({pair, gap, threshold, {}});
     }
+    for_each_job(static_cast<int>(jobs.size()), [&](int k) {
+        Job& job = jobs[k];
+        FilmMeshOptions options = coupling_sizes<D>();
+        options.dx = grid.dx();
+        options.threshold = job.threshold;
+        options.floor = job.gap.floor;
+        options.origin.template head<D>() = grid.origin();
+        const ThirdBodies<D> thirds(grid, solids, clipper, job.pair, options.threshold);
+        const auto third = [&](const Vec<D>& x, const Vec<D>& n) { return thirds.distance(x, n); };
+        job.meshes = film_meshes<D>(solids[job.pair.master].shape, other_shape(grid, solids, job.pair), third, options,
+                                    &*base[job.pair.master]);
+    });
+    std::vector<Film<D>> films;
+    for (Job& job : jobs)
+        for (FilmMesh<D>& mesh : job.meshes) {
+            mesh.master = job.pair.master;
+            mesh.other = job.pair.other;
+            mesh.shift = size.cwiseProduct(Index<D>(job.pair.shift.data()).template cast<double>());
+            films.push_back({job.pair, std::move(mesh), job.threshold});
+        }
     number_films(films);
     return films;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template double third_distance<D>(const Grid<D>&, std::span<const Solid<D>>, const FaceClipper<D>&, const FilmPair<D>&,    \
-                                      const Vec<D>&, const Vec<D>&, double);                                                   \
     template std::vector<Film<D>> find_films<D>(const Grid<D>&, std::span<const Solid<D>>, const FaceClipper<D>&,              \
                                                 const std::function<GapSettings(int, int)>&, const std::set<FilmPair<D>>&);    \
     template void number_films<D>(std::vector<Film<D>>&);

@@ -37,14 +37,6 @@ struct Film {
     int first_element = 0; ///< number of its element 0 among all film elements
 };
 
-/// Distance from the master's surface point x with normal n to the nearest third solid (or image) that faces it too, and so
-/// competes with the pair's other solid for the film there; negative inside any third solid and beyond an open side of the
-/// domain, where films end. Where a third solid's surface is the master's too (flush bodies), the one first by name has the
-/// film. x may lie outside a periodic domain.
-template <int D>
-double third_distance(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
-                      const FilmPair<D>& pair, const Vec<D>& x, const Vec<D>& n, double reach);
-
 /// Films of all pairs, sorted so that the order does not depend on the order of solids. `settings` gives a pair's gap
 /// settings; `alive`: pairs that had a film a step ago (they keep it to 1.3 h_c, and their master).
 template <int D>

@@ -46,7 +46,7 @@ public:
     };
 
     /// Base mesh: the elements of the master that may reach the gap. Vertices are split along sharp edges.
-    explicit GapSurface(const GapTest<D>& test);
+    GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base);
 
     /// Splits until no element is larger than the largest size times `scale`; drops what cannot reach the gap. False if that
     /// takes more vertices in the gap than the cap.
@@ -67,14 +67,14 @@ public:
     const std::vector<Edge>& edges() const { return edges_; }
     /// Whether the edge has one end in the gap.
     bool straddles(const Edge& edge) const { return vertices_[edge.a].inside() != vertices_[edge.b].inside(); }
-    /// The crossing of a straddling edge, found by bisection to 1e-12 dx; `index`: its number.
+    /// The crossing of a straddling edge, found to 1e-12 dx; `index`: its number.
     const Crossing& crossing(const Edge& edge, int* index = nullptr);
     /// The other patch across a sharp edge of the master (-1: an edge of the mesh for another reason; -2: no sharp edge).
     int across_crease(int a, int b) const;
 
 private:
     struct Sizes {
-        double largest, smallest, straddle, curved;
+        double largest, largest_curved, smallest, straddle, straddle_smooth, curved;
     };
 
     int add_vertex(const Vec<D>& x, const Vec<D>& nudge, int patch, bool crease, bool fixed);
@@ -83,6 +83,7 @@ private:
     bool mark_edges(bool coarse);
     bool mark_at_end();
     bool varies(double h0, double h1) const;
+    bool goes_out_smoothly(const Vertex& v, int patch) const;
     bool too_long(const Edge& edge, bool coarse) const;
     bool out_of_reach(int e) const;
     bool straight(int e);

@@ -19,7 +19,6 @@ namespace
 {
 
 constexpr double slack = 1 + 1e-7;
-constexpr double kink = 0.03;             ///< of a cut's length: how far the gap's end may lie from a straight line
 constexpr double smallest_kink = 1. / 16; ///< of the straddling size: elements with a kink are not refined below
 
 } // namespace
@@ -27,7 +26,8 @@ constexpr double smallest_kink = 1. / 16; ///< of the straddling size: elements 
 template <int D>
 bool GapSurface<D>::refine_coarsely(double scale)
 {
-    sizes_ = {scale * test_.options.largest * test_.options.dx, 0, 0, 0};
+    const FilmMeshOptions& o = test_.options;
+    sizes_ = {scale * o.largest * o.dx, scale * o.largest_curved * o.dx, 0, 0, 0, 0};
     return run(true);
 }
 
@@ -35,7 +35,8 @@ template <int D>
 bool GapSurface<D>::refine(double scale)
 {
     const FilmMeshOptions& o = test_.options;
-    sizes_ = {scale * o.largest * o.dx, scale * o.smallest * o.dx, scale * o.straddle * o.dx, scale * o.curved};
+    sizes_ = {scale * o.largest * o.dx,  scale * o.largest_curved * o.dx,  scale * o.smallest * o.dx,
+              scale * o.straddle * o.dx, scale * o.straddle_smooth * o.dx, scale * o.curved};
     return run(false);
 }
 
@@ -68,16 +69,27 @@ bool GapSurface<D>::varies(double h0, double h1) const
     return std::max(h0, h1) > slack * test_.options.ratio * std::min(h0, h1);
 }
 
+/// Whether the gap goes out between curved surfaces at a vertex that is not in it: no edge of either ends it.
+template <int D>
+bool GapSurface<D>::goes_out_smoothly(const Vertex& v, int patch) const
+{
+    return (v.fails == RimEnd::thickness || v.fails == RimEnd::normals || v.fails == RimEnd::third_body) &&
+           test_.curvature(patch, v.p.patch) > 0;
+}
+
 template <int D>
 bool GapSurface<D>::too_long(const Edge& edge, bool coarse) const
 {
     const double length = edge.length;
-    if (length > slack * sizes_.largest)
-        return true;
     const Vertex &a = vertices_[edge.a], &b = vertices_[edge.b];
+    const bool curved = length > slack * sizes_.largest && test_.curvature(edge.patch, a.p.patch) > 0 &&
+                        test_.curvature(edge.patch, b.p.patch) > 0;
+    if (length > slack * (curved ? sizes_.largest_curved : sizes_.largest))
+        return true;
     if (coarse || !(a.inside() || b.inside()))
         return false;
-    if (a.inside() != b.inside() && length > slack * sizes_.straddle)
+    if (a.inside() != b.inside() &&
+        length > slack * (goes_out_smoothly(a.inside() ? b : a, edge.patch) ? sizes_.straddle_smooth : sizes_.straddle))
         return true;
     if (length <= slack * sizes_.smallest)
         return false;
@@ -113,7 +125,9 @@ bool GapSurface<D>::mark_edges(bool coarse)
         if (std::any_of(nodes.begin(), nodes.end(), [&](int v) { return vertices_[v].inside(); }))
             continue;
         Edge& edge = edges_[longest_edge(int(e))];
-        if (edge.length > slack * sizes_.straddle)
+        const bool smooth = std::all_of(nodes.begin(), nodes.end(),
+                                        [&](int v) { return goes_out_smoothly(vertices_[v], elements_[e].patch); });
+        if (edge.length > slack * (smooth ? sizes_.straddle_smooth : sizes_.straddle))
             any = edge.marked = true;
     }
     return any;
@@ -170,7 +184,7 @@ bool GapSurface<D>::straight(int e)
             const Vec<3> x = test_.onto(middle + step * across, elements_[e].patch);
             return !test_.fails(x, test_.master.patch_normal(x, elements_[e].patch), test_.other.closest(x));
         };
-        const double step = kink * along.norm();
+        const double step = test_.options.kink * along.norm();
         return inside(-step) && !inside(step);
     }
     return true;
@@ -300,7 +314,7 @@ bool GapSurface<D>::out_of_reach(int e) const
         facing = std::min(facing, v.facing);
         length = std::max(length, (v.x - vertices_[element.nodes[(k + 1) % D]].x).norm());
     }
-    const bool small = length <= slack * sizes_.largest;
+    const bool small = length <= slack * (kappa_master + kappa_other > 0 ? sizes_.largest_curved : sizes_.largest);
     const double threshold = test_.options.threshold;
     if (one_face && kappa_master == 0 && kappa_other == 0 && (other_planar_ || small)) // h is linear
         return nearest >= threshold || facing >= facing_cosine || small;

@@ -137,7 +137,7 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     if (any_film_faces_) {
         const auto& cells = coupling_->network.cells.cells;
         auto beside_film = [&](int axis, const Index<D>& f) {
-            return cells.count(grid_.key(grid_.wrapped(f))) || cells.count(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
+            return cells.contains(grid_.key(grid_.wrapped(f))) || cells.contains(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
         };
         for (int axis = 0; axis < D; ++axis)
             for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
@@ -154,7 +154,7 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         predicted[b] = predicted_twist(bodies_[b], time_, dt);
     FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted,
-                                       [&](const Vec<D>& x) { return sample(x); }, mouth_laws_, dt);
+                                       [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
     u_star.film = std::move(flow.velocity);
     u_star.film_normal = std::move(flow.normal);
     u_star.conduit = std::move(flow.conduit);
@@ -358,21 +358,22 @@ BoundaryVelocity<D> Simulation<D>::side_velocities(double time) const
     return sides;
 }
 
-// Continued bulk velocity at any point, wherever it is owned. Collective only in effect: every rank asks for the same points.
+// Continued bulk velocity at points anywhere. Collective: every rank asks for the same points.
 template <int D>
-Vec<D> Simulation<D>::sample(const Vec<D>& x) const
+std::vector<Vec<D>> Simulation<D>::sample(const std::vector<Vec<D>>& points) const
 {
-    Vec<D> u = Vec<D>::Zero();
-    const Index<D> c = grid_.wrapped(grid_.cell_of(x));
-    Index<D> inside;
-    for (int axis = 0; axis < D; ++axis)
-        inside[axis] = std::clamp(c[axis], 0, grid_.cells()[axis] - 1);
-    if (grid_.owns(inside)) {
-        const Vec<D> place = x + grid_.dx() * (inside - grid_.cell_of(x)).template cast<double>();
+    std::vector<Vec<D>> u(points.size(), Vec<D>::Zero());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Index<D> c = grid_.wrapped(grid_.cell_of(points[i]));
+        const Index<D> inside = c.cwiseMax(0).cwiseMin(grid_.cells() - Index<D>::Ones());
+        if (!grid_.owns(inside))
+            continue;
+        const Vec<D> place = points[i] + grid_.dx() * (inside - grid_.cell_of(points[i])).template cast<double>();
         for (int axis = 0; axis < D; ++axis)
-            u[axis] = interpolate_face(grid_, velocity_.grid[axis], axis, place);
+            u[i][axis] = interpolate_face(grid_, velocity_.grid[axis], axis, place);
     }
-    grid_.comm().sum(std::span<double>(u.data(), D));
+    if (!u.empty())
+        grid_.comm().sum(std::span<double>(u.front().data(), D * u.size()));
     return u;
 }
 

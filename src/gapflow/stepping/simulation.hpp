@@ -103,7 +103,7 @@ private:
     std::vector<TwistMatrix<D>> masses() const;
     void check_compatibility(const UnknownVector<D>& rhs, double magnitude) const;
     BoundaryVelocity<D> side_velocities(double time) const;
-    Vec<D> sample(const Vec<D>& x) const;
+    std::vector<Vec<D>> sample(const std::vector<Vec<D>>& points) const;
 
     Scene scene_;
     Grid<D> grid_;
