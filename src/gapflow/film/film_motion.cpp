@@ -83,7 +83,10 @@ FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, 
             normal_.push_back(element.normal);
             weight.push_back(element.volume);
             h_mean_.push_back(element.volume / element.measure);
-            flux_.push_back(h_mean_.back() * (w_.back() - master_velocity(centroid)));
+            const Vec<D> relative = w_.back() - master_velocity(centroid);
+            flux_.push_back(h_mean_.back() * relative);
+            volume_ += element.volume;
+            motion_ += element.volume * tangential<D>(relative, element.normal).squaredNorm();
         }
     }
     radius_.assign(elements_.size(), 0.0);
@@ -358,6 +361,42 @@ std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<c
     return speed;
 }
 
+// Transport alone adds no energy to the motion of a pair's film along its master, but for the volume that came with it. What
+// would (traces extrapolated beyond its ends, flux over a thinner gap) grows step by step in a throat that is swept fast.
+template <int D>
+void limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
+                  const std::vector<typename FilmMemory<D>::Transported>& at_element, std::vector<Vec<D>>& velocity)
+{
+    struct Sum {
+        double volume = 0, motion = 0;
+    };
+    std::map<const FilmMemory<D>*, Sum> sums;
+    auto for_each_carried = [&](auto&& f) {
+        for (std::size_t k = 0; k < network.films.size(); ++k) {
+            const Film<D>& film = network.films[k];
+            for (std::size_t i = 0; memory[k] && i < film.mesh.elements.size(); ++i) {
+                const FilmElement<D>& e = film.mesh.elements[i];
+                const std::size_t at = film.first_element + i;
+                if (!at_element[at].near)
+                    continue;
+                const Vec<D> U = memory[k]->master_velocity(solids[film.pair.master].shape.to_body(e.centroid_master));
+                f(memory[k], e.volume, velocity[at], tangential<D>(U, e.normal));
+            }
+        }
+    };
+    for_each_carried([&](const FilmMemory<D>* old, double volume, const Vec<D>& u, const Vec<D>& along) {
+        Sum& sum = sums[old];
+        sum.volume += volume;
+        sum.motion += volume * (u - along).squaredNorm();
+    });
+    for_each_carried([&](const FilmMemory<D>* old, double, Vec<D>& u, const Vec<D>& along) {
+        const Sum& sum = sums[old];
+        const double most = old->motion() * std::max(1.0, sum.volume / old->volume());
+        if (sum.motion > most)
+            u = along + std::sqrt(most / sum.motion) * (u - along);
+    });
+}
+
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
                          const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
@@ -416,6 +455,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                 w += (normal_speed[flow.velocity.size()] - w.dot(e.normal)) / across * n_bar;
             flow.velocity.push_back(tangential<D>(w, e.normal));
         }
+    limit_motion(network, solids, memory, at_element, flow.velocity);
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& conduit = conduits[r];
         const Film<D>& film = network.films[conduit.film];

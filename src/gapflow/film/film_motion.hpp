@@ -50,6 +50,9 @@ public:
         return transport(x_body, 0.0, hint);
     }
     int elements() const { return static_cast<int>(elements_.size()); }
+    /// Sums over the elements: volume S, and S |u - P U_m|^2, twice the energy of the motion along the master at density 1.
+    double volume() const { return volume_; }
+    double motion() const { return motion_; }
     /// Velocity of the master's old rigid motion at a point of its frame (world axes).
     Vec<D> master_velocity(const Vec<D>& x_body) const;
     /// The old mouth that a new one at this place continues; null: none near.
@@ -72,7 +75,7 @@ private:
     Index<D> bin(const Vec<D>& x_body) const;
     long bin_key(const Index<D>& bin) const;
 
-    double dx_;
+    double dx_, volume_ = 0, motion_ = 0;
     Mat<D> rotation_;       ///< of the master, at the time
     Vec<D> centre_body_;    ///< the master's reference point in its frame
     Twist<D> twist_;

@@ -24,8 +24,8 @@ constexpr double resting = 2.0;
 // A contact whose opening rate changes by less than this times what the forces add leaves its bodies' motion smooth.
 constexpr double smooth = 0.05;
 // Rounds after which contacts change one at a time.
-constexpr int rounds_at_once = 8;
-constexpr double friction_accuracy = 1e-5; // of the friction's bound
+constexpr int rounds_at_once = 15;
+constexpr double friction_accuracy = 1e-3; // of the friction's bound
 
 template <int D>
 std::array<Vec<D>, D - 1> tangents_of(const Vec<D>& n)
