@@ -217,11 +217,15 @@ struct Classifier {
             if (faces.open(side / 2, cell + (side % 2) * step<D>(side / 2)) > negligible_opening)
                 return false;
         std::optional<Vec<D>> master, other; // area of their parts of the faces
-        for (int side = 0; side < 2 * D; ++side)
-            for (const SolidPart<D>& part : faces.parts(side / 2, cell + (side % 2) * step<D>(side / 2)))
+        for (int side = 0; side < 2 * D; ++side) {
+            const std::span<const SolidPart<D>> parts = faces.parts(side / 2, cell + (side % 2) * step<D>(side / 2));
+            if (parts.empty()) // the cell lies in one solid
+                return false;
+            for (const SolidPart<D>& part : parts)
                 for (auto [solid, area] : {std::pair(pair.master, &master), std::pair(pair.other, &other)})
                     if (part.solid == solid)
                         *area = area->value_or(Vec<D>::Zero()) + (2 * (side % 2) - 1) * part.fraction * unit<D>(side / 2);
+        }
         return master && other && master->norm() > 1e-12 && other->norm() > 1e-12;
     }
 
