@@ -88,7 +88,7 @@ Quantity quantity_of(const std::string& name, const Scene& scene)
         throw InputError("quantity " + name + ": there is no '" + column + "'" +
                          (near.empty() ? "" : ", did you mean '" + near + "'?") + "; choose from " + joined(columns));
     };
-    if (has(bodies, owner)) {
+    if (dot != std::string::npos && has(bodies, owner)) {
         check_column(body_columns(scene.dimension));
         return {name, column, owner, "", ""};
     }

@@ -81,7 +81,7 @@ class Converge(unittest.TestCase):
         self.assertGreater(record[1]["slope_l2"], 1.7)  # second order in time
         self.assertIn("slope", done.stdout)
         for n, factor in ((16, 1), (32, 2), (64, 4)):
-            scene = json.loads((self.out / f"cells_{n}" / "run.json").read_text())["scene"]
+            scene = json.loads(json.loads((self.out / f"cells_{n}" / "run.json").read_text())["scene"])
             self.assertEqual(scene["domain"]["cells"], [n, n // 2])
             self.assertAlmostEqual(scene["time"]["max_step"], 0.05 / factor, places=14)
             self.assertAlmostEqual(scene["time"]["gap_cfl"], 0.25 / factor, places=14)
