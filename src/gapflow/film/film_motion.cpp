@@ -18,6 +18,9 @@ constexpr double memory_reach = 2.0;
 constexpr double same_element = 0.25;
 // Interpolated velocities relative to the master exceed those of the elements around by this factor at most.
 constexpr double surplus_bound = 1.5;
+// Energy of a pair's films after their transport over that before it, at most.
+constexpr double most_growth = 1.05;
+constexpr double inflow_margin = 1.5; // on what flows in through mouths
 // A mouth continues an old one within this many cells.
 constexpr double mouth_reach = 2.0;
 // Films of up to this many elements are searched without bins.
@@ -361,14 +364,16 @@ std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<c
     return speed;
 }
 
-// Transport alone adds no energy to the motion of a pair's film along its master, but for the volume that came with it. What
-// would (traces extrapolated beyond its ends, flux over a thinner gap) grows step by step in a throat that is swept fast.
+// Transport adds little energy to the motion of a pair's film along its master, but for what flows in through its mouths and
+// for the volume that came with it. What else would add energy (traces extrapolated beyond the ends, flux over a thinner gap)
+// grows several times a step in a throat that is swept fast.
 template <int D>
 void limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
-                  const std::vector<typename FilmMemory<D>::Transported>& at_element, std::vector<Vec<D>>& velocity)
+                  const std::vector<typename FilmMemory<D>::Transported>& at_element,
+                  const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
 {
     struct Sum {
-        double volume = 0, motion = 0;
+        double volume = 0, motion = 0, inflow = 0;
     };
     std::map<const FilmMemory<D>*, Sum> sums;
     auto for_each_carried = [&](auto&& f) {
@@ -389,9 +394,18 @@ void limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solid
         sum.volume += volume;
         sum.motion += volume * (u - along).squaredNorm();
     });
+    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        const FilmMemory<D>* old = memory[conduits[r].film];
+        if (!old || !at_conduit[r].near)
+            continue;
+        const PlacedShape<D>& master = solids[network.films[conduits[r].film].pair.master].shape;
+        const double u = conduits[r].outward.dot(at_conduit[r].velocity - old->master_velocity(master.to_body(conduits[r].x)));
+        sums[old].inflow += conduits[r].length * conduits[r].h * std::pow(std::max(-u, 0.0), 3) * dt;
+    }
     for_each_carried([&](const FilmMemory<D>* old, double, Vec<D>& u, const Vec<D>& along) {
         const Sum& sum = sums[old];
-        const double most = old->motion() * std::max(1.0, sum.volume / old->volume());
+        const double most = inflow_margin * sum.inflow + most_growth * old->motion() * std::max(1.0, sum.volume / old->volume());
         if (sum.motion > most)
             u = along + std::sqrt(most / sum.motion) * (u - along);
     });
@@ -455,7 +469,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                 w += (normal_speed[flow.velocity.size()] - w.dot(e.normal)) / across * n_bar;
             flow.velocity.push_back(tangential<D>(w, e.normal));
         }
-    limit_motion(network, solids, memory, at_element, flow.velocity);
+    limit_motion(network, solids, memory, at_element, at_conduit, dt, flow.velocity);
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& conduit = conduits[r];
         const Film<D>& film = network.films[conduit.film];

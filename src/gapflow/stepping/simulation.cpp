@@ -168,6 +168,7 @@ template <int D>
 const FaceField<D, std::int8_t>* Simulation<D>::faces_near_mouths()
 {
     constexpr int reach = 2; // cells
+    constexpr double least_weight = 1e-3;
     const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
     if (conduits.empty())
         return nullptr;
@@ -177,6 +178,8 @@ const FaceField<D, std::int8_t>* Simulation<D>::faces_near_mouths()
         near_mouths_[axis].fill(0);
     for (const Conduit<D>& conduit : conduits)
         for (const auto& [key, weight] : conduit.cells) {
+            if (std::abs(weight) < least_weight) // round-off must not choose faces
+                continue;
             const Index<D> c = grid_.cell_of_key(key);
             for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 2), [&](const Index<D>& f) {
                 for (int axis = 0; axis < D; ++axis)
