@@ -130,10 +130,15 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     const auto timer = stages_.measure("advection");
     FluidVelocity<D> u_star;
     u_star.grid = FaceField<D>(grid_);
+    std::vector<Twist<D>> predicted = twists();
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        predicted[b] = predicted_twist(bodies_[b], time_, dt);
+    FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted,
+                                       [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
     const BoundaryVelocity<D> sides = side_velocities(time_);
     const AdvectionScheme scheme = scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack
                                                                                     : AdvectionScheme::semi_lagrangian;
-    advect<D>(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides, nullptr, faces_near_mouths());
+    advect<D>(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides, nullptr, faces_near_jets(flow.conduit));
     if (any_film_faces_) {
         const auto& cells = coupling_->network.cells.cells;
         auto beside_film = [&](int axis, const Index<D>& f) {
@@ -150,11 +155,6 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     }
     fill_velocity_ghosts(grid_, u_star.grid, side_velocities(time_ + dt));
 
-    std::vector<Twist<D>> predicted = twists();
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        predicted[b] = predicted_twist(bodies_[b], time_, dt);
-    FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted,
-                                       [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
     u_star.film = std::move(flow.velocity);
     u_star.film_normal = std::move(flow.normal);
     u_star.conduit = std::move(flow.conduit);
@@ -162,32 +162,45 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     return u_star;
 }
 
-// Faces near the cells that a film's mouth joins: the jets there are thinner than a cell, and MacCormack's correction, clamped
-// or not, feeds on them until the flow through a valve's seat grows without bound.
+// Faces near the mouths of films that flow out somewhere: the jets there are thinner than a cell, and MacCormack's correction,
+// clamped or not, feeds on them until the flow through a valve's seat grows without bound. Where a film only fills, it stays.
+// `flux`: out of each conduit, absolute.
 template <int D>
-const FaceField<D, std::int8_t>* Simulation<D>::faces_near_mouths()
+const FaceField<D, std::int8_t>* Simulation<D>::faces_near_jets(const std::vector<double>& flux)
 {
     constexpr int reach = 2; // cells
-    constexpr double least_weight = 1e-3;
+    constexpr double least_weight = 1e-3; // round-off must not choose faces
     const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
-    if (conduits.empty())
+    const std::vector<Twist<D>> V = twists();
+    std::vector<char> flows_out(coupling_->network.films.size(), 0);
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        const Conduit<D>& conduit = conduits[r];
+        const int master = coupling_->network.films[conduit.film].mesh.master;
+        const Vec<D> U = velocity_at<D>(V[master], conduit.x - coupling_->solids[master].centre);
+        if (flux[r] > conduit.length * conduit.h * conduit.outward.dot(U))
+            flows_out[conduit.film] = 1;
+    }
+    if (std::none_of(flows_out.begin(), flows_out.end(), [](char out) { return out; }))
         return nullptr;
-    if (near_mouths_[0].size() == 0)
-        near_mouths_ = FaceField<D, std::int8_t>(grid_);
+    if (near_jets_[0].size() == 0)
+        near_jets_ = FaceField<D, std::int8_t>(grid_);
     for (int axis = 0; axis < D; ++axis)
-        near_mouths_[axis].fill(0);
-    for (const Conduit<D>& conduit : conduits)
+        near_jets_[axis].fill(0);
+    for (const Conduit<D>& conduit : conduits) {
+        if (!flows_out[conduit.film])
+            continue;
         for (const auto& [key, weight] : conduit.cells) {
-            if (std::abs(weight) < least_weight) // round-off must not choose faces
+            if (std::abs(weight) < least_weight)
                 continue;
             const Index<D> c = grid_.cell_of_key(key);
             for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 2), [&](const Index<D>& f) {
                 for (int axis = 0; axis < D; ++axis)
-                    if (near_mouths_[axis].block().contains(f))
-                        near_mouths_(axis, f) = 1;
+                    if (near_jets_[axis].block().contains(f))
+                        near_jets_(axis, f) = 1;
             });
         }
-    return &near_mouths_;
+    }
+    return &near_jets_;
 }
 
 // Stage 5: twists of free bodies after all forces but the fluid's, of others as given.

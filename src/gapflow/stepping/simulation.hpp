@@ -89,7 +89,7 @@ private:
     void find_contacts(double dt);
     void rebuild();
     FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale);
-    const FaceField<D, std::int8_t>* faces_near_mouths();
+    const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
     std::vector<Twist<D>> forced_twists(double dt) const;
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
     void continue_velocities();
@@ -122,7 +122,7 @@ private:
     FaceField<D> painted_;                  ///< velocity with films painted in, continued
     FaceField<D, std::int8_t> film_faces_;  ///< faces that take the painted velocity
     bool any_film_faces_ = false;
-    FaceField<D, std::int8_t> near_mouths_;
+    FaceField<D, std::int8_t> near_jets_;
     UnknownVector<D> impulse_;              ///< p
     ContactSet<D> contacts_;                ///< of the last step
     FilmMemories<D> memories_;
