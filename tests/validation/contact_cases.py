@@ -92,9 +92,7 @@ def plates_approach(cells, h0, exit_law):
 
 
 def plates_meet(quick):
-    for cells, reversible, jet in ((64, 0.06, 0.10), (128, 0.04, 0.05)):
-        if quick and cells > 64:
-            continue
+    for cells, reversible, jet in () if quick else ((64, 0.06, 0.10), (128, 0.04, 0.05)):
         closing, states, result = plates_approach(cells, 0.02, "reversible")
         error = max(abs(ratio - 1) for _, ratio in closing)
         yield Row(SECTION, f"rectangles approach from h = 0.02, reversible mouths, {cells}²: ḣ(h) down to {closing[-1][0]:.2g}",
@@ -127,10 +125,10 @@ def box_on_floor(end):
 def rest(quick):
     end = 10.0 if quick else 100.0
     result = harness.run(box_on_floor(end))
-    gaps, rows = result["gaps"][2:], track(result, "box")
+    gaps, rows = [row for row in result["gaps"] if row["time"] > 1], track(result, "box")
     force = max(abs(row["contact_force"] / 0.5 - 1) for row in gaps)
     drift = max(math.hypot(row["x"] - 2.013, row["y"] - 0.25) for row in rows)
-    yield Row(SECTION, f"box on the floor to t = {end:g} √(size/g): contact force over weight less buoyancy − 1, drift over size", "≤ 1e-6",
+    yield Row(SECTION, f"box on the floor to t = {end:g} √(size/g): contact force over weight less buoyancy − 1 after t = 1, drift over size", "≤ 1e-6",
               f"{force:.1e}, {drift:.1e}", force <= 1e-6 and drift <= 1e-6)
 
 
@@ -222,7 +220,9 @@ def random_scene(number):
 def random_scenes(quick):
     import tempfile
     from pathlib import Path
-    count, steps = (12, 10) if quick else (200, 50)
+    if quick:
+        return
+    count, steps = 200, 50
     bad, unsettled, grown = [], 0, 0.0
     for number in range(count):
         scene, dimension = random_scene(number)
