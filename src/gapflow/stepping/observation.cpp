@@ -180,6 +180,15 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
     report.energy_bodies = sums.energy_bodies;
     UnknownVector<D> rest;
     outflow(*coupling_, velocity_, twists(), rest);
+    // Joints keep no flux of their own: it is what the last projection drove through them.
+    const std::vector<Link>& links = coupling_->system.links;
+    for (std::size_t r = coupling_->network.mouths.conduits.size(); r < links.size(); ++r) {
+        double drop = 0;
+        for (const auto& [node, weight] : links[r].nodes)
+            drop += weight * impulse_.nodes[node];
+        for (const auto& [node, weight] : links[r].nodes)
+            rest.nodes[node] += links[r].conductance * weight * drop;
+    }
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
     for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) { worst = std::max(worst, std::abs(rest.cells(c))); });
     report.divergence_max = grid_.comm().max(worst) / std::pow(grid_.dx(), D);
