@@ -80,14 +80,14 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
 {
     // No surface moves faster than this.
     std::vector<double> speed(solids.size());
-    double fastest = 0, thickest = 0;
+    double fastest = 0;
     for (std::size_t s = 0; s < solids.size(); ++s) {
         const double radius = bounding_radius<D>(world_bounds(solids[s].shape));
         const double spin = twists[s].template tail<spin_size<D>>().norm();
         speed[s] = twists[s].template head<D>().norm() + (spin > 0 ? spin * std::min(2 * radius, (high_ - low_).norm()) : 0.0);
         fastest = std::max(fastest, speed[s]);
     }
-    thickest = std::max(scene_->contact.thickness, scene_->gap.roughness);
+    double thickest = std::max(scene_->contact.thickness, scene_->gap.roughness);
     for (const PairScene& pair : scene_->pairs)
         thickest = std::max({thickest, pair.contact.thickness, pair.gap.roughness});
     auto reach = [&](int a, int b) { return law(a, b).hold + cushion * dx_ + 2 * dt * (speed[a] + speed[b]); };
@@ -188,7 +188,6 @@ bool ContactSet<D>::push_apart(std::vector<RigidBody<D>>& bodies) const
 template <int D>
 void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt)
 {
-    changes_ = 0;
     for (Contact<D>& c : contacts_) {
         c.approach = rate(c.normal, c, before);
         c.gained = std::abs(rate(c.normal, c, forced) - c.approach);

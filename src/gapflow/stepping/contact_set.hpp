@@ -75,7 +75,6 @@ private:
     std::vector<std::string> names_;
     std::vector<ContactFeatures<D>> features_;
     std::vector<Contact<D>> contacts_;
-    int changes_ = 0;
 };
 
 } // namespace gapflow

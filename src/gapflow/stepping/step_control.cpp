@@ -1,4 +1,4 @@
-// How long a step may be, and where gaps must be stopped at the contact thickness (method, section 5, stage 1).
+// How long a step may be (method, section 5, stage 1).
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/body/forces.hpp"
