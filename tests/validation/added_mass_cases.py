@@ -384,7 +384,7 @@ def jump(quick):
             yield Row(JUMP, f"{name}, {n} cells a side", target, text, ok)
 
     reference = table("I4_rectangles_box4.csv")
-    wide = 0.999 * 1.75    # cells, just below h_c
+    wide = 0.999 * 2.25    # cells, just below h_c
 
     def plates(n):
         h = wide * 4 / n
@@ -393,8 +393,8 @@ def jump(quick):
         t = math.log(h / below) / math.log(above / below)
         return 1 / (12 * h) + (1 - t) * rest[below] + t * rest[above]
 
-    yield from rows("rectangles, h = 1.75 cells", lambda n, s: rectangles(n, wide * 4 / n, s), (0.0, 1.0), (64, 128), plates)
-    yield from rows("rectangles turned by 25°, h = 1.75 cells", lambda n, s: rectangles(n, wide * 4 / n, s, 25), rotate((0.0, 1.0), 25), (64, 128), plates)
+    yield from rows("rectangles, h = 2.25 cells", lambda n, s: rectangles(n, wide * 4 / n, s), (0.0, 1.0), (64, 128), plates)
+    yield from rows("rectangles turned by 25°, h = 2.25 cells", lambda n, s: rectangles(n, wide * 4 / n, s, 25), rotate((0.0, 1.0), 25), (64, 128), plates)
     # Between curved bodies a film just below h_c = 0.5 cells has no cell of its own and is dropped: 0.4 cells is where it acts.
     yield from rows("cylinders, gap 0.4 cells", lambda n, s: rectangles(n, 0.4 * 4 / n, s, shape="ball"), (0.0, 1.0), (64, 128))
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double sample_distance = 0.5;     // of a conduit's grid pressure beyond the rim, in dx
 constexpr double mouth_radius = 0.8;        // r in the mouth formulas, in dx: what the grid itself resolves
-constexpr double minimum_resistance = 0.2;
+constexpr double open_resistance = 0.2;      // of a mouth on an open side
+constexpr double minimum_resistance = 0.02;  // keeps wide mouths positive
 constexpr double rim_spacing = 0.125;       // of points along a rim, in dx
 constexpr double smooth_rim_spacing = 0.5;  // the same where the film goes out between curved surfaces
 constexpr double full_aperture = 0.25;      // a cell counts in full for a conduit if its open fractions sum to this
@@ -470,20 +471,23 @@ private:
 } // namespace
 
 // Potential flow from a half-plane into a slot (conformal map dz/dzeta = (h / pi) sqrt(zeta^2 - 1) / zeta), matched at
-// r = 0.8 dx; a smooth end is a channel up to the sample point, and the 1/6 is what multilinear interpolation and its
-// transpose lose, f (1 - f) dx / h in the mean.
+// r = 0.8 dx. Beside a wall that goes on the slot's mirror image moves away from its mouth as h grows, and the grid resolves
+// less of the flow between them: r grows with h (its factor was measured). A smooth end is a channel up to the sample point,
+// and the 1/6 is what multilinear interpolation and its transpose lose, f (1 - f) dx / h in the mean.
 double mouth_resistance(ConduitKind kind, double h, double dx)
 {
     using std::numbers::pi;
+    constexpr double mirror_part = 0.14;
     const double r = mouth_radius * dx;
-    double resistance = minimum_resistance;
     if (kind == ConduitKind::edge_edge)
-        resistance = (std::log(pi * r / (2 * h)) + 1) / pi;
-    else if (kind == ConduitKind::edge_face)
-        resistance = 2 * (std::log(pi * r / (4 * h)) + 1) / pi;
-    else if (kind == ConduitKind::smooth)
-        resistance = (sample_distance + 1.0 / 6.0) * dx / h;
-    return std::max(resistance, minimum_resistance);
+        return std::max((std::log(pi * r / (2 * h)) + 1) / pi, minimum_resistance);
+    if (kind == ConduitKind::edge_face) {
+        const double wide = std::pow(std::pow(r, 4) + mirror_part * std::pow(h, 4), 0.25);
+        return std::max(2 * (std::log(pi * wide / (4 * h)) + 1) / pi, minimum_resistance);
+    }
+    if (kind == ConduitKind::smooth)
+        return std::max((sample_distance + 1.0 / 6.0) * dx / h, minimum_resistance);
+    return open_resistance;
 }
 
 template <int D>

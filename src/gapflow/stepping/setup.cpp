@@ -12,7 +12,7 @@ namespace {
 // h_floor in cells: touching or overlapping surfaces keep a finite system.
 constexpr double floor_in_cells = 1e-9;
 // Automatic h_c in cells: two flat surfaces; a curved one, for added mass alone and in motion.
-constexpr double flat_threshold = 1.75;
+constexpr double flat_threshold = 2.25;
 constexpr double curved_threshold = 0.5;
 constexpr double moving_curved_threshold = 1.5;
 

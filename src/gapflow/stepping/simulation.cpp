@@ -81,8 +81,8 @@ StepReport Simulation<D>::step(double next_output)
     for (std::size_t r = 0; r < conduit_scale.size(); ++r)
         coupling_->system.links[r].conductance *= conduit_scale[r];
     project(std::move(u_star), forced_twists(dt), dt, report);
-    continue_velocities();
     time_ = next_output - (time_ + dt) < 1e-12 * next_output ? next_output : time_ + dt;
+    continue_velocities();
     ++steps_;
     finish_report(report, dt);
     report.seconds = now() - start;
