@@ -1,5 +1,6 @@
 // Memory of grid-sized arrays: in huge pages where the system has them, because a stencil over a large 3D array otherwise
-// waits for address translation.
+// waits for address translation. What a time step frees is kept for the next one, which asks for the same sizes: pages from the
+// system cost as much as computing on them.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +8,18 @@
 #include <new>
 #include <vector>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace gapflow {
+
+/// Blocks of at least this many bytes are kept when they are freed.
+constexpr std::size_t least_large_block = std::size_t{1} << 20;
+
+/// A block of at least `bytes` bytes, its content arbitrary. Throws std::bad_alloc. Any thread.
+void* take_large_block(std::size_t bytes);
+/// Gives back what take_large_block(bytes) gave: kept for the next of about that size, as long as the process keeps less than it
+/// uses.
+void give_large_block(void* memory, std::size_t bytes);
+/// Bytes kept and not in use.
+std::size_t kept_large_memory();
 
 /// Allocator of std::vector.
 template <class T>
@@ -25,19 +33,22 @@ struct LargeMemory {
     }
     T* allocate(std::size_t n)
     {
-        constexpr std::size_t page = std::size_t{1} << 21, line = 64;
-        const bool large = n * sizeof(T) >= 2 * page;
-        const std::size_t unit = large ? page : line, bytes = (n * sizeof(T) + unit - 1) / unit * unit;
-        void* memory = std::aligned_alloc(unit, bytes);
+        constexpr std::size_t line = 64;
+        const std::size_t bytes = (n * sizeof(T) + line - 1) / line * line;
+        void* memory = bytes >= least_large_block ? take_large_block(bytes) : std::aligned_alloc(line, bytes);
         if (!memory)
             throw std::bad_alloc();
-#ifdef __linux__
-        if (large)
-            madvise(memory, bytes, MADV_HUGEPAGE); // a wish
-#endif
         return static_cast<T*>(memory);
     }
-    void deallocate(T* memory, std::size_t) { std::free(memory); }
+    void deallocate(T* memory, std::size_t n)
+    {
+        constexpr std::size_t line = 64;
+        const std::size_t bytes = (n * sizeof(T) + line - 1) / line * line;
+        if (bytes >= least_large_block)
+            give_large_block(memory, bytes);
+        else
+            std::free(memory);
+    }
     friend bool operator==(const LargeMemory&, const LargeMemory&) { return true; }
 };
 

@@ -50,8 +50,14 @@ int label_block(Coupling<D>& coupling, CellField<D, int>& label)
     return count;
 }
 
-std::vector<int> gather(const Communicator& comm, const std::vector<int>& mine)
+// The pairs of all ranks.
+std::vector<std::pair<int, int>> gathered(const Communicator& comm, const std::set<std::pair<int, int>>& pairs)
 {
+    std::vector<int> mine;
+    for (const auto& [a, b] : pairs) {
+        mine.push_back(a);
+        mine.push_back(b);
+    }
     const int n = static_cast<int>(mine.size());
     std::vector<int> counts(comm.size()), starts(comm.size(), 0);
     MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm.mpi());
@@ -59,7 +65,10 @@ std::vector<int> gather(const Communicator& comm, const std::vector<int>& mine)
         starts[r] = starts[r - 1] + counts[r - 1];
     std::vector<int> all(starts.back() + counts.back());
     MPI_Allgatherv(mine.data(), n, MPI_INT, all.data(), counts.data(), starts.data(), MPI_INT, comm.mpi());
-    return all;
+    std::vector<std::pair<int, int>> result;
+    for (std::size_t i = 0; i + 1 < all.size(); i += 2)
+        result.emplace_back(all[i], all[i + 1]);
+    return result;
 }
 
 // K^T 1_k of the free bodies, one column a component, and the size of its terms before constraints took their part.
@@ -217,23 +226,21 @@ void find_components(Coupling<D>& coupling)
                 pairs.insert({label(below), label(f)});
         });
     }
+    std::set<std::pair<int, int>> links;
     for (const Link& link : system.links) {
         if (link.conductance <= 0 || link.nodes.empty())
             continue;
         for (const auto& [key, weight] : link.cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && label(c) >= 0)
-                pairs.insert({label(c), cells_total + link.nodes.front().first});
+                links.insert({label(c), cells_total + link.nodes.front().first});
     }
-    std::vector<int> list;
-    for (const auto& [a, b] : pairs) {
-        list.push_back(a);
-        list.push_back(b);
+    DisjointSets parts(cells_total), sets(cells_total + system.nodes);
+    for (const auto& [a, b] : gathered(comm, pairs)) {
+        parts.join(a, b);
+        sets.join(a, b);
     }
-    list = gather(comm, list);
-
-    DisjointSets sets(cells_total + system.nodes);
-    for (std::size_t i = 0; i + 1 < list.size(); i += 2)
-        sets.join(list[i], list[i + 1]);
+    for (const auto& [a, b] : gathered(comm, links))
+        sets.join(a, b);
     for (const Film<D>& film : coupling.network.films)
         for (const FilmElement<D>& e : film.mesh.elements)
             for (int i = 1; i < D; ++i)
@@ -245,6 +252,14 @@ void find_components(Coupling<D>& coupling)
     const std::vector<int> number = sets.numbers(count);
 
     system.components.assign(count, {});
+    int part_count = 0;
+    const std::vector<int> part = parts.numbers(part_count);
+    std::vector<char> counted(part_count, 0);
+    for (int l = 0; l < cells_total; ++l)
+        if (!counted[part[l]]) {
+            counted[part[l]] = 1;
+            ++system.components[number[l]].grid_parts;
+        }
     std::vector<double> facts(2 * static_cast<std::size_t>(count), 0.0); // cells; faces on open sides
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         int& l = label(c);
@@ -261,6 +276,8 @@ void find_components(Coupling<D>& coupling)
         }
     });
     comm.sum(facts);
+    for (int k = 0; k < count; ++k)
+        system.components[k].open_faces = facts[2 * k + 1] > 0;
     exchange(grid, label, 1);
     system.node_component.resize(system.nodes);
     for (int node = 0; node < system.nodes; ++node) {

@@ -106,15 +106,15 @@ void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
     coupling.cell_flux.clear();
     coupling.node_flux.clear();
     const std::vector<Solid<D>>& solids = coupling.solids;
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+    for (const Index<D>& c : coupling.fractions->surface_cells) {
         const auto kind = static_cast<CellKind>(coupling.kind(c));
         if (kind != CellKind::bulk && kind != CellKind::mixed)
-            return;
+            continue;
         for_each_body_flux(grid, *coupling.fractions, c, [&](int solid, const Twist<D>& flux) {
             if (!solids[solid].wall)
                 coupling.cell_flux.push_back({c, solid, flux});
         });
-    });
+    }
     for (const auto& [key, fluxes] : rows.cells) {
         const Index<D> c = grid.cell_of_key(key);
         if (!grid.owns(c))

@@ -44,6 +44,8 @@ struct BodyFlux {
 struct Component {
     bool grounded = false; ///< touches an open side: its pressure level is fixed
     long unknowns = 0;
+    int grid_parts = 0;      ///< parts of it that the grid's faces alone connect
+    bool open_faces = false; ///< faces of the grid lead to an open side
 };
 
 template <int D>

@@ -67,13 +67,22 @@ struct Continuation {
     void first_sweep()
     {
         std::vector<Index<D>> invalid;
-        for_each_index<D>(low, end, [&](const Index<D>& f) {
-            if (valid(f) == 0) {
-                u(f) = 0;
-                invalid.push_back(f);
-            } else {
-                valid(f) = 1;
+        const int n = end[0] - low[0];
+        for_each_row<D>(low, end, [&](const Index<D>& row) {
+            std::int8_t* mark = &valid(row);
+            int holes = 0;
+            for (int i = 0; i < n; ++i) {
+                mark[i] = mark[i] != 0;
+                holes += 1 - mark[i];
             }
+            if (holes == 0)
+                return;
+            Index<D> f = row;
+            for (int i = 0; i < n; ++i, ++f[0])
+                if (mark[i] == 0) {
+                    u(f) = 0;
+                    invalid.push_back(f);
+                }
         });
         exchange(grid, valid, 2);
         exchange(grid, u, 2);

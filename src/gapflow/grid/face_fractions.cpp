@@ -55,6 +55,7 @@ public:
             visit(first.cwiseMax(low_), (first + Index<D>::Constant(bins.width())).cwiseMin(end), 0);
         });
         clip_beyond_periodic_sides();
+        list_surface_cells();
         close_sides();
         complete_hulls();
         for (int axis = 0; axis < D; ++axis)
@@ -165,6 +166,20 @@ private:
                 if (grid_.periodic(axis) && (cell[axis] < 0 || cell[axis] >= grid_.cells()[axis]))
                     return clip_cell(cell);
         });
+    }
+
+    void list_surface_cells()
+    {
+        std::vector<Index<D>>& cells = result_.surface_cells;
+        std::copy_if(surface_cells_.begin(), surface_cells_.end(), std::back_inserter(cells),
+                     [&](const Index<D>& cell) { return grid_.owns(cell); });
+        std::sort(cells.begin(), cells.end(), [](const Index<D>& a, const Index<D>& b) {
+            for (int axis = D - 1; axis > 0; --axis)
+                if (a[axis] != b[axis])
+                    return a[axis] < b[axis];
+            return a[0] < b[0];
+        });
+        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     }
 
     // Faces on the domain's closed sides belong to their walls.

@@ -77,6 +77,7 @@ struct FaceFractions {
     FaceField<D> open;                  ///< a_f; 0 on closed sides of the domain and beyond the faces that are filled
     FaceField<D, int> cut;              ///< index into `faces`, or -1: wholly open, or solid with only its solid around
     std::vector<ClippedFace<D>> faces;
+    std::vector<Index<D>> surface_cells; ///< this rank's cells that a solid other than a wall touches, first axis fastest
 };
 
 /// Clips the faces within reach of a surface and fills the rest by flood: open outside, closed inside. A wholly solid face

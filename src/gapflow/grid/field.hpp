@@ -4,7 +4,10 @@
 #include "gapflow/core/large_memory.hpp"
 #include "gapflow/grid/grid.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace gapflow {
@@ -100,6 +103,26 @@ public:
 private:
     std::array<CellField<D, T>, D> components_;
 };
+
+/// Calls f(index) for every entry of the box low <= i < high that is at least `least`, first axis fastest; rows without one cost
+/// a pass over their bytes.
+template <int D, class F>
+void for_each_marked(const CellField<D, std::int8_t>& field, const Index<D>& low, const Index<D>& high, std::int8_t least, F&& f)
+{
+    const int n = high[0] - low[0];
+    for_each_row<D>(low, high, [&](const Index<D>& row) {
+        const std::int8_t* value = &field(row);
+        std::int8_t largest = std::numeric_limits<std::int8_t>::min();
+        for (int i = 0; i < n; ++i)
+            largest = std::max(largest, value[i]);
+        if (largest < least)
+            return;
+        Index<D> at = row;
+        for (int i = 0; i < n; ++i, ++at[0])
+            if (value[i] >= least)
+                f(static_cast<const Index<D>&>(at));
+    });
+}
 
 /// Fills the ghosts that other ranks own (also across periodic sides), to the depth of `layers` (default: all). What lies
 /// beyond walls, open and inflow sides is left as it is. Collective. For face fields the domain's last faces travel along.

@@ -56,9 +56,17 @@ template <int D>
 void ConstantCorrection<D>::number_columns()
 {
     const Grid<D>& grid = *system_.grid;
-    GridParts<D> parts = find_grid_parts(system_);
-    part_ = std::move(parts.part);
-    std::vector<double> acted(parts.size.size(), 0.0);
+    std::vector<char> grounded;
+    if (std::all_of(system_.components.begin(), system_.components.end(), [](const Component& c) { return c.grid_parts <= 1; })) {
+        part_ = system_.component;
+        for (const Component& component : system_.components)
+            grounded.push_back(component.open_faces);
+    } else {
+        GridParts<D> parts = find_grid_parts(system_);
+        part_ = std::move(parts.part);
+        grounded = parts.grounded;
+    }
+    std::vector<double> acted(grounded.size(), 0.0);
     for (const auto& entry : system_.cell_flux)
         if (const int k = part_(entry.row); k >= 0)
             acted[k] = 1;
@@ -67,9 +75,9 @@ void ConstantCorrection<D>::number_columns()
             if (const Index<D> c = grid.cell_of_key(entry.first); grid.owns(c) && part_(c) >= 0)
                 acted[part_(c)] = 1;
     grid.comm().sum(acted);
-    std::vector<int> column(parts.size.size(), -1);
+    std::vector<int> column(grounded.size(), -1);
     for (std::size_t k = 0; k < column.size(); ++k)
-        if (acted[k] > 0 && !parts.grounded[k])
+        if (acted[k] > 0 && !grounded[k])
             column[k] = columns_++;
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         if (int& k = part_(c); k >= 0)

@@ -334,6 +334,36 @@ void values_near(const double* field, const std::array<long, D>& stride, const L
         result[i] = interpolate_near<D, r, r, r>(field + i, stride, d[0][i], d[1][i], d[D - 1][i]);
 }
 
+// The octants in which feet lie, seen from their faces: bit k for d_k < 0. The correction needs no more of the first trace.
+constexpr std::int8_t far_away = 64; // of a piece's first face: the feet were traced one by one
+
+template <int D>
+void store_octants(const Lanes<D>& d, int n, std::int8_t* octant)
+{
+    for (int i = 0; i < n; ++i) {
+        int bits = 0;
+        for (int k = 0; k < D; ++k)
+            bits |= (d[k][i] < 0) << k;
+        octant[i] = static_cast<std::int8_t>(bits);
+    }
+}
+
+// Least and largest value at the corners of the cells in which feet lie.
+template <int D>
+void ranges_near(const double* field, const std::array<long, D>& stride, const std::int8_t* octant, int n, double* low, double* high)
+{
+    Lanes<D> side;
+    for (int k = 0; k < D; ++k)
+        for (int i = 0; i < n; ++i)
+            side[k][i] = octant[i] >> k & 1 ? -1.0 : 1.0;
+#pragma omp simd
+    for (int i = 0; i < n; ++i) {
+        const double* p = field + i;
+        low[i] = extreme_near<D>(p, stride, side[0][i], side[1][i], side[D - 1][i], [](double a, double b) { return a < b ? a : b; });
+        high[i] = extreme_near<D>(p, stride, side[0][i], side[1][i], side[D - 1][i], [](double a, double b) { return a > b ? a : b; });
+    }
+}
+
 // Calls f(offset of the first face in its field, position of its centre in cells, number of faces) for pieces of rows, of up
 // to `lanes` owned faces normal to Axis, that make up all of them; planes are shared out over threads.
 template <int D, int Axis, class F>
@@ -376,7 +406,7 @@ void for_owned_faces(const Grid<D>& grid, const Block<D>& block, F&& f)
 template <int D, int Axis>
 void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField<D>& u, const CellField<D>& carried, double dt,
                       AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceFractions<D>* fractions,
-                      const CellField<D, std::int8_t>* plain, CellField<D>& hat_field)
+                      const CellField<D, std::int8_t>* plain, CellField<D>& hat_field, CellField<D, std::int8_t>& octants)
 {
     const Tracer<D, Axis> tracer(grid, u);
     const auto& stride = tracer.stride;
@@ -391,12 +421,19 @@ void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField
     };
 
     double* hat = corrected ? hat_field.data() : out;
+    std::int8_t* const octant = corrected ? octants.data() : nullptr;
     for_owned_pieces<D, Axis>(grid, block, [&](long first, Point<D> x, int n) {
         RowTracer<D, Axis> rows(tracer);
         Lanes<D> d;
         rows.start(first, x, n);
-        if (rows.trace(courant, d))
-            return values_near<D>(phi + first, stride, d, n, hat + first);
+        if (rows.trace(courant, d)) {
+            values_near<D>(phi + first, stride, d, n, hat + first);
+            if (octant)
+                store_octants<D>(d, n, octant + first);
+            return;
+        }
+        if (octant)
+            octant[first] = far_away;
         for (long f = first; f < first + n; ++f, ++x[0])
             hat[f] = value(phi, f, tracer.foot(f, x, centre, tracer.velocity(f), courant));
     });
@@ -405,17 +442,12 @@ void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField
         const std::int8_t* uncorrected = plain ? plain->data() : nullptr;
         for_owned_pieces<D, Axis>(grid, block, [&](long first, Point<D> x, int n) {
             RowTracer<D, Axis> rows(tracer);
-            Lanes<D> d, back_d;
+            Lanes<D> back_d;
             rows.start(first, x, n);
             std::array<double, lanes> back, low, high;
-            if (rows.trace(courant, d) && rows.trace(-courant, back_d)) {
+            if (octant[first] != far_away && rows.trace(-courant, back_d)) {
                 values_near<D>(hat + first, stride, back_d, n, back.data());
-#pragma omp simd
-                for (int i = 0; i < n; ++i) {
-                    const double* p = phi + first + i;
-                    low[i] = extreme_near<D>(p, stride, d[0][i], d[1][i], d[D - 1][i], [](double a, double b) { return a < b ? a : b; });
-                    high[i] = extreme_near<D>(p, stride, d[0][i], d[1][i], d[D - 1][i], [](double a, double b) { return a > b ? a : b; });
-                }
+                ranges_near<D>(phi + first, stride, octant + first, n, low.data(), high.data());
             } else {
                 for (int i = 0; i < n; ++i, ++x[0]) {
                     const long f = first + i;
@@ -424,6 +456,7 @@ void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField
                     back[i] = value(hat, f, tracer.foot(f, x, centre, w, -courant));
                 }
             }
+#pragma omp simd
             for (int i = 0; i < n; ++i) {
                 const long f = first + i;
                 const double v = hat[f] + 0.5 * (phi[f] - back[i]), least = v < low[i] ? low[i] : v;
@@ -462,8 +495,16 @@ void advect_marked(const Grid<D>& grid, CellField<D>& result, const FaceField<D>
 {
     const Tracer<D, Axis> tracer(grid, u);
     const double* phi = u[Axis].data();
-    for_owned_faces<D, Axis>(grid, result.block(), [&](long f, const Point<D>& x) {
-        if (marked.data()[f]) {
+    for_owned_pieces<D, Axis>(grid, result.block(), [&](long first, Point<D> x, int n) {
+        const std::int8_t* mark = marked.data() + first;
+        int any = 0;
+        for (int i = 0; i < n; ++i)
+            any |= mark[i];
+        if (any == 0)
+            return;
+        for (long f = first; f < first + n; ++f, ++x[0]) {
+            if (!marked.data()[f])
+                continue;
             const Point<D> d = tracer.foot(f, x, Point<D>{}, tracer.velocity(f), dt / grid.dx());
             result.data()[f] = interpolate<D>(cell_at<D>(phi + f, tracer.stride, d), tracer.stride);
         }
@@ -495,11 +536,14 @@ void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, co
 {
     assert(grid.ghost() >= 2 && &result != &u && &result != &carried);
     CellField<D> hat;
-    if (scheme == AdvectionScheme::maccormack)
+    CellField<D, std::int8_t> octants;
+    if (scheme == AdvectionScheme::maccormack) {
         hat = CellField<D>(grid);
+        octants = CellField<D, std::int8_t>(grid);
+    }
     for_each_axis<D>([&]<int Axis>(std::integral_constant<int, Axis>) {
         advect_component<D, Axis>(grid, result[Axis], u, carried[Axis], dt, scheme, sides, fractions,
-                                  plain ? &(*plain)[Axis] : nullptr, hat);
+                                  plain ? &(*plain)[Axis] : nullptr, hat, octants);
     });
 }
 

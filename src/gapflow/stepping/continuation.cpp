@@ -24,9 +24,19 @@ void Simulation<D>::continue_velocities()
     const Coupling<D>& c = *coupling_;
     FaceField<D, std::int8_t> valid(grid_);
     for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
-            const bool at_side = !grid_.periodic(axis) && (f[axis] == 0 || f[axis] == grid_.cells()[axis]);
-            valid(axis, f) = at_side || c.system.conductance(axis, f) > 0;
+        for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
+            const double* conductance = &c.system.conductance(axis, row);
+            std::int8_t* to = &valid(axis, row);
+            const int n = owned_faces_end(grid_, axis)[0] - row[0];
+            for (int i = 0; i < n; ++i)
+                to[i] = conductance[i] > 0;
+            auto at_side = [&](int place) { return !grid_.periodic(axis) && (place == 0 || place == grid_.cells()[axis]); };
+            if (axis == 0) {
+                to[0] |= at_side(row[0]);
+                to[n - 1] |= at_side(row[0] + n - 1);
+            } else if (at_side(row[axis])) {
+                std::fill_n(to, n, std::int8_t{1});
+            }
         });
 
     memories_ = remember_films<D>(c.network, c.solids, twists(), velocity_.film, velocity_.conduit, grid_.dx());
@@ -55,9 +65,7 @@ void Simulation<D>::share_uncovered_faces(FaceField<D>& u_star) const
     const std::vector<Twist<D>> V = twists();
     std::vector<int> near;
     for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
-            if (!film_faces_(axis, f))
-                return;
+        for_each_marked<D>(film_faces_[axis], grid_.low(), owned_faces_end(grid_, axis), 1, [&](const Index<D>& f) {
             const double a_old = old_fractions_->open(axis, f), a_new = c.fractions->open(axis, f);
             if (a_new > a_old + 1e-12)
                 u_star(axis, f) += (a_new - a_old) / a_new * normal_surplus(velocity_.grid, axis, f, V, near);
@@ -103,9 +111,8 @@ void Simulation<D>::follow_solids(FaceField<D>& u, const FaceField<D, std::int8_
     std::vector<std::tuple<int, Index<D>, double>> changed;
     std::vector<int> near;
     for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
-            if (valid(axis, f) > 1)
-                changed.emplace_back(axis, f, u(axis, f) + normal_surplus(u, axis, f, V, near));
+        for_each_marked<D>(valid[axis], grid_.low(), owned_faces_end(grid_, axis), 2, [&](const Index<D>& f) {
+            changed.emplace_back(axis, f, u(axis, f) + normal_surplus(u, axis, f, V, near));
         });
     for (const auto& [axis, f, value] : changed)
         u(axis, f) = value;

@@ -119,13 +119,29 @@ Budget<D> Simulation<D>::budget() const
         budget.angular_momentum += moment<D>(x - grid_.origin(), momentum);
     };
     for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
-            if (c.system.conductance(axis, f) <= 0)
-                return;
-            const double mass = rho * c.open(axis, f) * cell, u = velocity_.grid(axis, f);
-            const int cut = c.fractions->cut(axis, f);
-            add(mass * u * unit<D>(axis), cut >= 0 ? c.fractions->faces[cut].open_centroid : grid_.face_centre(axis, f));
-            budget.energy_grid += 0.5 * mass * u * u;
+        for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
+            const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row), *u = &velocity_.grid(axis, row);
+            const int* cut = &c.fractions->cut(axis, row);
+            const int n = owned_faces_end(grid_, axis)[0] - row[0];
+            double flow = 0, along = 0, square = 0; // sums of a u, i a u, a u^2
+            int cuts = 0;
+#pragma omp simd reduction(+ : flow, along, square, cuts)
+            for (int i = 0; i < n; ++i) {
+                const double au = conductance[i] > 0 ? open[i] * u[i] : 0.0;
+                flow += au;
+                along += i * au;
+                square += au * u[i];
+                cuts += cut[i] >= 0 ? 1 : 0;
+            }
+            const Vec<D> first = grid_.face_centre(axis, row), momentum = rho * cell * flow * unit<D>(axis);
+            add(momentum, first);
+            budget.angular_momentum += moment<D>(grid_.dx() * unit<D>(0), Vec<D>(rho * cell * along * unit<D>(axis)));
+            budget.energy_grid += 0.5 * rho * cell * square;
+            Index<D> f = row;
+            for (int i = 0; i < n && cuts > 0; ++i, ++f[0])
+                if (cut[i] >= 0 && conductance[i] > 0)
+                    budget.angular_momentum += moment<D>(c.fractions->faces[cut[i]].open_centroid - grid_.face_centre(axis, f),
+                                                         Vec<D>(rho * cell * open[i] * u[i] * unit<D>(axis)));
         });
     for (int k = 0; k < D; ++k)
         sums[k] = budget.momentum[k];

@@ -145,9 +145,9 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
             return cells.contains(grid_.key(grid_.wrapped(f))) || cells.contains(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
         };
         for (int axis = 0; axis < D; ++axis)
-            for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+            for_each_marked<D>(film_faces_[axis], grid_.low(), owned_faces_end(grid_, axis), 1, [&](const Index<D>& f) {
                 // Where a film still passes, its conduits carry its flow: there the bulk's own velocity counts.
-                if (film_faces_(axis, f) && beside_film(axis, f))
+                if (beside_film(axis, f))
                     film_faces_(axis, f) = 0;
             });
         advect_marked_faces(grid_, u_star.grid, painted_, film_faces_, dt);

@@ -34,9 +34,14 @@ double Simulation<D>::choose_step(double next_output) const
     double dt = scene_.max_step;
     double speed = 0;
     for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
-            if (coupling_->open(axis, f) > 1e-12)
-                speed = std::max(speed, std::abs(velocity_.grid(axis, f)));
+        for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
+            const double *open = &coupling_->open(axis, row), *u = &velocity_.grid(axis, row);
+            const int n = owned_faces_end(grid_, axis)[0] - row[0];
+            double largest = 0;
+#pragma omp simd reduction(max : largest)
+            for (int i = 0; i < n; ++i)
+                largest = std::max(largest, open[i] > 1e-12 ? std::abs(u[i]) : 0.0);
+            speed = std::max(speed, largest);
         });
     dt = std::min(dt, scene_.cfl * dx / std::max(grid_.comm().max(speed), tiny));
 
