@@ -19,9 +19,9 @@ export async function page(makeView) {
   if (run.frames.length > 0) {
     document.getElementById("view").hidden = false;
     const beside = document.getElementById("beside"), read = frameReader(run);
-    const card = () => beside.appendChild(element("div"));
+    const card = (name = "") => beside.appendChild(element("div", { class: name }));
     const hasFilms = run.frames.some((frame) => frame.film.thickness[2] > 0);
-    const profile = run.dimension === 2 && hasFilms ? drawProfile(card()) : null;
+    const profile = run.dimension === 2 && hasFilms ? drawProfile(card("plot")) : null;
     const gaps = run.tables.gaps.length > 0 ? drawGaps(run, card()) : null;
     card().append(element("p", { class: "note", style: "margin:0" }, element("kbd", {}, "space"), " plays, ", element("kbd", {}, "←"), " ",
       element("kbd", {}, "→"), run.dimension === 2 ? " step. Wheel zooms, drag moves, double click shows all; hover for values."
@@ -41,8 +41,8 @@ export async function page(makeView) {
     });
     if (profile) redraws.push(profile.redraw);
     if (view) redraws.push(view.redraw);
-    // The second frame says more than the start, where most runs are at rest.
-    transport.go(Math.min(1, run.frames.length - 1));
+    // The midst of the run says more than its start, where most are at rest.
+    transport.go(Math.ceil(0.4 * (run.frames.length - 1)));
   }
   document.getElementById("theme").addEventListener("click", () => {
     const root = document.documentElement;

@@ -12,7 +12,7 @@ export function player(run, show) {
     if (wanted === index) return;
     index = wanted;
     slider.value = String(index);
-    now.textContent = `t = ${run.frames[index].time.toFixed(digits)}   ${index + 1}/${last + 1}`;
+    now.textContent = `t = ${run.frames[index].time.toFixed(digits)} · ${index + 1} of ${last + 1}`;
     show(index);
   }
   function stop() {
@@ -27,7 +27,11 @@ export function player(run, show) {
     play.textContent = "❚❚";
     play.setAttribute("aria-label", "Pause");
     // The whole run in about six seconds.
-    timer = setInterval(() => (index < last ? go(index + 1) : stop()), Math.min(250, Math.max(50, 6000 / (last + 1))));
+    const advance = () => {
+      go(index + 1);
+      if (index === last) stop();
+    };
+    timer = setInterval(advance, Math.min(250, Math.max(50, 6000 / (last + 1))));
   }
   slider.addEventListener("input", () => { stop(); go(Number(slider.value)); });
   play.addEventListener("click", toggle);

@@ -3,8 +3,13 @@ import uPlot from "uplot";
 import { css, element, short } from "./data.js";
 
 // Okabe and Ito's colours for any colour vision, in an order that keeps neighbours apart; the page's text colour stands for black.
-const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "--text", "#8c6d31"];
-const colour = (i) => (palette[i % palette.length].startsWith("--") ? css(palette[i % palette.length]) : palette[i % palette.length]);
+// On dark the same hues, lighter.
+const palettes = {
+  light: ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#1b2330", "#8c6d31"],
+  dark: ["#58b0ee", "#ff8a4c", "#2bc79b", "#e39bc5", "#f0b93a", "#b7a8ff", "#e4e9f0", "#c9a66b"],
+};
+const colours = 8;
+const colour = (i) => palettes[document.documentElement.dataset.theme === "dark" ? "dark" : "light"][i % colours];
 const dashes = [undefined, [7, 4], [2, 3]];
 const nonzero = (values) => values.some((v) => Number.isFinite(v) && v !== 0);
 const rangeOf = (values) => {
@@ -22,7 +27,9 @@ export function drawPlots(run, choose) {
   const gaps = run.tables.gaps;
   const gapName = (gap) => `${gap.a} – ${gap.b}`;
   const many = 5;
-  const shown = { bodies: new Set(bodies.slice(0, many)), gaps: new Set(gaps.slice(0, many)) };
+  const moves = (name) => bodies.some((body) => body.name === name);
+  const lively = gaps.filter((gap) => moves(gap.a) || moves(gap.b));
+  const shown = { bodies: new Set(bodies.slice(0, many)), gaps: new Set((lively.length ? lively : gaps).slice(0, many)) };
   let plots = [];
 
   function addChips(label, list, set, name) {
@@ -89,7 +96,7 @@ export function drawPlots(run, choose) {
     add("Iterations of the solver", [{ label: "iterations", values: column(run.tables.steps, "iterations") }], { zero: true });
     add("Largest divergence", [{ label: "divergence", values: after("divergence_max") }], { log: true });
     add("Time of a step (seconds)", [{ label: "seconds", values: after("seconds") }], { zero: true });
-    mark(marked);
+    setTimeout(() => mark(marked)); // uPlot finishes its set-up first
   }
 
   function turned() {
@@ -105,7 +112,7 @@ export function drawPlots(run, choose) {
     const ranges = series.map((s) => rangeOf(s.values));
     const widest = Math.max(...ranges.map(([low, high]) => high - low), 0);
     const scale = Math.max(...ranges.map(([low, high]) => Math.max(Math.abs(low), Math.abs(high))).filter(Number.isFinite), 0);
-    const change = (i) => ranges[i][1] - ranges[i][0] > Math.max(1e-6 * widest, 1e-12 * scale);
+    const change = (i) => ranges[i][1] - ranges[i][0] > Math.max(1e-4 * widest, 1e-12 * scale);
     const drawn = series.filter((s, i) => change(i) || (series.length === 1 && nonzero(s.values)));
     if (drawn.length === 0) return;
     const still = series.filter((s) => !drawn.includes(s) && s.values.length).map((s) => s.label);
@@ -122,7 +129,7 @@ export function drawPlots(run, choose) {
       cursor: { sync: { key: "gapflow" }, drag: { x: true, y: false }, points: { size: 7 } },
       legend: { live: true },
       series: [{ label: "time", value: (u, v) => short(v) }, ...drawn.map((s, i) => ({
-        label: s.label, stroke: () => colour(i), width: 1.6, dash: dashes[Math.floor(i / palette.length) % dashes.length], spanGaps: false,
+        label: s.label, stroke: () => colour(i), width: 1.6, dash: dashes[Math.floor(i / colours) % dashes.length], spanGaps: false,
         points: { show: time.length < 40 ? undefined : false },
         value: (u, v, k, index) => (index === null || index === undefined ? "–" : options.legend ? options.legend(s, index) : short(v)),
       }))],
@@ -130,12 +137,13 @@ export function drawPlots(run, choose) {
     }, [Array.from(time), ...drawn.map((s) => s.values.map((v) => (Number.isFinite(v) ? v : null)))], card);
     plot.now = element("div", { class: "now" });
     plot.over.append(plot.now);
+    plot.over.addEventListener("mouseleave", () => setTimeout(() => mark(marked)));
     let pressed = null;
     plot.over.addEventListener("mousedown", (event) => (pressed = event.clientX));
     plot.over.addEventListener("click", (event) => {
       if (pressed !== null && Math.abs(event.clientX - pressed) < 4) choose(plot.posToVal(event.offsetX, "x"));
     });
-    if (still.length) card.append(element("p", { class: "note" }, `constant, not drawn: ${still.join(", ")}`));
+    if (still.length) card.append(element("p", { class: "note" }, `not drawn (changes below 0.01 % of these): ${still.join(", ")}`));
     plots.push(plot);
   }
 
@@ -147,7 +155,12 @@ export function drawPlots(run, choose) {
   }
   function mark(at) {
     marked = at;
-    for (const plot of plots) moveMark(plot);
+    let row = time.findIndex((t) => t >= at * (1 - 1e-12));
+    if (row < 0) row = time.length - 1;
+    for (const plot of plots) {
+      moveMark(plot);
+      plot.setLegend({ idx: row }, false); // the values of that time, while no pointer asks for another
+    }
   }
   draw();
   let width = place.clientWidth;
@@ -162,7 +175,7 @@ export function drawPlots(run, choose) {
 /** Film pressure and thickness along the gaps of a frame, one gap after the other (2D); returns show(film). */
 export function drawProfile(card) {
   const title = element("h3", {}, "Along the gaps");
-  const note = element("p", { class: "note" }, "Distance along the films, one after the other.");
+  const note = element("p", { class: "note" }, "Distance along the films, one after the other with breaks.");
   card.append(title, note);
   let plot = null;
   const make = (data) => {
@@ -181,19 +194,25 @@ export function drawProfile(card) {
   };
   const show = (film) => {
     const data = [[], [], []];
+    const apart = (a, b) => Math.hypot(film.points[2 * a] - film.points[2 * b], film.points[2 * a + 1] - film.points[2 * b + 1]);
+    const total = film.chains.reduce((sum, chain) => chain.reduce((s, node, i) => s + (i ? apart(node, chain[i - 1]) : 0), sum), 0);
     let along = 0;
     for (const chain of film.chains) {
       for (let i = 0; i < chain.length; ++i) {
-        const [a, b] = [chain[i], chain[Math.max(i - 1, 0)]];
-        along += Math.hypot(film.points[2 * a] - film.points[2 * b], film.points[2 * a + 1] - film.points[2 * b + 1]);
+        const a = chain[i];
+        along += i ? apart(a, chain[i - 1]) : 0;
         data[0].push(along);
         data[1].push(film.pressure[a]);
         data[2].push(film.thickness[a]);
       }
-      data[0].push(along); data[1].push(null); data[2].push(null); // a break between films
+      along += 0.02 * total; // a break between films
+      data[0].push(along);
+      data[1].push(null);
+      data[2].push(null);
+      along += 0.02 * total;
     }
     note.textContent = film.chains.length === 0 ? "No film at this time."
-      : film.chains.length === 1 ? "Distance along the film." : "Distance along the films, one after the other.";
+      : film.chains.length === 1 ? "Distance along the film." : "Distance along the films, one after the other with breaks.";
     plot ? plot.setData(data) : make(data);
   };
   new ResizeObserver(() => plot?.setSize({ width: card.clientWidth - 34, height: 220 })).observe(card);

@@ -111,7 +111,8 @@ export function drawLimits(run) {
 export function drawGaps(run, card) {
   const time = run.numbers(run.tables.time);
   const get = (gap, name) => run.numbers(gap.columns[name]);
-  const gaps = run.tables.gaps.map((gap) => ({ name: `${gap.a} – ${gap.b}`,
+  const moves = (name) => run.tables.bodies.some((body) => body.name === name && body.motion !== "fixed");
+  const gaps = run.tables.gaps.map((gap) => ({ name: `${gap.a} – ${gap.b}`, still: !(moves(gap.a) || moves(gap.b)),
     ...Object.fromEntries(["thickness", "pressure_min", "pressure_max", "force", "contact_force"].map((name) => [name, get(gap, name)])) }));
   card.append(element("h3", {}, "Gaps at this time"));
   const body = element("div", { class: "scroll" });
@@ -119,7 +120,7 @@ export function drawGaps(run, card) {
   return (at) => {
     let row = 0;
     while (row + 1 < time.length && time[row + 1] <= at * (1 + 1e-12)) ++row;
-    const present = gaps.filter((gap) => Number.isFinite(gap.thickness[row])).sort((a, b) => a.thickness[row] - b.thickness[row]);
+    const present = gaps.filter((gap) => Number.isFinite(gap.thickness[row])).sort((a, b) => a.still - b.still || a.thickness[row] - b.thickness[row]);
     if (!present.length) {
       body.replaceChildren(element("p", { class: "note" }, "No gap thinner than the film threshold, and no contact."));
       return;
@@ -129,6 +130,6 @@ export function drawGaps(run, card) {
       ...(gap.contact_force[row] ? [["contact force", short(gap.contact_force[row])]] : [])];
     const most = 4;
     body.replaceChildren(...present.slice(0, most).flatMap((gap) => [element("div", { style: "font-weight:600;font-size:14px;margin-top:6px" }, gap.name), table(cells(gap))]),
-      ...(present.length > most ? [element("p", { class: "note" }, `and ${present.length - most} thicker ones`)] : []));
+      ...(present.length > most ? [element("p", { class: "note" }, `and ${present.length - most} more`)] : []));
   };
 }

@@ -50,7 +50,7 @@ export function view2d(run) {
   function resize() {
     const ratio = size[1] / size[0];
     width = place.clientWidth;
-    height = Math.round(Math.min(width * ratio, Math.max(320, 0.72 * window.innerHeight), 760));
+    height = Math.round(Math.min(width * ratio, Math.max(320, window.innerHeight - 360), 760));
     canvas.style.height = `${height}px`;
     const dots = window.devicePixelRatio || 1;
     canvas.width = Math.round(width * dots);
@@ -68,12 +68,29 @@ export function view2d(run) {
   function zoomToGap() {
     const { film } = state.frame;
     if (!film.thickness.length) return;
-    let thinnest = 0;
-    film.thickness.forEach((h, i) => { if (h < film.thickness[thinnest]) thinnest = i; });
+    const all = Array.from(film.thickness.keys()), atMoving = all.filter(nextToMoving);
+    const thinnest = (atMoving.length ? atMoving : all).reduce((best, i) => (film.thickness[i] < film.thickness[best] ? i : best));
     view.scale = Math.min(width / size[0], height / size[1]) * 4;
     const x = film.points[2 * thinnest], y = film.points[2 * thinnest + 1];
     view.x = x - 0.5 * width / view.scale;
     view.y = y + 0.5 * height / view.scale;
+  }
+
+  // Whether a film node lies on a body that moves: gaps between fixed ones are of less interest.
+  function nextToMoving(node) {
+    const { film, placements } = state.frame, x = film.points[2 * node], y = film.points[2 * node + 1];
+    const near = 0.75 * film.thickness[node] + 0.02 * run.domain.spacing;
+    return run.bodies.some((body, b) => {
+      if (body.motion === "fixed") return false;
+      const p = placements.subarray(12 * b, 12 * b + 12), { points, chains: loops } = outlines[b];
+      const at = (i) => [p[0] * points[2 * i] + p[1] * points[2 * i + 1] + p[9], p[3] * points[2 * i] + p[4] * points[2 * i + 1] + p[10]];
+      return loops.some((loop) => loop.some((end, k) => {
+        if (k === 0) return false;
+        const [ax, ay] = at(loop[k - 1]), [bx, by] = at(end), [ex, ey] = [bx - ax, by - ay];
+        const s = Math.max(0, Math.min(1, ((x - ax) * ex + (y - ay) * ey) / (ex * ex + ey * ey || 1)));
+        return Math.hypot(x - ax - s * ex, y - ay - s * ey) < near;
+      }));
+    });
   }
 
   function paintField(plane) {
@@ -149,11 +166,13 @@ export function view2d(run) {
           const [a, b] = [chain[i], chain[i + 1]];
           const h = Math.max(filmWidth, 0.5 * (film.thickness[a] + film.thickness[b]) * view.scale);
           context.lineWidth = edge ? h + 2.5 : h;
-          context.lineCap = edge ? "square" : "butt";
           context.strokeStyle = edge ? css("--edge") : maps.film.css(0.5 * (film.pressure[a] + film.pressure[b]));
+          // A little longer than the element: no seams between neighbours.
+          const [p, q] = toPixel(film.points[2 * a], film.points[2 * a + 1]), [r, s] = toPixel(film.points[2 * b], film.points[2 * b + 1]);
+          const length = Math.hypot(r - p, s - q) || 1, more = edge ? 1.25 : 0.5, [ex, ey] = [(more * (r - p)) / length, (more * (s - q)) / length];
           context.beginPath();
-          context.moveTo(...toPixel(film.points[2 * a], film.points[2 * a + 1]));
-          context.lineTo(...toPixel(film.points[2 * b], film.points[2 * b + 1]));
+          context.moveTo(p - ex, q - ey);
+          context.lineTo(r + ex, s + ey);
           context.stroke();
         }
   }

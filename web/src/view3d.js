@@ -1,7 +1,7 @@
 // The run in 3D: body surfaces, films coloured by their pressure, a slice of the field. Drag turns, wheel zooms, right drag moves.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, CanvasTexture, DataTexture, DirectionalLight, DoubleSide, EdgesGeometry, BoxGeometry,
-  HemisphereLight, LinearFilter, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, NearestFilter,
+  GreaterDepth, HemisphereLight, LinearFilter, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, NearestFilter,
   PerspectiveCamera, PlaneGeometry, Raycaster, Scene, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -22,7 +22,7 @@ export function view3d(run) {
   const maps = { pressure: colours(run, "pressure"), speed: colours(run, "speed"), film: colours(run, "film") };
   const fields = ["pressure", "speed"].filter((name) => run.frames.some((frame) => frame.planes.some((plane) => plane[name])));
   const films = run.frames.some((frame) => frame.film.thickness[2] > 0);
-  const state = { field: fields[0] ?? null, axis: 1, through: films, frame: null };
+  const state = { field: fields[0] ?? null, axis: 1, through: true, frame: null };
   const origin = new Vector3(...run.domain.origin), size = new Vector3(...run.domain.size), middle = origin.clone().addScaledVector(size, 0.5);
 
   // ---- things to see
@@ -48,7 +48,7 @@ export function view3d(run) {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(run.numbers(body.points).slice(), 3));
     geometry.setIndex(new BufferAttribute(new Uint32Array(run.numbers(body.elements)), 1));
-    const mesh = new Mesh(body.elements[2] > 0 ? toCreasedNormals(geometry, 0.6) : geometry, new MeshLambertMaterial({ color: 0xb6bec9, side: DoubleSide }));
+    const mesh = new Mesh(body.elements[2] > 0 ? toCreasedNormals(geometry, 0.6) : geometry, new MeshLambertMaterial({ color: 0xc4ccd6, side: DoubleSide, ...(body.inside_out ? { transparent: true, opacity: 0.12, depthWrite: false } : {}) }));
     mesh.matrixAutoUpdate = false;
     mesh.name = body.name;
     mesh.userData.container = body.inside_out;
@@ -56,7 +56,10 @@ export function view3d(run) {
     return mesh;
   });
   const film = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }));
-  scene.add(film);
+  // The same films where something hides them.
+  const hidden = new Mesh(film.geometry, new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, transparent: true, opacity: 0.6, depthFunc: GreaterDepth, depthWrite: false }));
+  hidden.renderOrder = 2;
+  scene.add(film, hidden);
   const slice = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial({ side: DoubleSide, transparent: true, alphaTest: 0.5 }));
   scene.add(slice);
 
@@ -67,11 +70,11 @@ export function view3d(run) {
     scales();
     update();
   }));
-  if (fields.length) choices.append(segments([...axisNames.map((name, axis) => [axis, `Slice ${name}`]), [-1, "None"]], state.axis, (axis) => {
+  if (fields.length) choices.append("Slice", segments([...axisNames.map((name, axis) => [axis, name]), [-1, "none"]], state.axis, (axis) => {
     state.axis = axis;
     update();
   }));
-  choices.append(checkbox("See through bodies", state.through, (on) => { state.through = on; update(); }));
+  if (films) choices.append(checkbox("Films through bodies", state.through, (on) => { state.through = on; update(); }));
   const reset = element("button", { type: "button" }, "Reset view");
   reset.onclick = () => { lookFromStart(); render(); };
   choices.append(reset);
@@ -84,15 +87,24 @@ export function view3d(run) {
   controls.addEventListener("change", () => render());
   function lookFromStart() {
     const direction = new Vector3(0.62, -1.35, 0.62).normalize();
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => origin.clone().add(new Vector3(k & 1, (k >> 1) & 1, k >> 2).multiply(size)));
+    const up = new Vector3(0, 0, 1);
     controls.target.copy(middle);
-    const need = 0.5 * size.length() / Math.sin((0.5 * camera.fov * Math.PI) / 180);
-    camera.position.copy(middle).addScaledVector(direction, 0.93 * need * Math.max(1, 1 / camera.aspect));
-    controls.update();
+    // The nearest place from which all corners are inside the picture, as much above as below the middle.
+    for (let distance = 0.6 * size.length(); distance < 8 * size.length(); distance *= 1.03) {
+      camera.position.copy(controls.target).addScaledVector(direction, distance);
+      controls.update();
+      camera.updateMatrixWorld();
+      const seen = corners.map((corner) => corner.clone().project(camera));
+      const high = Math.max(...seen.map((p) => p.y)), low = Math.min(...seen.map((p) => p.y));
+      if (high - low < 1.9 && Math.max(...seen.map((p) => Math.abs(p.x))) < 0.95 && Math.abs(high + low) < 0.06) break;
+      controls.target.addScaledVector(up, 0.25 * (high + low) * distance * Math.tan((0.5 * camera.fov * Math.PI) / 180));
+    }
   }
   let width = 0;
   function resize() {
     width = place.clientWidth;
-    const height = Math.round(Math.min(0.78 * width, Math.max(340, 0.7 * window.innerHeight), 760));
+    const height = Math.round(Math.min(0.78 * width, Math.max(340, window.innerHeight - 360), 760));
     renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
     renderer.setSize(width, height, false);
     canvas.style.height = `${height}px`;
@@ -140,7 +152,9 @@ export function view3d(run) {
     geometry.setIndex(new BufferAttribute(new Uint32Array(elements), 1));
     film.geometry.dispose();
     film.geometry = geometry;
+    hidden.geometry = geometry;
     film.visible = elements.length > 0;
+    hidden.visible = film.visible && state.through;
   }
   function update() {
     if (!state.frame) return;
@@ -150,9 +164,6 @@ export function view3d(run) {
       const p = state.frame.placements.subarray(12 * b, 12 * b + 12);
       mesh.matrix.set(p[0], p[1], p[2], p[9], p[3], p[4], p[5], p[10], p[6], p[7], p[8], p[11], 0, 0, 0, 1);
       mesh.matrixWorldNeedsUpdate = true;
-      const container = mesh.userData.container, clear = state.through || container;
-      Object.assign(mesh.material, { transparent: clear, opacity: container ? 0.12 : clear ? 0.42 : 1, depthWrite: !clear });
-      mesh.material.needsUpdate = true;
     });
     render();
   }
@@ -186,6 +197,7 @@ export function view3d(run) {
     const x = (event.offsetX / canvas.clientWidth) * 2 - 1, y = 1 - (event.offsetY / canvas.clientHeight) * 2;
     ray.setFromCamera(new Vector2(x, y), camera);
     const hits = ray.intersectObjects([film, slice, ...bodies].filter((mesh) => mesh.visible && mesh.geometry.attributes.position?.count > 0), false);
+    if (state.through) hits.sort((a, b) => (b.object === film) - (a.object === film)); // as it is seen
     const text = hits.map(describe).find((found) => found !== null) ?? null;
     say(text, event.offsetX, event.offsetY);
   });
@@ -202,7 +214,7 @@ export function view3d(run) {
       if (!plane.fluid[c]) return null;
       return [where, ...fields.filter((f) => !Number.isNaN(plane[f]?.[c])).map((f) => `${f} ${short(plane[f][c])}`)].join("\n");
     }
-    return state.through || hit.object.userData.container ? null : `${where}\n${hit.object.name}`;
+    return hit.object.userData.container ? null : `${where}\n${hit.object.name}`;
   }
 
   new ResizeObserver(() => {

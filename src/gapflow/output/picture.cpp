@@ -29,11 +29,11 @@ const std::array<Glyph, glyphs>& font()
         const auto* ink = reinterpret_cast<const unsigned char*>(file.data()) + file.size() - glyphs * glyph_width * text_height;
         std::array<Glyph, glyphs> result{};
         for (Glyph& glyph : result) {
-            glyph = {ink, 3}; // of a blank, less the space behind
+            glyph = {ink, 4}; // of a blank, less the space behind
             for (int i = 0; i < glyph_width * text_height; ++i)
                 if (ink[i] > 0)
                     glyph.advance = std::max(glyph.advance, i % glyph_width + 1);
-            glyph.advance += 2;
+            glyph.advance += 1;
             ink += glyph_width * text_height;
         }
         return result;

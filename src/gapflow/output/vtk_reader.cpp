@@ -172,7 +172,8 @@ void read_surface(const Element& surface, VtkContent& content, const std::filesy
         return static_cast<std::size_t>(parse_number(piece.attribute(what)).value_or(0));
     };
     const std::size_t points = count("NumberOfPoints"), lines = count("NumberOfLines"), triangles = count("NumberOfPolys");
-    content.corners = triangles > 0 ? 3 : 2;
+    const Element polygons = find_element(piece.content, "Polys");
+    content.corners = polygons.head.empty() ? 2 : 3;
     content.point_data = arrays_in(piece.content, "PointData", points, path);
     content.cell_data = arrays_in(piece.content, "CellData", lines + triangles, path);
     const std::vector<VtkArray> places = arrays_in(piece.content, "Points", points, path);
@@ -180,7 +181,7 @@ void read_surface(const Element& surface, VtkContent& content, const std::filesy
         refuse(path, "has no points");
     for (std::size_t i = 0; i < points; ++i)
         content.points.emplace_back(places[0].values.data() + 3 * i);
-    const Element list = find_element(piece.content, triangles > 0 ? "Polys" : "Lines");
+    const Element list = polygons.head.empty() ? find_element(piece.content, "Lines") : polygons;
     const VtkArray connectivity = array_of(find_element(list.content, "DataArray"), path);
     for (const double point : connectivity.values) {
         if (!(point >= 0 && point < static_cast<double>(points)))
