@@ -30,7 +30,7 @@ export function drawPlots(run, choose) {
   const moves = (name) => bodies.some((body) => body.name === name);
   const lively = gaps.filter((gap) => moves(gap.a) || moves(gap.b));
   const shown = { bodies: new Set(bodies.slice(0, many)), gaps: new Set((lively.length ? lively : gaps).slice(0, many)) };
-  let plots = [];
+  let plots = [], skipped = [];
 
   function addChips(label, list, set, name) {
     if (list.length < 2) return;
@@ -59,6 +59,14 @@ export function drawPlots(run, choose) {
   }
   const ofGaps = (columns) => gaps.filter((g) => shown.gaps.has(g)).flatMap((gap) =>
     columns.map(([name, label]) => ({ label: label ? `${gapName(gap)} ${label}` : gapName(gap), values: column(gap.columns, name) })));
+  // Largest size of any body's columns: what is round-off is judged by it.
+  function largest(prefix, change = (v) => v) {
+    let most = 0;
+    for (const body of bodies)
+      for (const [name] of axes(prefix))
+        for (const v of change(column(body.columns, name))) if (Math.abs(v) > most) most = Math.abs(v);
+    return most;
+  }
   const sinceStart = (v) => v.map((x) => x - v[0]);
   const axes = (prefix) => (run.dimension === 2 ? ["x", "y"] : ["x", "y", "z"]).map((a) => [prefix + a, prefix + a]);
 
@@ -71,17 +79,19 @@ export function drawPlots(run, choose) {
         ? "The run has written its start only: there is nothing to plot yet." : "The run has written no step."));
       return;
     }
+    const length = Math.max(...run.domain.size), little = 1e-6;
+    skipped = [];
     add("Position (change since the start)", ofBodies(axes(""), sinceStart), { legend: (s, i) => short(s.raw[i]) });
     add("Velocity", ofBodies(axes("v")));
     if (run.dimension === 2) {
-      add("Angle (rad)", ofBodies([["angle", "angle"]]));
-      add("Angular velocity", ofBodies([["omega", "ω"]]));
+      add("Angle (rad)", ofBodies([["angle", "angle"]]), { least: (little * largest("", sinceStart)) / length });
+      add("Angular velocity", ofBodies([["omega", "ω"]]), { least: (little * largest("v")) / length });
     } else {
-      add("Turned since the start (rad)", turned());
-      add("Angular velocity", ofBodies(axes("w")));
+      add("Turned since the start (rad)", turned(), { least: (little * largest("", sinceStart)) / length });
+      add("Angular velocity", ofBodies(axes("w")), { least: (little * largest("v")) / length });
     }
     add("Force of the fluid", ofBodies(axes("f")));
-    add("Torque of the fluid", ofBodies(run.dimension === 2 ? [["torque", "torque"]] : axes("t")));
+    add("Torque of the fluid", ofBodies(run.dimension === 2 ? [["torque", "torque"]] : axes("t")), { least: little * largest("f") * length });
     add("Gap thickness", ofGaps([["thickness", ""]]), { log: true });
     add("Opening rate of gaps", ofGaps([["opening_rate", ""]]));
     add("Film pressure, smallest and largest", ofGaps([["pressure_min", "min"], ["pressure_max", "max"]]));
@@ -96,6 +106,7 @@ export function drawPlots(run, choose) {
     add("Iterations of the solver", [{ label: "iterations", values: column(run.tables.steps, "iterations") }], { zero: true });
     add("Largest divergence", [{ label: "divergence", values: after("divergence_max") }], { log: true });
     add("Time of a step (seconds)", [{ label: "seconds", values: after("seconds") }], { zero: true });
+    if (skipped.length) place.append(element("p", { class: "note" }, `Not drawn, nothing there but round-off: ${skipped.join(", ")}.`));
     setTimeout(() => mark(marked)); // uPlot finishes its set-up first
   }
 
@@ -112,6 +123,10 @@ export function drawPlots(run, choose) {
     const ranges = series.map((s) => rangeOf(s.values));
     const widest = Math.max(...ranges.map(([low, high]) => high - low), 0);
     const scale = Math.max(...ranges.map(([low, high]) => Math.max(Math.abs(low), Math.abs(high))).filter(Number.isFinite), 0);
+    if (options.least !== undefined && widest <= options.least) {
+      if (widest > 0) skipped.push(title.toLowerCase());
+      return;
+    }
     const change = (i) => ranges[i][1] - ranges[i][0] > Math.max(1e-4 * widest, 1e-12 * scale);
     const drawn = series.filter((s, i) => change(i) || (series.length === 1 && nonzero(s.values)));
     if (drawn.length === 0) return;
