@@ -57,7 +57,7 @@ export function view3d(run) {
   });
   const film = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }));
   // The same films where something hides them.
-  const hidden = new Mesh(film.geometry, new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, transparent: true, opacity: 0.6, depthFunc: GreaterDepth, depthWrite: false }));
+  const hidden = new Mesh(film.geometry, new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, transparent: true, opacity: 0.45, depthFunc: GreaterDepth, depthWrite: false }));
   hidden.renderOrder = 2;
   scene.add(film, hidden);
   const slice = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial({ side: DoubleSide, transparent: true, alphaTest: 0.5 }));

@@ -29,7 +29,7 @@ ColourRange widened(double low, double high)
 
 void sample(const std::vector<float>& from, const std::vector<float>* fluid, std::vector<float>& to)
 {
-    constexpr std::size_t most = 20'000; // of a frame: keeps a long run's samples small
+    constexpr std::size_t most = 20'000; // of a plane: more would say the same
     const std::size_t stride = from.size() / most + 1;
     for (std::size_t i = 0; i < from.size(); i += stride)
         if (std::isfinite(from[i]) && (!fluid || (*fluid)[i] > 0))
@@ -51,25 +51,44 @@ Colour colour_at(ColourMap map, double t)
     return {channel(16), channel(8), channel(0)};
 }
 
+void RangeSampler::Ends::add(const std::vector<float>& values)
+{
+    if (values.empty())
+        return;
+    const auto [from, to] = range_between(values, 0.01, 0.99);
+    low.push_back(from);
+    high.push_back(to);
+}
+
+std::array<double, 2> RangeSampler::Ends::range() const
+{
+    return {range_between(low, 0.03, 1)[0], range_between(high, 0, 0.97)[1]};
+}
+
 void RangeSampler::add(const FrameView& frame)
 {
+    std::vector<float> pressure, speed, film;
     for (const FieldPlane& plane : frame.planes) {
-        sample(plane.pressure, &plane.fluid, pressure_);
-        sample(plane.speed, &plane.fluid, speed_);
+        sample(plane.pressure, &plane.fluid, pressure);
+        sample(plane.speed, &plane.fluid, speed);
     }
-    sample(frame.film.pressure, nullptr, film_);
+    sample(frame.film.pressure, nullptr, film);
+    pressure_.add(pressure);
+    speed_.add(speed);
+    film_.add(film);
 }
 
 ColourRanges RangeSampler::ranges(double reference_pressure) const
 {
-    const auto p = range_between(pressure_, 0.01, 0.99), u = range_between(speed_, 0, 0.99), film = range_between(film_, 0.01, 0.99);
-    double low = p[0], high = p[1];
+    auto [low, high] = pressure_.range();
     if (low <= reference_pressure && reference_pressure <= high) {
         const double half = std::max(reference_pressure - low, high - reference_pressure);
         low = reference_pressure - half;
         high = reference_pressure + half;
     }
-    return {widened(low, high), {0, u[1] > 0 ? u[1] : 1}, widened(film[0], film[1])};
+    const double fastest = speed_.range()[1];
+    const auto film = film_.range();
+    return {widened(low, high), {0, fastest > 0 ? fastest : 1}, widened(film[0], film[1])};
 }
 
 } // namespace gapflow

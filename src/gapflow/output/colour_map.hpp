@@ -33,15 +33,23 @@ struct ColourRanges {
     ColourRange pressure, speed, film;
 };
 
-/// Collects values of frames for ranges that all frames share: between the 1 % and the 99 % value, so that single cells do not set
-/// them; pressure symmetric about the reference pressure where that lies inside, speed from 0.
+/// Collects values of frames for ranges that all frames share. Of every frame the 1 % and the 99 % value, of these over all frames
+/// the 3 % and the 97 % one: neither single cells nor a slam in a single one of many frames set them. Pressure: symmetric about the
+/// reference pressure where that lies inside; speed: from 0.
 class RangeSampler {
 public:
     void add(const FrameView& frame);
     ColourRanges ranges(double reference_pressure) const;
 
 private:
-    std::vector<float> pressure_, speed_, film_;
+    struct Ends {
+        std::vector<float> low, high; ///< of every frame
+
+        void add(const std::vector<float>& values);
+        std::array<double, 2> range() const;
+    };
+
+    Ends pressure_, speed_, film_;
 };
 
 } // namespace gapflow

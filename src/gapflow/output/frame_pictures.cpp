@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <map>
 #include <set>
 
 namespace gapflow {
@@ -110,6 +112,35 @@ void draw_bodies(Picture& picture, const RunView& view, const FrameView& state, 
     }
 }
 
+// A line with square ends, `more` longer at both.
+void draw_band(Picture& picture, const PixelPoint& from, const PixelPoint& to, double width, double more, Colour colour, const PixelBox& clip)
+{
+    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    if (!(length > 0))
+        return;
+    const double ex = (to[0] - from[0]) / length, ey = (to[1] - from[1]) / length, half = 0.5 * width;
+    const std::array<PixelPoint, 4> corners = {{{from[0] - more * ex - half * ey, from[1] - more * ey + half * ex},
+                                                {from[0] - more * ex + half * ey, from[1] - more * ey - half * ex},
+                                                {to[0] + more * ex + half * ey, to[1] + more * ey - half * ex},
+                                                {to[0] + more * ex - half * ey, to[1] + more * ey + half * ex}}};
+    Segments segments;
+    PixelBox box = clip;
+    double low[2] = {corners[0][0], corners[0][1]}, high[2] = {corners[0][0], corners[0][1]};
+    for (int i = 0; i < 4; ++i) {
+        segments.push_back({corners[i], corners[(i + 1) % 4]});
+        for (int axis = 0; axis < 2; ++axis) {
+            low[axis] = std::min(low[axis], corners[i][axis]);
+            high[axis] = std::max(high[axis], corners[i][axis]);
+        }
+    }
+    const auto within = [](double value, int least, int most) { return static_cast<int>(std::clamp<double>(value, least, most)); };
+    box.left = within(low[0], clip.left, clip.right);
+    box.right = within(high[0] + 1, clip.left, clip.right);
+    box.top = within(low[1], clip.top, clip.bottom);
+    box.bottom = within(high[1] + 1, clip.top, clip.bottom);
+    picture.fill_inside(segments, colour, box);
+}
+
 // A film as a band, wide enough to be seen however thin it is.
 void draw_films(Picture& picture, const FilmView& film, const Frame2D& frame, const ColourRange& range)
 {
@@ -119,10 +150,10 @@ void draw_films(Picture& picture, const FilmView& film, const Frame2D& frame, co
             for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
                 const int a = chain[i], b = chain[i + 1];
                 const double width = std::max(least, 0.5 * (film.thickness[a] + film.thickness[b]) * frame.scale);
-                picture.line(frame.pixel(film.points[a][0], film.points[a][1]), frame.pixel(film.points[b][0], film.points[b][1]),
-                             casing ? width + 2 : width,
-                             casing ? edge : colour_at(ColourMap::film, range.share(0.5 * (film.pressure[a] + film.pressure[b]))),
-                             frame.box);
+                draw_band(picture, frame.pixel(film.points[a][0], film.points[a][1]), frame.pixel(film.points[b][0], film.points[b][1]),
+                          casing ? width + 2 : width, casing ? 1 : 0.5,
+                          casing ? edge : colour_at(ColourMap::film, range.share(0.5 * (film.pressure[a] + film.pressure[b]))),
+                          frame.box);
             }
 }
 
@@ -283,7 +314,7 @@ void draw_film_surface(SurfaceRaster& raster, const FilmView& film, const Colour
                                     const double p = w[0] * film.pressure[node[0]] + w[1] * film.pressure[node[1]] + w[2] * film.pressure[node[2]];
                                     return std::pair(colour_at(ColourMap::film, range.share(p)), true);
                                 },
-                                0.7);
+                                0.5);
     }
 }
 
@@ -336,15 +367,29 @@ Picture picture_3d(const StoredRun& run, const RunView& view, const FrameView& s
     return picture;
 }
 
-// Smallest thickness of all gaps at the last step up to a time; infinity without a gap.
-double thickness_at(const StoredRun& run, double time)
+// Of every frame, the smallest thickness of the gaps that open or close, at its step; infinity without one.
+std::vector<double> thickness_of_frames(const StoredRun& run)
 {
     const std::vector<double>&times = run.gaps.number("time"), &thickness = run.gaps.number("thickness");
-    const auto end = std::upper_bound(times.begin(), times.end(), time);
-    double thinnest = std::numeric_limits<double>::infinity();
-    for (auto row = end; row != times.begin() && *(row - 1) == *(end - 1); --row)
-        thinnest = std::min(thinnest, thickness[static_cast<std::size_t>(row - 1 - times.begin())]);
-    return thinnest;
+    const std::vector<std::string>&a = run.gaps.text("body_a"), &b = run.gaps.text("body_b");
+    std::map<std::pair<std::string, std::string>, std::array<double, 2>> ranges;
+    for (std::size_t row = 0; row < run.gaps.rows; ++row) {
+        auto& [low, high] = ranges.try_emplace({a[row], b[row]}, std::array{thickness[row], thickness[row]}).first->second;
+        low = std::min(low, thickness[row]);
+        high = std::max(high, thickness[row]);
+    }
+    std::vector<double> result;
+    std::size_t row = 0;
+    for (const RunFrame& frame : run.frames) {
+        double thinnest = std::numeric_limits<double>::infinity();
+        while (row < run.gaps.rows && times[row] < frame.time)
+            ++row;
+        for (std::size_t at = row; at < run.gaps.rows && times[at] == frame.time; ++at)
+            if (const auto& [low, high] = ranges.at({a[at], b[at]}); high > low)
+                thinnest = std::min(thinnest, thickness[at]);
+        result.push_back(thinnest);
+    }
+    return result;
 }
 
 } // namespace
@@ -355,12 +400,12 @@ std::vector<std::size_t> key_frames(const StoredRun& run, std::size_t most)
     if (count == 0)
         return {};
     std::set<std::size_t> chosen{0, count - 1};
+    const std::vector<double> thickness = thickness_of_frames(run);
     std::size_t thinnest = 0, widest = 0;
-    const auto thickness = [&](std::size_t i) { return thickness_at(run, run.frames[i].time); };
     for (std::size_t i = 0; i < count; ++i) {
-        if (thickness(i) < thickness(thinnest))
+        if (thickness[i] < thickness[thinnest])
             thinnest = i;
-        if (std::isfinite(thickness(i)) && (thickness(i) > thickness(widest) || !std::isfinite(thickness(widest))))
+        if (std::isfinite(thickness[i]) && (thickness[i] > thickness[widest] || !std::isfinite(thickness[widest])))
             widest = i;
     }
     for (const std::size_t frame : {thinnest, widest})
@@ -377,18 +422,20 @@ std::vector<std::filesystem::path> write_frame_pictures(const StoredRun& run, co
         throw InputError(run.folder.string() + ": no output time is there to draw; the run has not got that far, or its files "
                                                "fields/ and bodies/ are gone");
     const RunView view = view_run(run);
-    std::vector<FrameView> frames;
+    // Colours are those of the whole run, of up to 40 frames of it: a slam in one frame must not set them.
+    const std::size_t stride = (run.frames.size() + 39) / 40;
     RangeSampler sampler;
     bool films = false;
-    for (const std::size_t index : key_frames(run)) {
-        frames.push_back(view_frame(run, view, run.frames[index]));
-        sampler.add(frames.back());
-        films = films || !frames.back().film.points.empty();
+    for (std::size_t index = 0; index < run.frames.size(); index += stride) {
+        const FrameView frame = view_frame(run, view, run.frames[index]);
+        sampler.add(frame);
+        films = films || !frame.film.points.empty();
     }
     const ColourRanges ranges = sampler.ranges(run.scene->at("fluid").value("reference_pressure", 0.0));
     prepare_folder(folder);
     std::vector<std::filesystem::path> written;
-    for (const FrameView& frame : frames) {
+    for (const std::size_t index : key_frames(run)) {
+        const FrameView frame = view_frame(run, view, run.frames[index]);
         char name[32];
         std::snprintf(name, sizeof name, "frame_%05d.png", frame.number);
         written.push_back(folder / name);

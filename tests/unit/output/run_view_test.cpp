@@ -202,6 +202,21 @@ TEST(ColourMap, PressureIsSymmetricAboutTheReferenceInside)
     EXPECT_DOUBLE_EQ(inside.film.share(2), 0.5);
 }
 
+TEST(ColourMap, ASlamInOneOfManyFramesDoesNotSetTheRange)
+{
+    RangeSampler sampler;
+    for (int k = 0; k < 40; ++k) {
+        FrameView frame;
+        frame.planes.resize(1);
+        frame.planes[0].pressure.assign(100, k == 17 ? 1000.0F : static_cast<float>(k));
+        frame.planes[0].fluid.assign(100, 1);
+        sampler.add(frame);
+    }
+    const double high = sampler.ranges(0).pressure.high;
+    EXPECT_GE(high, 37);
+    EXPECT_LE(high, 39);
+}
+
 TEST(ReportPage, LongRunsAreThinnedAndSaySo)
 {
     const SmallRun small(8);
