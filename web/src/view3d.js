@@ -119,7 +119,10 @@ export function view3d(run) {
     if (!values) return;
     const [nx, ny] = plane.cells, map = maps[state.field], pixels = new Uint8Array(4 * nx * ny);
     for (let c = 0; c < nx * ny; ++c) {
-      if (Number.isNaN(values[c])) continue;
+      if (Number.isNaN(values[c])) { // clear, and light where the neighbours' colours run out
+        pixels.set([225, 228, 232, 0], 4 * c);
+        continue;
+      }
       const from = map.index(values[c]);
       pixels.set([map.table[from], map.table[from + 1], map.table[from + 2], 255], 4 * c);
     }

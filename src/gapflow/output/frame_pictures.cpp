@@ -97,6 +97,10 @@ Segments outline(const RunView& view, const BodyView& body, const Placement& pla
         if (ends.size() == 2)
             segments.push_back({ends[0], ends[1]});
     }
+    if (body.inside_out) { // a rim around the picture: what lies outside the shape is solid
+        const double l = frame.box.left - 9, t = frame.box.top - 9, r = frame.box.right + 9, b = frame.box.bottom + 9;
+        segments.insert(segments.end(), {{{{l, t}, {r, t}}}, {{{r, t}, {r, b}}}, {{{r, b}, {l, b}}}, {{{l, b}, {l, t}}}});
+    }
     return segments;
 }
 
@@ -105,8 +109,7 @@ void draw_bodies(Picture& picture, const RunView& view, const FrameView& state, 
 {
     for (std::size_t b = 0; b < view.bodies.size(); ++b) {
         const Segments segments = outline(view, view.bodies[b], state.placements[b], frame, axis, in_plane, position);
-        if (!view.bodies[b].inside_out || view.dimension == 2)
-            picture.fill_inside(segments, solid, frame.box);
+        picture.fill_inside(segments, solid, frame.box);
         for (const auto& [from, to] : segments)
             picture.line(from, to, 1.2, edge, frame.box);
     }
