@@ -131,7 +131,8 @@ void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& act
     CLI::Option* page =
         report->add_option("-o,--output", arguments.report.page, "The page, instead of DIR/report.html")->type_name("FILE.html");
     report->add_flag("--png", arguments.report.png, "Key frames as pictures DIR/frames/*.png instead of a page")->excludes(page);
-    report->footer("Reads what the run has written so far, also of a run that is going on or was stopped. The page needs no network.");
+    report->footer("Reads what the run has written so far, also of a run that is going on or was stopped. The page needs no "
+                   "network.");
 }
 
 int report_error(const std::string& message, int status)

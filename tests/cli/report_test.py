@@ -276,7 +276,7 @@ class Report(unittest.TestCase):
 
     def test_help(self):
         done = gapflow("report", "--help")
-        for word in ("--png", "--output", "DIR/report.html", "no network"):
+        for word in ("--png", "--output", "DIR/report.html", "needs no"):
             self.assertIn(word, done.stdout)
 
 

@@ -6,7 +6,8 @@ import { drawFacts, drawGaps, drawLimits, drawMachine, drawScene, problem } from
 
 export async function page(makeView) {
   chooseTheme();
-  if (typeof DecompressionStream === "undefined") return problem("This browser is too old for the page: it needs one of 2023 or later.");
+  if (typeof DecompressionStream === "undefined")
+    return problem("This browser is too old for the page: it needs one of 2023 or later.");
   const run = await load();
   const redraws = [];
   drawFacts(run);
@@ -23,14 +24,16 @@ export async function page(makeView) {
     const hasFilms = run.frames.some((frame) => frame.film.thickness[2] > 0);
     const profile = run.dimension === 2 && hasFilms ? drawProfile(card("plot")) : null;
     const gaps = run.tables.gaps.length > 0 ? drawGaps(run, card()) : null;
-    card().append(element("p", { class: "note", style: "margin:0" }, element("kbd", {}, "space"), " plays, ", element("kbd", {}, "←"), " ",
-      element("kbd", {}, "→"), run.dimension === 2 ? " step. Wheel zooms, drag moves, double click shows all; hover for values."
-        : " step. Drag turns, wheel zooms, right drag moves; hover for values."));
+    const key = (name) => element("kbd", {}, name);
+    const pointer = run.dimension === 2 ? "Wheel zooms, drag moves, double click shows all" : "Drag turns, wheel zooms, right drag moves";
+    card().append(element("p", { class: "note", style: "margin:0" }, key("space"), " plays, ", key("←"), " ", key("→"),
+      ` step. ${pointer}; hover for values.`));
     let view = null;
     try {
       view = makeView(run);
     } catch (error) {
-      document.getElementById("picture").append(element("p", { class: "note" }, `The view cannot be drawn here (${error.message}). The plots below do not need it.`));
+      document.getElementById("picture").append(element("p", { class: "note" },
+        `The view cannot be drawn here (${error.message}). The plots below do not need it.`));
     }
     transport = player(run, (index) => {
       const frame = read(index);

@@ -6,7 +6,8 @@ export function player(run, show) {
   const last = run.frames.length - 1;
   let index = -1, timer = null;
   slider.max = String(last);
-  const digits = Math.min(6, Math.max(2, Math.ceil(-Math.log10(Math.max((run.frames[last].time - run.frames[0].time) / Math.max(last, 1), 1e-9))) + 1));
+  const apart = Math.max((run.frames[last].time - run.frames[0].time) / Math.max(last, 1), 1e-9);
+  const digits = Math.min(6, Math.max(2, Math.ceil(-Math.log10(apart)) + 1));
   function go(to) {
     const wanted = Math.max(0, Math.min(last, to));
     if (wanted === index) return;

@@ -137,10 +137,12 @@ export function drawPlots(run, choose) {
     place.append(card);
     const stroke = () => css("--soft"), grid = { stroke: () => css("--grid"), width: 1 };
     const axis = { stroke, grid, ticks: grid, font: "12px system-ui, sans-serif" };
+    const fromZero = { range: (u, low, high) => [0, high > 0 ? 1.08 * high : 1] };
+    const logTick = (v) => (v !== null && /^[15]/.test(v.toExponential()) ? short(v) : ""); // 1 and 5 of a decade
     const plot = new uPlot({
       width: card.clientWidth - 34, height: 210,
-      scales: { x: { time: false }, y: { distr: log ? 3 : 1, ...(options.zero ? { range: (u, low, high) => [0, high > 0 ? 1.08 * high : 1] } : {}) } },
-      axes: [{ ...axis, size: 32 }, { ...axis, size: 62, values: log ? (u, ticks) => ticks.map((v) => (v === null || !(/^[15]/.test(v.toExponential())) ? "" : short(v))) : (u, ticks) => ticks.map(short) }],
+      scales: { x: { time: false }, y: { distr: log ? 3 : 1, ...(options.zero ? fromZero : {}) } },
+      axes: [{ ...axis, size: 32 }, { ...axis, size: 62, values: (u, ticks) => ticks.map(log ? logTick : short) }],
       cursor: { sync: { key: "gapflow" }, drag: { x: true, y: false }, points: { size: 7 } },
       legend: { live: true },
       series: [{ label: "time", value: (u, v) => short(v) }, ...drawn.map((s, i) => ({

@@ -45,7 +45,10 @@ const driven = (body) => {
     if (key in body && nonzero(body[key])) parts.push(`${key.replace("_", " ")} ${vector(body[key])}`);
   if (body.motion_file) parts.push(`file ${body.motion_file}`);
   if (body.hinge) parts.push(`hinge at ${vector(body.hinge.point)}`);
-  if (body.spring) parts.push(`spring to ${vector(body.spring.anchor)}, stiffness ${short(body.spring.stiffness)}, damping ${short(body.spring.damping)}`);
+  if (body.spring) {
+    const { anchor, stiffness, damping } = body.spring;
+    parts.push(`spring to ${vector(anchor)}, stiffness ${short(stiffness)}, damping ${short(damping)}`);
+  }
   return parts.join("; ");
 };
 
@@ -56,18 +59,22 @@ export function drawScene(run) {
   const most = 60;
   const bodies = element("table", { class: "data" },
     element("thead", {}, element("tr", {}, ...head.map((name) => element("th", { scope: "col" }, name)))),
-    element("tbody", {}, ...scene.body.slice(0, most).map((body) => element("tr", {},
-      ...[body.name, shape(body), vector(body.position), body.mass !== undefined ? `mass ${short(body.mass)}` : short(body.density), body.motion, driven(body)]
-        .map((cell) => element("td", {}, cell))))));
+    element("tbody", {}, ...scene.body.slice(0, most).map((body) => {
+      const weight = body.mass !== undefined ? `mass ${short(body.mass)}` : short(body.density);
+      const cells = [body.name, shape(body), vector(body.position), weight, body.motion, driven(body)];
+      return element("tr", {}, ...cells.map((cell) => element("td", {}, cell)));
+    })));
   const { domain, fluid, gap, contact, time } = scene;
   const rows = [
     ["domain", `${list(domain.size)} from ${vector(domain.origin)}, ${list(domain.cells)} cells of ${short(run.domain.spacing)}`],
     ["sides", Object.entries(domain.sides).map(([name, value]) => `${name}: ${side(value)}`).join(", ")],
     ["fluid", `density ${short(fluid.density)}, viscosity ${short(fluid.viscosity)}, reference pressure ${short(fluid.reference_pressure)}`],
     ["gravity", vector(scene.gravity)],
-    ["gaps", `model ${gap.model}, threshold ${gap.threshold}${gap.threshold === "auto" ? "" : " cells"}, roughness ${short(gap.roughness)}, exit ${gap.exit}`],
+    ["gaps", `model ${gap.model}, threshold ${gap.threshold}${gap.threshold === "auto" ? "" : " cells"}, ` +
+      `roughness ${short(gap.roughness)}, exit ${gap.exit}`],
     ["contact", `${gap.contact}, restitution ${short(contact.restitution)}, friction ${short(contact.friction)}`],
-    ["time", `${time.end !== undefined ? `to ${short(time.end)}, ` : ""}${time.max_step !== undefined ? `steps of ${short(time.max_step)} at most, ` : ""}cfl ${short(time.cfl)}, gap cfl ${short(time.gap_cfl)}`],
+    ["time", `${time.end !== undefined ? `to ${short(time.end)}, ` : ""}` +
+      `${time.max_step !== undefined ? `steps of ${short(time.max_step)} at most, ` : ""}cfl ${short(time.cfl)}, gap cfl ${short(time.gap_cfl)}`],
     ["solver", `${scene.solver.backend}, tolerance ${short(scene.solver.tolerance)}`],
     ["grid", `${scene.grid.fractions}, advection ${scene.grid.advection}`]];
   place.append(element("div", { class: "card scroll" }, bodies,
@@ -90,7 +97,8 @@ export function drawMachine(run) {
   const rows = stages.map(([name, stage]) => element("tr", {}, element("td", {}, name), element("td", {}, short(stage.seconds) + " s"),
     element("td", { class: "share" }, element("div", { style: `width:${(100 * stage.seconds) / longest}%` }))));
   place.append(element("div", { class: "columns" }, element("div", { class: "card scroll" }, facts),
-    element("div", { class: "card scroll" }, rows.length ? element("table", { class: "data stages", style: "width:100%" }, element("tbody", {}, ...rows))
+    element("div", { class: "card scroll" }, rows.length
+      ? element("table", { class: "data stages", style: "width:100%" }, element("tbody", {}, ...rows))
       : element("p", { class: "note" }, "No stage has been timed."))));
 }
 
@@ -104,7 +112,8 @@ export function drawLimits(run) {
     parts.push(`fields are shown ${Math.round(plane.spacing / run.domain.spacing)} times coarser than computed`);
   const text = parts.length ? `To keep it small: ${parts.join("; ")}. The run's folder has everything. ` : "";
   document.getElementById("limits").textContent =
-    `${text}Units are those of the scene. Made by gapflow report; plots by uPlot${run.dimension === 3 ? ", 3D by three.js" : ""} (MIT licence, in this file).`;
+    `${text}Units are those of the scene. Made by gapflow report; plots by uPlot` +
+    `${run.dimension === 3 ? ", 3D by three.js" : ""} (MIT licence, in this file).`;
 }
 
 /** What every gap has at a time: returns show(time). */
@@ -120,7 +129,8 @@ export function drawGaps(run, card) {
   return (at) => {
     let row = 0;
     while (row + 1 < time.length && time[row + 1] <= at * (1 + 1e-12)) ++row;
-    const present = gaps.filter((gap) => Number.isFinite(gap.thickness[row])).sort((a, b) => a.still - b.still || a.thickness[row] - b.thickness[row]);
+    const present = gaps.filter((gap) => Number.isFinite(gap.thickness[row]))
+      .sort((a, b) => a.still - b.still || a.thickness[row] - b.thickness[row]);
     if (!present.length) {
       body.replaceChildren(element("p", { class: "note" }, "No gap thinner than the film threshold, and no contact."));
       return;
@@ -129,7 +139,8 @@ export function drawGaps(run, card) {
       ["film pressure", `${short(gap.pressure_min[row])} … ${short(gap.pressure_max[row])}`], ["film force", short(gap.force[row])],
       ...(gap.contact_force[row] ? [["contact force", short(gap.contact_force[row])]] : [])];
     const most = 4;
-    body.replaceChildren(...present.slice(0, most).flatMap((gap) => [element("div", { style: "font-weight:600;font-size:14px;margin-top:6px" }, gap.name), table(cells(gap))]),
+    const name = (gap) => element("div", { style: "font-weight:600;font-size:14px;margin-top:6px" }, gap.name);
+    body.replaceChildren(...present.slice(0, most).flatMap((gap) => [name(gap), table(cells(gap))]),
       ...(present.length > most ? [element("p", { class: "note" }, `and ${present.length - most} more`)] : []));
   };
 }

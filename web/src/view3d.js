@@ -48,23 +48,28 @@ export function view3d(run) {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(run.numbers(body.points).slice(), 3));
     geometry.setIndex(new BufferAttribute(new Uint32Array(run.numbers(body.elements)), 1));
-    const mesh = new Mesh(body.elements[2] > 0 ? toCreasedNormals(geometry, 0.6) : geometry, new MeshLambertMaterial({ color: 0xc4ccd6, side: DoubleSide, ...(body.inside_out ? { transparent: true, opacity: 0.12, depthWrite: false } : {}) }));
+    const clear = body.inside_out ? { transparent: true, opacity: 0.12, depthWrite: false } : {}; // would hide everything
+    const mesh = new Mesh(body.elements[2] > 0 ? toCreasedNormals(geometry, 0.6) : geometry,
+      new MeshLambertMaterial({ color: 0xc4ccd6, side: DoubleSide, ...clear }));
     mesh.matrixAutoUpdate = false;
     mesh.name = body.name;
     mesh.userData.container = body.inside_out;
     scene.add(mesh);
     return mesh;
   });
-  const film = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }));
+  const film = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ vertexColors: true, side: DoubleSide,
+    polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }));
   // The same films where something hides them.
-  const hidden = new Mesh(film.geometry, new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, transparent: true, opacity: 0.45, depthFunc: GreaterDepth, depthWrite: false }));
+  const hidden = new Mesh(film.geometry, new MeshBasicMaterial({ vertexColors: true, side: DoubleSide,
+    transparent: true, opacity: 0.45, depthFunc: GreaterDepth, depthWrite: false }));
   hidden.renderOrder = 2;
   scene.add(film, hidden);
   const slice = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial({ side: DoubleSide, transparent: true, alphaTest: 0.5 }));
   scene.add(slice);
 
   // ---- choices
-  const scales = () => drawScales([...(state.field ? [[`${state.field} on the slice`, maps[state.field]]] : []), ...(films ? [["film pressure", maps.film]] : [])]);
+  const scales = () => drawScales([...(state.field ? [[`${state.field} on the slice`, maps[state.field]]] : []),
+    ...(films ? [["film pressure", maps.film]] : [])]);
   if (fields.length > 1) choices.append(segments(fields.map((f) => [f, f[0].toUpperCase() + f.slice(1)]), state.field, (field) => {
     state.field = field;
     scales();
@@ -212,7 +217,8 @@ export function view3d(run) {
       return `${where}\nfilm pressure ${short(pressure[node])}\nthickness ${short(thickness[node])}`;
     }
     if (hit.object === slice) {
-      const { plane } = slice.userData, [i, j] = plane.in_plane.map((axis, k) => Math.floor((hit.point.getComponent(axis) - plane.low[k]) / plane.spacing));
+      const { plane } = slice.userData;
+      const [i, j] = plane.in_plane.map((axis, k) => Math.floor((hit.point.getComponent(axis) - plane.low[k]) / plane.spacing));
       const c = Math.min(i, plane.cells[0] - 1) + plane.cells[0] * Math.min(j, plane.cells[1] - 1);
       if (!plane.fluid[c]) return null;
       return [where, ...fields.filter((f) => !Number.isNaN(plane[f]?.[c])).map((f) => `${f} ${short(plane[f][c])}`)].join("\n");

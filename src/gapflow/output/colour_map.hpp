@@ -1,7 +1,7 @@
 // Colours for values, told apart by readers with any colour vision.
 //
-// pressure: diverging, C. Brewer's RdBu (colorbrewer2.org), blue low, red high; speed: viridis, film pressure: plasma (S. van der Walt,
-// N. Smith: perceptually uniform, rising in lightness). Each is a table of 17 colours, linear in between.
+// pressure: diverging, C. Brewer's RdBu (colorbrewer2.org), blue low, red high; speed: viridis, film pressure: plasma (S. van
+// der Walt, N. Smith: perceptually uniform, rising in lightness). Each is a table of 17 colours, linear in between.
 #pragma once
 
 #include "gapflow/output/run_view.hpp"
@@ -33,10 +33,11 @@ struct ColourRanges {
     ColourRange pressure, speed, film;
 };
 
-/// Collects values of frames for ranges that all frames share. Of every frame the 1 % and the 99 % value, of these over all frames
-/// the 3 % and the 97 % one: neither single cells nor a slam in a single one of many frames set them. Pressure: symmetric about the
-/// reference pressure where that lies inside; speed: from 0.
-class RangeSampler {
+/// Collects values of frames for ranges that all frames share. Of every frame the 1 % and the 99 % value, of these over all
+/// frames the 3 % and the 97 % one: neither single cells nor a slam in a single one of many frames set them. Pressure:
+/// symmetric about the reference pressure where that lies inside; speed: from 0.
+class RangeSampler
+{
 public:
     void add(const FrameView& frame);
     ColourRanges ranges(double reference_pressure) const;

@@ -19,7 +19,8 @@ namespace gapflow {
 
 namespace {
 
-constexpr Colour paper{255, 255, 255}, ink{27, 35, 48}, soft{91, 102, 117}, solid{119, 128, 141}, edge{44, 51, 61}, empty{238, 242, 247};
+constexpr Colour paper{255, 255, 255}, ink{27, 35, 48}, soft{91, 102, 117}, solid{119, 128, 141}, edge{44, 51, 61},
+    empty{238, 242, 247};
 constexpr int margin = 20, space = 24;
 
 using Segments = std::vector<std::array<PixelPoint, 2>>;
@@ -37,10 +38,7 @@ struct Frame2D {
     std::array<double, 2> low; ///< of the domain, along the plane's axes
     double scale;              ///< pixels a length
 
-    PixelPoint pixel(double a, double b) const
-    {
-        return {box.left + (a - low[0]) * scale, box.bottom - (b - low[1]) * scale};
-    }
+    PixelPoint pixel(double a, double b) const { return {box.left + (a - low[0]) * scale, box.bottom - (b - low[1]) * scale}; }
 };
 
 // Bilinear between cell centres; NaN next to cells without a value.
@@ -63,8 +61,8 @@ Colour banded(ColourMap map, const ColourRange& range, double value)
     return colour_at(map, std::min(std::floor(share * bands), bands - 1.0) / (bands - 1));
 }
 
-void draw_field(Picture& picture, const Frame2D& frame, const FieldPlane& plane, const std::vector<float>& values, ColourMap map,
-                const ColourRange& range)
+void draw_field(Picture& picture, const Frame2D& frame, const FieldPlane& plane, const std::vector<float>& values,
+                ColourMap map, const ColourRange& range)
 {
     for (int y = frame.box.top; y < frame.box.bottom; ++y)
         for (int x = frame.box.left; x < frame.box.right; ++x) {
@@ -87,7 +85,8 @@ Segments outline(const RunView& view, const BodyView& body, const Placement& pla
         return segments;
     }
     for (std::size_t e = 0; e + 2 < body.elements.size(); e += 3) {
-        const std::array<Eigen::Vector3d, 3> x = {place(body.elements[e]), place(body.elements[e + 1]), place(body.elements[e + 2])};
+        const std::array<Eigen::Vector3d, 3> x = {place(body.elements[e]), place(body.elements[e + 1]),
+                                                  place(body.elements[e + 2])};
         std::vector<PixelPoint> ends;
         for (int i = 0; i < 3; ++i) {
             const Eigen::Vector3d &a = x[i], &b = x[(i + 1) % 3];
@@ -116,7 +115,8 @@ void draw_bodies(Picture& picture, const RunView& view, const FrameView& state, 
 }
 
 // A line with square ends, `more` longer at both.
-void draw_band(Picture& picture, const PixelPoint& from, const PixelPoint& to, double width, double more, Colour colour, const PixelBox& clip)
+void draw_band(Picture& picture, const PixelPoint& from, const PixelPoint& to, double width, double more, Colour colour,
+               const PixelBox& clip)
 {
     const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
     if (!(length > 0))
@@ -136,7 +136,9 @@ void draw_band(Picture& picture, const PixelPoint& from, const PixelPoint& to, d
             high[axis] = std::max(high[axis], corners[i][axis]);
         }
     }
-    const auto within = [](double value, int least, int most) { return static_cast<int>(std::clamp<double>(value, least, most)); };
+    const auto within = [](double value, int least, int most) {
+        return static_cast<int>(std::clamp<double>(value, least, most));
+    };
     box.left = within(low[0], clip.left, clip.right);
     box.right = within(high[0] + 1, clip.left, clip.right);
     box.top = within(low[1], clip.top, clip.bottom);
@@ -153,8 +155,8 @@ void draw_films(Picture& picture, const FilmView& film, const Frame2D& frame, co
             for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
                 const int a = chain[i], b = chain[i + 1];
                 const double width = std::max(least, 0.5 * (film.thickness[a] + film.thickness[b]) * frame.scale);
-                draw_band(picture, frame.pixel(film.points[a][0], film.points[a][1]), frame.pixel(film.points[b][0], film.points[b][1]),
-                          casing ? width + 2 : width, casing ? 1 : 0.5,
+                draw_band(picture, frame.pixel(film.points[a][0], film.points[a][1]),
+                          frame.pixel(film.points[b][0], film.points[b][1]), casing ? width + 2 : width, casing ? 1 : 0.5,
                           casing ? edge : colour_at(ColourMap::film, range.share(0.5 * (film.pressure[a] + film.pressure[b]))),
                           frame.box);
             }
@@ -163,14 +165,16 @@ void draw_films(Picture& picture, const FilmView& film, const Frame2D& frame, co
 void draw_rim(Picture& picture, const PixelBox& box)
 {
     const double l = box.left, t = box.top, r = box.right, b = box.bottom;
-    for (const auto& [from, to] : {std::array<PixelPoint, 2>{{{l, t}, {r, t}}}, {{{r, t}, {r, b}}}, {{{r, b}, {l, b}}}, {{{l, b}, {l, t}}}})
+    for (const auto& [from, to] :
+         {std::array<PixelPoint, 2>{{{l, t}, {r, t}}}, {{{r, t}, {r, b}}}, {{{r, b}, {l, b}}}, {{{l, b}, {l, t}}}})
         picture.line(from, to, 1, edge, picture.box());
 }
 
 constexpr int scale_height = 52;
 
 // Title, colours, values at the ends and in the middle.
-void draw_scale(Picture& picture, int left, int top, int width, const std::string& title, ColourMap map, const ColourRange& range)
+void draw_scale(Picture& picture, int left, int top, int width, const std::string& title, ColourMap map,
+                const ColourRange& range)
 {
     picture.text(left, top, title, ink);
     for (int x = 0; x < width; ++x)
@@ -226,10 +230,12 @@ Picture picture_2d(const StoredRun& run, const RunView& view, const FrameView& s
     const std::vector<Panel> panels = panels_of(state, 0, ranges);
     const double ratio = view.size[1] / view.size[0];
     const bool stacked = ratio < 0.5;
-    const int width = stacked ? 840 : std::min(400, static_cast<int>(560 / ratio)), height = std::max(1, static_cast<int>(width * ratio));
+    const int width = stacked ? 840 : std::min(400, static_cast<int>(560 / ratio)),
+              height = std::max(1, static_cast<int>(width * ratio));
     const int count = static_cast<int>(panels.size()), bars = scale_height * (films ? 2 : 1) + 10;
-    Picture picture(2 * margin + (stacked ? width : count * width + (count - 1) * space),
-                    header + (stacked ? count * (height + scale_height + 20) + (films ? scale_height : 0) : height + 10 + bars) + 6, paper);
+    Picture picture(
+        2 * margin + (stacked ? width : count * width + (count - 1) * space),
+        header + (stacked ? count * (height + scale_height + 20) + (films ? scale_height : 0) : height + 10 + bars) + 6, paper);
     draw_header(picture, run, state);
     int left = margin, top = header;
     for (const Panel& panel : panels) {
@@ -249,7 +255,8 @@ Picture picture_2d(const StoredRun& run, const RunView& view, const FrameView& s
             left += width + space;
     }
     if (films)
-        draw_scale(picture, margin, stacked ? top : top + height + 10 + scale_height, width, "film pressure", ColourMap::film, ranges.film);
+        draw_scale(picture, margin, stacked ? top : top + height + 10 + scale_height, width, "film pressure", ColourMap::film,
+                   ranges.film);
     return picture;
 }
 
@@ -275,7 +282,8 @@ void draw_surfaces(SurfaceRaster& raster, const Camera& camera, const RunView& v
             points.push_back(state.placements[b].rotation * x + state.placements[b].shift);
         const std::vector<Eigen::Vector3d> normals = corner_normals(points, body.elements);
         for (std::size_t e = 0; e + 2 < body.elements.size(); e += 3) {
-            const std::array<Eigen::Vector3d, 3> x = {points[body.elements[e]], points[body.elements[e + 1]], points[body.elements[e + 2]]};
+            const std::array<Eigen::Vector3d, 3> x = {points[body.elements[e]], points[body.elements[e + 1]],
+                                                      points[body.elements[e + 2]]};
             raster.triangle(x, [&](const Eigen::Vector3d& w) {
                 const Eigen::Vector3d normal = w[0] * normals[e] + w[1] * normals[e + 1] + w[2] * normals[e + 2];
                 const Eigen::Vector3d at = w[0] * x[0] + w[1] * x[1] + w[2] * x[2];
@@ -295,16 +303,17 @@ void draw_slice(SurfaceRaster& raster, const FieldPlane& plane, const Panel& pan
         return x;
     };
     for (const bool upper : {false, true}) {
-        const std::array<std::array<double, 2>, 3> at =
-            upper ? std::array<std::array<double, 2>, 3>{{{1, 1}, {0, 1}, {1, 0}}} : std::array<std::array<double, 2>, 3>{{{0, 0}, {1, 0}, {0, 1}}};
-        raster.triangle({corner(at[0][0], at[0][1]), corner(at[1][0], at[1][1]), corner(at[2][0], at[2][1])},
-                        [&](const Eigen::Vector3d& w) {
-                            const double a = w[0] * at[0][0] + w[1] * at[1][0] + w[2] * at[2][0];
-                            const double b = w[0] * at[0][1] + w[1] * at[1][1] + w[2] * at[2][1];
-                            const float value = interpolated(plane, *panel.values, plane.low[0] + a * plane.spacing * plane.cells[0],
-                                                             plane.low[1] + b * plane.spacing * plane.cells[1]);
-                            return std::pair(std::isnan(value) ? Colour{} : banded(panel.map, panel.range, value), !std::isnan(value));
-                        });
+        const std::array<std::array<double, 2>, 3> at = upper ? std::array<std::array<double, 2>, 3>{{{1, 1}, {0, 1}, {1, 0}}}
+                                                              : std::array<std::array<double, 2>, 3>{{{0, 0}, {1, 0}, {0, 1}}};
+        raster.triangle(
+            {corner(at[0][0], at[0][1]), corner(at[1][0], at[1][1]), corner(at[2][0], at[2][1])},
+            [&](const Eigen::Vector3d& w) {
+                const double a = w[0] * at[0][0] + w[1] * at[1][0] + w[2] * at[2][0];
+                const double b = w[0] * at[0][1] + w[1] * at[1][1] + w[2] * at[2][1];
+                const float value = interpolated(plane, *panel.values, plane.low[0] + a * plane.spacing * plane.cells[0],
+                                                 plane.low[1] + b * plane.spacing * plane.cells[1]);
+                return std::pair(std::isnan(value) ? Colour{} : banded(panel.map, panel.range, value), !std::isnan(value));
+            });
     }
 }
 
@@ -312,12 +321,13 @@ void draw_film_surface(SurfaceRaster& raster, const FilmView& film, const Colour
 {
     for (std::size_t e = 0; e + 2 < film.elements.size(); e += 3) {
         const int* node = film.elements.data() + e;
-        raster.triangle_through({film.points[node[0]], film.points[node[1]], film.points[node[2]]},
-                                [&](const Eigen::Vector3d& w) {
-                                    const double p = w[0] * film.pressure[node[0]] + w[1] * film.pressure[node[1]] + w[2] * film.pressure[node[2]];
-                                    return std::pair(colour_at(ColourMap::film, range.share(p)), true);
-                                },
-                                0.5);
+        raster.triangle_through(
+            {film.points[node[0]], film.points[node[1]], film.points[node[2]]},
+            [&](const Eigen::Vector3d& w) {
+                const double p = w[0] * film.pressure[node[0]] + w[1] * film.pressure[node[1]] + w[2] * film.pressure[node[2]];
+                return std::pair(colour_at(ColourMap::film, range.share(p)), true);
+            },
+            0.5);
     }
 }
 
@@ -327,7 +337,8 @@ void draw_domain(SurfaceRaster& raster, const RunView& view)
         for (int axis = 0; axis < 3; ++axis) {
             if (corner >> axis & 1)
                 continue;
-            Eigen::Vector3d from = view.origin + view.size.cwiseProduct(Eigen::Vector3d(corner & 1, corner >> 1 & 1, corner >> 2));
+            Eigen::Vector3d from =
+                view.origin + view.size.cwiseProduct(Eigen::Vector3d(corner & 1, corner >> 1 & 1, corner >> 2));
             raster.line(from, from + view.size[axis] * Eigen::Vector3d::Unit(axis), 2, soft);
         }
 }
@@ -337,9 +348,11 @@ Picture picture_3d(const StoredRun& run, const RunView& view, const FrameView& s
     constexpr int axis = 1, factor = 2, width = 440, height = 440;
     const std::vector<Panel> panels = panels_of(state, axis, ranges);
     const double ratio = view.size[2] / view.size[0];
-    const int slice_width = ratio > 1 ? static_cast<int>(height / ratio) : height, slice_height = static_cast<int>(slice_width * ratio);
+    const int slice_width = ratio > 1 ? static_cast<int>(height / ratio) : height,
+              slice_height = static_cast<int>(slice_width * ratio);
     const bool sliced = panels.back().values != nullptr;
-    Picture picture(2 * margin + width + (sliced ? space + slice_width : 0), header + height + 10 + 2 * scale_height + 12, paper);
+    Picture picture(2 * margin + width + (sliced ? space + slice_width : 0), header + height + 10 + 2 * scale_height + 12,
+                    paper);
     draw_header(picture, run, state);
 
     const Camera camera(view.origin, view.size, factor * width, factor * height);
@@ -356,17 +369,20 @@ Picture picture_3d(const StoredRun& run, const RunView& view, const FrameView& s
         draw_scale(picture, margin, top, width, panels.front().title + " at y = " + short_number(state.planes[axis].position),
                    panels.front().map, panels.front().range);
     if (films)
-        draw_scale(picture, margin, top + scale_height + 2, width, "film pressure (seen through bodies)", ColourMap::film, ranges.film);
+        draw_scale(picture, margin, top + scale_height + 2, width, "film pressure (seen through bodies)", ColourMap::film,
+                   ranges.film);
     if (!sliced)
         return picture;
     const int left = margin + width + space, slice_top = header + (height - slice_height) / 2;
-    const Frame2D frame{{left, slice_top, left + slice_width, slice_top + slice_height}, {view.origin[0], view.origin[2]}, slice_width / view.size[0]};
+    const Frame2D frame{{left, slice_top, left + slice_width, slice_top + slice_height},
+                        {view.origin[0], view.origin[2]},
+                        slice_width / view.size[0]};
     const FieldPlane& plane = state.planes[axis];
     draw_field(picture, frame, plane, *panels.back().values, panels.back().map, panels.back().range);
     draw_bodies(picture, view, state, frame, axis, plane.in_plane, plane.position);
     draw_rim(picture, frame.box);
-    draw_scale(picture, left, top, slice_width, panels.back().title + " at y = " + short_number(plane.position), panels.back().map,
-               panels.back().range);
+    draw_scale(picture, left, top, slice_width, panels.back().title + " at y = " + short_number(plane.position),
+               panels.back().map, panels.back().range);
     return picture;
 }
 

@@ -26,7 +26,8 @@ const std::array<Glyph, glyphs>& font()
 {
     static const std::array<Glyph, glyphs> all = [] {
         const std::string_view file = assets::font_pgm();
-        const auto* ink = reinterpret_cast<const unsigned char*>(file.data()) + file.size() - glyphs * glyph_width * text_height;
+        const auto* ink =
+            reinterpret_cast<const unsigned char*>(file.data()) + file.size() - glyphs * glyph_width * text_height;
         std::array<Glyph, glyphs> result{};
         for (Glyph& glyph : result) {
             glyph = {ink, 4}; // of a blank, less the space behind
@@ -98,7 +99,8 @@ void Picture::fill_inside(const std::vector<std::array<PixelPoint, 2>>& segments
                 const double from = std::max(crossings[i], static_cast<double>(clip.left));
                 const double to = std::min(crossings[i + 1], static_cast<double>(clip.right));
                 for (int x = static_cast<int>(std::floor(from)); x < to; ++x)
-                    coverage[x - clip.left] += std::max(0.0, std::min(to, x + 1.0) - std::max(from, static_cast<double>(x))) / lines;
+                    coverage[x - clip.left] +=
+                        std::max(0.0, std::min(to, x + 1.0) - std::max(from, static_cast<double>(x))) / lines;
             }
         }
         for (int x = clip.left; x < clip.right; ++x)

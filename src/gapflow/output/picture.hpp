@@ -20,7 +20,8 @@ struct PixelBox {
     int height() const { return bottom - top; }
 };
 
-class Picture {
+class Picture
+{
 public:
     Picture(int width, int height, Colour background);
 

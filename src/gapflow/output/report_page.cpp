@@ -1,7 +1,7 @@
 // Numbers of the page lie in one stream of bytes, compressed (zlib) and in base64. In the page's JSON an array is
 // [type, offset, count] or, for fields, ["q16", offset, count, low, high]: 16-bit codes, 0 for no value, else
-// low + (code - 1) / 65534 (high - low), so that the error is below 1e-5 of the array's range. Codes are stored as differences to the
-// one before (modulo 2^16), all high bytes, then all low bytes: smooth fields then compress well.
+// low + (code - 1) / 65534 (high - low), so that the error is below 1e-5 of the array's range. Codes are stored as differences
+// to the one before (modulo 2^16), all high bytes, then all low bytes: smooth fields then compress well.
 #include "gapflow/output/report_page.hpp"
 
 #include "gapflow/core/error.hpp"
@@ -28,7 +28,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Bytes of arrays and what refers to them.
-class Numbers {
+class Numbers
+{
 public:
     template <class T, class From>
     Json add(const char* type, const std::vector<From>& values)
@@ -57,8 +58,9 @@ public:
         std::string high_bytes, low_bytes;
         std::uint16_t before = 0;
         for (const float value : values) {
-            const auto code =
-                std::isfinite(value) ? static_cast<std::uint16_t>(1 + std::lround((static_cast<double>(value) - low) * scale)) : std::uint16_t{0};
+            const auto code = std::isfinite(value)
+                                  ? static_cast<std::uint16_t>(1 + std::lround((static_cast<double>(value) - low) * scale))
+                                  : std::uint16_t{0};
             const auto change = static_cast<std::uint16_t>(code - before);
             before = code;
             high_bytes += static_cast<char>(change >> 8);
@@ -97,7 +99,8 @@ std::string compressed(const std::string& bytes)
 {
     uLongf size = compressBound(bytes.size());
     std::string result(size, '\0');
-    if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6) != Z_OK)
+    if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(),
+                  6) != Z_OK)
         throw ComputationError("the page's data cannot be compressed: out of memory");
     result.resize(size);
     return result;
@@ -213,7 +216,8 @@ Json tables_json(const StoredRun& run, const RunView& view, const PageLimits& li
         pairs[{a[row], b[row]}].push_back(row);
     json["gaps"] = Json::array();
     for (const auto& [pair, rows] : pairs)
-        json["gaps"].push_back({{"a", pair.first}, {"b", pair.second}, {"columns", columns_at(run.gaps, rows, steps, numbers)}});
+        json["gaps"].push_back(
+            {{"a", pair.first}, {"b", pair.second}, {"columns", columns_at(run.gaps, rows, steps, numbers)}});
     return json;
 }
 
@@ -243,12 +247,8 @@ EncodedFrame encode(const FrameView& frame, int dimension)
     json["time"] = frame.time;
     json["planes"] = Json::array();
     for (const FieldPlane& plane : frame.planes) {
-        Json entry = {{"axis", plane.axis},
-                      {"position", plane.position},
-                      {"in_plane", plane.in_plane},
-                      {"cells", plane.cells},
-                      {"low", plane.low},
-                      {"spacing", plane.spacing}};
+        Json entry = {{"axis", plane.axis},   {"position", plane.position}, {"in_plane", plane.in_plane},
+                      {"cells", plane.cells}, {"low", plane.low},           {"spacing", plane.spacing}};
         entry["fluid"] = numbers.bytes({plane.fluid.begin(), plane.fluid.end()});
         if (!plane.pressure.empty())
             entry["pressure"] = numbers.field(plane.pressure);
@@ -279,7 +279,8 @@ EncodedFrame encode(const FrameView& frame, int dimension)
 }
 
 // Every stride-th frame and the last one, with the smallest stride (a power of two) that keeps within the limit.
-std::vector<EncodedFrame> encode_frames(const StoredRun& run, const RunView& view, const PageLimits& limits, RangeSampler& sampler)
+std::vector<EncodedFrame> encode_frames(const StoredRun& run, const RunView& view, const PageLimits& limits,
+                                        RangeSampler& sampler)
 {
     std::vector<EncodedFrame> kept;
     std::size_t stride = 1, bytes = 0;
@@ -331,9 +332,9 @@ Json bodies_json(const RunView& view, Numbers& numbers)
 Json colours_json(const ColourRanges& ranges, Numbers& numbers)
 {
     Json colours;
-    for (const auto& [name, map, range] : {std::tuple{"pressure", ColourMap::pressure, ranges.pressure},
-                                           std::tuple{"speed", ColourMap::speed, ranges.speed},
-                                           std::tuple{"film", ColourMap::film, ranges.film}}) {
+    for (const auto& [name, map, range] :
+         {std::tuple{"pressure", ColourMap::pressure, ranges.pressure}, std::tuple{"speed", ColourMap::speed, ranges.speed},
+          std::tuple{"film", ColourMap::film, ranges.film}}) {
         std::vector<std::uint8_t> table;
         for (int i = 0; i < 256; ++i) {
             const Colour colour = colour_at(map, i / 255.0);
@@ -381,13 +382,13 @@ PageSummary write_report_page(const StoredRun& run, const std::filesystem::path&
         json["frames"].push_back(std::move(frame.json));
     }
     const std::string packed = compressed(numbers.content());
-    const std::string content = filled(
-        assets::page_html(),
-        {{"title", escaped(title_of(run))},
-         {"style", code_for_page(assets::page_style())},
-         {"data", json_for_script(json)},
-         {"numbers", base64(packed)},
-         {"script", code_for_page(view.dimension == 2 ? assets::page_script_2d() : assets::page_script_3d())}});
+    const std::string content =
+        filled(assets::page_html(),
+               {{"title", escaped(title_of(run))},
+                {"style", code_for_page(assets::page_style())},
+                {"data", json_for_script(json)},
+                {"numbers", base64(packed)},
+                {"script", code_for_page(view.dimension == 2 ? assets::page_script_2d() : assets::page_script_3d())}});
     write_atomically(page, content);
     summary.frames = frames.size();
     summary.frames_of_run = run.frames.size();

@@ -10,10 +10,10 @@ namespace gapflow {
 
 /// What keeps a page small. Frames and steps beyond are thinned evenly, first and last stay; the page says so.
 struct PageLimits {
-    long plane_cells = 1 << 17;                 ///< of one field on one plane: coarser means beyond
-    std::size_t frame_bytes = 48 << 20;         ///< of all frames, before compression to a half or less
-    std::size_t steps = 10'000;                 ///< rows of a plot
-    std::size_t table_values = 4'000'000;       ///< numbers of all tables
+    long plane_cells = 1 << 17;           ///< of one field on one plane: coarser means beyond
+    std::size_t frame_bytes = 48 << 20;   ///< of all frames, before compression to a half or less
+    std::size_t steps = 10'000;           ///< rows of a plot
+    std::size_t table_values = 4'000'000; ///< numbers of all tables
 };
 
 struct PageSummary {

@@ -23,8 +23,8 @@ Eigen::Vector3d triple_of(const nlohmann::ordered_json& list)
     return triple;
 }
 
-// Gives cells without a value the mean of their neighbours with one, `layers` times: a body's edge runs through cells, and a viewer
-// interpolates there.
+// Gives cells without a value the mean of their neighbours with one, `layers` times: a body's edge runs through cells, and a
+// viewer interpolates there.
 void fill_next_to_values(std::vector<float>& values, const std::array<int, 2>& cells, int layers)
 {
     for (int layer = 0; layer < layers; ++layer) {
@@ -116,8 +116,8 @@ FieldPlane plane_of(const VtkContent& image, int axis, double position)
                 plane.speed.push_back(valued ? static_cast<float>(u.norm()) : none);
             }
         }
-    // One layer is what interpolation asks for. In 2D bodies and films are drawn over it, so that more hides narrow corners; in 3D it
-    // would stick out of a container.
+    // One layer is what interpolation asks for. In 2D bodies and films are drawn over it, so that more hides narrow corners; in
+    // 3D it would stick out of a container.
     for (std::vector<float>* values : {&plane.pressure, &plane.speed, &plane.u, &plane.v})
         if (!values->empty())
             fill_next_to_values(*values, plane.cells, image.cells[2] == 0 ? 3 : 1);

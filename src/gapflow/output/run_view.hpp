@@ -1,5 +1,5 @@
-// A run prepared for looking at, by the report's page and by the pictures: bodies as outlines or surfaces that move rigidly, fields
-// on planes without holes next to bodies, films as chains or surfaces.
+// A run prepared for looking at, by the report's page and by the pictures: bodies as outlines or surfaces that move rigidly,
+// fields on planes without holes next to bodies, films as chains or surfaces.
 #pragma once
 
 #include "gapflow/output/stored_run.hpp"
@@ -14,8 +14,8 @@
 
 namespace gapflow {
 
-/// Values on a plane across `axis` at `position` (2D: the whole field, axis 2). Cell (i, j) is values[i + cells[0] j], along the
-/// plane's axes in_plane[0], in_plane[1]. NaN: no fluid anywhere near. Arrays that the run did not write are empty.
+/// Values on a plane across `axis` at `position` (2D: the whole field, axis 2). Cell (i, j) is values[i + cells[0] j], along
+/// the plane's axes in_plane[0], in_plane[1]. NaN: no fluid anywhere near. Arrays that the run did not write are empty.
 struct FieldPlane {
     int axis = 2;
     double position = 0;

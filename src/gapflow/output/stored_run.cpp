@@ -101,9 +101,10 @@ std::vector<RunFrame> read_frames(const std::filesystem::path& folder)
             continue;
         if (frames.empty() || frames.back().time != entry.time) {
             const auto digits = entry.file.rfind('_');
-            const auto number = digits == std::string::npos
-                                    ? std::nullopt
-                                    : parse_number(std::string_view(entry.file).substr(digits + 1, entry.file.rfind('.') - digits - 1));
+            const auto number =
+                digits == std::string::npos
+                    ? std::nullopt
+                    : parse_number(std::string_view(entry.file).substr(digits + 1, entry.file.rfind('.') - digits - 1));
             frames.push_back({static_cast<int>(number.value_or(static_cast<double>(frames.size()))), entry.time, {}, {}, {}});
         }
         RunFrame& frame = frames.back();
@@ -140,7 +141,8 @@ StoredRun read_run(const std::filesystem::path& folder)
         throw InputError(folder.string() + ": no such folder; give the folder of a run, that of -o or output.directory");
     const std::filesystem::path record_file = folder / "run.json";
     if (!std::filesystem::exists(record_file, error))
-        throw InputError(folder.string() + ": not the folder of a run, it has no run.json; give that of -o or output.directory");
+        throw InputError(folder.string() +
+                         ": not the folder of a run, it has no run.json; give that of -o or output.directory");
     StoredRun run;
     run.folder = folder;
     try {

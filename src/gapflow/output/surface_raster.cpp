@@ -20,7 +20,8 @@ Camera::Camera(const Eigen::Vector3d& box_low, const Eigen::Vector3d& box_size, 
         const Eigen::Vector3d x =
             box_low + box_size.cwiseProduct(Eigen::Vector3d(corner & 1, corner >> 1 & 1, corner >> 2)) - eye_;
         const double depth = x.dot(forward_);
-        widest = std::max({widest, std::abs(x.dot(right_)) / depth / (0.5 * width_), std::abs(x.dot(up_)) / depth / (0.5 * height_)});
+        widest = std::max(
+            {widest, std::abs(x.dot(right_)) / depth / (0.5 * width_), std::abs(x.dot(up_)) / depth / (0.5 * height_)});
     }
     pixels_ = 0.96 / widest;
 }
@@ -38,8 +39,8 @@ SurfaceRaster::SurfaceRaster(const Camera& camera, int width, int height)
 {
 }
 
-// pixel(index, weights, depth) for every pixel whose centre a triangle covers; weights are those in space: linear in 1 / depth on the
-// picture.
+// pixel(index, weights, depth) for every pixel whose centre a triangle covers; weights are those in space: linear in 1 / depth
+// on the picture.
 template <class Pixel>
 void SurfaceRaster::cover(const std::array<Eigen::Vector3d, 3>& corners, Pixel&& pixel) const
 {
@@ -87,7 +88,9 @@ void SurfaceRaster::triangle_through(const std::array<Eigen::Vector3d, 3>& corne
         if (!visible)
             return;
         const double s = depth <= depth_[index] ? 1 : share;
-        const auto mix = [&](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(std::lround(a + s * (b - a))); };
+        const auto mix = [&](std::uint8_t a, std::uint8_t b) {
+            return static_cast<std::uint8_t>(std::lround(a + s * (b - a)));
+        };
         Colour& old = colours_[index];
         old = {mix(old.red, colour.red), mix(old.green, colour.green), mix(old.blue, colour.blue)};
     });
@@ -104,7 +107,8 @@ void SurfaceRaster::line(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
         const int reach = static_cast<int>(std::ceil(0.5 * thickness));
         for (int y = static_cast<int>(p[1]) - reach; y <= static_cast<int>(p[1]) + reach; ++y)
             for (int x = static_cast<int>(p[0]) - reach; x <= static_cast<int>(p[0]) + reach; ++x) {
-                if (x < 0 || y < 0 || x >= width_ || y >= height_ || std::hypot(x + 0.5 - p[0], y + 0.5 - p[1]) > 0.5 * thickness)
+                if (x < 0 || y < 0 || x >= width_ || y >= height_ ||
+                    std::hypot(x + 0.5 - p[0], y + 0.5 - p[1]) > 0.5 * thickness)
                     continue;
                 const std::size_t index = static_cast<std::size_t>(y) * width_ + x;
                 if (depth < depth_[index] * 1.001)

@@ -11,7 +11,8 @@
 namespace gapflow {
 
 /// A camera that looks at a box from the front, right and above; z points up.
-class Camera {
+class Camera
+{
 public:
     Camera(const Eigen::Vector3d& box_low, const Eigen::Vector3d& box_size, int width, int height);
 
@@ -26,11 +27,13 @@ private:
 };
 
 /// What is in front, pixel by pixel.
-class SurfaceRaster {
+class SurfaceRaster
+{
 public:
     SurfaceRaster(const Camera& camera, int width, int height);
 
-    /// colour(weights of the corners) of a pixel inside; nothing drawn where `visible` says no. Returns nothing behind what is there.
+    /// colour(weights of the corners) of a pixel inside; nothing drawn where `visible` says no. Returns nothing behind what is
+    /// there.
     using Shade = std::function<std::pair<Colour, bool>(const Eigen::Vector3d& weights)>;
     void triangle(const std::array<Eigen::Vector3d, 3>& corners, const Shade& shade);
     /// The same, mixed by `share` over what is in front of it.

@@ -16,9 +16,9 @@ namespace gapflow {
 struct VtkContent {
     Eigen::Vector3i cells = Eigen::Vector3i::Zero(); ///< image only; 2D: z is 0
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(), spacing = Eigen::Vector3d::Zero();
-    std::vector<Eigen::Vector3d> points;             ///< surface only
-    int corners = 0;                                 ///< of an element: 2 lines, 3 triangles
-    std::vector<int> elements;                       ///< `corners` points each
+    std::vector<Eigen::Vector3d> points; ///< surface only
+    int corners = 0;                     ///< of an element: 2 lines, 3 triangles
+    std::vector<int> elements;           ///< `corners` points each
     std::vector<VtkArray> point_data, cell_data;
     std::optional<double> time;
 

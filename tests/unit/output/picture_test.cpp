@@ -113,7 +113,8 @@ TEST(Camera, SeesTheWholeBoxUpright)
     const Camera camera(low, size, 300, 200);
     double top = 1e9, bottom = -1e9;
     for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d p = camera.project(low + size.cwiseProduct(Eigen::Vector3d(corner & 1, corner >> 1 & 1, corner >> 2)));
+        const Eigen::Vector3d p =
+            camera.project(low + size.cwiseProduct(Eigen::Vector3d(corner & 1, corner >> 1 & 1, corner >> 2)));
         EXPECT_GE(p[0], 0);
         EXPECT_LE(p[0], 300);
         EXPECT_GE(p[1], 0);
@@ -153,7 +154,8 @@ TEST(SurfaceRaster, WhatIsNearerHides)
 TEST(SurfaceRaster, WeightsAreThoseInSpace)
 {
     const Camera camera({-1, -1, -1}, {2, 2, 2}, 400, 400);
-    const std::array<Eigen::Vector3d, 3> corners = {Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, -1, 0), Eigen::Vector3d(0, 1, 0)};
+    const std::array<Eigen::Vector3d, 3> corners = {Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, -1, 0),
+                                                    Eigen::Vector3d(0, 1, 0)};
     SurfaceRaster raster(camera, 400, 400);
     int pixels = 0;
     double largest = 0;

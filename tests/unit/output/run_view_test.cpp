@@ -27,8 +27,10 @@ namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
-// A run of a square that moves right by 0.1 a frame and turns by 90 degrees in all, with fields pressure = x and a film along y = 0.5.
-class SmallRun {
+// A run of a square that moves right by 0.1 a frame and turns by 90 degrees in all, with fields pressure = x and a film along y
+// = 0.5.
+class SmallRun
+{
 public:
     explicit SmallRun(int frames, int cells = 8)
     {
@@ -42,7 +44,8 @@ public:
             {"fluid", {{"reference_pressure", 0}}},
             {"body", {{{"name", "a, \"b\""}, {"shape", "box"}, {"motion", "free"}, {"inside_out", false}}}}};
         write("run.json", nlohmann::json({{"status", "done"}, {"scene", scene.dump()}}).dump());
-        std::string steps = "step,time,dt\n", bodies = "step,time,body,x,y,angle\n", gaps = "step,time,body_a,body_b,thickness\n";
+        std::string steps = "step,time,dt\n", bodies = "step,time,body,x,y,angle\n",
+                    gaps = "step,time,body_a,body_b,thickness\n";
         PvdCollection collection(folder_ / "gapflow.pvd");
         for (const char* part : {"fields", "bodies", "films"})
             std::filesystem::create_directories(folder_ / part);
@@ -52,13 +55,15 @@ public:
             steps += number + "," + std::to_string(time) + ",0.5\n";
             bodies += number + "," + std::to_string(time) + ",\"a, \"\"b\"\"\"," + std::to_string(0.5 + 0.1 * k) + ",1," +
                       std::to_string(angle) + "\n";
-            gaps += number + "," + std::to_string(time) + ",\"a, \"\"b\"\"\",wall:x_low," + std::to_string(std::abs(k - 2) + 0.5) + "\n";
+            gaps += number + "," + std::to_string(time) + ",\"a, \"\"b\"\"\",wall:x_low," +
+                    std::to_string(std::abs(k - 2) + 0.5) + "\n";
             write_vti<2>(folder_ / ("fields/fields" + name + ".vti"), grid,
                          std::vector<VtkArray>{
                              cell_array(grid, "pressure", 1, [&](const Index<2>& c, int) { return grid.cell_centre(c)[0]; }),
                              cell_array(grid, "kind", 1, [&](const Index<2>& c, int) { return c[0] == 0 ? 0.0 : 1.0; })});
             write_vtp<2>(folder_ / ("bodies/a" + name + ".vtp"), square({0.5 + 0.1 * k, 1}));
-            write_vtp<2>(folder_ / ("films/films" + name + ".vtp"), {{{0, 0.5}, {1, 0.5}}, {{0, 1}}, {{"thickness", 1, {0.1, 0.2}}, {"pressure", 1, {-1, 3}}}, {}});
+            write_vtp<2>(folder_ / ("films/films" + name + ".vtp"),
+                         {{{0, 0.5}, {1, 0.5}}, {{0, 1}}, {{"thickness", 1, {0.1, 0.2}}, {"pressure", 1, {-1, 3}}}, {}});
             collection.add(time, "fields", "fields/fields" + name + ".vti");
             collection.add(time, "a, \"b\"", "bodies/a" + name + ".vtp");
             collection.add(time, "films", "films/films" + name + ".vtp");
@@ -119,7 +124,8 @@ TEST(RunView, BodiesMoveAsTheTableSays)
     ASSERT_EQ(view.bodies.size(), 1U);
     EXPECT_THAT(view.bodies[0].outlines, ElementsAre(ElementsAre(0, 1, 2, 3, 0)));
     const Placement placement = view_frame(run, view, run.frames[2]).placements.at(0);
-    // The corner (0.3, 0.9), 0.2 left of and 0.1 below the centre, a quarter turn on: 0.1 right of and 0.2 below the new centre.
+    // The corner (0.3, 0.9), 0.2 left of and 0.1 below the centre, a quarter turn on: 0.1 right of and 0.2 below the new
+    // centre.
     EXPECT_LT((placement.rotation * view.bodies[0].points[0] + placement.shift - Eigen::Vector3d(0.8, 0.8, 0)).norm(), 1e-5);
 }
 
@@ -177,7 +183,8 @@ TEST(ColourMap, EndsAndMiddle)
     EXPECT_THAT(numbers(colour_at(ColourMap::speed, 2)), ElementsAre(0xfd, 0xe7, 0x25));
     EXPECT_THAT(numbers(colour_at(ColourMap::pressure, 0.5)), ElementsAre(0xf7, 0xf6, 0xf6));
     // Half way between two colours of the table.
-    EXPECT_THAT(numbers(colour_at(ColourMap::film, 0.5 / 16)), ElementsAre((0x0d + 0x31 + 1) / 2, (0x08 + 0x05 + 1) / 2, (0x87 + 0x97) / 2));
+    EXPECT_THAT(numbers(colour_at(ColourMap::film, 0.5 / 16)),
+                ElementsAre((0x0d + 0x31 + 1) / 2, (0x08 + 0x05 + 1) / 2, (0x87 + 0x97) / 2));
 }
 
 TEST(ColourMap, PressureIsSymmetricAboutTheReferenceInside)

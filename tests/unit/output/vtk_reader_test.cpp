@@ -79,7 +79,8 @@ TEST(VtkReader, ImagesComeBackAsWritten)
 TEST(VtkReader, SurfacesComeBackAsWritten)
 {
     const test::TemporaryFolder folder;
-    write_vtp<2>(folder / "film.vtp", {{{0.1, 0.0}, {1.0, 0.2}, {0.5, 1.0 / 3}}, {{0, 1}, {1, 2}}, {{"thickness", 1, {1e-7, 0.25, -3}}}, {}});
+    write_vtp<2>(folder / "film.vtp",
+                 {{{0.1, 0.0}, {1.0, 0.2}, {0.5, 1.0 / 3}}, {{0, 1}, {1, 2}}, {{"thickness", 1, {1e-7, 0.25, -3}}}, {}});
     const VtkContent film = read_vtk(folder / "film.vtp");
     EXPECT_EQ(film.corners, 2);
     EXPECT_THAT(film.elements, ElementsAre(0, 1, 1, 2));
@@ -87,7 +88,8 @@ TEST(VtkReader, SurfacesComeBackAsWritten)
     EXPECT_THAT(film.point_array("thickness")->values, ElementsAre(1e-7, 0.25, -3));
     EXPECT_FALSE(film.time);
 
-    write_vtp<3>(folder / "body.vtp", {{{0, 0, 0}, {1, 0, 0.1}, {0, 1, 0}}, {{0, 2, 1}}, {}, {{"a <name>", 1, {7}}}}, {{}, 2.0});
+    write_vtp<3>(folder / "body.vtp", {{{0, 0, 0}, {1, 0, 0.1}, {0, 1, 0}}, {{0, 2, 1}}, {}, {{"a <name>", 1, {7}}}},
+                 {{}, 2.0});
     const VtkContent body = read_vtk(folder / "body.vtp");
     EXPECT_EQ(body.corners, 3);
     EXPECT_THAT(body.elements, ElementsAre(0, 2, 1));
@@ -109,7 +111,8 @@ TEST(VtkReader, RefusesWhatIsNotOurs)
 {
     const test::TemporaryFolder folder;
     EXPECT_THAT(message_of(folder / "nowhere.vti"), HasSubstr("nowhere.vti: cannot be read"));
-    const test::TemporaryFile text("text.vti", "hello"), cut("cut.vtp", "<PolyData><Piece NumberOfPoints=\"1\"></Piece></PolyData>");
+    const test::TemporaryFile text("text.vti", "hello"),
+        cut("cut.vtp", "<PolyData><Piece NumberOfPoints=\"1\"></Piece></PolyData>");
     EXPECT_THAT(message_of(text.path()), HasSubstr("no VTK image or surface"));
     EXPECT_THAT(message_of(cut.path()), HasSubstr("has no points"));
     write_vtp<2>(folder / "film.vtp", {{{0, 0}, {1, 0}}, {{0, 1}}, {{"thickness", 1, {1, 2}}}, {}});
