@@ -132,16 +132,53 @@ class Report(unittest.TestCase):
                 for value, exact in zip(values, vtk_array(films, name), strict=True):
                     self.assertAlmostEqual(value, exact, delta=1e-6 * abs(exact))
             self.assertGreater(len(film[0]), 10)
-            # The upper plate, moved from its first place, lies where its file of that time has it.
-            for b, body in enumerate(page.json["bodies"]):
-                points, p = page.numbers(body["points"]), page.numbers(frame["placements"], base)[12 * b:12 * b + 12]
-                exact = vtk_array(self.flat / "bodies" / f"{body['name']}_{number:05d}.vtp", "Points")
-                for i in range(len(points) // 2):
-                    x, y = points[2 * i], points[2 * i + 1]
-                    self.assertAlmostEqual(p[0] * x + p[1] * y + p[9], exact[3 * i], delta=1e-6)
-                    self.assertAlmostEqual(p[3] * x + p[4] * y + p[10], exact[3 * i + 1], delta=1e-6)
+        self.check_places(page, self.flat)
         moved = page.numbers(page.json["frames"][2]["placements"], page.json["frames"][2]["base"])
         self.assertGreater(moved[10], 1e-4)
+
+    def check_places(self, page, folder):
+        """Every body, moved from its first place, lies where its file of that time has it."""
+        dimension = page.json["dimension"]
+        for number, frame in enumerate(page.json["frames"]):
+            for b, body in enumerate(page.json["bodies"]):
+                points, p = page.numbers(body["points"]), page.numbers(frame["placements"], frame["base"])[12 * b:12 * b + 12]
+                exact = vtk_array(folder / "bodies" / f"{body['name']}_{number:05d}.vtp", "Points")
+                self.assertEqual(len(points) // dimension, len(exact) // 3)
+                for i in range(len(points) // dimension):
+                    x = points[dimension * i:dimension * (i + 1)]
+                    for axis in range(dimension):
+                        place = sum(p[3 * axis + k] * x[k] for k in range(dimension)) + p[9 + axis]
+                        self.assertAlmostEqual(place, exact[3 * i + axis], delta=1e-6)
+
+    def test_bodies_that_turn(self):
+        for dimension, spin in ((2, "2.0"), (3, "[0.5, 1.0, 2.0]")):
+            scene = Path(self.folder.name) / f"turning_{dimension}.toml"
+            scene.write_text(f"""
+                [domain]
+                size = {[2] * dimension}
+                cells = {[16] * dimension}
+                [fluid]
+                density = 1
+                [[body]]
+                name = "blade"
+                shape = "box"
+                size = {[0.8, 0.4, 0.5][:dimension]}
+                position = {[1] * dimension}
+                motion = "prescribed"
+                angular_velocity = {spin}
+                [time]
+                end = 0.3
+                max_step = 0.1
+                [output]
+                every = 0.1""")
+            out = self.out / str(dimension)
+            run(scene, out)
+            page = self.page(out)
+            self.assertEqual(len(page.json["frames"]), 4)
+            self.check_places(page, out)
+            last = page.json["frames"][3]
+            turned = page.numbers(last["placements"], last["base"])[:9]
+            self.assertLess(turned[0] + turned[4] + turned[8], 2.9)  # trace of the rotation: 1 + 2 cos of the angle
 
     def test_3d_has_surfaces_and_three_slices(self):
         page = self.page(self.solid)
