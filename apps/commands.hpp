@@ -40,4 +40,13 @@ int check_command(const Scene& scene);
 /// Prints the added-mass matrix, as a table or as JSON. Collective.
 int added_mass_command(const Scene& scene, bool json);
 
+struct ReportOptions {
+    std::string directory; ///< of the run
+    std::string page;      ///< empty: report.html in the run's folder
+    bool png = false;      ///< key frames as PNG in the run's folder frames/ instead of a page
+};
+
+/// Writes a page or pictures of a run from its files. Only the root works. Collective.
+int report_command(const ReportOptions& options);
+
 } // namespace gapflow

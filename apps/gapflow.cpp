@@ -20,7 +20,8 @@ struct Arguments {
     std::string scene, directory, resume;
     std::vector<std::string> sets;
     ConvergeOptions converge;
-    bool quiet = false, json = false, png = false;
+    ReportOptions report;
+    bool quiet = false, json = false;
 };
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
@@ -63,11 +64,6 @@ int converge(Arguments& arguments)
     arguments.converge.quiet = arguments.quiet;
     return converge_command([&](const Overrides& more) { return scene_of(arguments, Purpose::run, more); },
                             arguments.converge);
-}
-
-int not_available(const std::string& command)
-{
-    throw InputError(command + ": not available in this version; `gapflow --help` lists what is");
 }
 
 /// The subcommands and their options; `action` becomes the one that the user chose.
@@ -129,10 +125,14 @@ void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& act
     converge_app->footer("Runs with domain.cells in proportion, time.max_step and time.gap_cfl scaled with the spacing, into "
                          "folders cells_N; writes converge.csv and converge.json. Errors are divided by the reference's range.");
 
-    CLI::App* report =
-        add("report", "One HTML page of a run (not available in this version)", [] { return not_available("report"); });
-    report->add_option("directory", arguments.directory, "Folder of the run")->required()->type_name("DIR");
-    report->add_flag("--png", arguments.png, "Key frames as PNG instead");
+    CLI::App* report = add("report", "One HTML page of a run, with plots and a view to play; or pictures of it",
+                           [&] { return report_command(arguments.report); });
+    report->add_option("directory", arguments.report.directory, "Folder of the run")->required()->type_name("DIR");
+    CLI::Option* page =
+        report->add_option("-o,--output", arguments.report.page, "The page, instead of DIR/report.html")->type_name("FILE.html");
+    report->add_flag("--png", arguments.report.png, "Key frames as pictures DIR/frames/*.png instead of a page")->excludes(page);
+    report->footer("Reads what the run has written so far, also of a run that is going on or was stopped. The page needs no "
+                   "network.");
 }
 
 int report_error(const std::string& message, int status)

@@ -35,6 +35,7 @@ void summarise(const Simulation<D>& simulation, const Logger& log, double smalle
         stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, stage.seconds);
     log.info("time: " + stages);
     log.info(fmt::format("files: {0}/bodies.csv, gaps.csv, steps.csv; open {0}/gapflow.pvd in ParaView", folder));
+    log.info(fmt::format("look at it: gapflow report {0} writes {0}/report.html for a browser", folder));
 }
 
 template <int D>

@@ -10,6 +10,11 @@ namespace gapflow {
 /// A .pvd file. It is rewritten as a whole, under a temporary name first, so that what is on the disk is always valid.
 class PvdCollection {
 public:
+    struct Entry {
+        double time;
+        std::string part, file;
+    };
+
     /// Starts an empty collection; nothing is written yet.
     explicit PvdCollection(std::filesystem::path path);
     /// Goes on with the file that an earlier run of this program left, without its entries after `time`; no file: empty.
@@ -20,13 +25,9 @@ public:
     void add(double time, const std::string& part, const std::filesystem::path& file);
     /// Throws ComputationError. Not collective: call it on the root.
     void write() const;
+    const std::vector<Entry>& entries() const { return entries_; }
 
 private:
-    struct Entry {
-        double time;
-        std::string part, file;
-    };
-
     std::filesystem::path path_;
     std::vector<Entry> entries_;
 };

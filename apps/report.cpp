@@ -1,0 +1,43 @@
+// gapflow report: a page or pictures of a run, from its files.
+#include "commands.hpp"
+
+#include "gapflow/output/file.hpp"
+#include "gapflow/output/frame_pictures.hpp"
+#include "gapflow/output/report_page.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+namespace gapflow {
+
+namespace {
+
+void write_page(const StoredRun& run, const ReportOptions& options)
+{
+    const std::filesystem::path page = options.page.empty() ? run.folder / "report.html" : std::filesystem::path(options.page);
+    const PageSummary summary = write_report_page(run, page);
+    std::puts(fmt::format("{}: {:.1f} MB, {} of {} output times, {} of {} steps; open it in a browser", page.string(),
+                          static_cast<double>(summary.bytes) / 1e6, summary.frames, summary.frames_of_run, summary.steps,
+                          summary.steps_of_run)
+                  .c_str());
+}
+
+void write_pictures(const StoredRun& run)
+{
+    for (const std::filesystem::path& picture : write_frame_pictures(run, run.folder / "frames"))
+        std::puts(picture.c_str());
+}
+
+} // namespace
+
+int report_command(const ReportOptions& options)
+{
+    on_root(Communicator(), [&] {
+        const StoredRun run = read_run(options.directory);
+        options.png ? write_pictures(run) : write_page(run, options);
+    });
+    return 0;
+}
+
+} // namespace gapflow

@@ -1,0 +1,33 @@
+// Reads back the .vti and .vtp files that vtk.hpp writes (not VTK files in general).
+#pragma once
+
+#include "gapflow/output/vtk.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace gapflow {
+
+/// What a file holds; vectors have three components, in 2D the third is 0.
+struct VtkContent {
+    Eigen::Vector3i cells = Eigen::Vector3i::Zero(); ///< image only; 2D: z is 0
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero(), spacing = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3d> points; ///< surface only
+    int corners = 0;                     ///< of an element: 2 lines, 3 triangles
+    std::vector<int> elements;           ///< `corners` points each
+    std::vector<VtkArray> point_data, cell_data;
+    std::optional<double> time;
+
+    /// nullptr if there is none of that name.
+    const VtkArray* cell_array(const std::string& name) const;
+    const VtkArray* point_array(const std::string& name) const;
+};
+
+/// Throws InputError with the path if the file is not there or is none of ours.
+VtkContent read_vtk(const std::filesystem::path& path);
+
+} // namespace gapflow

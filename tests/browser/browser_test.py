@@ -1,0 +1,50 @@
+"""Runs two short examples and tries their pages in a browser. Usage: browser_test.py NODE GAPFLOW PROJECT; exit status 77: skipped."""
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+node, gapflow, project = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+if not (project / "web" / "node_modules" / "playwright-core").is_dir():
+    print("skipped: no web/node_modules; web/test installs them")
+    sys.exit(77)
+runs = {"01_plates_pulled_apart": ["domain.cells=[64,64]", "time.end=0.2", "output.every=0.05"],
+        "04_sphere_leaving_wall": ["domain.cells=[24,24,24]", "time.end=0.2", "output.every=0.05"]}
+
+
+def others(folder, pages):
+    """Pages of runs that have less: one row, no row and no frames, no fields, no gaps."""
+    less = []
+
+    def page(name):
+        less.append(folder / name / "report.html")
+        subprocess.run([gapflow, "report", folder / name], check=True)
+
+    for name, keep in (("one_row", 2), ("nothing", 1)):
+        shutil.copytree(pages[0].parent, folder / name)
+        for table in ("steps.csv", "bodies.csv", "gaps.csv"):
+            file = folder / name / table
+            file.write_text("".join(file.read_text().splitlines(keepends=True)[:keep]))
+    (folder / "nothing" / "gapflow.pvd").unlink()
+    page("one_row")
+    page("nothing")
+    for name in runs:
+        done = [gapflow, "run", project / "examples" / name / "scene.toml", "-o", folder / f"bare_{name}", "--quiet", "--set",
+                "time.end=0.02", "--set", "output.fields=[]", "--set", "gap.model=none", "--set",
+                f"domain.cells={[16] * (2 if '01' in name else 3)}"]
+        subprocess.run(done, check=True)
+        page(f"bare_{name}")
+    return less
+
+
+with tempfile.TemporaryDirectory() as folder:
+    pages = []
+    for name, settings in runs.items():
+        out = Path(folder) / name
+        sets = [word for setting in settings for word in ("--set", setting)]
+        subprocess.run([gapflow, "run", project / "examples" / name / "scene.toml", "-o", out, "--quiet", *sets], check=True)
+        subprocess.run([gapflow, "report", out], check=True)
+        pages.append(out / "report.html")
+    pages += others(Path(folder), pages)
+    sys.exit(subprocess.run([node, project / "web" / "browser_test.mjs", *pages]).returncode)
