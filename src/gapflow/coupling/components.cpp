@@ -95,44 +95,6 @@ Eigen::MatrixXd component_impulses(const Coupling<D>& coupling, Eigen::VectorXd&
     return sums.topRows(dofs);
 }
 
-template <int D>
-void find_null_space(Coupling<D>& coupling)
-{
-    CoupledSystem<D>& system = coupling.system;
-    const int count = static_cast<int>(system.components.size());
-    Eigen::VectorXd magnitude;
-    const Eigen::MatrixXd impulse = component_impulses(coupling, magnitude);
-    std::vector<int> touched; // floating components that free bodies feel
-    std::vector<Eigen::VectorXd> null;
-    for (int k = 0; k < count; ++k) {
-        if (system.components[k].grounded)
-            continue;
-        if (impulse.col(k).norm() <= 1e-9 * magnitude[k] || magnitude[k] == 0)
-            null.push_back(Eigen::VectorXd::Unit(count, k));
-        else
-            touched.push_back(k);
-    }
-    if (!touched.empty()) {
-        Eigen::MatrixXd scaled(impulse.rows(), static_cast<long>(touched.size()));
-        for (std::size_t i = 0; i < touched.size(); ++i)
-            scaled.col(static_cast<long>(i)) = impulse.col(touched[i]) / magnitude[touched[i]];
-        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullV);
-        for (long j = 0; j < scaled.cols(); ++j) {
-            if (j < svd.singularValues().size() && svd.singularValues()[j] > 1e-9)
-                continue;
-            Eigen::VectorXd v = Eigen::VectorXd::Zero(count);
-            for (std::size_t i = 0; i < touched.size(); ++i)
-                v[touched[i]] = svd.matrixV()(static_cast<long>(i), j) / magnitude[touched[i]];
-            for (const Eigen::VectorXd& w : null)
-                v -= v.dot(w) * w;
-            null.push_back(v.normalized());
-        }
-    }
-    system.null_space.resize(count, static_cast<long>(null.size()));
-    for (std::size_t j = 0; j < null.size(); ++j)
-        system.null_space.col(static_cast<long>(j)) = null[j];
-}
-
 // Floating components other than the fluid at large.
 template <int D>
 void list_sealed(Coupling<D>& coupling)
@@ -193,6 +155,44 @@ void list_sealed(Coupling<D>& coupling)
 }
 
 } // namespace
+
+template <int D>
+void find_null_space(Coupling<D>& coupling)
+{
+    CoupledSystem<D>& system = coupling.system;
+    const int count = static_cast<int>(system.components.size());
+    Eigen::VectorXd magnitude;
+    const Eigen::MatrixXd impulse = component_impulses(coupling, magnitude);
+    std::vector<int> touched; // floating components that free bodies feel
+    std::vector<Eigen::VectorXd> null;
+    for (int k = 0; k < count; ++k) {
+        if (system.components[k].grounded)
+            continue;
+        if (impulse.col(k).norm() <= 1e-9 * magnitude[k] || magnitude[k] == 0)
+            null.push_back(Eigen::VectorXd::Unit(count, k));
+        else
+            touched.push_back(k);
+    }
+    if (!touched.empty()) {
+        Eigen::MatrixXd scaled(impulse.rows(), static_cast<long>(touched.size()));
+        for (std::size_t i = 0; i < touched.size(); ++i)
+            scaled.col(static_cast<long>(i)) = impulse.col(touched[i]) / magnitude[touched[i]];
+        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullV);
+        for (long j = 0; j < scaled.cols(); ++j) {
+            if (j < svd.singularValues().size() && svd.singularValues()[j] > 1e-9)
+                continue;
+            Eigen::VectorXd v = Eigen::VectorXd::Zero(count);
+            for (std::size_t i = 0; i < touched.size(); ++i)
+                v[touched[i]] = svd.matrixV()(static_cast<long>(i), j) / magnitude[touched[i]];
+            for (const Eigen::VectorXd& w : null)
+                v -= v.dot(w) * w;
+            null.push_back(v.normalized());
+        }
+    }
+    system.null_space.resize(count, static_cast<long>(null.size()));
+    for (std::size_t j = 0; j < null.size(); ++j)
+        system.null_space.col(static_cast<long>(j)) = null[j];
+}
 
 template <int D>
 void find_components(Coupling<D>& coupling)
@@ -295,6 +295,8 @@ void find_components(Coupling<D>& coupling)
     list_sealed(coupling);
 }
 
+template void find_null_space<2>(Coupling<2>&);
+template void find_null_space<3>(Coupling<3>&);
 template void find_components<2>(Coupling<2>&);
 template void find_components<3>(Coupling<3>&);
 

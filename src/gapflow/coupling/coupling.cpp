@@ -245,7 +245,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     bool apart = options.fractions == FractionMode::cut_cell && !coupling.network.films.empty();
     for (const Film<D>& film : coupling.network.films)
         for (double h : film.mesh.h)
-            apart = apart && h > 1e-8 * grid.dx();
+            apart = apart && h + film.mesh.skin > 1e-8 * grid.dx();
     assert(!apart || closure_defect(coupling) < 1e-9);
 #endif
     return coupling;

@@ -125,4 +125,8 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
 template <int D>
 void find_components(Coupling<D>& coupling);
 
+/// The null space of the components as they are: grounded or not. Fills coupling.system.null_space. Collective.
+template <int D>
+void find_null_space(Coupling<D>& coupling);
+
 } // namespace gapflow

@@ -334,6 +334,27 @@ std::vector<FilmMesh<D>> film_meshes(const PlacedShape<D>& master, const PlacedS
     return films ? std::move(*films) : std::vector<FilmMesh<D>>{};
 }
 
+template <int D>
+void take_skin_off(FilmMesh<D>& mesh, double skin)
+{
+    mesh.skin = skin;
+    if (skin == 0)
+        return;
+    for (double& h : mesh.h)
+        h -= skin;
+    for (FilmElement<D>& e : mesh.elements)
+        e.volume = e.inverse = 0;
+    for (FilmPoint<D>& point : mesh.points) {
+        point.h -= skin;
+        mesh.elements[point.element].volume += point.weight * point.h;
+        mesh.elements[point.element].inverse += point.weight / point.h;
+    }
+    for (FilmElement<D>& e : mesh.elements)
+        e.inverse = std::max(e.inverse, e.measure * e.measure / e.volume);
+}
+
+template void take_skin_off<2>(FilmMesh<2>&, double);
+template void take_skin_off<3>(FilmMesh<3>&, double);
 template FilmMeshOptions coupling_sizes<2>();
 template FilmMeshOptions coupling_sizes<3>();
 template std::vector<FilmMesh<2>> film_meshes(const PlacedShape<2>&, const PlacedShape<2>&,

@@ -74,7 +74,8 @@ struct FilmMesh {
     Vec<D> shift = Vec<D>::Zero();   ///< of the other's image that faces the master's (periodic domains)
     int other_patch = 0;             ///< of the other; where several join smoothly, the lowest of them
     std::vector<Vec<D>> x, y, mid;   ///< nodes: on the master, closest point on the other, mid-gap
-    std::vector<double> h;           ///< at the nodes, not less than the floor
+    std::vector<double> h;           ///< at the nodes, not less than the floor; less `skin` where that is not 0
+    double skin = 0;                 ///< taken off h everywhere: what of the gap nothing flows in
     std::vector<FilmElement<D>> elements;
     std::vector<RimEdge<D>> rim;
     std::vector<FilmPoint<D>> points;
@@ -112,6 +113,10 @@ template <int D>
 std::vector<FilmMesh<D>> film_meshes(const PlacedShape<D>& master, const PlacedShape<D>& other,
                                      const std::function<double(const Vec<D>&, const Vec<D>&)>& third,
                                      const FilmMeshOptions& options, const SurfaceMesh<D>* base = nullptr);
+
+/// Takes the skin, less than the mesh's floor, off its thickness.
+template <int D>
+void take_skin_off(FilmMesh<D>& mesh, double skin);
 
 /// Does the fluid point x lie in the gap between two solids: phi_A + phi_B < threshold, opposing normals, face features.
 template <int D>

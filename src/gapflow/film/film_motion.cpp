@@ -23,6 +23,9 @@ constexpr double most_growth = 1.05;
 constexpr double inflow_margin = 1.5; // on what flows in through mouths
 // A mouth continues an old one within this many cells.
 constexpr double mouth_reach = 2.0;
+// In dx: a point further from a film is not of it. Shape functions less than `at_vertex` are round-off.
+constexpr double beside_film = 0.05;
+constexpr double at_vertex = 1e-6;
 // Films of up to this many elements are searched without bins.
 constexpr int few_elements = 256;
 
@@ -63,7 +66,7 @@ Vec<D> tangential(const Vec<D>& v, const Vec<D>& n)
 
 template <int D>
 FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
-                          const std::vector<Vec<D>>& w, double dx)
+                          const std::vector<Vec<D>>& w, const std::vector<char>& idle, double dx)
     : dx_(dx), rotation_(master.shape.rotation()), centre_body_(master.shape.to_body(master.centre)), twist_(master_twist)
 {
     std::vector<double> weight;
@@ -84,7 +87,7 @@ FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, 
             centroid_.push_back(centroid);
             w_.push_back(w[film->first_element + e]);
             normal_.push_back(element.normal);
-            weight.push_back(element.volume);
+            weight.push_back(!idle.empty() && idle[film->first_element + e] ? 0.0 : element.volume);
             h_mean_.push_back(element.volume / element.measure);
             const Vec<D> relative = w_.back() - master_velocity(centroid);
             flux_.push_back(h_mean_.back() * relative);
@@ -164,6 +167,10 @@ void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
             reach = std::max(reach, (centroid_[e] - x_[i]).squaredNorm());
             total += weight[e];
             across += weight[e] * normal_body[e];
+        }
+        if (total <= 0) { // idle all around
+            flux_vertex_[i] = flux_[around.front()];
+            continue;
         }
         reach = std::max(std::sqrt(reach), 1e-300);
         across.normalize();
@@ -297,6 +304,22 @@ Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) 
     if (relative.norm() > bound)
         relative *= bound / relative.norm();
     return master_velocity(x_body) + relative;
+}
+
+template <int D>
+double FilmMemory<D>::at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const
+{
+    const Place place = locate(x_body, hint);
+    hint = place.element;
+    if (place.element < 0 || place.distance > beside_film * dx_)
+        return 0;
+    double value = 0, sum = 0;
+    for (int i = 0; i < D; ++i)
+        if (place.shape[i] > at_vertex) {
+            value += place.shape[i] * field[elements_[place.element][i]];
+            sum += place.shape[i];
+        }
+    return value / sum;
 }
 
 template <int D>
@@ -504,7 +527,8 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
 
 template <int D>
 FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<Twist<D>>& twists,
-                               const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx)
+                               const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx,
+                               const std::vector<char>& idle)
 {
     std::vector<Vec<D>> w = u;
     const std::vector<double> normal_speed = wall_normal_speed<D>(network, solids, twists);
@@ -526,7 +550,7 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
     std::vector<std::shared_ptr<FilmMemory<D>>> memories(list.size());
     for_each_job(static_cast<int>(list.size()), [&](int k) {
         const int master = list[k].first->master;
-        memories[k] = std::make_shared<FilmMemory<D>>(solids[master], twists[master], *list[k].second, w, dx);
+        memories[k] = std::make_shared<FilmMemory<D>>(solids[master], twists[master], *list[k].second, w, idle, dx);
     });
     for (std::size_t r = 0; r < conduit.size(); ++r) {
         const Conduit<D>& c = network.mouths.conduits[r];
@@ -547,7 +571,7 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
                                          const std::vector<Twist<D>>&, const VelocitySampler<D>&,                              \
                                          const std::function<MouthLaw(int, int)>&, double);                                    \
     template FilmMemories<D> remember_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<Twist<D>>&, \
-                                               const std::vector<Vec<D>>&, const std::vector<double>&, double);                \
+                                               const std::vector<Vec<D>>&, const std::vector<double>&, double, const std::vector<char>&); \
     template std::vector<double> wall_normal_speed<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                        \
                                                       const std::vector<Twist<D>>&);
 GAPFLOW_INSTANTIATE(2)

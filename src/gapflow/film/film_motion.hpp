@@ -32,9 +32,10 @@ public:
         ConduitKind kind;
     };
 
-    /// `films`: the pieces of this pair; `w`: one world vector an element of all films of the network.
+    /// `films`: the pieces of this pair; `w`: one world vector an element of all films of the network. Where `idle` (one an
+    /// element of the network, or none) an element says nothing of the velocity around it.
     FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
-               const std::vector<Vec<D>>& w, double dx);
+               const std::vector<Vec<D>>& w, const std::vector<char>& idle, double dx);
 
     /// Velocity (world axes) transported to a point of the master's frame over dt, with the old normal at its foot.
     struct Transported {
@@ -49,6 +50,9 @@ public:
         int hint = -1;
         return transport(x_body, 0.0, hint);
     }
+    /// A field given at the vertices, linear over the elements, at a point of the master's frame; 0 where no film was. `hint` as
+    /// above.
+    double at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const;
     int elements() const { return static_cast<int>(elements_.size()); }
     /// Sums over the elements: volume S, and S |u - P U_m|^2, twice the energy of the motion along the master at density 1.
     double volume() const { return volume_; }
@@ -120,10 +124,12 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                          const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
                          const std::function<MouthLaw(int, int)>& law, double dt);
 
-/// Remembers the films after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}.
+/// Remembers the films after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}; `idle`: as in
+/// FilmMemory.
 template <int D>
 FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<Twist<D>>& twists,
-                               const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx);
+                               const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx,
+                               const std::vector<char>& idle = {});
 
 /// Mean of the two walls' velocities at mid-gap, normal part: n . 1/2 (U_A + U_B), one an element.
 template <int D>

@@ -250,6 +250,7 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
         for (FilmMesh<D>& mesh : job.meshes) {
             mesh.master = job.pair.master;
             mesh.other = job.pair.other;
+            take_skin_off(mesh, job.gap.skin);
             mesh.shift = size.cwiseProduct(Index<D>(job.pair.shift.data()).template cast<double>());
             films.push_back({job.pair, std::move(mesh), job.threshold});
         }

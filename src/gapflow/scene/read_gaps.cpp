@@ -37,6 +37,25 @@ void read_settings(const Values& v, const std::string& gap_table, const std::str
         contact.thickness = v.number(c + "thickness");
 }
 
+/// Dry contact and cavitation know the absolute pressure; `name`: the key that asks for them.
+void check_level(const Values& v, const std::string& name, const Scene& scene)
+{
+    const auto open = [](const SideScene& side) { return side.kind == SideScene::Kind::open; };
+    if (std::none_of(scene.sides.begin(), scene.sides.begin() + 2 * scene.dimension, open))
+        v.refuse(name, "a dry or cavitating pair in a closed box has no pressure level",
+                 "open a side of the domain, where the pressure is fluid.reference_pressure");
+}
+
+void check_dry(const Values& v, const std::string& gap_table, const GapScene& gap, const Scene& scene)
+{
+    if (gap.contact != GapScene::Contact::dry)
+        return;
+    const std::string name = gap_table + (v.given(gap_table + "contact") ? "contact" : "model");
+    check_level(v, name, scene);
+    if (!gap.film)
+        v.refuse(name, "dry contact needs the gap's film", "leave model = \"none\" and contact = \"dry\" to different pairs");
+}
+
 /// What a pair may name: bodies and closed sides.
 std::vector<std::string> partners(const Scene& scene)
 {
@@ -73,6 +92,8 @@ void read_pair(const Values& v, Scene& scene)
     pair.gap = scene.gap;
     pair.contact = scene.contact;
     read_settings(v, "", "", false, pair.gap, pair.contact);
+    if (v.given("contact") || v.given("model"))
+        check_dry(v, "", pair.gap, scene);
     scene.pairs.push_back(pair);
 }
 
@@ -81,6 +102,9 @@ void read_pair(const Values& v, Scene& scene)
 void read_gaps(const Values& v, const std::vector<KeyInfo>& keys, Scene& scene)
 {
     read_settings(v, "gap.", "contact.", true, scene.gap, scene.contact);
+    check_dry(v, "gap.", scene.gap, scene);
+    if (scene.vapour_pressure)
+        check_level(v, "fluid.vapour_pressure", scene);
     const Node* pairs = v.given("pair");
     for (std::size_t i = 0; pairs && i < pairs->items.size(); ++i)
         read_pair(Values(pairs->items[i], "pair.", shown_prefix(pairs->items[i], "pair", static_cast<int>(i) + 1), keys,

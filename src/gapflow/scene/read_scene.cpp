@@ -20,6 +20,8 @@ void read_fluid(const Values& v, Scene& scene)
     scene.density = v.number("fluid.density");
     scene.viscosity = v.number("fluid.viscosity");
     scene.reference_pressure = v.number("fluid.reference_pressure");
+    if (const Node* vapour = v.given("fluid.vapour_pressure"); vapour && vapour->numeric())
+        scene.vapour_pressure = vapour->number;
     scene.fluid_velocity = v.triple("fluid.velocity");
     scene.initial = v.choice<Scene::Initial>("fluid.initial");
     scene.fractions = v.choice<Scene::Fractions>("grid.fractions");

@@ -1,5 +1,7 @@
 #include "gapflow/scene/scene.hpp"
 
+#include <algorithm>
+
 namespace gapflow {
 
 const std::array<std::string, 6> side_names{"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"};
@@ -26,6 +28,11 @@ const ContactScene& Scene::contact_of(const std::string& a, const std::string& b
 {
     const PairScene* pair = find_pair(*this, a, b);
     return pair ? pair->contact : contact;
+}
+
+double Scene::held_distance(const std::string& a, const std::string& b) const
+{
+    return std::max(contact_of(a, b).thickness, gap_of(a, b).roughness);
 }
 
 } // namespace gapflow

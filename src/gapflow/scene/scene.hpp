@@ -115,6 +115,7 @@ struct Scene {
     double density = 1.0;
     double viscosity = 0.0;
     double reference_pressure = 0.0;
+    std::optional<double> vapour_pressure; ///< absolute; empty: wet films bear any tension
     Triple fluid_velocity{};
     Initial initial = Initial::rest;
 
@@ -143,6 +144,8 @@ struct Scene {
     /// Settings that hold for a pair, by the names of its bodies in any order.
     const GapScene& gap_of(const std::string& a, const std::string& b) const;
     const ContactScene& contact_of(const std::string& a, const std::string& b) const;
+    /// Distance that the pair's surfaces keep in contact: contact.thickness or gap.roughness, the larger.
+    double held_distance(const std::string& a, const std::string& b) const;
 };
 
 /// Names of the domain's sides: x_low ... z_high; the wall there is the body "wall:x_low".

@@ -137,7 +137,7 @@ std::string scene_as_json(const Scene& scene)
     json["fluid"] = {{"density", scene.density},
                      {"viscosity", scene.viscosity},
                      {"reference_pressure", scene.reference_pressure},
-                     {"vapour_pressure", "none"},
+                     {"vapour_pressure", scene.vapour_pressure ? Json(*scene.vapour_pressure) : Json("none")},
                      {"velocity", list.vector(scene.fluid_velocity)},
                      {"initial", word({"rest", "potential"}, scene.initial)}};
     json["grid"] = {{"fractions", word({"cut-cell", "voxel"}, scene.fractions)},

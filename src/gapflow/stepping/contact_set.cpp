@@ -72,7 +72,7 @@ template <int D>
 typename ContactSet<D>::PairLaw ContactSet<D>::law(int a, int b) const
 {
     const ContactScene& contact = scene_->contact_of(names_[a], names_[b]);
-    return {std::max(contact.thickness, scene_->gap_of(names_[a], names_[b]).roughness), contact.restitution, contact.friction};
+    return {scene_->held_distance(names_[a], names_[b]), contact.restitution, contact.friction};
 }
 
 template <int D>

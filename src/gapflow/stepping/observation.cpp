@@ -76,6 +76,8 @@ std::vector<GapState> Simulation<D>::gaps() const
             gap.pressure_min = std::min(gap.pressure_min, pressure[i]);
             gap.pressure_max = std::max(gap.pressure_max, pressure[i]);
         }
+        for (std::size_t i = 0; i < mesh.h.size(); ++i)
+            gap.void_volume += voids_.volume()[film.first_node + i];
         for (const FilmElement<D>& e : mesh.elements) {
             double mean = 0;
             for (int node : e.nodes)
@@ -196,14 +198,18 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
     report.energy_bodies = sums.energy_bodies;
     UnknownVector<D> rest;
     outflow(*coupling_, velocity_, twists(), rest);
-    // Joints keep no flux of their own: it is what the last projection drove through them.
-    const std::vector<Link>& links = coupling_->system.links;
-    for (std::size_t r = coupling_->network.mouths.conduits.size(); r < links.size(); ++r) {
-        double drop = 0;
-        for (const auto& [node, weight] : links[r].nodes)
-            drop += weight * impulse_.nodes[node];
-        for (const auto& [node, weight] : links[r].nodes)
-            rest.nodes[node] += links[r].conductance * weight * drop;
+    if (node_outflow_.size() > 0) { // velocities at a void's front have moved on since
+        rest.nodes = node_outflow_ - Eigen::Map<const Eigen::VectorXd>(voids_.growth().data(), node_outflow_.size());
+    } else {
+        // Joints keep no flux of their own: it is what the last projection drove through them.
+        const std::vector<Link>& links = coupling_->system.links;
+        for (std::size_t r = coupling_->network.mouths.conduits.size(); r < links.size(); ++r) {
+            double drop = 0;
+            for (const auto& [node, weight] : links[r].nodes)
+                drop += weight * impulse_.nodes[node];
+            for (const auto& [node, weight] : links[r].nodes)
+                rest.nodes[node] += links[r].conductance * weight * drop;
+        }
     }
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
     for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) { worst = std::max(worst, std::abs(rest.cells(c))); });

@@ -192,7 +192,12 @@ std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std:
         settings.film = gap.film;
         const double automatic = flat[a] && flat[b] ? flat_threshold : moving ? moving_curved_threshold : curved_threshold;
         settings.threshold = gap.threshold.value_or(automatic) * dx;
-        settings.floor = std::max(gap.roughness, floor_in_cells * dx);
+        const double least = floor_in_cells * dx;
+        settings.floor = std::max(gap.roughness, least);
+        if (gap.contact == GapScene::Contact::dry) {
+            settings.floor = std::max(scene.held_distance(names[a], names[b]), least);
+            settings.skin = settings.floor - least;
+        }
         return settings;
     };
 }

@@ -3,7 +3,9 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/body/move.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/coupling/wet_system.hpp"
 #include "gapflow/grid/interpolation.hpp"
+#include "gapflow/stepping/flooding.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -19,6 +21,8 @@ constexpr double rough_tolerance = 1e-4;
 // Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
 constexpr double settled_tolerance = 0.1;
 constexpr int most_rounds = 60;
+// Voids change all at once in the first rounds, then one at a time.
+constexpr int void_rounds_at_once = 40;
 // Masses in the initial projection, which holds the bodies to their velocities.
 constexpr double held_mass_factor = 1e12;
 
@@ -37,6 +41,7 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm)
     gaps_ = gap_settings<D>(scene_, solids, true);
     mouth_laws_ = mouth_laws<D>(scene_, solids);
     contacts_ = ContactSet<D>(scene_, grid_, solids);
+    voids_ = VoidSet<D>(scene_, grid_, solids, [this](const Vec<D>& x) { return hydrostatic(x); });
     acceleration_.assign(solids.size(), Twist<D>::Zero());
     wrenches_.assign(bodies_.size(), Twist<D>::Zero());
     velocity_.grid = FaceField<D>(grid_);
@@ -58,6 +63,7 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm)
     for (const Conduit<D>& conduit : coupling_->network.mouths.conduits)
         u_star.conduit.push_back(conduit.length * conduit.h * conduit.outward.dot(u0));
     project(std::move(u_star), twists(), 0, initial_report_);
+    voids_.finish(*coupling_, impulse_.nodes, impulse_.nodes, 0);
     holding_ = false;
     continue_velocities();
     finish_report(initial_report_, 0);
@@ -72,6 +78,7 @@ StepReport Simulation<D>::step(double next_output)
 {
     const double start = now();
     StepReport report;
+    last_dt_ = dt_;
     const double dt = dt_ = choose_step(next_output);
     move_bodies(dt);
     find_contacts(dt);
@@ -121,6 +128,7 @@ void Simulation<D>::rebuild()
     alive_.clear();
     for (const Film<D>& film : coupling_->network.films)
         alive_.insert(film.pair);
+    voids_.find(*coupling_, holding_ ? nullptr : &memories_);
 }
 
 // Stages 2 and 4: the fluid's velocities carried to the new configuration.
@@ -135,6 +143,8 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
         predicted[b] = predicted_twist(bodies_[b], time_, dt);
     FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted,
                                        [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
+    if (voids_.any())
+        flood(flow, dt);
     const BoundaryVelocity<D> sides = side_velocities(time_);
     const AdvectionScheme scheme = scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack
                                                                                     : AdvectionScheme::semi_lagrangian;
@@ -160,6 +170,22 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     u_star.conduit = std::move(flow.conduit);
     conduit_scale = std::move(flow.conduit_scale);
     return u_star;
+}
+
+// Fluid entering voids: what the mouths let in, and how far it gets in this step.
+template <int D>
+void Simulation<D>::flood(FilmFlow<D>& flow, double dt)
+{
+    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
+    std::vector<double> pressure(conduits.size(), 0.0); // of the last step's bulk, where the conduits are now
+    for (std::size_t r = 0; r < conduits.size() && last_dt_ > 0; ++r)
+        for (const auto& [key, weight] : conduits[r].cells)
+            if (const Index<D> c = grid_.cell_of_key(key); grid_.owns(c))
+                pressure[r] += weight * impulse_.cells(c) / last_dt_;
+    grid_.comm().sum(pressure);
+    rest_in_voids<D>(*coupling_, voids_.empty_elements(coupling_->network), twists(), flow.velocity);
+    limit_inflow<D>(*coupling_, voids_, memories_, mouth_laws_, pressure, dt, flow);
+    pass_on<D>(*coupling_, voids_, twists(), dt, flow);
 }
 
 // Faces near the mouths of films that flow out somewhere: the jets there are thinner than a cell, and MacCormack's correction,
@@ -231,9 +257,16 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         impulse_.cells = CellField<D>(grid_);
     impulse_.cells.fill(0);
     impulse_.nodes.setZero(coupling_->system.nodes);
+    const bool voids = dt > 0 && voids_.any(), sets = contacts || voids; // active sets to find
+    node_outflow_.resize(0);
+    const std::vector<char> was_empty = voids ? voids_.empty_elements(coupling_->network) : std::vector<char>();
+    std::optional<WetSystem<D>> wet;
+    if (voids)
+        wet.emplace(*coupling_);
+    bool new_voids = voids;
     std::optional<CoupledSolver<D>> solver;
     std::vector<Twist<D>> V;
-    bool settled = !contacts; // whether the contacts were right once, to the rough tolerance
+    bool settled = !sets; // whether the sets were right once, to the rough tolerance
     for (int round = 0;; ++round) {
         std::vector<Twist<D>> pushed = forced;
         if (contacts) {
@@ -245,12 +278,23 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         }
         Eigen::VectorXd contact_impulse;
         V = intermediate_twists(*coupling_, masses(), pushed, u_star.film_normal, contact_impulse);
+        if (new_voids) {
+            wet->take_out(voids_.is_void(), voids_.impulses(dt));
+            for (int node = 0; node < coupling_->network.nodes; ++node)
+                if (voids_.is_void()[node])
+                    impulse_.nodes[node] = 0;
+            solver.reset();
+        }
+        if (wet)
+            wet->push(V, contact_impulse);
         UnknownVector<D> rhs;
         double squares = 0;
         outflow(*coupling_, u_star, V, rhs, &squares);
         for (long i = 0; i < rhs.cells.size(); ++i)
             rhs.cells.data()[i] *= -1;
         rhs.nodes *= -1;
+        if (wet)
+            wet->reduce(V, voids_.filling(dt), rhs);
         check_compatibility(rhs, std::sqrt(squares));
         if (solver) {
             solver->update_bodies();
@@ -259,7 +303,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             stages_.add("solver set-up", solver->setup_seconds());
             solver_seconds += solver->setup_seconds();
         }
-        const double tolerance = !contacts ? options.tolerance
+        const double tolerance = !sets ? options.tolerance
                                  : settled ? settled_tolerance * options.tolerance
                                            : std::max(options.tolerance, rough_tolerance);
         const SolveReport solve = solver->solve(impulse_, rhs, 1e-13 * std::sqrt(squares), tolerance);
@@ -272,20 +316,40 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
                                    solve.message + " (" + std::to_string(solve.iterations) + " iterations, relative residual " +
                                    std::to_string(solve.residual) + ")");
         add_pressure_impulse(*coupling_, impulse_, V, contact_impulse);
-        if (!contacts)
+        if (!sets)
             break;
         // A contact whose impulse is next to nothing may flip for ever: what counts as nothing grows with the rounds.
-        const bool changed = contacts_.update(V, contact_impulse, std::max(10 * tolerance, 1e-6 * std::exp2(round - 20)), round);
+        const double accuracy = std::max(10 * tolerance, 1e-6 * std::exp2(round - 20));
+        bool changed = contacts && contacts_.update(V, contact_impulse, accuracy, round);
+        new_voids = false;
+        if (wet) {
+            node_outflow_ = wet->outflow(impulse_, V);
+            const bool at_once = round < void_rounds_at_once;
+            if (round < most_rounds && (at_once || !changed))
+                new_voids = voids_.update(impulse_.nodes + wet->given(), node_outflow_, dt, accuracy, at_once);
+            changed = changed || new_voids;
+        }
         if (round == most_rounds) {
-            report.notes.push_back("contacts did not settle within " + std::to_string(most_rounds) + " rounds of a step");
+            report.notes.push_back(std::string(voids ? "contacts and voids" : "contacts") + " did not settle within " +
+                                   std::to_string(most_rounds) + " rounds of a step");
             break;
         }
         if (settled && !changed)
             break;
         settled = settled || !changed || round > most_rounds / 2; // the fluid's balance holds whatever contacts do
     }
+    if (wet) {
+        impulse_.nodes += wet->given();
+        wet.reset();
+        voids_.finish(*coupling_, impulse_.nodes, node_outflow_, dt);
+    }
     velocity_ = std::move(u_star);
     subtract_gradient(*coupling_, impulse_, velocity_);
+    if (voids) {
+        const std::vector<char> is_empty = voids_.empty_elements(coupling_->network);
+        rest_in_voids<D>(*coupling_, is_empty, V, velocity_.film);
+        follow_front<D>(*coupling_, was_empty, is_empty, voids_.is_void(), V, velocity_);
+    }
     for (std::size_t b = 0; b < bodies_.size() && dt > 0; ++b) {
         const bool impact = contacts_.impact_on(static_cast<int>(b));
         acceleration_[b] = impact ? Twist<D>(Twist<D>::Zero()) : Twist<D>((V[b] - bodies_[b].twist) / dt);

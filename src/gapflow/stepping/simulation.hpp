@@ -10,6 +10,7 @@
 #include "gapflow/stepping/advection.hpp"
 #include "gapflow/stepping/contact_set.hpp"
 #include "gapflow/stepping/setup.hpp"
+#include "gapflow/stepping/void_set.hpp"
 
 #include <map>
 #include <memory>
@@ -77,6 +78,8 @@ public:
     /// Fluid force and torque on every body about its centre of mass, averaged over the step, buoyancy included.
     const std::vector<Twist<D>>& fluid_wrenches() const { return wrenches_; }
     std::vector<GapState> gaps() const;
+    /// Voids in the films.
+    const VoidSet<D>& voids() const { return voids_; }
     Budget<D> budget() const;
     /// Report of the state at the start (step 0).
     const StepReport& initial_report() const { return initial_report_; }
@@ -89,6 +92,7 @@ private:
     void find_contacts(double dt);
     void rebuild();
     FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale);
+    void flood(FilmFlow<D>& flow, double dt);
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
     std::vector<Twist<D>> forced_twists(double dt) const;
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
@@ -114,6 +118,7 @@ private:
 
     double time_ = 0;
     double dt_ = 0;                         ///< of the step under way, else of the last one
+    double last_dt_ = 0;                    ///< of the step before it: what `impulse_` is of until the next projection
     long steps_ = 0;
     bool holding_ = false;                  ///< in the initial projection
     std::unique_ptr<Coupling<D>> coupling_;
@@ -125,6 +130,8 @@ private:
     FaceField<D, std::int8_t> near_jets_;
     UnknownVector<D> impulse_;              ///< p
     ContactSet<D> contacts_;                ///< of the last step
+    VoidSet<D> voids_;
+    Eigen::VectorXd node_outflow_;          ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
     FilmMemories<D> memories_;
     std::set<FilmPair<D>> alive_;
     std::vector<Twist<D>> acceleration_;    ///< of all solids, over the last step

@@ -77,9 +77,9 @@ double Simulation<D>::choose_step(double next_output) const
             auto rate = [&](const std::vector<Twist<D>>& twist) {
                 return std::abs(q.other_normal.dot(velocity_at<D>(twist[mesh.master], arm_a) - velocity_at<D>(twist[mesh.other], arm_b)));
             };
-            const double h = std::max(q.h, least);
+            const double distance = q.h + mesh.skin, h = std::max(distance, least);
             // What is left to the contact thickness limits the step too.
-            const double left = thickness > 0 ? std::max(q.h - thickness, smallest_limiting_gap * dx) : h;
+            const double left = thickness > 0 ? std::max(distance - thickness, smallest_limiting_gap * dx) : h;
             dt = std::min(dt, scene_.gap_cfl * std::min(h, left) / std::max(rate(V), tiny));
             dt = std::min(dt, std::sqrt(2 * scene_.gap_cfl * h / std::max(rate(A), tiny)));
         }

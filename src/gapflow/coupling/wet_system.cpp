@@ -1,0 +1,128 @@
+#include "gapflow/coupling/wet_system.hpp"
+
+#include <algorithm>
+
+namespace gapflow {
+
+template <int D>
+WetSystem<D>::WetSystem(Coupling<D>& coupling)
+    : coupling_(coupling), is_void_(coupling.system.nodes, 0),
+      b_{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)}, film_(coupling.system.film), links_(coupling.system.links),
+      node_flux_(coupling.system.node_flux), components_(coupling.system.components), null_space_(coupling.system.null_space)
+{
+}
+
+template <int D>
+WetSystem<D>::~WetSystem()
+{
+    CoupledSystem<D>& system = coupling_.system;
+    system.film = std::move(film_);
+    system.links = std::move(links_);
+    system.node_flux = std::move(node_flux_);
+    system.components = std::move(components_);
+    system.null_space = std::move(null_space_);
+}
+
+template <int D>
+void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::VectorXd& b)
+{
+    is_void_ = is_void;
+    b_.nodes = b;
+    CoupledSystem<D>& system = coupling_.system;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int column = 0; column < film_.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(film_, column); entry; ++entry)
+            if (!is_void[entry.row()] && !is_void[column])
+                entries.emplace_back(static_cast<int>(entry.row()), column, entry.value());
+    for (int node = 0; node < system.nodes; ++node)
+        if (is_void[node]) // any number will do: nothing else is in the row, and its right-hand side is 0
+            entries.emplace_back(node, node, 1.0);
+    system.film.setFromTriplets(entries.begin(), entries.end());
+
+    system.links = links_;
+    for (Link& link : system.links)
+        std::erase_if(link.nodes, [&](const auto& node) { return is_void[node.first]; });
+    system.node_flux.clear();
+    std::copy_if(node_flux_.begin(), node_flux_.end(), std::back_inserter(system.node_flux),
+                 [&](const BodyFlux<D, int>& entry) { return !is_void[entry.row]; });
+
+    // Whatever hangs together with a void has its pressure level from it.
+    system.components = components_;
+    for (int node = 0; node < system.nodes; ++node)
+        if (is_void[node])
+            system.components[system.node_component[node]].grounded = true;
+    find_null_space(coupling_);
+}
+
+template <int D>
+void WetSystem<D>::push(std::vector<Twist<D>>& twists, Eigen::VectorXd& contact_impulse) const
+{
+    add_pressure_impulse(coupling_, b_, twists, contact_impulse);
+}
+
+template <int D>
+void WetSystem<D>::reduce(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& filling, UnknownVector<D>& rhs)
+{
+    const Grid<D>& grid = *coupling_.grid;
+    star_twists_ = twists;
+    star_outflow_ = -rhs.nodes;
+    const UnknownVector<D> driven = film_outflow(b_);
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { rhs.cells(c) -= driven.cells(c); });
+    for (int node = 0; node < coupling_.system.nodes; ++node)
+        rhs.nodes[node] = is_void_[node] ? 0.0 : rhs.nodes[node] - driven.nodes[node] - filling[node];
+}
+
+template <int D>
+Eigen::VectorXd WetSystem<D>::outflow(const UnknownVector<D>& p, const std::vector<Twist<D>>& twists) const
+{
+    UnknownVector<D> all = p;
+    all.nodes += b_.nodes;
+    Eigen::VectorXd out = star_outflow_ + film_outflow(all).nodes;
+    for (const auto& entry : coupling_.node_flux)
+        out[entry.row] += entry.flux.dot(twists[entry.body] - star_twists_[entry.body]);
+    return out;
+}
+
+// L p of films and links, voids and all: of every film node, and of the cells of links.
+template <int D>
+UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p) const
+{
+    const Grid<D>& grid = *coupling_.grid;
+    UnknownVector<D> out{CellField<D>(grid), Eigen::VectorXd::Zero(coupling_.system.nodes)};
+    for (const Film<D>& film : coupling_.network.films)
+        for (const FilmElement<D>& element : film.mesh.elements) {
+            bool wet = false;
+            Vec<D> gradient = Vec<D>::Zero();
+            for (int i = 0; i < D; ++i) {
+                const int node = film.first_node + element.nodes[i];
+                wet = wet || !is_void_[node];
+                gradient += p.nodes[node] * element.gradient[i];
+            }
+            for (int i = 0; i < D && wet; ++i)
+                out.nodes[film.first_node + element.nodes[i]] +=
+                    element.conductance() / coupling_.density * element.gradient[i].dot(gradient);
+        }
+    std::vector<double> sums(links_.size(), 0.0);
+    for (std::size_t r = 0; r < links_.size(); ++r)
+        for (const auto& [key, weight] : links_[r].cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+                sums[r] += weight * p.cells(c);
+    grid.comm().sum(sums);
+    for (std::size_t r = 0; r < links_.size(); ++r) {
+        const Link& link = links_[r];
+        for (const auto& [node, weight] : link.nodes)
+            sums[r] += weight * p.nodes[node];
+        const double flux = link.conductance * sums[r];
+        for (const auto& [node, weight] : link.nodes)
+            out.nodes[node] += weight * flux;
+        for (const auto& [key, weight] : link.cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+                out.cells(c) += weight * flux;
+    }
+    return out;
+}
+
+template class WetSystem<2>;
+template class WetSystem<3>;
+
+} // namespace gapflow

@@ -1,0 +1,51 @@
+// The coupled system without the film nodes that hold voids (method, section 6): there the pressure impulse is given, b, and
+// with p = b + p', b = 0 outside the voids and p' = 0 in them,
+//
+//     (L + K M^-1 K^T) p' = -(D u* + K V*) - f - (L + K M^-1 K^T) b       on all other unknowns,
+//
+// f the inflow that fills what a node held of void before it became wet.
+// Elements all of whose nodes hold voids have no fluid that flows: they are no part of L.
+#pragma once
+
+#include "gapflow/coupling/coupling.hpp"
+
+#include <vector>
+
+namespace gapflow {
+
+/// Takes void nodes out of coupling.system as long as it lives; then the system is as before.
+template <int D>
+class WetSystem {
+public:
+    explicit WetSystem(Coupling<D>& coupling);
+    ~WetSystem();
+    WetSystem(const WetSystem&) = delete;
+    WetSystem& operator=(const WetSystem&) = delete;
+
+    /// From now on these nodes are the voids, with pressure impulses b (0 elsewhere): their rows in coupling.system stand alone.
+    /// Collective.
+    void take_out(const std::vector<char>& is_void, const Eigen::VectorXd& b);
+    const Eigen::VectorXd& given() const { return b_.nodes; }
+    /// Adds M^-1 K^T b to V*, and what it adds to the held contacts' impulses. Collective.
+    void push(std::vector<Twist<D>>& twists, Eigen::VectorXd& contact_impulse) const;
+    /// Turns `rhs` = -(D u* + K V), with b in V, into that of p'. `filling`: f of every film node. Collective.
+    void reduce(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& filling, UnknownVector<D>& rhs);
+    /// L p + K V + D u* of all film nodes after the solve for p' gave V. Collective.
+    Eigen::VectorXd outflow(const UnknownVector<D>& p, const std::vector<Twist<D>>& twists) const;
+
+private:
+    UnknownVector<D> film_outflow(const UnknownVector<D>& p) const;
+
+    Coupling<D>& coupling_;
+    std::vector<char> is_void_;
+    UnknownVector<D> b_;
+    Eigen::VectorXd star_outflow_;        ///< D u* + K V* of the film nodes
+    std::vector<Twist<D>> star_twists_;
+    Eigen::SparseMatrix<double> film_;
+    std::vector<Link> links_;
+    std::vector<BodyFlux<D, int>> node_flux_;
+    std::vector<Component> components_;
+    Eigen::MatrixXd null_space_;
+};
+
+} // namespace gapflow

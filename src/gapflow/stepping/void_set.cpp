@@ -1,0 +1,232 @@
+// Primal-dual active set: a node below its least pressure becomes a void, a void that overfills becomes wet; all at once while
+// that settles, else one at a time (the last in order: Murty's rule).
+#include "gapflow/stepping/void_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gapflow {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// At the start a gap no further than this from the held distance is in contact, in dx.
+constexpr double touching = 1e-6;
+// A void shallower than this, in dx, is round-off.
+constexpr double shallowest = 1e-14;
+
+} // namespace
+
+VoidLaw void_law(const Scene& scene, const std::string& a, const std::string& b)
+{
+    const bool dry = scene.gap_of(a, b).contact == GapScene::Contact::dry;
+    if (!dry && !scene.vapour_pressure)
+        return {-infinity, 0};
+    return {scene.vapour_pressure.value_or(0.0), dry ? scene.held_distance(a, b) : 0.0};
+}
+
+template <int D>
+VoidSet<D>::VoidSet(const Scene& scene, const Grid<D>& grid, const std::vector<Solid<D>>& solids,
+                    std::function<double(const Vec<D>&)> hydrostatic)
+    : scene_(&scene), dx_(grid.dx()), hydrostatic_(std::move(hydrostatic))
+{
+    for (const Solid<D>& solid : solids)
+        names_.push_back(solid.name);
+    possible_ = scene.vapour_pressure.has_value() || scene.gap.contact == GapScene::Contact::dry;
+    for (const PairScene& pair : scene.pairs)
+        possible_ = possible_ || pair.gap.contact == GapScene::Contact::dry;
+}
+
+template <int D>
+VoidLaw VoidSet<D>::law(int a, int b) const
+{
+    return void_law(*scene_, names_[a], names_[b]);
+}
+
+template <int D>
+void VoidSet<D>::find(const Coupling<D>& coupling, const FilmMemories<D>* memories)
+{
+    const int nodes = coupling.network.nodes;
+    volume_.assign(nodes, 0.0);
+    growth_.assign(nodes, 0.0);
+    area_.assign(nodes, 0.0);
+    least_.assign(nodes, -infinity);
+    last_pressure_.assign(nodes, 0.0);
+    is_void_.assign(nodes, 0);
+    any_ = false;
+    if (!possible_)
+        return;
+    for (const Film<D>& film : coupling.network.films) {
+        for (const FilmElement<D>& e : film.mesh.elements)
+            for (int node : e.nodes)
+                area_[film.first_node + node] += e.measure / D;
+        const double least = law(film.pair.master, film.pair.other).least_pressure;
+        if (least == -infinity)
+            continue;
+        any_ = true;
+        for (std::size_t i = 0; i < film.mesh.mid.size(); ++i)
+            least_[film.first_node + i] = least - hydrostatic_(film.mesh.mid[i]);
+    }
+    if (memories)
+        carry(coupling, *memories);
+    else
+        start(coupling);
+    for (int i = 0; i < nodes; ++i) {
+        is_void_[i] = volume_[i] > shallowest * dx_ * area_[i];
+        if (!is_void_[i])
+            volume_[i] = 0;
+        else
+            last_pressure_[i] = least_[i];
+    }
+}
+
+template <int D>
+void VoidSet<D>::start(const Coupling<D>& coupling)
+{
+    for (const Film<D>& film : coupling.network.films) {
+        const VoidLaw pair = law(film.pair.master, film.pair.other);
+        for (std::size_t i = 0; i < film.mesh.h.size(); ++i)
+            if (film.mesh.h[i] + film.mesh.skin < pair.start + touching * dx_)
+                volume_[film.first_node + i] = pair.start * area_[film.first_node + i];
+    }
+}
+
+// The depth of the voids is linear over the old film; what a pair has of them is kept.
+template <int D>
+void VoidSet<D>::carry(const Coupling<D>& coupling, const FilmMemories<D>& memories)
+{
+    struct Sum {
+        double volume = 0, distance = infinity;
+        int nearest = -1; ///< node nearest to the old film's deepest void: where all goes if no node lies in one
+    };
+    std::map<FilmPair<D>, Sum> sums;
+    for (const Film<D>& film : coupling.network.films) {
+        const auto old = memory_.find(film.pair);
+        const auto place = memories.find(film.pair);
+        if (old == memory_.end() || place == memories.end())
+            continue;
+        Sum& sum = sums[film.pair];
+        const PlacedShape<D>& master = coupling.solids[film.pair.master].shape;
+        int hint = -1;
+        for (std::size_t i = 0; i < film.mesh.x.size(); ++i) {
+            const std::size_t node = film.first_node + i;
+            const Vec<D> x = master.to_body(film.mesh.x[i]);
+            volume_[node] = place->second->at_vertices(old->second.depth, x, hint) * area_[node];
+            last_pressure_[node] = place->second->at_vertices(old->second.pressure, x, hint);
+            sum.volume += volume_[node];
+            if (const double d = (x - old->second.deepest).norm(); d < sum.distance) {
+                sum.distance = d;
+                sum.nearest = static_cast<int>(node);
+            }
+        }
+    }
+    for (const auto& [pair, old] : memory_) {
+        const auto now = sums.find(pair);
+        if (now == sums.end()) {
+            lost_ += old.volume;
+        } else if (old.volume > 0 && now->second.volume <= 0) {
+            volume_[now->second.nearest] = old.volume;
+        }
+    }
+    for (const Film<D>& film : coupling.network.films) {
+        const auto now = sums.find(film.pair);
+        if (now == sums.end() || now->second.volume <= 0)
+            continue;
+        const double share = memory_.at(film.pair).volume / now->second.volume;
+        for (std::size_t i = 0; i < film.mesh.x.size(); ++i)
+            volume_[film.first_node + i] *= share;
+    }
+}
+
+template <int D>
+Eigen::VectorXd VoidSet<D>::impulses(double dt) const
+{
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(static_cast<long>(is_void_.size()));
+    for (std::size_t i = 0; i < is_void_.size(); ++i)
+        if (is_void_[i])
+            b[static_cast<long>(i)] = dt * least_[i];
+    return b;
+}
+
+template <int D>
+Eigen::VectorXd VoidSet<D>::filling(double dt) const
+{
+    return Eigen::Map<const Eigen::VectorXd>(volume_.data(), static_cast<long>(volume_.size())) / dt;
+}
+
+template <int D>
+bool VoidSet<D>::update(const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt, double accuracy, bool at_once)
+{
+    const int nodes = static_cast<int>(is_void_.size());
+    auto room = [&](int i) { return volume_[i] / dt + outflow[i]; };
+    double largest_excess = 0, largest_room = 0;
+    for (int i = 0; i < nodes; ++i)
+        if (least_[i] > -infinity) {
+            largest_excess = std::max(largest_excess, std::abs(p[i] - dt * least_[i]));
+            if (is_void_[i])
+                largest_room = std::max({largest_room, volume_[i] / dt, std::abs(outflow[i])});
+        }
+    int last = -1;
+    for (int i = 0; i < nodes; ++i) {
+        if (least_[i] == -infinity)
+            continue;
+        const bool wrong = is_void_[i] ? room(i) < -accuracy * largest_room : p[i] - dt * least_[i] < -accuracy * largest_excess;
+        if (!wrong)
+            continue;
+        last = i;
+        if (at_once)
+            is_void_[i] = !is_void_[i];
+    }
+    if (last >= 0 && !at_once)
+        is_void_[last] = !is_void_[last];
+    return last >= 0;
+}
+
+template <int D>
+void VoidSet<D>::finish(const Coupling<D>& coupling, const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt)
+{
+    for (std::size_t i = 0; i < is_void_.size(); ++i) {
+        const double before = volume_[i];
+        volume_[i] = is_void_[i] ? std::max(0.0, before + dt * outflow[static_cast<long>(i)]) : 0.0;
+        if (volume_[i] <= shallowest * dx_ * area_[i])
+            volume_[i] = 0;
+        growth_[i] = dt > 0 ? (volume_[i] - before) / dt : 0.0;
+        is_void_[i] = volume_[i] > 0;
+    }
+    memory_.clear();
+    for (const Film<D>& film : coupling.network.films) {
+        if (law(film.pair.master, film.pair.other).least_pressure == -infinity)
+            continue;
+        Memory& memory = memory_[film.pair];
+        double deepest = memory.depth.empty() ? -1 : *std::max_element(memory.depth.begin(), memory.depth.end());
+        for (std::size_t i = 0; i < film.mesh.h.size(); ++i) {
+            const std::size_t node = film.first_node + i;
+            memory.depth.push_back(volume_[node] / area_[node]);
+            memory.pressure.push_back(dt > 0 ? p[static_cast<long>(node)] / dt : last_pressure_[node]);
+            memory.volume += volume_[node];
+            if (memory.depth.back() > deepest) {
+                deepest = memory.depth.back();
+                memory.deepest = coupling.solids[film.pair.master].shape.to_body(film.mesh.x[i]);
+            }
+        }
+    }
+}
+
+template <int D>
+std::vector<char> VoidSet<D>::empty_elements(const FilmNetwork<D>& network) const
+{
+    std::vector<char> empty(network.elements, 0);
+    for (const Film<D>& film : network.films)
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            const auto& nodes = film.mesh.elements[e].nodes;
+            empty[film.first_element + e] =
+                std::all_of(nodes.begin(), nodes.end(), [&](int node) { return is_void_[film.first_node + node]; });
+        }
+    return empty;
+}
+
+template class VoidSet<2>;
+template class VoidSet<3>;
+
+} // namespace gapflow

@@ -1,0 +1,91 @@
+// Voids in films (method, section 6): film nodes whose pressure has fallen to the least it can have. Per film node, with void
+// volume v and outflow row_i = (L p + K V + D u*)_i,
+//
+//     0 <= p_i - b_i  |  v_i / dt + row_i >= 0,      v_i^{n+1} = max(0, v_i + dt row_i),      b_i = dt (least pressure there).
+//
+// Dry contact starts with voids as thick as the surfaces are held apart; cavitation starts without. Void volume is memory: it
+// rides on the film's master from step to step.
+#pragma once
+
+#include "gapflow/coupling/coupling.hpp"
+#include "gapflow/film/film_motion.hpp"
+#include "gapflow/scene/scene.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+/// The least full pressure in the film of a pair, -infinity: none; and the thickness of the voids that it starts with.
+struct VoidLaw {
+    double least_pressure;
+    double start;
+};
+
+template <int D>
+class VoidSet {
+public:
+    VoidSet() = default;
+    /// `hydrostatic`: what to add to the reduced pressure at a point for the full one.
+    VoidSet(const Scene& scene, const Grid<D>& grid, const std::vector<Solid<D>>& solids,
+            std::function<double(const Vec<D>&)> hydrostatic);
+
+    /// Whether some pair of the scene can have voids at all.
+    bool possible() const { return possible_; }
+    /// Voids of a new configuration: taken over from the last one, or those that the scene starts with (`memories` null).
+    void find(const Coupling<D>& coupling, const FilmMemories<D>* memories);
+    /// Whether some film node can be a void: without, nothing below need be called.
+    bool any() const { return any_; }
+    /// Void nodes as the active set has them now.
+    const std::vector<char>& is_void() const { return is_void_; }
+    /// b of the void nodes, 0 elsewhere.
+    Eigen::VectorXd impulses(double dt) const;
+    /// v / dt of every node: what flows in where it becomes wet.
+    Eigen::VectorXd filling(double dt) const;
+    /// Reduced pressure that a node's film had at the end of the last step (in voids: their own).
+    const std::vector<double>& last_pressure() const { return last_pressure_; }
+
+    /// Takes the pressure impulses and outflows that a solve gave. True if nodes must change and the solve be repeated; else on
+    /// return, if `at_once` is false, one node has changed at most (Murty's rule).
+    bool update(const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt, double accuracy, bool at_once);
+    /// Void volumes of the end of the step, and what find() needs of it.
+    void finish(const Coupling<D>& coupling, const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt);
+
+    /// Void volume of every film node, and what the step added to it per time (0 where nothing can be a void).
+    const std::vector<double>& volume() const { return volume_; }
+    const std::vector<double>& growth() const { return growth_; }
+    /// Elements without any node that is wet.
+    std::vector<char> empty_elements(const FilmNetwork<D>& network) const;
+    /// Void volume that the last find() had to drop because its film is gone, summed over the run.
+    double lost() const { return lost_; }
+
+private:
+    /// A pair's film at the end of a step, at the vertices of its FilmMemory.
+    struct Memory {
+        std::vector<double> depth, pressure; ///< void volume over area; reduced pressure
+        double volume = 0;
+        Vec<D> deepest = Vec<D>::Zero(); ///< place of the deepest void in the master's frame
+    };
+    VoidLaw law(int a, int b) const;
+    void start(const Coupling<D>& coupling);
+    void carry(const Coupling<D>& coupling, const FilmMemories<D>& memories);
+
+    const Scene* scene_ = nullptr;
+    double dx_ = 0;
+    std::vector<std::string> names_;
+    std::function<double(const Vec<D>&)> hydrostatic_;
+    bool possible_ = false, any_ = false;
+    std::vector<double> volume_, area_, growth_;
+    std::vector<double> least_;  ///< reduced pressure, -infinity: no void here
+    std::vector<double> last_pressure_;
+    std::vector<char> is_void_;
+    std::map<FilmPair<D>, Memory> memory_;
+    double lost_ = 0;
+};
+
+/// The pairs' laws, from the scene.
+VoidLaw void_law(const Scene& scene, const std::string& a, const std::string& b);
+
+} // namespace gapflow
