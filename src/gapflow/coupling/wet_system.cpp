@@ -4,12 +4,21 @@
 
 namespace gapflow {
 
+namespace {
+
+// A shut conduit keeps this part of its conductance: no pocket loses its pressure level.
+constexpr double shut_share = 1e-6;
+
+} // namespace
+
 template <int D>
 WetSystem<D>::WetSystem(Coupling<D>& coupling)
     : coupling_(coupling), is_void_(coupling.system.nodes, 0),
       b_{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)}, film_(coupling.system.film), links_(coupling.system.links),
       node_flux_(coupling.system.node_flux), components_(coupling.system.components), null_space_(coupling.system.null_space)
 {
+    for (const Link& link : links_)
+        open_conductance_.push_back(link.conductance);
 }
 
 template <int D>
@@ -24,10 +33,12 @@ WetSystem<D>::~WetSystem()
 }
 
 template <int D>
-void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::VectorXd& b)
+void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::VectorXd& b, const std::vector<char>& shut)
 {
     is_void_ = is_void;
     b_.nodes = b;
+    for (std::size_t r = 0; r < shut.size(); ++r)
+        links_[r].conductance = (shut[r] ? shut_share : 1.0) * open_conductance_[r];
     CoupledSystem<D>& system = coupling_.system;
     std::vector<Eigen::Triplet<double>> entries;
     for (int column = 0; column < film_.outerSize(); ++column)
@@ -73,19 +84,20 @@ void WetSystem<D>::reduce(const std::vector<Twist<D>>& twists, const Eigen::Vect
 }
 
 template <int D>
-Eigen::VectorXd WetSystem<D>::outflow(const UnknownVector<D>& p, const std::vector<Twist<D>>& twists) const
+typename WetSystem<D>::Outcome WetSystem<D>::outcome(const UnknownVector<D>& p, const std::vector<Twist<D>>& twists) const
 {
     UnknownVector<D> all = p;
     all.nodes += b_.nodes;
-    Eigen::VectorXd out = star_outflow_ + film_outflow(all).nodes;
+    Outcome outcome;
+    outcome.outflow = star_outflow_ + film_outflow(all, &outcome.drop).nodes;
     for (const auto& entry : coupling_.node_flux)
-        out[entry.row] += entry.flux.dot(twists[entry.body] - star_twists_[entry.body]);
-    return out;
+        outcome.outflow[entry.row] += entry.flux.dot(twists[entry.body] - star_twists_[entry.body]);
+    return outcome;
 }
 
 // L p of films and links, voids and all: of every film node, and of the cells of links.
 template <int D>
-UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p) const
+UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p, std::vector<double>* drop) const
 {
     const Grid<D>& grid = *coupling_.grid;
     UnknownVector<D> out{CellField<D>(grid), Eigen::VectorXd::Zero(coupling_.system.nodes)};
@@ -119,6 +131,8 @@ UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p) const
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
                 out.cells(c) += weight * flux;
     }
+    if (drop)
+        drop->assign(sums.begin(), sums.begin() + static_cast<long>(coupling_.network.mouths.conduits.size()));
     return out;
 }
 

@@ -22,19 +22,24 @@ public:
     WetSystem(const WetSystem&) = delete;
     WetSystem& operator=(const WetSystem&) = delete;
 
-    /// From now on these nodes are the voids, with pressure impulses b (0 elsewhere): their rows in coupling.system stand alone.
-    /// Collective.
-    void take_out(const std::vector<char>& is_void, const Eigen::VectorXd& b);
+    /// From now on these nodes are the voids, with pressure impulses b (0 elsewhere): their rows in coupling.system stand alone;
+    /// and the conduits marked in `shut` conduct next to nothing, also when this is gone. Collective.
+    void take_out(const std::vector<char>& is_void, const Eigen::VectorXd& b, const std::vector<char>& shut);
     const Eigen::VectorXd& given() const { return b_.nodes; }
+    double conductance(std::size_t link) const { return links_[link].conductance; }
     /// Adds M^-1 K^T b to V*, and what it adds to the held contacts' impulses. Collective.
     void push(std::vector<Twist<D>>& twists, Eigen::VectorXd& contact_impulse) const;
     /// Turns `rhs` = -(D u* + K V), with b in V, into that of p'. `filling`: f of every film node. Collective.
     void reduce(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& filling, UnknownVector<D>& rhs);
-    /// L p + K V + D u* of all film nodes after the solve for p' gave V. Collective.
-    Eigen::VectorXd outflow(const UnknownVector<D>& p, const std::vector<Twist<D>>& twists) const;
+    struct Outcome {
+        Eigen::VectorXd outflow;   ///< L p + K V + D u* of all film nodes
+        std::vector<double> drop;  ///< pressure impulse of the film less that of the bulk, one a conduit
+    };
+    /// After the solve for p' gave V. Collective.
+    Outcome outcome(const UnknownVector<D>& p, const std::vector<Twist<D>>& twists) const;
 
 private:
-    UnknownVector<D> film_outflow(const UnknownVector<D>& p) const;
+    UnknownVector<D> film_outflow(const UnknownVector<D>& p, std::vector<double>* drop = nullptr) const;
 
     Coupling<D>& coupling_;
     std::vector<char> is_void_;
@@ -43,6 +48,7 @@ private:
     std::vector<Twist<D>> star_twists_;
     Eigen::SparseMatrix<double> film_;
     std::vector<Link> links_;
+    std::vector<double> open_conductance_; ///< of the links
     std::vector<BodyFlux<D, int>> node_flux_;
     std::vector<Component> components_;
     Eigen::MatrixXd null_space_;

@@ -19,15 +19,6 @@ Vec<D> along_master(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const 
     return U - U.dot(e.normal) * e.normal;
 }
 
-// Flux of a conduit out of its film that the master's motion carries.
-template <int D>
-double carried(const Coupling<D>& coupling, const Conduit<D>& conduit, const std::vector<Twist<D>>& twists)
-{
-    const int master = coupling.network.films[conduit.film].mesh.master;
-    return conduit.length * conduit.h *
-           conduit.outward.dot(velocity_at<D>(twists[master], conduit.x - coupling.solids[master].centre));
-}
-
 struct Place {
     int film, element; ///< element: in the film's own list
 };
@@ -59,6 +50,14 @@ int place_of_node(const FilmElement<D>& e, int node)
 }
 
 } // namespace
+
+template <int D>
+double carried_flux(const Coupling<D>& coupling, const Conduit<D>& conduit, const std::vector<Twist<D>>& twists)
+{
+    const int master = coupling.network.films[conduit.film].mesh.master;
+    return conduit.length * conduit.h *
+           conduit.outward.dot(velocity_at<D>(twists[master], conduit.x - coupling.solids[master].centre));
+}
 
 template <int D>
 void rest_in_voids(const Coupling<D>& coupling, const std::vector<char>& empty, const std::vector<Twist<D>>& twists,
@@ -155,7 +154,7 @@ void pass_on(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::ve
             add(e.volume * e.gradient[place_of_node(e, node - film.first_node)].dot(relative), relative);
         }
         for (const auto& [r, shape] : around.conduits[node]) {
-            const double in = carried(coupling, conduits[r], twists) - flow.conduit[r];
+            const double in = carried_flux(coupling, conduits[r], twists) - flow.conduit[r];
             add(shape * in, -in / (conduits[r].length * conduits[r].h) * conduits[r].outward);
         }
         if (direction.isZero(0))
@@ -218,7 +217,7 @@ void follow_front(const Coupling<D>& coupling, const std::vector<char>& was_empt
                 }
                 for (const auto& [r, shape] : around.conduits[film.first_node + node]) {
                     const Conduit<D>& conduit = network.mouths.conduits[r];
-                    mouth += shape * (u.conduit[r] - carried(coupling, conduit, twists)) / conduit.h * conduit.outward;
+                    mouth += shape * (u.conduit[r] - carried_flux(coupling, conduit, twists)) / conduit.h * conduit.outward;
                     length += shape * conduit.length;
                 }
             }
@@ -231,6 +230,7 @@ void follow_front(const Coupling<D>& coupling, const std::vector<char>& was_empt
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template double carried_flux<D>(const Coupling<D>&, const Conduit<D>&, const std::vector<Twist<D>>&);                      \
     template void rest_in_voids<D>(const Coupling<D>&, const std::vector<char>&, const std::vector<Twist<D>>&,                 \
                                    std::vector<Vec<D>>&);                                                                      \
     template void limit_inflow<D>(const Coupling<D>&, const VoidSet<D>&, const FilmMemories<D>&,                               \

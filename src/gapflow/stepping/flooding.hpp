@@ -12,6 +12,10 @@
 
 namespace gapflow {
 
+/// Flux of a conduit out of its film that the master's motion carries.
+template <int D>
+double carried_flux(const Coupling<D>& coupling, const Conduit<D>& conduit, const std::vector<Twist<D>>& twists);
+
 /// u of the elements marked in `empty` becomes their master's velocity, along the film.
 template <int D>
 void rest_in_voids(const Coupling<D>& coupling, const std::vector<char>& empty, const std::vector<Twist<D>>& twists,

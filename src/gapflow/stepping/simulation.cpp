@@ -264,6 +264,8 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     if (voids)
         wet.emplace(*coupling_);
     bool new_voids = voids;
+    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
+    const std::vector<double> open_flux = u_star.conduit;
     std::optional<CoupledSolver<D>> solver;
     std::vector<Twist<D>> V;
     bool settled = !sets; // whether the sets were right once, to the rough tolerance
@@ -279,7 +281,9 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         Eigen::VectorXd contact_impulse;
         V = intermediate_twists(*coupling_, masses(), pushed, u_star.film_normal, contact_impulse);
         if (new_voids) {
-            wet->take_out(voids_.is_void(), voids_.impulses(dt));
+            wet->take_out(voids_.is_void(), voids_.impulses(dt), voids_.shut());
+            for (std::size_t r = 0; r < open_flux.size(); ++r)
+                u_star.conduit[r] = voids_.shut()[r] ? carried_flux<D>(*coupling_, conduits[r], V) : open_flux[r];
             for (int node = 0; node < coupling_->network.nodes; ++node)
                 if (voids_.is_void()[node])
                     impulse_.nodes[node] = 0;
@@ -323,10 +327,16 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         bool changed = contacts && contacts_.update(V, contact_impulse, accuracy, round);
         new_voids = false;
         if (wet) {
-            node_outflow_ = wet->outflow(impulse_, V);
+            const auto [outflow, drop] = wet->outcome(impulse_, V);
+            node_outflow_ = outflow;
+            std::vector<double> flux;
+            for (std::size_t r = 0; r < conduits.size(); ++r)
+                flux.push_back(u_star.conduit[r] + wet->conductance(r) * drop[r] - carried_flux<D>(*coupling_, conduits[r], V));
             const bool at_once = round < void_rounds_at_once;
             if (round < most_rounds && (at_once || !changed))
-                new_voids = voids_.update(impulse_.nodes + wet->given(), node_outflow_, dt, accuracy, at_once);
+                new_voids = voids_.update(impulse_.nodes + wet->given(), node_outflow_, dt, 10 * tolerance, at_once);
+            if (round < most_rounds && (at_once || !(changed || new_voids)))
+                new_voids = voids_.update_mouths(conduits, flux, drop, 10 * tolerance, at_once) || new_voids;
             changed = changed || new_voids;
         }
         if (round == most_rounds) {

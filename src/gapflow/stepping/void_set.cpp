@@ -54,6 +54,7 @@ void VoidSet<D>::find(const Coupling<D>& coupling, const FilmMemories<D>* memori
     least_.assign(nodes, -infinity);
     last_pressure_.assign(nodes, 0.0);
     is_void_.assign(nodes, 0);
+    shut_.assign(coupling.network.mouths.conduits.size(), 0);
     any_ = false;
     if (!possible_)
         return;
@@ -181,6 +182,32 @@ bool VoidSet<D>::update(const Eigen::VectorXd& p, const Eigen::VectorXd& outflow
     if (last >= 0 && !at_once)
         is_void_[last] = !is_void_[last];
     return last >= 0;
+}
+
+template <int D>
+bool VoidSet<D>::update_mouths(const std::vector<Conduit<D>>& conduits, const std::vector<double>& flux,
+                               const std::vector<double>& drop, double accuracy, bool at_once)
+{
+    auto at_void = [&](const Conduit<D>& conduit) {
+        return std::all_of(conduit.nodes.begin(), conduit.nodes.end(), [&](int node) { return is_void_[node]; });
+    };
+    double largest_flux = 0, largest_drop = 0;
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        largest_flux = std::max(largest_flux, std::abs(flux[r]));
+        largest_drop = std::max(largest_drop, std::abs(drop[r]));
+    }
+    bool changed = false;
+    for (std::size_t r = conduits.size(); r-- > 0;) {
+        const bool wrong = shut_[r] ? !at_void(conduits[r]) || drop[r] < -accuracy * largest_drop
+                                    : at_void(conduits[r]) && flux[r] > accuracy * largest_flux;
+        if (!wrong)
+            continue;
+        shut_[r] = !shut_[r];
+        changed = true;
+        if (!at_once)
+            break;
+    }
+    return changed;
 }
 
 template <int D>

@@ -47,9 +47,15 @@ public:
     /// Reduced pressure that a node's film had at the end of the last step (in voids: their own).
     const std::vector<double>& last_pressure() const { return last_pressure_; }
 
-    /// Takes the pressure impulses and outflows that a solve gave. True if nodes must change and the solve be repeated; else on
-    /// return, if `at_once` is false, one node has changed at most (Murty's rule).
+    /// Conduits out of voids: nothing can flow out of them, so where the bulk's pressure is lower they are shut.
+    const std::vector<char>& shut() const { return shut_; }
+
+    /// Takes the pressure impulses and outflows that a solve gave. True if nodes must change and the solve be repeated; if
+    /// `at_once` is false, one node has changed at most (Murty's rule).
     bool update(const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt, double accuracy, bool at_once);
+    /// The same for conduits, with their fluxes out of the film as seen from its master and their drops of pressure impulse.
+    bool update_mouths(const std::vector<Conduit<D>>& conduits, const std::vector<double>& flux, const std::vector<double>& drop,
+                       double accuracy, bool at_once);
     /// Void volumes of the end of the step, and what find() needs of it.
     void finish(const Coupling<D>& coupling, const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt);
 
@@ -80,7 +86,7 @@ private:
     std::vector<double> volume_, area_, growth_;
     std::vector<double> least_;  ///< reduced pressure, -infinity: no void here
     std::vector<double> last_pressure_;
-    std::vector<char> is_void_;
+    std::vector<char> is_void_, shut_;
     std::map<FilmPair<D>, Memory> memory_;
     double lost_ = 0;
 };
