@@ -39,7 +39,7 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     std::map<std::pair<int, int>, Sum> pairs;
     for (const Film<D>& film : coupling.network.films) {
         Sum& sum = pairs[{film.pair.master, film.pair.other}];
-        sum.thinnest = std::min(sum.thinnest, *std::min_element(film.mesh.h.begin(), film.mesh.h.end()));
+        sum.thinnest = std::min(sum.thinnest, *std::min_element(film.mesh.h.begin(), film.mesh.h.end()) + film.mesh.skin);
         sum.threshold = film.threshold;
         sum.nodes += film.mesh.h.size();
     }

@@ -1,6 +1,8 @@
 """Contact: collisions against Lagrange's equation, rest, restitution, friction, stacks, valves, random scenes."""
 import math
 import random
+import tempfile
+from pathlib import Path
 
 import harness
 from harness import REFERENCE, Row
@@ -180,6 +182,92 @@ def stack(quick):
               overlap * 16 <= 1e-3 and speed < 0.05)
 
 
+# ---- dry contact and cavitation -----------------------------------------------------------------------------------------------
+
+AMBIENT, THICKNESS = 10.0, 1e-4
+
+
+def dry_block(dimension, cells, pull, end):
+    """A block of mass 1 and facing area 1, dry on the floor of a tank with an open top, pulled up by a share of p0 A."""
+    side = {2: "y_high", 3: "z_high"}[dimension]
+    block = {"name": "block", "shape": "box", "mass": 1.0, "force": [0.0] * (dimension - 1) + [pull * AMBIENT]}
+    if dimension == 2:
+        domain = {"size": [4.0, 2.0], "cells": [cells, cells // 2]}
+        block |= {"size": [1.0, 0.5], "position": [2.013, 0.25 + THICKNESS], "inertia": 0.1}
+    else:
+        domain = {"size": [3.0, 3.0, 1.5], "cells": [cells, cells, cells // 2]}
+        block |= {"size": [1.0, 1.0, 0.5], "position": [1.513, 1.49, 0.25 + THICKNESS], "inertia": [0.1, 0.1, 0.1]}
+    return {"domain": domain | {"sides": {side: "open"}}, "fluid": {"reference_pressure": AMBIENT},
+            "gap": {"contact": "dry", "entrance_loss": 0.5}, "contact": {"thickness": THICKNESS}, "body": [block],
+            "time": {"end": end, "max_step": 2e-3}, "output": {"every": end}}
+
+
+def rise(result, dimension):
+    rows = track(result, "block")
+    return rows[-1]["xyz"[dimension - 1]] - rows[0]["xyz"[dimension - 1]]
+
+
+def threshold(quick):
+    for dimension, cells, step in ((2, 32, 0.001), (2, 64, 0.001), (3, 16, 0.01)) if quick else \
+            ((2, 32, 0.001), (2, 64, 0.001), (2, 128, 0.001), (3, 16, 0.001), (3, 24, 0.001), (3, 48, 0.001)):
+        end = 0.1 if dimension == 2 else 0.02
+        held, lifted = (harness.run(dry_block(dimension, cells, pull, end)) for pull in (1 - step, 1 + step))
+        force = held["gaps"][-1]["contact_force"] / AMBIENT
+        worst = max(row["divergence_max"] for row in lifted["steps"])
+        yield Row(SECTION, f"dry block of facing area A under ambient pressure p0, {dimension}D, {cells} cells along x: pull + contact force over p0 A − 1 at "
+                  f"{1 - step:g} p0 A; its rise; rise at {1 + step:g} p0 A by t = {end:g}; divergence there", "≤ 1e-5; 0; > 0; ≤ 1e-7",
+                  f"{1 - step + force - 1:.1e}; {rise(held, dimension):.1e}; {rise(lifted, dimension):.2e}; {worst:.0e}",
+                  abs(force - step) <= 1e-5 and abs(rise(held, dimension)) < 1e-10 and rise(lifted, dimension) > 1e-8 and worst <= 1e-7)
+
+
+def lifting(quick):
+    prototype = {1.001: 3.5e-5, 1.03: 1.1e-3, 1.1: 3.4e-3, 1.5: 1.6e-2}
+    for cells in (32, 64) if quick else (32, 64, 128):
+        rises = {pull: rise(harness.run(dry_block(2, cells, pull, 0.1)), 2) for pull in prototype}
+        yield Row(SECTION, f"the same lifts off, 2D, {cells} cells along x: rise by t = 0.1 at " + ", ".join(f"{p:g}" for p in prototype) + " p0 A",
+                  "from 1.03 p0 A on ± 10 % of " + ", ".join(f"{v:.2g}" for v in prototype.values()), ", ".join(f"{v:.2e}" for v in rises.values()),
+                  all(abs(rises[p] / prototype[p] - 1) <= 0.1 for p in (1.03, 1.1, 1.5)))
+
+
+def flood(quick):
+    """Lifted by 0.01 within 0.005 and held: water runs in under both ends over a void."""
+    for cells in (32, 64) if quick else (32, 64, 128):
+        scene = dry_block(2, cells, 0.0, 0.18)
+        y = scene["body"][0]["position"][1]
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "lift.csv"
+            file.write_text(f"time,x,y,angle\n0,2.013,{y},0\n0.005,2.013,0.26,0\n1,2.013,0.26,0\n")
+            scene["body"][0] |= {"motion": "prescribed", "file": str(file)}
+            result = harness.run(scene)
+        volume = [(row["time"], row["void_volume"]) for row in result["gaps"]]
+        at = {t: min(volume, key=lambda row, t=t: abs(row[0] - t)) for t in (0.08, 0.13)}
+        speed = (at[0.08][1] - at[0.13][1]) / (at[0.13][0] - at[0.08][0]) / 0.02
+        last, worst = result["gaps"][-1], max(row["divergence_max"] for row in result["steps"][1:])
+        yield Row(SECTION, f"the same held 0.01 above the floor over a void, {cells} cells along x: speed of the flood fronts over √(2 p0/(ρ(1 + ζ))); "
+                  "void and least pressure over p0 once it is full; divergence", "1 ± 0.06; 0; 1 ± 0.01; ≤ 1e-6",
+                  f"{speed / math.sqrt(2 * AMBIENT / 1.5):.3f}; {last['void_volume']:g}; {last['pressure_min'] / AMBIENT:.4f}; {worst:.0e}",
+                  abs(speed / math.sqrt(2 * AMBIENT / 1.5) - 1) <= 0.06 and last["void_volume"] == 0 and abs(last["pressure_min"] / AMBIENT - 1) <= 0.01
+                  and worst <= 1e-6)
+
+
+def cavitation(quick):
+    for cells in (32, 64) if quick else (32, 64, 128):
+        plates = [{"name": name, "shape": "box", "size": [1.0, 0.5], "position": [2.0, 2.0 + side * 0.255], "density": 1.0, "force": [0.0, 4.0 * side]}
+                  for name, side in (("upper", 1), ("lower", -1))]
+        scene = {"domain": {"size": [4.0, 4.0], "cells": [cells, cells], "sides": {"y_high": "open"}}, "gap": {"exit": "jet"}, "body": plates,
+                 "time": {"end": 0.1, "max_step": 2e-3}, "output": {"every": 0.1}}
+        rows = {}
+        for vapour in ("none", 0.2):
+            result = harness.run(scene | {"fluid": {"reference_pressure": 1.0, "vapour_pressure": vapour}})
+            rows[vapour] = [row for row in result["gaps"] if row["step"] > 0 and {row["body_a"], row["body_b"]} == {"upper", "lower"}]
+        least = {vapour: min(row["pressure_min"] for row in gaps) for vapour, gaps in rows.items()}
+        yield Row(SECTION, f"plates pulled apart from 0.01 with four times the ambient pressure, {cells}²: least pressure without and with vapour pressure 0.2; "
+                  "gap at t = 0.1; largest void over the gap's volume", "< 0; 0.2; –; > 0",
+                  f"{least['none']:.2f}; {least[0.2]:.9g}; {rows['none'][-1]['thickness']:.4f} and {rows[0.2][-1]['thickness']:.4f}; "
+                  f"{max(row['void_volume'] / row['thickness'] for row in rows[0.2]):.2f}",
+                  least["none"] < 0 and abs(least[0.2] - 0.2) <= 1e-9 and max(row["void_volume"] for row in rows[0.2]) > 0)
+
+
 # ---- many bodies --------------------------------------------------------------------------------------------------------------
 
 def random_scene(number):
@@ -246,4 +334,4 @@ def random_scenes(quick):
               "0; –; ≤ 1", f"{len(bad)}{' (' + '; '.join(bad[:3]) + ')' if bad else ''}; {unsettled}; {grown:.2f}", not bad and grown <= 1)
 
 
-ALL = (head_on, plates_meet, rest, rebound, friction, stack, random_scenes)
+ALL = (head_on, plates_meet, rest, rebound, friction, stack, threshold, lifting, flood, cavitation, random_scenes)

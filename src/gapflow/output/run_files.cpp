@@ -65,18 +65,19 @@ VtkArray kind_array(const Simulation<D>& simulation)
                       [&](const Index<D>& c, int) { return static_cast<double>(simulation.coupling().kind(c)); });
 }
 
-// Mid-gap meshes of all films with thickness, full pressure and velocity.
+// Mid-gap meshes of all films with thickness, full pressure and velocity; and the depth of voids, where a scene can have some.
 template <int D>
 VtkSurface<D> film_surface(const Simulation<D>& simulation)
 {
     VtkSurface<D> surface;
-    VtkArray thickness{"thickness", 1, {}}, pressure{"pressure", 1, {}}, velocity{"velocity", D, {}};
+    VtkArray thickness{"thickness", 1, {}}, pressure{"pressure", 1, {}}, depth{"void_depth", 1, {}}, velocity{"velocity", D, {}};
     const UnknownVector<D> p = simulation.reduced_pressure();
     for (const Film<D>& film : simulation.coupling().network.films) {
         const int first = static_cast<int>(surface.points.size());
         for (std::size_t i = 0; i < film.mesh.mid.size(); ++i) {
             surface.points.push_back(film.mesh.mid[i]);
-            thickness.values.push_back(film.mesh.h[i]);
+            thickness.values.push_back(film.mesh.h[i] + film.mesh.skin);
+            depth.values.push_back(simulation.voids().depth(film.first_node + static_cast<int>(i)));
             pressure.values.push_back(p.nodes[film.first_node + static_cast<int>(i)] + simulation.hydrostatic(film.mesh.mid[i]));
         }
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
@@ -89,6 +90,8 @@ VtkSurface<D> film_surface(const Simulation<D>& simulation)
         }
     }
     surface.point_data = {thickness, pressure};
+    if (simulation.voids().possible())
+        surface.point_data.push_back(depth);
     surface.cell_data = {velocity};
     return surface;
 }

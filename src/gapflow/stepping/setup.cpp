@@ -196,7 +196,7 @@ std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std:
         settings.floor = std::max(gap.roughness, least);
         if (gap.contact == GapScene::Contact::dry) {
             settings.floor = std::max(scene.held_distance(names[a], names[b]), least);
-            settings.skin = settings.floor - least;
+            settings.skin = moving ? settings.floor - least : 0.0;
         }
         return settings;
     };

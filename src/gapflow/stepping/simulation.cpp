@@ -83,6 +83,8 @@ StepReport Simulation<D>::step(double next_output)
     move_bodies(dt);
     find_contacts(dt);
     rebuild();
+    if (voids_.lost() > 0)
+        report.notes.push_back("a gap with a void in it opened beyond its film (gap.threshold): the void is gone at once");
     std::vector<double> conduit_scale;
     FluidVelocity<D> u_star = advect_all(dt, conduit_scale);
     for (std::size_t r = 0; r < conduit_scale.size(); ++r)

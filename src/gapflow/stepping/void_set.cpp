@@ -123,12 +123,11 @@ void VoidSet<D>::carry(const Coupling<D>& coupling, const FilmMemories<D>& memor
         }
     }
     for (const auto& [pair, old] : memory_) {
-        const auto now = sums.find(pair);
-        if (now == sums.end()) {
+        auto now = sums.find(pair);
+        if (now == sums.end())
             lost_ += old.volume;
-        } else if (old.volume > 0 && now->second.volume <= 0) {
-            volume_[now->second.nearest] = old.volume;
-        }
+        else if (old.volume > 0 && now->second.volume <= 0)
+            volume_[now->second.nearest] = now->second.volume = old.volume;
     }
     for (const Film<D>& film : coupling.network.films) {
         const auto now = sums.find(film.pair);
@@ -138,6 +137,7 @@ void VoidSet<D>::carry(const Coupling<D>& coupling, const FilmMemories<D>& memor
         for (std::size_t i = 0; i < film.mesh.x.size(); ++i)
             volume_[film.first_node + i] *= share;
     }
+    std::erase_if(memory_, [&](const auto& entry) { return !sums.contains(entry.first); });
 }
 
 template <int D>
@@ -229,7 +229,7 @@ void VoidSet<D>::finish(const Coupling<D>& coupling, const Eigen::VectorXd& p, c
         double deepest = memory.depth.empty() ? -1 : *std::max_element(memory.depth.begin(), memory.depth.end());
         for (std::size_t i = 0; i < film.mesh.h.size(); ++i) {
             const std::size_t node = film.first_node + i;
-            memory.depth.push_back(volume_[node] / area_[node]);
+            memory.depth.push_back(depth(static_cast<int>(node)));
             memory.pressure.push_back(dt > 0 ? p[static_cast<long>(node)] / dt : last_pressure_[node]);
             memory.volume += volume_[node];
             if (memory.depth.back() > deepest) {

@@ -62,9 +62,11 @@ public:
     /// Void volume of every film node, and what the step added to it per time (0 where nothing can be a void).
     const std::vector<double>& volume() const { return volume_; }
     const std::vector<double>& growth() const { return growth_; }
+    /// Void volume over area.
+    double depth(int node) const { return area_[node] > 0 ? volume_[node] / area_[node] : 0.0; }
     /// Elements without any node that is wet.
     std::vector<char> empty_elements(const FilmNetwork<D>& network) const;
-    /// Void volume that the last find() had to drop because its film is gone, summed over the run.
+    /// Void volume that find() had to drop because its film is gone, summed over the run.
     double lost() const { return lost_; }
 
 private:

@@ -215,5 +215,25 @@ TEST(InGap, NeedsThicknessFacingNormalsAndFaces)
     EXPECT_FALSE(in_gap<2>(lower, upper, {2.2, 1.6}, 1.0));
 }
 
+// A skin leaves the mesh where it is and takes the same off every thickness: volume less skin times area.
+TEST(FilmMesh, ASkinIsTakenOffTheThickness)
+{
+    const auto box = plate<2>(7.3);
+    auto films = films_of<2>(place<2>(box, up<2>(0)), place<2>(box, up<2>(3 + gap)), options_with(1));
+    ASSERT_EQ(films.size(), 1u);
+    FilmMesh<2>& film = films[0];
+    const FilmMesh<2> before = film;
+    take_skin_off(film, 0.8 * gap);
+    EXPECT_EQ(film.skin, 0.8 * gap);
+    EXPECT_NEAR(area(film), 7.3, 1e-12 * 7.3);
+    EXPECT_NEAR(volume(film), 7.3 * 0.2 * gap, 1e-11 * gap);
+    for (std::size_t i = 0; i < film.h.size(); ++i) {
+        EXPECT_NEAR(film.h[i], 0.2 * gap, 1e-13);
+        EXPECT_EQ(film.mid[i], before.mid[i]);
+    }
+    for (const FilmElement<2>& e : film.elements)
+        EXPECT_NEAR(e.inverse, e.measure / (0.2 * gap), 1e-8 * e.inverse);
+}
+
 } // namespace
 } // namespace gapflow::test

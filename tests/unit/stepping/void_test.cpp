@@ -1,0 +1,307 @@
+// Voids in films: dry contact holds and lets go at the exact pull, void volume is kept, cavitation bounds the pressure.
+#include "gapflow/coupling/wet_system.hpp"
+#include "gapflow/solver/solver.hpp"
+#include "gapflow/stepping/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace gapflow {
+namespace {
+
+constexpr double ambient = 10, thickness = 1e-4;
+
+// A block of mass 1 and facing area 1 on the floor of a tank with an open top under pressure 10, pulled up.
+Scene block(int dimension, double pull)
+{
+    Scene scene;
+    scene.dimension = dimension;
+    scene.size = dimension == 2 ? Triple{4, 2, 0} : Triple{3, 3, 1.5};
+    scene.cells = dimension == 2 ? std::array<int, 3>{32, 16, 1} : std::array<int, 3>{16, 16, 8};
+    scene.sides[2 * dimension - 1].kind = SideScene::Kind::open;
+    scene.reference_pressure = ambient;
+    scene.gap.contact = GapScene::Contact::dry;
+    scene.gap.entrance_loss = 0.5;
+    scene.contact.thickness = thickness;
+    scene.end = 1;
+    scene.max_step = 2e-3;
+    BodyScene body;
+    body.name = "block";
+    body.shape = BodyScene::ShapeKind::box;
+    body.size = dimension == 2 ? Triple{1, 0.5, 0} : Triple{1, 1, 0.5};
+    body.position = dimension == 2 ? Triple{2.013, 0.25 + thickness, 0} : Triple{1.513, 1.49, 0.25 + thickness};
+    body.mass = 1;
+    body.inertia = dimension == 2 ? std::vector<double>{0.1} : std::vector<double>{0.1, 0.1, 0.1};
+    body.force[dimension - 1] = pull;
+    scene.bodies = {body};
+    return scene;
+}
+
+double total(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+template <int D>
+void check_hold_and_lift()
+{
+    for (double share : {0.9, 0.99}) {
+        Simulation<D> simulation(block(D, share * ambient), Communicator());
+        EXPECT_NEAR(total(simulation.voids().volume()), thickness, 1e-9 * thickness);
+        for (int i = 0; i < 5; ++i) {
+            EXPECT_LT(simulation.step(1).divergence_max, 1e-12);
+            const std::vector<GapState> gaps = simulation.gaps();
+            ASSERT_EQ(gaps.size(), 1u);
+            EXPECT_NEAR(gaps[0].contact_force, (1 - share) * ambient, 1e-6 * ambient);
+            EXPECT_NEAR(gaps[0].pressure_max, 0, 1e-12);
+            EXPECT_NEAR(gaps[0].void_volume, thickness, 1e-3 * thickness);
+        }
+        EXPECT_LT(simulation.bodies()[0].twist.norm(), 1e-11);
+    }
+    Simulation<D> simulation(block(D, 1.01 * ambient), Communicator());
+    for (int i = 0; i < 10; ++i) {
+        EXPECT_LT(simulation.step(1).divergence_max, 1e-8);
+        EXPECT_GT(simulation.bodies()[0].twist[D - 1], 0);
+        EXPECT_EQ(simulation.gaps()[0].contact_force, 0);
+    }
+    const double rise = simulation.gaps()[0].thickness - thickness;
+    // 0.01 p0 A lifts a mass of 1 and what it moves of the bulk, of the order of its own.
+    EXPECT_GT(rise, 0.5 * 0.5 * 0.1 * 0.02 * 0.02);
+    EXPECT_LT(rise, 1.1 * 0.5 * 0.1 * 0.02 * 0.02);
+}
+
+TEST(Voids, DryBlockHoldsAndLiftsAtAmbientPressureTimesArea2D)
+{
+    check_hold_and_lift<2>();
+}
+
+TEST(Voids, DryBlockHoldsAndLiftsAtAmbientPressureTimesArea3D)
+{
+    check_hold_and_lift<3>();
+}
+
+TEST(Voids, AWetBlockIsNotHeld)
+{
+    Scene scene = block(2, 0.9 * ambient);
+    scene.gap.contact = GapScene::Contact::wet;
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 5; ++i)
+        simulation.step(1);
+    EXPECT_GT(simulation.bodies()[0].twist[1], 0);
+    EXPECT_EQ(simulation.gaps()[0].void_volume, 0);
+}
+
+TEST(Voids, PairsDifferInTheirKind)
+{
+    Scene scene = block(2, 0.5 * ambient);
+    scene.size[0] = 6;
+    scene.cells[0] = 48;
+    scene.gap.contact = GapScene::Contact::wet;
+    scene.bodies[0].free = {false, true, false, false, false, false}; // the flow around the other pushes it aside
+    scene.bodies.push_back(scene.bodies[0]);
+    scene.bodies[1].name = "wet";
+    scene.bodies[1].position[0] = 4.513;
+    PairScene pair{{"block", "wall:y_low"}, scene.gap, scene.contact};
+    pair.gap.contact = GapScene::Contact::dry;
+    scene.pairs = {pair};
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 5; ++i)
+        simulation.step(1);
+    EXPECT_LT(simulation.bodies()[0].twist.norm(), 1e-12);
+    EXPECT_GT(simulation.bodies()[1].twist[1], 0);
+}
+
+// The pressure level under water: the block lets go at its weight plus what the water above presses.
+TEST(Voids, GravityAddsItsHead)
+{
+    Scene scene = block(2, 0);
+    scene.gravity = {0, -2, 0};
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 3; ++i)
+        simulation.step(1);
+    const double top = ambient + 2 * (2 - 0.5 - thickness), weight = 2;
+    EXPECT_NEAR(simulation.gaps()[0].contact_force, top + weight, 2 * thickness); // rho g thickness: the film is at mid-gap
+    EXPECT_NEAR(simulation.gaps()[0].pressure_min, 0, 1e-12);
+}
+
+// A block held 0.01 above the floor over a void: water runs in at both ends with Bernoulli's speed, sqrt(2 p0 / (1 + zeta)).
+TEST(Voids, AFloodFrontRunsAtBernoullisSpeed)
+{
+    Scene scene = block(2, 0);
+    scene.bodies[0].motion = BodyScene::Motion::prescribed;
+    scene.bodies[0].motion_table = {"", {0, 0.005, 1}, {{2.013, 0.25 + thickness, 0}, {2.013, 0.26, 0}, {2.013, 0.26, 0}}};
+    Simulation<2> simulation(scene, Communicator());
+    std::vector<std::pair<double, double>> volume;
+    double last_pressure = 0;
+    while (simulation.time() < 0.18) {
+        EXPECT_LT(simulation.step(1).divergence_max, 1e-7);
+        const GapState gap = simulation.gaps()[0];
+        volume.emplace_back(simulation.time(), gap.void_volume);
+        EXPECT_GE(gap.pressure_min, -1e-9);
+        EXPECT_LE(gap.void_volume, 0.01 * (1 + 1e-6));
+        last_pressure = gap.pressure_min;
+    }
+    auto at = [&](double t) {
+        return std::find_if(volume.begin(), volume.end(), [&](const auto& v) { return v.first >= t; });
+    };
+    const double speed = (at(0.08)->second - at(0.13)->second) / (at(0.13)->first - at(0.08)->first) / 0.02;
+    EXPECT_NEAR(speed, std::sqrt(2 * ambient / 1.5), 0.06 * speed);
+    EXPECT_EQ(volume.back().second, 0);
+    EXPECT_NEAR(last_pressure, ambient, 0.01 * ambient); // full, and at rest
+}
+
+TEST(Voids, APulledWetFilmCavitates)
+{
+    Scene scene;
+    scene.dimension = 2;
+    scene.size = {4, 4, 0};
+    scene.cells = {32, 32, 1};
+    scene.sides[3].kind = SideScene::Kind::open;
+    scene.reference_pressure = 1;
+    scene.end = 1;
+    scene.max_step = 2e-3;
+    for (int side : {-1, 1}) {
+        BodyScene plate;
+        plate.name = side < 0 ? "lower" : "upper";
+        plate.shape = BodyScene::ShapeKind::box;
+        plate.size = {1, 0.5, 0};
+        plate.position = {2, 2 + side * 0.255, 0};
+        plate.density = 1;
+        plate.force = {0, 4.0 * side, 0};
+        scene.bodies.push_back(plate);
+    }
+    for (double vapour : {0.0, 0.2}) {
+        scene.vapour_pressure.reset();
+        Simulation<2> without(scene, Communicator());
+        scene.vapour_pressure = vapour;
+        Simulation<2> with(scene, Communicator());
+        for (int i = 0; i < 15; ++i) {
+            without.step(1);
+            EXPECT_LT(with.step(1).divergence_max, 1e-7);
+            EXPECT_LT(without.gaps()[0].pressure_min, -1);
+            EXPECT_NEAR(with.gaps()[0].pressure_min, vapour, 1e-9);
+            EXPECT_GT(with.gaps()[0].void_volume, 0);
+        }
+        EXPECT_GT(with.gaps()[0].thickness, without.gaps()[0].thickness);
+    }
+}
+
+// Tilting changes the film's mesh: what the voids hold stays.
+TEST(Voids, VolumeIsKeptWhenTheMeshChanges)
+{
+    Scene scene = block(2, 0);
+    const Grid<2> grid = make_grid<2>(scene, Communicator());
+    const DomainWalls<2> walls = make_walls<2>(scene);
+    auto couple_at = [&](double angle, std::vector<RigidBody<2>>& bodies) {
+        scene.bodies[0].angle = angle;
+        scene.bodies[0].position = {2.013, 0.25 + thickness + 0.5 * std::sin(angle), 0};
+        bodies = make_bodies<2>(scene);
+        const auto solids = make_solids<2>(bodies, walls);
+        return couple<2>(grid, solids, std::vector<TwistMatrix<2>>(solids.size(), TwistMatrix<2>::Identity()),
+                         {scene.density, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
+    };
+    std::vector<RigidBody<2>> level_bodies, tilted_bodies;
+    const Coupling<2> level = couple_at(0, level_bodies), tilted = couple_at(0.01, tilted_bodies);
+    ASSERT_NE(level.network.nodes, tilted.network.nodes);
+    const std::vector<Twist<2>> rest(level.solids.size(), Twist<2>::Zero());
+    auto remember = [&](const Coupling<2>& c) {
+        return remember_films<2>(c.network, c.solids, rest, std::vector<Vec<2>>(c.network.elements, Vec<2>::Zero()),
+                                 std::vector<double>(c.network.mouths.conduits.size(), 0.0), grid.dx());
+    };
+    VoidSet<2> voids(scene, grid, level.solids, [](const Vec<2>&) { return ambient; });
+    voids.find(level, nullptr);
+    auto zeros = [](const Coupling<2>& c) { return Eigen::VectorXd(Eigen::VectorXd::Zero(c.network.nodes)); };
+    // Half of the voids fill.
+    Eigen::VectorXd outflow = zeros(level);
+    double kept = 0;
+    for (int i = 0; i < level.network.nodes; ++i) {
+        const bool fills = level.network.films[0].mesh.mid[i][0] > 2.2;
+        outflow[i] = fills ? -voids.volume()[i] : 0.0;
+        kept += fills ? 0 : voids.volume()[i];
+    }
+    voids.finish(level, zeros(level), outflow, 1.0);
+    EXPECT_NEAR(total(voids.volume()), kept, 1e-15);
+    const std::vector<double> before = voids.volume();
+    const FilmMemories<2> memories = remember(level);
+    voids.find(level, &memories);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_NEAR(voids.volume()[i], before[i], 1e-12 * kept) << "the same mesh keeps every node's";
+    voids.find(tilted, &memories);
+    EXPECT_NEAR(total(voids.volume()), kept, 1e-12 * kept);
+    for (int i = 0; i < tilted.network.nodes; ++i)
+        if (tilted.network.films[0].mesh.mid[i][0] > 2.3) {
+            EXPECT_EQ(voids.volume()[i], 0);
+        }
+    EXPECT_EQ(voids.lost(), 0);
+}
+
+// The reduced system gives the solution of the whole one with the voids' pressures: every other row balances.
+TEST(Voids, TheWetSystemBalancesEveryRowButTheVoids)
+{
+    Scene scene = block(3, 0);
+    scene.bodies[0].position[2] = 0.26;
+    const Grid<3> grid = make_grid<3>(scene, Communicator());
+    const DomainWalls<3> walls = make_walls<3>(scene);
+    std::vector<RigidBody<3>> bodies = make_bodies<3>(scene);
+    const auto solids = make_solids<3>(bodies, walls);
+    std::vector<TwistMatrix<3>> mass(solids.size(), TwistMatrix<3>::Identity());
+    Coupling<3> coupling = couple<3>(grid, solids, mass, {1.0, FractionMode::cut_cell}, gap_settings<3>(scene, solids, true), {});
+    const int nodes = coupling.system.nodes;
+    const std::size_t entries = coupling.system.node_flux.size();
+    std::vector<char> is_void(nodes, 0);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(nodes), filling = Eigen::VectorXd::Zero(nodes);
+    for (int i = 0; i < nodes; ++i)
+        if (coupling.network.films[0].mesh.mid[i][0] < 1.5) {
+            is_void[i] = 1;
+            b[i] = -0.3 - 0.1 * coupling.network.films[0].mesh.mid[i][1];
+        } else {
+            filling[i] = 1e-4;
+        }
+    std::vector<Twist<3>> V(solids.size(), Twist<3>::Zero());
+    V[0] << 0.1, 0, 0.3, 0, 0.2, 0;
+    FluidVelocity<3> u{FaceField<3>(grid), std::vector<Vec<3>>(coupling.network.elements, Vec<3>::Zero()),
+                       std::vector<double>(coupling.network.elements, 0.0),
+                       std::vector<double>(coupling.network.mouths.conduits.size(), 0.0)};
+    UnknownVector<3> p{CellField<3>(grid), Eigen::VectorXd::Zero(nodes)};
+    Eigen::VectorXd impulse, film_outflow;
+    {
+        WetSystem<3> wet(coupling);
+        wet.take_out(is_void, b, std::vector<char>(u.conduit.size(), 0));
+        hold_contacts<3>(coupling, {}, V);
+        V = intermediate_twists<3>(coupling, mass, V, u.film_normal, impulse);
+        wet.push(V, impulse);
+        UnknownVector<3> rhs;
+        outflow(coupling, u, V, rhs);
+        for_each_index<3>(grid.low(), grid.high(), [&](const Index<3>& c) { rhs.cells(c) *= -1; });
+        rhs.nodes *= -1;
+        wet.reduce(V, filling, rhs);
+        SolverOptions options;
+        options.tolerance = 1e-11;
+        ASSERT_TRUE(CoupledSolver<3>(coupling.system, options).solve(p, rhs).converged);
+        add_pressure_impulse(coupling, p, V, impulse);
+        film_outflow = wet.outcome(p, V).outflow;
+        p.nodes += wet.given();
+    }
+    EXPECT_EQ(coupling.system.node_flux.size(), entries); // the whole system again
+    subtract_gradient(coupling, p, u);
+    UnknownVector<3> rest;
+    outflow(coupling, u, V, rest);
+    double worst = 0, largest = 0;
+    for_each_index<3>(grid.low(), grid.high(), [&](const Index<3>& c) { worst = std::max(worst, std::abs(rest.cells(c))); });
+    for (int i = 0; i < nodes; ++i) {
+        if (!is_void[i])
+            worst = std::max(worst, std::abs(film_outflow[i] + filling[i]));
+        else
+            largest = std::max(largest, std::abs(film_outflow[i]));
+        if (is_void[i]) {
+            EXPECT_DOUBLE_EQ(p.nodes[i], b[i]);
+        }
+    }
+    EXPECT_GT(largest, 1e-4);
+    EXPECT_LT(worst, 1e-8 * largest);
+}
+
+} // namespace
+} // namespace gapflow
