@@ -18,6 +18,7 @@ SHORT = {  # settings that keep each example to seconds
     "04_sphere_leaving_wall": ["domain.cells=[24,24,24]", "time.end=0.1", "output.every=0.05"],
     "05_mesh_bodies": ["domain.cells=[24,24,24]", "time.end=0.04", "output.every=0.02"],
 }
+DRY = "10_dry_separation"
 
 
 def gapflow(*words):
@@ -36,7 +37,7 @@ class Command(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
 
     def run_example(self, name, *more):
-        sets = [word for key in [*SHORT[name], *more] for word in ("--set", key)]
+        sets = [word for key in [*SHORT.get(name, []), *more] for word in ("--set", key)]
         done = gapflow("run", EXAMPLES / name / "scene.toml", "-o", self.out, *sets, "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
@@ -64,6 +65,24 @@ class Command(unittest.TestCase):
         stuck = float(rows(self.out / "bodies.csv")[-1]["vy"])
         self.assertGreater(abs(film), 1e-3)
         self.assertLess(abs(stuck), 1e-2 * abs(film))
+
+    def test_dry_blocks_hold_or_lift(self):
+        self.run_example(DRY, "time.end=0.1", "output.every=0.05")
+        last = {row["body_a"]: row for row in rows(self.out / "gaps.csv")}
+        self.assertAlmostEqual(float(last["held"]["thickness"]), 1e-3, delta=1e-12)
+        self.assertGreater(float(last["held"]["contact_force"]), 0.4)
+        self.assertGreater(float(last["lifted"]["thickness"]), 2e-3)
+        self.assertGreater(float(last["lifted"]["void_volume"]), 1.5e-3)
+        self.assertEqual(float(last["wet"]["void_volume"]), 0)
+        self.assertGreater(float(last["wet"]["thickness"]), 1.01e-3)
+        self.assertLess(max(float(row["divergence_max"]) for row in rows(self.out / "steps.csv")), 1e-7)
+        self.assertIn("void_depth", (self.out / "films" / "films_00002.vtp").read_text(errors="ignore"))
+
+    def test_dry_contact_in_a_closed_box_is_refused(self):
+        done = gapflow("run", EXAMPLES / DRY / "scene.toml", "-o", self.out, "--set", "domain.sides.y_high=wall")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("has no pressure level", done.stderr)
+        self.assertFalse(self.out.exists())
 
     def test_backends_agree(self):
         scene = EXAMPLES / "01_plates_pulled_apart" / "scene.toml"
