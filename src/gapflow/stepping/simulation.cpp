@@ -3,7 +3,6 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/body/move.hpp"
 #include "gapflow/core/error.hpp"
-#include "gapflow/coupling/wet_system.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/flooding.hpp"
 
@@ -266,7 +265,6 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     if (voids)
         wet.emplace(*coupling_);
     bool new_voids = voids;
-    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
     const std::vector<double> open_flux = u_star.conduit;
     std::optional<CoupledSolver<D>> solver;
     std::vector<Twist<D>> V;
@@ -283,12 +281,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         Eigen::VectorXd contact_impulse;
         V = intermediate_twists(*coupling_, masses(), pushed, u_star.film_normal, contact_impulse);
         if (new_voids) {
-            wet->take_out(voids_.is_void(), voids_.impulses(dt), voids_.shut());
-            for (std::size_t r = 0; r < open_flux.size(); ++r)
-                u_star.conduit[r] = voids_.shut()[r] ? carried_flux<D>(*coupling_, conduits[r], V) : open_flux[r];
-            for (int node = 0; node < coupling_->network.nodes; ++node)
-                if (voids_.is_void()[node])
-                    impulse_.nodes[node] = 0;
+            hold_voids(*wet, open_flux, V, dt, u_star);
             solver.reset();
         }
         if (wet)
@@ -327,18 +320,8 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         // A contact whose impulse is next to nothing may flip for ever: what counts as nothing grows with the rounds.
         const double accuracy = std::max(10 * tolerance, 1e-6 * std::exp2(round - 20));
         bool changed = contacts && contacts_.update(V, contact_impulse, accuracy, round);
-        new_voids = false;
         if (wet) {
-            const auto [outflow, drop] = wet->outcome(impulse_, V);
-            node_outflow_ = outflow;
-            std::vector<double> flux;
-            for (std::size_t r = 0; r < conduits.size(); ++r)
-                flux.push_back(u_star.conduit[r] + wet->conductance(r) * drop[r] - carried_flux<D>(*coupling_, conduits[r], V));
-            const bool at_once = round < void_rounds_at_once;
-            if (round < most_rounds && (at_once || !changed))
-                new_voids = voids_.update(impulse_.nodes + wet->given(), node_outflow_, dt, 10 * tolerance, at_once);
-            if (round < most_rounds && (at_once || !(changed || new_voids)))
-                new_voids = voids_.update_mouths(conduits, flux, drop, 10 * tolerance, at_once) || new_voids;
+            new_voids = update_voids(*wet, u_star, V, dt, 10 * tolerance, round, changed);
             changed = changed || new_voids;
         }
         if (round == most_rounds) {
@@ -378,6 +361,40 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             wrenches_[b] += impulse[b] / dt;
     }
     stages_.add("projection", now() - start - solver_seconds);
+}
+
+// The voids as the active set has them leave the system, and shut mouths carry only what moves with their masters.
+template <int D>
+void Simulation<D>::hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, const std::vector<Twist<D>>& V, double dt,
+                               FluidVelocity<D>& u_star)
+{
+    wet.take_out(voids_.is_void(), voids_.impulses(dt), voids_.shut());
+    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
+    for (std::size_t r = 0; r < conduits.size(); ++r)
+        u_star.conduit[r] = voids_.shut()[r] ? carried_flux<D>(*coupling_, conduits[r], V) : open_flux[r];
+    for (int node = 0; node < coupling_->network.nodes; ++node)
+        if (voids_.is_void()[node])
+            impulse_.nodes[node] = 0;
+}
+
+// Void nodes and their mouths after a solve. True if some changed; one at a time, after the contacts, once that must be.
+template <int D>
+bool Simulation<D>::update_voids(const WetSystem<D>& wet, const FluidVelocity<D>& u_star, const std::vector<Twist<D>>& V, double dt,
+                                 double accuracy, int round, bool contacts_changed)
+{
+    const auto [outflow, drop] = wet.outcome(impulse_, V);
+    node_outflow_ = outflow;
+    const bool at_once = round < void_rounds_at_once;
+    if (round == most_rounds || (contacts_changed && !at_once))
+        return false;
+    const bool nodes = voids_.update(impulse_.nodes + wet.given(), outflow, dt, accuracy, at_once);
+    if (nodes && !at_once)
+        return true;
+    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
+    std::vector<double> flux; // seen from the masters
+    for (std::size_t r = 0; r < conduits.size(); ++r)
+        flux.push_back(u_star.conduit[r] + wet.conductance(r) * drop[r] - carried_flux<D>(*coupling_, conduits[r], V));
+    return voids_.update_mouths(conduits, flux, drop, accuracy, at_once) || nodes;
 }
 
 // A pocket that a prescribed body squeezes has no solution: name it.

@@ -4,6 +4,7 @@
 #include "gapflow/core/communicator.hpp"
 #include "gapflow/core/timer.hpp"
 #include "gapflow/coupling/coupling.hpp"
+#include "gapflow/coupling/wet_system.hpp"
 #include "gapflow/film/film_motion.hpp"
 #include "gapflow/scene/scene.hpp"
 #include "gapflow/solver/solver.hpp"
@@ -96,6 +97,10 @@ private:
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
     std::vector<Twist<D>> forced_twists(double dt) const;
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
+    void hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, const std::vector<Twist<D>>& V, double dt,
+                    FluidVelocity<D>& u_star);
+    bool update_voids(const WetSystem<D>& wet, const FluidVelocity<D>& u_star, const std::vector<Twist<D>>& V, double dt,
+                      double accuracy, int round, bool contacts_changed);
     void continue_velocities();
     void paint_films(FaceField<D, std::int8_t>& valid);
     void share_uncovered_faces(FaceField<D>& u_star) const;
