@@ -15,6 +15,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double touching = 1e-6;
 // A void shallower than this, in dx, is round-off.
 constexpr double shallowest = 1e-14;
+// A void that takes this part of its gap has no fluid left that could flow out.
+constexpr double drained = 0.5;
+// A mouth shuts and opens again once in a step: what it lets out when open depends on the flux that it had, so with the nodes'
+// states its own could go round for ever.
+constexpr int most_flips = 2;
 
 } // namespace
 
@@ -54,7 +59,9 @@ void VoidSet<D>::find(const Coupling<D>& coupling, const FilmMemories<D>* memori
     least_.assign(nodes, -infinity);
     last_pressure_.assign(nodes, 0.0);
     is_void_.assign(nodes, 0);
+    drained_.assign(nodes, 0);
     shut_.assign(coupling.network.mouths.conduits.size(), 0);
+    flips_.assign(shut_.size(), 0);
     any_ = false;
     if (!possible_)
         return;
@@ -80,6 +87,11 @@ void VoidSet<D>::find(const Coupling<D>& coupling, const FilmMemories<D>* memori
         else
             last_pressure_[i] = least_[i];
     }
+    for (const Film<D>& film : coupling.network.films)
+        for (std::size_t i = 0; i < film.mesh.h.size(); ++i) {
+            const std::size_t node = film.first_node + i;
+            drained_[node] = is_void_[node] && volume_[node] >= drained * (film.mesh.h[i] + film.mesh.skin) * area_[node];
+        }
 }
 
 template <int D>
@@ -189,7 +201,7 @@ bool VoidSet<D>::update_mouths(const std::vector<Conduit<D>>& conduits, const st
                                const std::vector<double>& drop, double accuracy, bool at_once)
 {
     auto at_void = [&](const Conduit<D>& conduit) {
-        return std::all_of(conduit.nodes.begin(), conduit.nodes.end(), [&](int node) { return is_void_[node]; });
+        return std::all_of(conduit.nodes.begin(), conduit.nodes.end(), [&](int node) { return is_void_[node] && drained_[node]; });
     };
     double largest_flux = 0, largest_drop = 0;
     for (std::size_t r = 0; r < conduits.size(); ++r) {
@@ -200,8 +212,9 @@ bool VoidSet<D>::update_mouths(const std::vector<Conduit<D>>& conduits, const st
     for (std::size_t r = conduits.size(); r-- > 0;) {
         const bool wrong = shut_[r] ? !at_void(conduits[r]) || drop[r] < -accuracy * largest_drop
                                     : at_void(conduits[r]) && flux[r] > accuracy * largest_flux;
-        if (!wrong)
+        if (!wrong || flips_[r] == most_flips)
             continue;
+        ++flips_[r];
         shut_[r] = !shut_[r];
         changed = true;
         if (!at_once)

@@ -47,7 +47,8 @@ public:
     /// Reduced pressure that a node's film had at the end of the last step (in voids: their own).
     const std::vector<double>& last_pressure() const { return last_pressure_; }
 
-    /// Conduits out of voids: nothing can flow out of them, so where the bulk's pressure is lower they are shut.
+    /// Conduits out of voids that take half their gap or more: nothing is left there to flow out, so where the bulk's pressure
+    /// is lower they are shut.
     const std::vector<char>& shut() const { return shut_; }
 
     /// Takes the pressure impulses and outflows that a solve gave. True if nodes must change and the solve be repeated; if
@@ -88,7 +89,8 @@ private:
     std::vector<double> volume_, area_, growth_;
     std::vector<double> least_;  ///< reduced pressure, -infinity: no void here
     std::vector<double> last_pressure_;
-    std::vector<char> is_void_, shut_;
+    std::vector<char> is_void_, drained_, shut_;
+    std::vector<int> flips_;     ///< of the mouths, in this step
     std::map<FilmPair<D>, Memory> memory_;
     double lost_ = 0;
 };
