@@ -132,7 +132,7 @@ void rotation_is_traced(double shift)
     const Vec<D> centre = Vec<D>::Constant(0.45);
     auto rigid = [&](const Vec<D>& x) { return spin_velocity<D>(omega, x - centre); };
     const FaceField<D> u = sampled_everywhere<D>(grid, rigid);
-    FaceFractions<D> fractions{FaceField<D>(grid, 1.0), FaceField<D, int>(grid, -1), {}};
+    FaceFractions<D> fractions{FaceField<D>(grid, 1.0), FaceField<D, int>(grid, -1), {}, {}};
     if (shift != 0)
         for_owned<D>(grid, [&](int axis, const Index<D>& f) {
             Vec<D> x = grid.face_centre(axis, f);
