@@ -2,7 +2,8 @@
 //
 //     V = F^-1 (w + C^T (k s + lambda)),     lambda += k (s - C V)
 //
-// a few times: each brings C V - s down by k C M^-1 C^T. Redundant rows do no harm: they share their impulse evenly.
+// a few times: each brings C V - s down by k C M^-1 C^T. Redundant rows do no harm: they share their impulse evenly. For a row
+// that resists with k the first V is right, and lambda = k (s - C V) no part of the iteration.
 #include "gapflow/coupling/body_response.hpp"
 
 #include "gapflow/core/error.hpp"
@@ -18,8 +19,9 @@ constexpr int passes = 4;
 
 } // namespace
 
-BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact)
-    : contact_(contact), stiffness_(contact.rows())
+BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact,
+                           const Eigen::VectorXd& resistance)
+    : contact_(contact), stiffness_(contact.rows()), rigid_(Eigen::VectorXd::Ones(contact.rows()))
 {
     if (mass.rows() == 0)
         return;
@@ -30,6 +32,11 @@ BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen:
         const Eigen::VectorXd mobility = contact.cwiseAbs2() * inverse_mass;
         for (long r = 0; r < mobility.size(); ++r) // 0: neither body can yield
             stiffness_[r] = mobility[r] > 0 ? relative_stiffness / mobility[r] : 0.0;
+        for (long r = 0; r < mobility.size(); ++r)
+            if (resistance[r] < stiffness_[r]) {
+                stiffness_[r] = resistance[r];
+                rigid_[r] = 0;
+            }
         factor_ = std::make_shared<Factor>(mass +
                                            Eigen::SparseMatrix<double>(contact.transpose() * stiffness_.asDiagonal() * contact));
     }
@@ -52,10 +59,11 @@ Eigen::VectorXd BodyResponse::operator()(const Eigen::VectorXd& w, const Eigen::
     Eigen::VectorXd impulse = Eigen::VectorXd::Zero(contact_.rows()), V;
     for (int pass = 0; pass < passes; ++pass) {
         V = factor_->solve(w + contact_.transpose() * (stiffness_.cwiseProduct(speed) + impulse));
-        impulse += stiffness_.cwiseProduct(speed - contact_ * V);
+        const Eigen::VectorXd more = stiffness_.cwiseProduct(speed - contact_ * V);
+        if (lambda)
+            *lambda = impulse + more;
+        impulse += rigid_.cwiseProduct(more);
     }
-    if (lambda)
-        *lambda = impulse;
     return V;
 }
 

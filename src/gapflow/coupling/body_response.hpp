@@ -1,5 +1,5 @@
-// What the bodies' twists do under impulses: V = M^-1 (w + C^T lambda), with C V = s where contacts hold the bodies (method,
-// section 7), else V = M^-1 w.
+// What the bodies' twists do under impulses: V = M^-1 (w + C^T lambda), with C V = s where contacts hold the bodies rigidly and
+// lambda = k (s - C V) where they resist with k (method, section 7), else V = M^-1 w.
 #pragma once
 
 #include <Eigen/Sparse>
@@ -12,9 +12,10 @@ namespace gapflow {
 class BodyResponse {
 public:
     BodyResponse() = default;
-    /// `mass`: symmetric positive definite; `contact`: C, a row a held contact, possibly none, possibly redundant.
-    /// Throws ComputationError where the mass is not positive definite.
-    BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact);
+    /// `mass`: symmetric positive definite; `contact`: C, a row a held contact, possibly none, possibly redundant; `resistance`: k
+    /// of each row, infinite for rigid ones. Throws ComputationError where the mass is not positive definite.
+    BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact,
+                 const Eigen::VectorXd& resistance);
 
     /// Twists under impulse w with the contacts at rest. Symmetric in w. `lambda`, if given, receives the contacts' impulses.
     Eigen::VectorXd operator()(const Eigen::VectorXd& w, Eigen::VectorXd* lambda = nullptr) const;
@@ -26,6 +27,7 @@ private:
     std::shared_ptr<const Factor> factor_; ///< of M + C^T diag(stiffness) C
     Eigen::SparseMatrix<double> contact_;
     Eigen::VectorXd stiffness_;
+    Eigen::VectorXd rigid_; ///< 1 for rigid rows, else 0
 };
 
 } // namespace gapflow

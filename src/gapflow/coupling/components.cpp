@@ -255,6 +255,8 @@ void find_components(Coupling<D>& coupling)
     int part_count = 0;
     const std::vector<int> part = parts.numbers(part_count);
     std::vector<char> counted(part_count, 0);
+    for (Component& component : system.components)
+        component.grid_parts = 0;
     for (int l = 0; l < cells_total; ++l)
         if (!counted[part[l]]) {
             counted[part[l]] = 1;

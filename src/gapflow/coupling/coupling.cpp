@@ -237,7 +237,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     timer.emplace(timers.stage("system"));
     fill_flux(coupling, rows);
     fill_mass(coupling, mass);
-    coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact);
+    coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact, coupling.system.contact_resistance);
     find_components(coupling);
     coupling.network.faces.reset(); // a cache for this function only
 #ifndef NDEBUG
@@ -258,9 +258,11 @@ void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& con
     std::vector<Eigen::Triplet<double>> entries;
     const int rows = static_cast<int>(contacts.size());
     coupling.held_speed.resize(rows);
+    coupling.system.contact_resistance.resize(rows);
     for (int r = 0; r < rows; ++r) {
         const HeldContact<D>& contact = contacts[r];
         coupling.held_speed[r] = contact.speed;
+        coupling.system.contact_resistance[r] = contact.resistance;
         auto add = [&](int solid, const Twist<D>& row) {
             const int b = coupling.free_body[solid];
             if (b < 0) {
@@ -277,7 +279,7 @@ void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& con
     }
     coupling.system.contact.resize(rows, n * coupling.system.bodies);
     coupling.system.contact.setFromTriplets(entries.begin(), entries.end());
-    coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact);
+    coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact, coupling.system.contact_resistance);
 }
 
 template <int D>

@@ -8,6 +8,7 @@
 #include "gapflow/film/conduits.hpp"
 #include "gapflow/grid/face_fractions.hpp"
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -101,10 +102,11 @@ struct HeldContact {
     int a, b; ///< solids
     Twist<D> row_a, row_b;
     double speed;
+    double resistance = std::numeric_limits<double>::infinity(); ///< impulse over what is left of the speed
 };
 
 /// Replaces the contacts that hold the free bodies; `twists`: those of the other solids. From then on M^-1 is
-/// BodyResponse(mass, contact) everywhere.
+/// BodyResponse(mass, contact, resistance) everywhere.
 template <int D>
 void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& contacts, const std::vector<Twist<D>>& twists);
 

@@ -44,7 +44,7 @@ struct BodyFlux {
 struct Component {
     bool grounded = false; ///< touches an open side: its pressure level is fixed
     long unknowns = 0;
-    int grid_parts = 0;      ///< parts of it that the grid's faces alone connect
+    int grid_parts = -1;     ///< parts of it that the grid's faces alone connect; -1: not counted
     bool open_faces = false; ///< faces of the grid lead to an open side
 };
 
@@ -61,8 +61,10 @@ struct CoupledSystem {
     std::vector<BodyFlux<D, Index<D>>> cell_flux; ///< K in this rank's cells
     std::vector<BodyFlux<D, int>> node_flux;      ///< K in film nodes, the same on all ranks
     Eigen::SparseMatrix<double> mass;             ///< dofs x dofs, symmetric positive definite; the same on all ranks
-    /// Contacts that hold the bodies: C, rows x dofs. M^-1 in this system stands for BodyResponse(mass, contact).
+    /// Contacts that hold the bodies: C, rows x dofs, and what each resists with. M^-1 in this system stands for
+    /// BodyResponse(mass, contact, contact_resistance).
     Eigen::SparseMatrix<double> contact;
+    Eigen::VectorXd contact_resistance;           ///< impulse over speed; infinite: rigid
 
     std::vector<Component> components;
     CellField<D, int> component;      ///< of each cell, -1: no unknown; valid on owned cells

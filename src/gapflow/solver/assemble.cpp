@@ -122,7 +122,7 @@ Eigen::MatrixXd assemble_dense(const CoupledSystem<D>& system)
             flux.row(numbering.cell(entry.row)).segment(twist_size<D> * entry.body, twist_size<D>) += entry.flux.transpose();
         for (const auto& entry : system.node_flux)
             flux.row(entry.row).segment(twist_size<D> * entry.body, twist_size<D>) += entry.flux.transpose();
-        const BodyResponse response(system.mass, system.contact);
+        const BodyResponse response(system.mass, system.contact, system.contact_resistance);
         for (long j = 0; j < matrix.cols(); ++j)
             matrix.col(j) += flux * response(flux.row(j).transpose());
     }

@@ -97,6 +97,7 @@ void BodyCorrection<D>::update()
         const Eigen::VectorXd mobility = system.contact.cwiseAbs2() * capacitance.diagonal().cwiseInverse();
         Eigen::VectorXd stiffness = held_stiffness * mobility.cwiseInverse();
         stiffness = (mobility.array() > 0).select(stiffness, 0.0); // 0: constraints leave the contact nothing to push
+        stiffness = stiffness.cwiseMin(system.contact_resistance);
         capacitance += system.contact.transpose() * stiffness.asDiagonal() * system.contact;
     }
     capacitance_.compute(capacitance);

@@ -57,7 +57,7 @@ void ConstantCorrection<D>::number_columns()
 {
     const Grid<D>& grid = *system_.grid;
     std::vector<char> grounded;
-    if (std::all_of(system_.components.begin(), system_.components.end(), [](const Component& c) { return c.grid_parts <= 1; })) {
+    if (std::all_of(system_.components.begin(), system_.components.end(), [](const Component& c) { return c.grid_parts == 0 || c.grid_parts == 1; })) {
         part_ = system_.component;
         for (const Component& component : system_.components)
             grounded.push_back(component.open_faces);

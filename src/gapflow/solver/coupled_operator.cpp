@@ -43,7 +43,7 @@ template <int D>
 void CoupledOperator<D>::update_bodies()
 {
     if (dofs_ > 0)
-        response_ = BodyResponse(system_.mass, system_.contact);
+        response_ = BodyResponse(system_.mass, system_.contact, system_.contact_resistance);
 }
 
 template <int D>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gapflow {
 
@@ -26,6 +27,8 @@ constexpr double smooth = 0.05;
 // Rounds after which contacts change one at a time.
 constexpr int rounds_at_once = 15;
 constexpr double friction_accuracy = 1e-3; // of the friction's bound
+// Slip below this times the speeds of approach, or what the forces add to them, is none.
+constexpr double still = 1e-9;
 
 template <int D>
 std::array<Vec<D>, D - 1> tangents_of(const Vec<D>& n)
@@ -51,6 +54,35 @@ template <int D>
 double rate(const RelativeRow<D>& row, const Contact<D>& contact, const std::vector<Twist<D>>& twists)
 {
     return row.a.dot(twists[contact.point.a]) + row.b.dot(twists[contact.point.b]);
+}
+
+// Sliding friction turns with the slip: -bound (slip / |slip|). To first order that is a given pull against the slip of the round
+// before, and across it the resistance bound / |slip|, part of the solve: explicit it would grow without bound where bodies
+// barely slide.
+template <int D>
+bool resists_turning(const Contact<D>& c)
+{
+    return D == 3 && c.closed && c.slides && c.pull.squaredNorm() > 0;
+}
+
+template <int D>
+Vec<D - 1> across_pull(const Contact<D>& c)
+{
+    if constexpr (D == 3)
+        return Vec<2>(-c.pull[1], c.pull[0]).normalized();
+    else
+        return Vec<1>::Zero();
+}
+
+template <int D>
+RelativeRow<D> row_along(const Contact<D>& c, const Vec<D - 1>& direction)
+{
+    RelativeRow<D> row{Twist<D>::Zero(), Twist<D>::Zero()};
+    for (int k = 0; k < D - 1; ++k) {
+        row.a += direction[k] * c.tangents[k].a;
+        row.b += direction[k] * c.tangents[k].b;
+    }
+    return row;
 }
 
 } // namespace
@@ -120,6 +152,7 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
             contact.closed = contact.was_closed = known->closed;
             contact.slides = known->slides;
             contact.pull = known->slides ? known->tangential : Vec<D - 1>::Zero();
+            contact.slip = known->slip;
         }
         contact.point = std::move(point);
         contacts_.push_back(std::move(contact));
@@ -203,6 +236,7 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
 template <int D>
 std::vector<HeldContact<D>> ContactSet<D>::held() const
 {
+    constexpr double rigid = std::numeric_limits<double>::infinity();
     std::vector<HeldContact<D>> rows;
     for (const Contact<D>& c : contacts_) {
         if (!c.closed)
@@ -211,6 +245,10 @@ std::vector<HeldContact<D>> ContactSet<D>::held() const
         if (c.friction > 0 && !c.slides)
             for (const RelativeRow<D>& t : c.tangents)
                 rows.push_back({c.point.a, c.point.b, t.a, t.b, 0.0});
+        if (resists_turning(c)) {
+            const RelativeRow<D> across = row_along(c, across_pull(c));
+            rows.push_back({c.point.a, c.point.b, across.a, across.b, 0.0, c.slip > 0 ? c.pull.norm() / c.slip : rigid});
+        }
     }
     return rows;
 }
@@ -229,7 +267,7 @@ std::vector<Twist<D>> ContactSet<D>::sliding_impulses(std::size_t solids) const
 }
 
 template <int D>
-bool ContactSet<D>::update_friction(Contact<D>& c, const std::vector<Twist<D>>& twists, double tolerance) const
+bool ContactSet<D>::update_friction(Contact<D>& c, const std::vector<Twist<D>>& twists, double tolerance, double standstill) const
 {
     const double bound = c.friction * std::max(c.impulse, 0.0);
     if (!c.slides) {
@@ -237,18 +275,21 @@ bool ContactSet<D>::update_friction(Contact<D>& c, const std::vector<Twist<D>>& 
             return false;
         c.slides = true;
         c.pull = bound * c.tangential.normalized();
+        c.slip = 0;
         return true;
     }
     Vec<D - 1> slip;
     for (int k = 0; k < D - 1; ++k)
         slip[k] = rate(c.tangents[k], c, twists);
-    c.tangential = c.pull;
-    if (slip.dot(c.pull) > 0) { // friction would drive: it sticks
+    c.slip = slip.norm();
+    if (slip.dot(c.pull) > standstill * c.pull.norm()) { // friction would drive: it sticks
         c.slides = false;
         return true;
     }
-    const Vec<D - 1> pull = slip.norm() > 0 ? Vec<D - 1>(-bound * slip.normalized()) : c.pull;
-    const bool changed = (pull - c.pull).norm() > friction_accuracy * bound + tolerance;
+    // At rest, held by others, it pulls as it did, within its bound.
+    const Vec<D - 1> direction = c.slip > standstill ? Vec<D - 1>(-slip) : c.pull;
+    const Vec<D - 1> pull = direction.norm() > 0 ? Vec<D - 1>(bound * direction.normalized()) : c.pull;
+    const bool changed = (pull - c.tangential).norm() > friction_accuracy * bound + tolerance;
     c.pull = pull;
     return changed;
 }
@@ -257,17 +298,22 @@ template <int D>
 bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, double accuracy, int round)
 {
     int row = 0;
-    double largest_impulse = 0, largest_speed = 0;
+    double largest_impulse = 0, largest_speed = 0, standstill = 0;
     for (Contact<D>& c : contacts_) {
         c.impulse = 0;
         c.tangential.setZero();
         largest_speed = std::max({largest_speed, std::abs(c.approach), std::abs(c.target), std::abs(rate(c.normal, c, twists))});
+        standstill = std::max({standstill, still * c.gained, still * std::abs(c.approach)});
         if (!c.closed)
             continue;
         c.impulse = impulses[row++];
         if (c.friction > 0 && !c.slides)
             for (int k = 0; k < D - 1; ++k)
                 c.tangential[k] = impulses[row++];
+        if (c.slides)
+            c.tangential = c.pull;
+        if (resists_turning(c))
+            c.tangential += impulses[row++] * across_pull(c);
         largest_impulse = std::max(largest_impulse, std::abs(c.impulse));
     }
     bool changed = false;
@@ -283,7 +329,7 @@ bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::Vec
             }
             changed = true;
         } else if (c.closed && c.friction > 0) {
-            changed = update_friction(c, twists, accuracy * largest_impulse) || changed;
+            changed = update_friction(c, twists, accuracy * largest_impulse, standstill) || changed;
         }
     }
     if (last && round >= rounds_at_once) {

@@ -31,6 +31,7 @@ struct Contact {
     bool closed = false, was_closed = false;
     bool slides = false;
     Vec<D - 1> pull = Vec<D - 1>::Zero(); ///< friction impulse on a along the tangents while it slides
+    double slip = 0;                    ///< speed at which it slides
     double impulse = 0;                 ///< normal, on a, over the step
     Vec<D - 1> tangential = Vec<D - 1>::Zero(); ///< friction impulse on a
     Vec<D> mark = Vec<D>::Zero();       ///< place on a in a's frame, to know the contact again
@@ -67,7 +68,7 @@ private:
         double hold, restitution, friction;
     };
     PairLaw law(int a, int b) const;
-    bool update_friction(Contact<D>& contact, const std::vector<Twist<D>>& twists, double tolerance) const;
+    bool update_friction(Contact<D>& contact, const std::vector<Twist<D>>& twists, double tolerance, double standstill) const;
 
     const Scene* scene_ = nullptr;
     double dx_ = 0;
