@@ -139,7 +139,7 @@ std::vector<KeyInfo> scene_keys()
             {"output.every", T::number, "s", "0.0", non_negative, {}, "time between fields; 0: the start and the end"},
             {"output.fields", T::choices, "", "[\"velocity\", \"pressure\"]", any, {"velocity", "pressure"}, "fields to write"},
             {"output.checkpoint_every", T::number, "s", "0.0", non_negative, {},
-             "time between checkpoints (this version has none)"},
+             "time between checkpoints; 0: only at the end and when interrupted"},
         });
     return keys;
 }

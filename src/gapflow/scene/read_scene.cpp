@@ -46,9 +46,7 @@ void read_output(const Values& v, Scene& scene)
     scene.output_directory = v.text("output.directory");
     scene.output_every = v.number("output.every");
     scene.fields = v.texts("output.fields");
-    if (v.number("output.checkpoint_every") > 0)
-        scene.warnings.push_back(place_of(*v.given("output.checkpoint_every"), "output.checkpoint_every") +
-                                 " is ignored: this version writes no checkpoints");
+    scene.checkpoint_every = v.number("output.checkpoint_every");
 }
 
 } // namespace

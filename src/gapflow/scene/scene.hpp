@@ -138,6 +138,7 @@ struct Scene {
     std::string output_directory = "out";
     double output_every = 0.0;      ///< 0: only the start and the end
     std::vector<std::string> fields{"velocity", "pressure"};
+    double checkpoint_every = 0.0;  ///< 0: only at the end and when interrupted
 
     std::vector<std::string> warnings; ///< what the reader accepted but did not follow, for the caller to print
 

@@ -162,7 +162,10 @@ std::string scene_as_json(const Scene& scene)
     json["time"]["cfl"] = scene.cfl;
     json["time"]["gap_cfl"] = scene.gap_cfl;
     json["solver"] = {{"tolerance", scene.tolerance}, {"backend", word({"multigrid", "petsc"}, scene.backend)}};
-    json["output"] = {{"directory", scene.output_directory}, {"every", scene.output_every}, {"fields", scene.fields}};
+    json["output"] = {{"directory", scene.output_directory},
+                      {"every", scene.output_every},
+                      {"fields", scene.fields},
+                      {"checkpoint_every", scene.checkpoint_every}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -348,6 +348,43 @@ bool ContactSet<D>::impact_on(int solid) const
     });
 }
 
+template <int D>
+void ContactSet<D>::list_state(StateArchive& archive)
+{
+    archive.each("contacts", contacts_, [](StateArchive& list, Contact<D>& c) {
+        list("a", c.point.a);
+        list("b", c.point.b);
+        list("shift", c.point.shift);
+        list("x", c.point.x);
+        list("y", c.point.y);
+        list("unit_normal", c.point.normal);
+        list("distance", c.point.distance);
+        list("hold", c.hold);
+        list("restitution", c.restitution);
+        list("friction", c.friction);
+        list("normal_a", c.normal.a);
+        list("normal_b", c.normal.b);
+        for (RelativeRow<D>& tangent : c.tangents) {
+            list("tangent_a", tangent.a);
+            list("tangent_b", tangent.b);
+        }
+        list("approach", c.approach);
+        list("gained", c.gained);
+        list("least", c.least);
+        list("target", c.target);
+        list("closed", c.closed);
+        list("was_closed", c.was_closed);
+        list("slides", c.slides);
+        list("pull", c.pull);
+        list("impulse", c.impulse);
+        list("tangential", c.tangential);
+        list("mark", c.mark);
+    });
+    for (const Contact<D>& c : contacts_)
+        if (std::min(c.point.a, c.point.b) < 0 || std::max(c.point.a, c.point.b) >= static_cast<int>(names_.size()))
+            throw StateError("it has a contact of a body that the scene does not have");
+}
+
 template class ContactSet<2>;
 template class ContactSet<3>;
 

@@ -8,6 +8,7 @@
 
 #include "gapflow/body/contact_points.hpp"
 #include "gapflow/body/rigid_body.hpp"
+#include "gapflow/core/state_archive.hpp"
 #include "gapflow/coupling/coupling.hpp"
 #include "gapflow/scene/scene.hpp"
 
@@ -62,6 +63,8 @@ public:
     /// Whether a contact of this solid closed, opened, rebounded or was brought to rest in the step: then the change of its
     /// twist is no acceleration that goes on.
     bool impact_on(int solid) const;
+    /// The contacts of the last step.
+    void list_state(StateArchive& archive);
 
 private:
     struct PairLaw {

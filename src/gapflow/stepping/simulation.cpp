@@ -33,7 +33,7 @@ double now()
 } // namespace
 
 template <int D>
-Simulation<D>::Simulation(const Scene& scene, const Communicator& comm)
+Simulation<D>::Simulation(Unprepared, const Scene& scene, const Communicator& comm)
     : scene_(scene), grid_(make_grid<D>(scene, comm)), bodies_(make_bodies<D>(scene)), walls_(make_walls<D>(scene))
 {
     const std::vector<Solid<D>> solids = make_solids<D>(bodies_, walls_);
@@ -45,7 +45,12 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm)
     wrenches_.assign(bodies_.size(), Twist<D>::Zero());
     velocity_.grid = FaceField<D>(grid_);
     film_faces_ = FaceField<D, std::int8_t>(grid_);
+    impulse_.cells = CellField<D>(grid_);
+}
 
+template <int D>
+Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simulation(Unprepared{}, scene, comm)
+{
     // The flow at rest that the bodies' velocities drive: one projection of the initial velocity, bodies held to theirs.
     const double start = now();
     holding_ = true;
@@ -123,12 +128,14 @@ void Simulation<D>::find_contacts(double dt)
 template <int D>
 void Simulation<D>::rebuild()
 {
-    old_fractions_ = coupling_ ? coupling_->fractions : nullptr;
+    if (coupling_) {
+        old_fractions_ = coupling_->fractions;
+        alive_.clear();
+        for (const Film<D>& film : coupling_->network.films)
+            alive_.insert(film.pair);
+    }
     coupling_ = std::make_unique<Coupling<D>>(couple<D>(grid_, make_solids<D>(bodies_, walls_), masses(),
                                                         {scene_.density, fraction_mode(scene_), &stages_}, gaps_, alive_));
-    alive_.clear();
-    for (const Film<D>& film : coupling_->network.films)
-        alive_.insert(film.pair);
     voids_.find(*coupling_, holding_ ? nullptr : &memories_);
 }
 
@@ -254,8 +261,6 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     const bool contacts = dt > 0 && !contacts_.empty();
     if (contacts)
         contacts_.prepare(twists(), forced, dt);
-    if (impulse_.cells.size() == 0)
-        impulse_.cells = CellField<D>(grid_);
     impulse_.cells.fill(0);
     impulse_.nodes.setZero(coupling_->system.nodes);
     const bool voids = dt > 0 && voids_.any(), sets = contacts || voids; // active sets to find

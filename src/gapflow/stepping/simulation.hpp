@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/core/communicator.hpp"
+#include "gapflow/core/state_archive.hpp"
 #include "gapflow/core/timer.hpp"
 #include "gapflow/coupling/coupling.hpp"
 #include "gapflow/coupling/wet_system.hpp"
@@ -59,6 +60,9 @@ class Simulation {
 public:
     /// Builds the state at time 0 and projects the fluid's initial velocity. Throws InputError, ComputationError. Collective.
     Simulation(const Scene& scene, const Communicator& comm);
+    /// Goes on from what state() gave, on any number of ranks: bit for bit on the same number of ranks and threads. Throws also
+    /// StateError if the state is not of this scene's grid and bodies. Collective.
+    Simulation(const Scene& scene, const Communicator& comm, const StoredState& state);
     ~Simulation();
 
     /// Advances by one time step that does not pass `next_output`. Collective.
@@ -82,12 +86,18 @@ public:
     /// Voids in the films.
     const VoidSet<D>& voids() const { return voids_; }
     Budget<D> budget() const;
-    /// Report of the state at the start (step 0).
+    /// Report of the state at the start (step 0; of a simulation that goes on from a stored state: of that one).
     const StepReport& initial_report() const { return initial_report_; }
+    /// All that the next step depends on beside the scene. Collective.
+    StoredState state() const;
     /// Time spent in each stage so far.
     const StageTimers& stages() const { return stages_; }
 
 private:
+    struct Unprepared {}; ///< tag: grid, bodies and walls only
+    Simulation(Unprepared, const Scene& scene, const Communicator& comm);
+
+    void list_state(StateArchive& archive);
     double choose_step(double next_output) const;
     void move_bodies(double dt);
     void find_contacts(double dt);
@@ -138,7 +148,7 @@ private:
     VoidSet<D> voids_;
     Eigen::VectorXd node_outflow_;          ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
     FilmMemories<D> memories_;
-    std::set<FilmPair<D>> alive_;
+    std::set<FilmPair<D>> alive_;           ///< pairs with films before the coupling was built
     std::vector<Twist<D>> acceleration_;    ///< of all solids, over the last step
     std::vector<Twist<D>> wrenches_;
     StepReport initial_report_;
