@@ -13,6 +13,7 @@ namespace gapflow {
 
 struct RunOptions {
     bool quiet = false; ///< no progress, only warnings and errors
+    std::string resume; ///< checkpoint to go on from; empty: from the start
 };
 
 /// Runs the scene to its end and writes the files of a run. Collective.

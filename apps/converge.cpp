@@ -275,7 +275,7 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
     for (const Scene& each : scenes) {
         log.info(fmt::format("run {} of {}: {} cells along x, max_step {:.4g}, gap_cfl {:.4g}, into {}", runs.size() + 1,
                              grids.size(), each.cells[0], each.max_step, each.gap_cfl, each.output_directory));
-        if (const int status = run_command(each, {options.quiet}))
+        if (const int status = run_command(each, {options.quiet, {}}))
             return status;
         runs.push_back({each.cells[0], each.size[0] / each.cells[0], 0, each.output_directory, {}});
     }

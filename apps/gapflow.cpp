@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -53,10 +54,7 @@ Scene scene_of(const Arguments& arguments, Purpose purpose, const Overrides& mor
 
 int run(const Arguments& arguments)
 {
-    if (!arguments.resume.empty())
-        throw InputError("--resume " + arguments.resume +
-                         ": not available in this version: checkpoints come later; start the run anew");
-    return run_command(scene_of(arguments, Purpose::run), {arguments.quiet});
+    return run_command(scene_of(arguments, Purpose::run), {arguments.quiet, arguments.resume});
 }
 
 int converge(Arguments& arguments)
@@ -85,9 +83,14 @@ void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& act
     add_scene(run_app);
     run_app->add_option("-o,--output", arguments.directory, "Folder for the run's files, instead of output.directory")
         ->type_name("DIR");
-    run_app->add_option("--resume", arguments.resume, "Continue from a checkpoint (not available in this version)")
+    run_app
+        ->add_option("--resume", arguments.resume,
+                     "Continue from a checkpoint.h5; tables and fields in the output folder are cut back to it first")
         ->type_name("FILE");
     run_app->add_flag("-q,--quiet", arguments.quiet, "Only warnings and errors");
+    run_app->footer("Writes checkpoint.h5 at the end, every output.checkpoint_every of simulated time, and when interrupted: Ctrl-C "
+                    "and SIGTERM end the run after the current step (a second one at once). With --resume only title, time, "
+                    "solver and output may differ from the scene that the checkpoint is of.");
 
     CLI::App* check = add("check", "Validate a scene; print cells, unknowns and expected memory",
                           [&] { return check_command(scene_of(arguments, Purpose::check)); });
@@ -159,7 +162,7 @@ int command(int argc, char** argv)
     CLI::App app("Gapflow: rigid bodies in incompressible flow, two-way coupled through thin gaps", "gapflow");
     app.set_version_flag("--version", "gapflow " GAPFLOW_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit status: 0 done, 1 the computation failed, 2 bad usage or bad scene.");
+    app.footer("Exit status: 0 done, 1 the computation failed, 2 bad usage or bad scene, 130 or 143 interrupted.");
     Arguments arguments;
     std::function<int()> action;
     add_commands(app, arguments, action);
@@ -181,6 +184,7 @@ int command(int argc, char** argv)
 int main(int argc, char** argv)
 {
     using namespace gapflow;
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond its size limit is an error of the write
     const Environment environment;
     try {
         return command(argc, argv);

@@ -1,9 +1,10 @@
-// gapflow run: a scene from its start to its end, with files, progress and a clean stop on a signal.
+// gapflow run: a scene from its start to its end, with files, checkpoints, progress and a clean stop on a signal.
 #include "commands.hpp"
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/logging.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/output/checkpoint.hpp"
 #include "gapflow/output/progress.hpp"
 #include "gapflow/output/run_files.hpp"
 #include "gapflow/stepping/simulation.hpp"
@@ -11,7 +12,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
+#include <limits>
+#include <optional>
 
 namespace gapflow {
 
@@ -19,17 +23,57 @@ namespace {
 
 volatile std::sig_atomic_t stop_signal = 0;
 
+// The first one asks for an end after the step, a second one ends at once.
 void note_signal(int signal)
 {
     stop_signal = signal;
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+}
+
+/// A run's start, or what a checkpoint holds of it.
+template <int D>
+Simulation<D> start(const Scene& scene, const RunOptions& options, const std::optional<Checkpoint>& from, const Communicator& comm)
+{
+    if (!from)
+        return Simulation<D>(scene, comm);
+    try {
+        return Simulation<D>(scene, comm, from->state);
+    } catch (const StateError& error) {
+        throw_checkpoint_error(options.resume, error.what());
+    }
+}
+
+/// Number k >= 1 of the first multiple of `every` after `time`; times of multiples are k * every to the bit.
+long next_multiple(double time, double every)
+{
+    long k = std::max(1L, std::lround(time / every) - 1);
+    while (static_cast<double>(k) * every <= time)
+        ++k;
+    return k;
+}
+
+template <int D>
+Vec<D> start_position(const RigidBody<D>& body, const BodyScene& scene)
+{
+    return body.prescribed ? (*body.prescribed)(0.0).position : to_vec<D>(scene.position);
 }
 
 template <int D>
 void summarise(const Simulation<D>& simulation, const Logger& log, double smallest_gap, const std::string& folder)
 {
+    const double dx = simulation.grid().dx();
     log.info(fmt::format("done: {} steps to time {:.6g}", simulation.steps(), simulation.time()));
-    if (smallest_gap < 1e300)
-        log.info(fmt::format("smallest gap: {:.4g} ({:.3g} cells)", smallest_gap, smallest_gap / simulation.grid().dx()));
+    for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+        const RigidBody<D>& body = simulation.bodies()[b];
+        if (body.motion == Motion::fixed)
+            continue;
+        const double way = (body.pose.position - start_position(body, simulation.scene().bodies[b])).norm();
+        log.info(fmt::format("{} is {:.4g} ({:.3g} cells) from its start, at speed {:.4g}", body.name, way, way / dx,
+                             body.twist.template head<D>().norm()));
+    }
+    if (std::isfinite(smallest_gap))
+        log.info(fmt::format("smallest gap: {:.4g} ({:.3g} cells)", smallest_gap, smallest_gap / dx));
     std::string stages;
     for (const auto& [name, stage] : simulation.stages().stages())
         stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, stage.seconds);
@@ -45,21 +89,33 @@ int run(const Scene& scene, const RunOptions& options)
     Logger log(comm, options.quiet);
     for (const std::string& warning : scene.warnings)
         log.warn_once(warning);
-    Simulation<D> simulation(scene, comm);
-    RunFiles<D> files(scene.output_directory, simulation, GAPFLOW_VERSION);
+    std::optional<Checkpoint> from;
+    if (!options.resume.empty()) {
+        from = read_checkpoint(options.resume, comm);
+        require_same_scene(options.resume, *from, scene);
+    }
+    Simulation<D> simulation = start<D>(scene, options, from, comm);
+    double smallest_gap = from ? from->position.smallest_gap : std::numeric_limits<double>::infinity();
+    RunFiles<D> files(scene.output_directory, simulation, GAPFLOW_VERSION, from ? &from->position : nullptr);
+    from.reset();
     log.info(fmt::format("{}: {} cells, {} film nodes, {} rank(s) of {} thread(s)", scene.title.empty() ? scene.file : scene.title,
                          simulation.initial_report().cells, simulation.initial_report().film_nodes, comm.size(), thread_count()));
     if (const auto& sealed = simulation.coupling().sealed; !sealed.empty())
         log.info(fmt::format("{} pocket(s) of fluid are sealed in", sealed.size()));
-    files.write_step(simulation, simulation.initial_report());
-    files.write_fields(simulation);
+    if (!options.resume.empty())
+        log.info(fmt::format("goes on from step {} at time {:.6g}", simulation.steps(), simulation.time()));
     std::signal(SIGINT, note_signal);
     std::signal(SIGTERM, note_signal);
 
-    Progress progress(choose_progress_style(comm, options.quiet), 0, scene.end);
-    double smallest_gap = 1e300;
-    long output = 1;
+    Progress progress(choose_progress_style(comm, options.quiet), simulation.time(), scene.end);
     try {
+        if (options.resume.empty()) {
+            files.write_step(simulation, simulation.initial_report());
+            files.write_fields(simulation);
+        }
+        long output = scene.output_every > 0 ? next_multiple(simulation.time(), scene.output_every) : 0;
+        double checkpoint = scene.checkpoint_every > 0 ? scene.checkpoint_every * next_multiple(simulation.time(), scene.checkpoint_every)
+                                                       : std::numeric_limits<double>::infinity();
         while (simulation.time() < scene.end) {
             double next = scene.output_every > 0 ? std::min(scene.end, output * scene.output_every) : scene.end;
             if (scene.end - next < 1e-9 * scene.end)
@@ -72,23 +128,35 @@ int run(const Scene& scene, const RunOptions& options)
             files.write_step(simulation, report);
             const ProgressState state{report.time, report.dt, report.step, report.iterations};
             progress.step(state);
-            const bool stop = comm.any(stop_signal != 0);
-            if (simulation.time() >= next || stop) {
+            const bool stop = comm.any(stop_signal != 0), shown = simulation.time() >= next;
+            if (shown) {
                 files.write_fields(simulation);
                 progress.output(state);
                 ++output;
             }
-            if (stop) {
+            if (simulation.time() >= checkpoint || simulation.time() >= scene.end || stop) {
+                files.write_checkpoint(simulation, smallest_gap);
+                while (checkpoint <= simulation.time())
+                    checkpoint = scene.checkpoint_every * next_multiple(simulation.time(), scene.checkpoint_every);
+            }
+            if (stop && simulation.time() < scene.end) {
                 const int signal = static_cast<int>(comm.max(static_cast<long>(stop_signal)));
+                if (!shown) // a look at where it stopped; a run that goes on from the checkpoint replaces it
+                    files.write_fields(simulation);
                 progress.clear();
                 files.finish(simulation, "interrupted");
-                log.warning(fmt::format("interrupted at time {:.6g}; files are complete up to there", simulation.time()));
+                log.warning(fmt::format("interrupted at time {0:.6g}; files are complete up to there; to go on: gapflow run {1} "
+                                        "--resume {2}/checkpoint.h5 -o {2}, with the same --set",
+                                        simulation.time(), scene.file, scene.output_directory));
                 return 128 + signal;
             }
         }
     } catch (const ComputationError& error) {
         progress.clear();
-        files.finish(simulation, "failed", error.what());
+        try {
+            files.finish(simulation, "failed", error.what());
+        } catch (const ComputationError&) { // a full disk may refuse the record too; the first error counts
+        }
         throw;
     }
     progress.clear();

@@ -16,8 +16,8 @@ namespace {
 std::string describe(const std::filesystem::path& path, const std::string& action, int error)
 {
     std::string remedy = "check the output folder or choose another one (-o DIR)";
-    if (error == ENOSPC || error == EDQUOT)
-        remedy = "free space on that disk or choose another folder (-o DIR)";
+    if (error == ENOSPC || error == EDQUOT || error == EFBIG)
+        remedy = "free space on that disk (or raise its limits) or choose another folder (-o DIR)";
     else if (error == EACCES || error == EPERM || error == EROFS)
         remedy = "allow writing there or choose another folder (-o DIR)";
     else if (error == ENOTDIR || error == EEXIST)
@@ -46,7 +46,7 @@ void prepare_folder(const std::filesystem::path& folder)
     ::unlink(probe.c_str());
 }
 
-AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), temporary_(path.string() + ".partial")
+AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), temporary_(path.string() + partial_extension)
 {
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0)

@@ -16,6 +16,9 @@ void prepare_folder(const std::filesystem::path& folder);
 /// Throws ComputationError: path, what could not be done, the reason of errno value `error`, and the remedy.
 [[noreturn]] void throw_file_error(const std::filesystem::path& path, const std::string& action, int error);
 
+/// What a file's name ends with until it is complete.
+inline constexpr const char* partial_extension = ".partial";
+
 /// A file written under a temporary name in its folder, which takes its own name only once it is complete and on the disk;
 /// until then an older file of that name stays. Errors throw ComputationError.
 class AtomicFile {

@@ -3,6 +3,7 @@
 #include "gapflow/output/file.hpp"
 #include "gapflow/output/xml.hpp"
 
+#include <charconv>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -26,13 +27,25 @@ std::string attribute(const std::string& line, const std::string& name)
 
 PvdCollection::PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
 
-PvdCollection PvdCollection::resume(const std::filesystem::path& path, double time)
+std::optional<int> frame_number(const std::filesystem::path& file)
+{
+    const std::string name = file.stem().string();
+    const auto underscore = name.rfind('_');
+    if (underscore == std::string::npos)
+        return {};
+    int number = 0;
+    const char *first = name.data() + underscore + 1, *last = name.data() + name.size();
+    const auto [end, error] = std::from_chars(first, last, number);
+    return error == std::errc() && end == last ? std::optional(number) : std::nullopt;
+}
+
+PvdCollection PvdCollection::resume(const std::filesystem::path& path, int frames)
 {
     PvdCollection collection(path);
     std::ifstream in(path);
     for (std::string line; std::getline(in, line);) {
         const std::string when = attribute(line, "timestep"), file = attribute(line, "file");
-        if (!when.empty() && !file.empty() && std::strtod(when.c_str(), nullptr) <= time)
+        if (!when.empty() && !file.empty() && frame_number(file).value_or(0) < frames)
             collection.add(std::strtod(when.c_str(), nullptr), attribute(line, "name"), file);
     }
     return collection;

@@ -2,10 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace gapflow {
+
+/// Number of an output time in the name of one of its files (fields_00012.vti: 12).
+std::optional<int> frame_number(const std::filesystem::path& file);
 
 /// A .pvd file. It is rewritten as a whole, under a temporary name first, so that what is on the disk is always valid.
 class PvdCollection {
@@ -17,8 +22,9 @@ public:
 
     /// Starts an empty collection; nothing is written yet.
     explicit PvdCollection(std::filesystem::path path);
-    /// Goes on with the file that an earlier run of this program left, without its entries after `time`; no file: empty.
-    static PvdCollection resume(const std::filesystem::path& path, double time);
+    /// Goes on with the file that an earlier run of this program left, with its first `frames` output times only (by the
+    /// numbers in the files' names); no file: empty.
+    static PvdCollection resume(const std::filesystem::path& path, int frames = std::numeric_limits<int>::max());
 
     /// Adds a file of a time step under the name of its part ("fields", a body's or a film's name). `file`: relative to the
     /// collection's folder. Parts are numbered in the order in which they first appear.

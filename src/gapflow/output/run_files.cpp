@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 namespace gapflow {
 
@@ -27,6 +28,26 @@ auto rotation_numbers(const Rotation<D>& rotation)
         return Eigen::Matrix<double, 1, 1>(rotation.angle());
     else
         return Eigen::Vector4d(rotation.w(), rotation.x(), rotation.y(), rotation.z());
+}
+
+// Folders of the run's folder that hold a file an output time.
+constexpr const char* parts[] = {"fields", "bodies", "films"};
+
+// Removes what a killed run left half written, and files of output times from `frames` on.
+void remove_leftovers(const std::filesystem::path& folder, int frames)
+{
+    const auto clean = [&](const std::filesystem::path& place, bool has_frames) {
+        for (const auto& entry : std::filesystem::directory_iterator(place)) {
+            const std::filesystem::path& file = entry.path();
+            const std::string type = file.extension().string();
+            const bool field = has_frames && (type == ".vti" || type == ".vtp");
+            if (type == partial_extension || (field && frame_number(file).value_or(0) >= frames))
+                std::filesystem::remove(file);
+        }
+    };
+    clean(folder, false);
+    for (const char* part : parts)
+        clean(folder / part, true);
 }
 
 std::string frame_name(const std::string& name, int frame, const char* extension)
@@ -115,25 +136,45 @@ VtkSurface<D> body_surface(const RigidBody<D>& body, double tolerance)
 } // namespace
 
 template <int D>
-RunFiles<D>::RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version)
+RunFiles<D>::RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version,
+                      const RunPosition* from)
     : folder_(folder), collection_(folder / "gapflow.pvd")
 {
     const Communicator& comm = simulation.grid().comm();
     on_root(comm, [&] {
-        for (const char* part : {"fields", "bodies", "films"})
+        for (const char* part : parts)
             prepare_folder(folder_ / part);
-        bodies_.emplace(folder_ / "bodies.csv", body_columns<D>());
-        gaps_.emplace(folder_ / "gaps.csv",
-                      std::vector<std::string>{"step", "time", "body_a", "body_b", "thickness", "opening_rate", "film_nodes",
-                                               "film_area", "pressure_min", "pressure_max", "force", "contact_force",
-                                               "contact_impulse", "void_volume"});
-        steps_.emplace(folder_ / "steps.csv",
-                       std::vector<std::string>{"step", "time", "dt", "cells", "film_nodes", "iterations", "residual",
-                                                "divergence_max", "energy_fluid", "energy_bodies", "seconds"});
+        if (from)
+            collection_ = PvdCollection::resume(folder_ / "gapflow.pvd", from->frames);
+        else
+            std::filesystem::remove(folder_ / "checkpoint.h5");
+        remove_leftovers(folder_, from ? from->frames : std::numeric_limits<int>::max());
+        open_tables(from);
+        if (from)
+            collection_.write();
     });
+    frame_ = from ? from->frames : 0;
     record_.version = version;
     record_.scene = scene_as_json(simulation.scene());
     record_.machine = describe_machine(comm);
+}
+
+template <int D>
+void RunFiles<D>::open_tables(const RunPosition* from)
+{
+    const auto open = [&](std::optional<Table>& table, const char* name, const std::vector<std::string>& columns) {
+        if (from)
+            table.emplace(Table::resume(folder_ / name, columns, from->step));
+        else
+            table.emplace(folder_ / name, columns);
+    };
+    open(bodies_, "bodies.csv", body_columns<D>());
+    open(gaps_, "gaps.csv",
+         {"step", "time", "body_a", "body_b", "thickness", "opening_rate", "film_nodes", "film_area", "pressure_min",
+          "pressure_max", "force", "contact_force", "contact_impulse", "void_volume"});
+    open(steps_, "steps.csv",
+         {"step", "time", "dt", "cells", "film_nodes", "iterations", "residual", "divergence_max", "energy_fluid",
+          "energy_bodies", "seconds"});
 }
 
 template <int D>
@@ -189,6 +230,14 @@ void RunFiles<D>::write_fields(const Simulation<D>& simulation)
     });
     ++frame_;
     write_record(simulation);
+}
+
+template <int D>
+void RunFiles<D>::write_checkpoint(const Simulation<D>& simulation, double smallest_gap)
+{
+    const RunPosition position{simulation.steps(), frame_, smallest_gap};
+    gapflow::write_checkpoint(folder_ / "checkpoint.h5", {record_.version, record_.scene, position, simulation.state()},
+                              simulation.grid().comm());
 }
 
 template <int D>

@@ -1,6 +1,7 @@
-// The files of a run: tables every step, fields at output times, run.json.
+// The files of a run: tables every step, fields at output times, run.json, checkpoint.h5.
 #pragma once
 
+#include "gapflow/output/checkpoint.hpp"
 #include "gapflow/output/pvd.hpp"
 #include "gapflow/output/run_record.hpp"
 #include "gapflow/output/table.hpp"
@@ -15,17 +16,22 @@ namespace gapflow {
 template <int D>
 class RunFiles {
 public:
-    /// Prepares the folder and the tables. Throws InputError if the folder cannot be written. Collective.
-    RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version);
+    /// Prepares the folder and the tables; an earlier run's checkpoint goes. With `from`, the files of the run that left that
+    /// checkpoint are cut back to it and continued. Throws InputError if the folder cannot be written. Collective.
+    RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version,
+             const RunPosition* from = nullptr);
 
     /// A row in every table. Collective.
     void write_step(const Simulation<D>& simulation, const StepReport& report);
     /// Fields, bodies and films of this moment, and run.json so far. Collective.
     void write_fields(const Simulation<D>& simulation);
+    /// checkpoint.h5 of this moment: a run that goes on from it keeps the fields written until now. Collective.
+    void write_checkpoint(const Simulation<D>& simulation, double smallest_gap);
     /// run.json with the run's end. Collective.
     void finish(const Simulation<D>& simulation, const std::string& status, const std::string& message = "");
 
 private:
+    void open_tables(const RunPosition* from);
     void write_record(const Simulation<D>& simulation);
 
     std::filesystem::path folder_;

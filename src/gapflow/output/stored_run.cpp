@@ -94,18 +94,14 @@ RunTable read_table(const std::filesystem::path& path)
 std::vector<RunFrame> read_frames(const std::filesystem::path& folder)
 {
     std::vector<RunFrame> frames;
-    const auto collection = PvdCollection::resume(folder / "gapflow.pvd", std::numeric_limits<double>::infinity());
+    const auto collection = PvdCollection::resume(folder / "gapflow.pvd");
     for (const PvdCollection::Entry& entry : collection.entries()) {
         std::error_code error;
         if (!std::filesystem::exists(folder / entry.file, error))
             continue;
         if (frames.empty() || frames.back().time != entry.time) {
-            const auto digits = entry.file.rfind('_');
-            const auto number =
-                digits == std::string::npos
-                    ? std::nullopt
-                    : parse_number(std::string_view(entry.file).substr(digits + 1, entry.file.rfind('.') - digits - 1));
-            frames.push_back({static_cast<int>(number.value_or(static_cast<double>(frames.size()))), entry.time, {}, {}, {}});
+            const int number = frame_number(entry.file).value_or(static_cast<int>(frames.size()));
+            frames.push_back({number, entry.time, {}, {}, {}});
         }
         RunFrame& frame = frames.back();
         if (entry.file.starts_with("fields/"))

@@ -1,6 +1,7 @@
 // File format: "VTK XML formats", https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
 #include "gapflow/output/vtk.hpp"
 
+#include "gapflow/grid/whole_field.hpp"
 #include "gapflow/output/file.hpp"
 #include "gapflow/output/xml.hpp"
 
@@ -175,35 +176,7 @@ void write_elements(AtomicFile& file, const std::string& name, const std::vector
 template <int D>
 std::vector<double> gather_cells(const Grid<D>& grid, std::span<const double> owned, int components)
 {
-    assert(static_cast<long>(owned.size()) == grid.owned_cells() * components);
-    const Communicator& comm = grid.comm();
-    if (!comm.root()) {
-        std::array<int, 2 * D> box;
-        Eigen::Map<Index<D>>(box.data()) = grid.low();
-        Eigen::Map<Index<D>>(box.data() + D) = grid.high();
-        MPI_Send(box.data(), 2 * D, MPI_INT, 0, 0, comm.mpi());
-        MPI_Send(owned.data(), static_cast<int>(owned.size()), MPI_DOUBLE, 0, 1, comm.mpi());
-        return {};
-    }
-    const Block<D> all(Index<D>::Zero(), grid.cells());
-    std::vector<double> values(static_cast<std::size_t>(all.size * components));
-    const auto place = [&](const Index<D>& low, const Index<D>& high, const double* from) {
-        for_each_index<D>(low, high, [&](const Index<D>& c) {
-            std::copy_n(from, components, values.data() + all.offset(c) * components);
-            from += components;
-        });
-    };
-    place(grid.low(), grid.high(), owned.data());
-    std::vector<double> received;
-    for (int rank = 1; rank < comm.size(); ++rank) {
-        std::array<int, 2 * D> box;
-        MPI_Recv(box.data(), 2 * D, MPI_INT, rank, 0, comm.mpi(), MPI_STATUS_IGNORE);
-        const Index<D> low = Eigen::Map<Index<D>>(box.data()), high = Eigen::Map<Index<D>>(box.data() + D);
-        received.resize(static_cast<std::size_t>((high - low).template cast<long>().prod() * components));
-        MPI_Recv(received.data(), static_cast<int>(received.size()), MPI_DOUBLE, rank, 1, comm.mpi(), MPI_STATUS_IGNORE);
-        place(low, high, received.data());
-    }
-    return values;
+    return gather<D>(grid, Block<D>(Index<D>::Zero(), grid.cells()), grid.low(), grid.high(), owned, components);
 }
 
 template <int D>
