@@ -101,6 +101,8 @@ CsvTable read_csv(const std::string& file)
             table.names = std::move(cells);
             continue;
         }
+        if (in.eof() && table.names[0] == "step")
+            break; // a table of a run ends each line: this one was cut off when the run was killed
         if (cells.size() != table.names.size())
             throw InputError(file + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) +
                              " columns, the first line names " + std::to_string(table.names.size()) + "; complete the line");

@@ -129,6 +129,27 @@ TEST(State, SameFutureFromTheStart)
     expect_same_future<2>(crowd(2), 0, 10);
 }
 
+TEST(State, AccelerationLimitsTheNextStep)
+{
+    Scene scene;
+    scene.size = {2, 1, 0};
+    scene.cells = {32, 16, 1};
+    scene.gravity = {0, -1, 0};
+    scene.sides[3].kind = SideScene::Kind::open;
+    scene.end = 100;
+    scene.max_step = 1;
+    scene.gap_cfl = 0.01;
+    scene.bodies = {body("box", BodyScene::ShapeKind::box, {0.97, 0.25, 0}, 3)};
+    scene.bodies[0].size = {0.6, 0.4, 0};
+    const Communicator comm;
+    Simulation<2> one(scene, comm);
+    one.step(1e-5); // from rest: the box hardly moves yet
+    Simulation<2> two(scene, comm, one.state());
+    const double dt = one.step(scene.end).dt;
+    EXPECT_LT(dt, 0.5);
+    EXPECT_EQ(two.step(scene.end).dt, dt);
+}
+
 TEST(State, RefusesAnotherScene)
 {
     using testing::HasSubstr;
