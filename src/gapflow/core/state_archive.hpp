@@ -60,6 +60,13 @@ public:
         values.resize(size(name, static_cast<long>(values.size())));
         numbers(name, values);
     }
+    template <std::integral T>
+    void operator()(const std::string& name, std::vector<T>& values)
+    {
+        values.resize(size(name, static_cast<long>(values.size())));
+        for (T& value : values)
+            (*this)(name, value);
+    }
     template <int Rows>
     void operator()(const std::string& name, std::vector<Eigen::Matrix<double, Rows, 1>>& values)
     {

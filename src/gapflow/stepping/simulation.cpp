@@ -134,9 +134,15 @@ void Simulation<D>::rebuild()
         for (const Film<D>& film : coupling_->network.films)
             alive_.insert(film.pair);
     }
+    build_coupling();
+    voids_.find(*coupling_, holding_ ? nullptr : &memories_);
+}
+
+template <int D>
+void Simulation<D>::build_coupling()
+{
     coupling_ = std::make_unique<Coupling<D>>(couple<D>(grid_, make_solids<D>(bodies_, walls_), masses(),
                                                         {scene_.density, fraction_mode(scene_), &stages_}, gaps_, alive_));
-    voids_.find(*coupling_, holding_ ? nullptr : &memories_);
 }
 
 // Stages 2 and 4: the fluid's velocities carried to the new configuration.

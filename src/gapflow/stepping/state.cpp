@@ -4,6 +4,7 @@
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/body/body_state.hpp"
+#include "gapflow/film/film_state.hpp"
 #include "gapflow/grid/whole_field.hpp"
 
 namespace gapflow {
@@ -14,12 +15,7 @@ template <int D>
 void list_pairs(StateArchive& archive, const std::string& name, std::set<FilmPair<D>>& pairs)
 {
     std::vector<FilmPair<D>> list(pairs.begin(), pairs.end());
-    archive.each(name, list, [](StateArchive& items, FilmPair<D>& pair) {
-        items("master", pair.master);
-        items("other", pair.other);
-        for (int& periods : pair.shift)
-            items("shift", periods);
-    });
+    archive.each(name, list, [](StateArchive& items, FilmPair<D>& pair) { gapflow::list_state(items, pair); });
     pairs = {list.begin(), list.end()};
 }
 
@@ -44,11 +40,13 @@ void Simulation<D>::list_state(StateArchive& archive)
     });
     archive("acceleration", acceleration_);
     contacts_.list_state(archive);
+    voids_.list_state(archive);
     list_pairs(archive, "films_before", alive_);
     list_field(archive, "velocity", grid_, velocity_.grid);
     list_field(archive, "pressure_impulse", grid_, impulse_.cells);
     archive.group("films", [&] {
         archive("pressure_impulse", impulse_.nodes);
+        archive("outflow", node_outflow_);
         archive("velocity", velocity_.film);
         archive("normal_speed", velocity_.film_normal);
     });
@@ -74,11 +72,13 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const St
     if (acceleration_.size() != walls_.solids.size() + bodies_.size())
         throw StateError("it has other walls than the scene");
     holding_ = steps_ == 0;
-    rebuild();
+    build_coupling();
     holding_ = false;
     const FilmNetwork<D>& network = coupling_->network;
     if (static_cast<int>(velocity_.film.size()) != network.elements || velocity_.film_normal.size() != velocity_.film.size() ||
-        impulse_.nodes.size() != network.nodes || velocity_.conduit.size() != network.mouths.conduits.size())
+        impulse_.nodes.size() != network.nodes || velocity_.conduit.size() != network.mouths.conduits.size() ||
+        static_cast<int>(voids_.volume().size()) != network.nodes || voids_.shut().size() != velocity_.conduit.size() ||
+        (node_outflow_.size() != 0 && node_outflow_.size() != network.nodes))
         throw StateError("its films are not those that its bodies' positions give");
     fill_velocity_ghosts(grid_, velocity_.grid, side_velocities(time_));
     exchange(grid_, impulse_.cells);

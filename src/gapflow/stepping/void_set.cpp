@@ -2,6 +2,8 @@
 // that settles, else one at a time (the last in order: Murty's rule).
 #include "gapflow/stepping/void_set.hpp"
 
+#include "gapflow/film/film_state.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -264,6 +266,32 @@ std::vector<char> VoidSet<D>::empty_elements(const FilmNetwork<D>& network) cons
                 std::all_of(nodes.begin(), nodes.end(), [&](int node) { return is_void_[film.first_node + node]; });
         }
     return empty;
+}
+
+template <int D>
+void VoidSet<D>::list_state(StateArchive& archive)
+{
+    archive.group("voids", [&] {
+        archive("any", any_);
+        archive("volume", volume_);
+        archive("area", area_);
+        archive("growth", growth_);
+        archive("least_pressure", least_);
+        archive("last_pressure", last_pressure_);
+        archive("is_void", is_void_);
+        archive("drained", drained_);
+        archive("shut", shut_);
+        archive("lost", lost_);
+        std::vector<std::pair<FilmPair<D>, Memory>> pairs(memory_.begin(), memory_.end());
+        archive.each("pairs", pairs, [](StateArchive& list, auto& entry) {
+            gapflow::list_state(list, entry.first);
+            list("depth", entry.second.depth);
+            list("pressure", entry.second.pressure);
+            list("volume", entry.second.volume);
+            list("deepest", entry.second.deepest);
+        });
+        memory_ = {pairs.begin(), pairs.end()};
+    });
 }
 
 template class VoidSet<2>;

@@ -7,6 +7,7 @@
 // rides on the film's master from step to step.
 #pragma once
 
+#include "gapflow/core/state_archive.hpp"
 #include "gapflow/coupling/coupling.hpp"
 #include "gapflow/film/film_motion.hpp"
 #include "gapflow/scene/scene.hpp"
@@ -69,6 +70,8 @@ public:
     std::vector<char> empty_elements(const FilmNetwork<D>& network) const;
     /// Void volume that find() had to drop because its film is gone, summed over the run.
     double lost() const { return lost_; }
+    /// The voids at the end of the last step.
+    void list_state(StateArchive& archive);
 
 private:
     /// A pair's film at the end of a step, at the vertices of its FilmMemory.

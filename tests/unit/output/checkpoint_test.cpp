@@ -143,11 +143,13 @@ TEST(Checkpoint, OnlyTheSameSceneGoesOn)
                   s.checkpoint_every = 3;
               }),
               "accepted");
-    EXPECT_THAT(refusal([](Scene& s) { s.cells[1] = 11; }), HasSubstr("c.h5: a checkpoint of another scene: domain.cells: was [20,10], is [20,11]"));
+    EXPECT_THAT(refusal([](Scene& s) { s.cells[1] = 11; }),
+                HasSubstr("c.h5: a checkpoint of another scene: domain.cells: was [20,10], is [20,11]"));
     EXPECT_THAT(refusal([](Scene& s) { s.bodies[0].radius = 0.25; }), HasSubstr("body.ball.radius: was 0.2, is 0.25"));
     EXPECT_THAT(refusal([](Scene& s) { s.bodies.push_back(s.bodies[0]); }), HasSubstr("number of [[body]]: was 1, is 2"));
     EXPECT_THAT(refusal([](Scene& s) { s.bodies[0].density = 2; }), HasSubstr("body.ball.density: was not given, is 2.0"));
-    EXPECT_THAT(refusal([](Scene& s) { s.sides[3].kind = SideScene::Kind::open; }), HasSubstr(R"(domain.sides.y_high: was "wall", is "open")"));
+    EXPECT_THAT(refusal([](Scene& s) { s.sides[3].kind = SideScene::Kind::open; }),
+                HasSubstr(R"(domain.sides.y_high: was "wall", is "open")"));
 }
 
 } // namespace

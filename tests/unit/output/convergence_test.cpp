@@ -95,6 +95,16 @@ void expect_refusal(const std::string& content, const std::string& expected)
     }
 }
 
+TEST(Convergence, HalfARowOfAKilledRunIsLeftOut)
+{
+    const test::TemporaryFile run("bodies.csv", "step,time,x\n0,0,1\n1,0.5,2\n2,0.75,1");
+    EXPECT_EQ(read_series(read_csv(run.path()), "time", "x").time, (std::vector<double>{0, 0.5}));
+    const test::TemporaryFile shorter("bodies.csv", "step,time,x\n0,0,1\n1,0.5,2\n2,0.");
+    EXPECT_EQ(read_series(read_csv(shorter.path()), "time", "x").time, (std::vector<double>{0, 0.5}));
+    const test::TemporaryFile other("motion.csv", "time,x\n0,1\n0.5,2"); // by hand: its last line counts
+    EXPECT_EQ(read_series(read_csv(other.path()), "time", "x").time, (std::vector<double>{0, 0.5}));
+}
+
 TEST(Convergence, BadReferencesAreRefusedWithPlaceAndRemedy)
 {
     expect_refusal("", ": has no rows; write");
