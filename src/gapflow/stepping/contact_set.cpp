@@ -375,6 +375,7 @@ void ContactSet<D>::list_state(StateArchive& archive)
         list("closed", c.closed);
         list("was_closed", c.was_closed);
         list("slides", c.slides);
+        list("slip", c.slip);
         list("pull", c.pull);
         list("impulse", c.impulse);
         list("tangential", c.tangential);
