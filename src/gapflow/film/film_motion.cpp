@@ -21,6 +21,7 @@ constexpr double surplus_bound = 1.5;
 // Energy of a pair's films after their transport over that before it, at most.
 constexpr double most_growth = 1.05;
 constexpr double inflow_margin = 1.5; // on what flows in through mouths
+constexpr double head_margin = 1.3;   // of mouths' heads over what the films gave away: steps of a quarter of the gap
 // A mouth continues an old one within this many cells.
 constexpr double mouth_reach = 2.0;
 // In dx: a point further from a film is not of it. Shape functions less than `at_vertex` are round-off.
@@ -390,8 +391,10 @@ std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<c
 // Transport adds little energy to the motion of a pair's film along its master, but for what flows in through its mouths and
 // for the volume that came with it. What else would add energy (traces extrapolated beyond the ends, flux over a thinner gap)
 // grows several times a step in a throat that is swept fast.
+// Returns twice the energy over the density that each pair's films gave away on the way, with what flowed in: what their mouths may
+// get.
 template <int D>
-void limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
+std::map<const FilmMemory<D>*, double> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
                   const std::vector<typename FilmMemory<D>::Transported>& at_element,
                   const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
 {
@@ -432,6 +435,46 @@ void limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solid
         if (sum.motion > most)
             u = along + std::sqrt(most / sum.motion) * (u - along);
     });
+    std::map<const FilmMemory<D>*, double> given_away;
+    for (const auto& [old, sum] : sums)
+        given_away[old] = std::max(old->motion() + sum.inflow - sum.motion, 0.0);
+    return given_away;
+}
+
+// The outflow's kinetic head, 1/2 rho u^2 for dt over rho R, hands on the energy that leaves the film with the fluid, so the mouths of
+// a pair's films get at most what the films gave away:
+//
+//     sum R / l ((q + theta dq)^2 - q^2) <= given_away,   0 <= theta <= 1,   q relative to the master.
+//
+// Else, where a gap closes to nothing, the head makes a flood of the mouth's flux.
+template <int D>
+void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
+               const std::map<const FilmMemory<D>*, double>& given_away, const std::vector<double>& head, std::vector<double>& flux)
+{
+    struct Sum {
+        double linear = 0, square = 0;
+    };
+    std::map<const FilmMemory<D>*, Sum> sums;
+    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        if (head[r] == 0)
+            continue;
+        const Conduit<D>& c = conduits[r];
+        const FilmMemory<D>* old = memory[c.film];
+        const Vec<D> U = old->master_velocity(solids[network.films[c.film].pair.master].shape.to_body(c.x));
+        const double q = flux[r] - c.length * c.h * c.outward.dot(U);
+        sums[old].linear += c.resistance / c.length * 2 * q * head[r];
+        sums[old].square += c.resistance / c.length * head[r] * head[r];
+    }
+    std::map<const FilmMemory<D>*, double> part;
+    for (const auto& [old, sum] : sums) {
+        const auto known = given_away.find(old);
+        const double most = known != given_away.end() ? head_margin * known->second : 0.0, b = std::max(sum.linear, 0.0);
+        part[old] = b > most ? most / b : 1.0;
+    }
+    for (std::size_t r = 0; r < conduits.size(); ++r)
+        if (head[r] != 0)
+            flux[r] += part[memory[conduits[r].film]] * head[r];
 }
 
 template <int D>
@@ -492,7 +535,8 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                 w += (normal_speed[flow.velocity.size()] - w.dot(e.normal)) / across * n_bar;
             flow.velocity.push_back(tangential<D>(w, e.normal));
         }
-    limit_motion(network, solids, memory, at_element, at_conduit, dt, flow.velocity);
+    const auto given_away = limit_motion(network, solids, memory, at_element, at_conduit, dt, flow.velocity);
+    std::vector<double> head(conduits.size(), 0.0); // flux that the head of the outflow adds to a mouth
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& conduit = conduits[r];
         const Film<D>& film = network.films[conduit.film];
@@ -513,8 +557,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                 scale = 1 / (1 + dt * k * -u / (2 * conduit.resistance * conduit.h));
                 q = scale * q + (1 - scale) * section * conduit.outward.dot(U);
             } else if (sharp && !mouth.jet) {
-                // no more than the mouth's own flux: where the gap closes to nothing the head would make a flood of it
-                q += conduit.length * std::min(dt * 0.5 * u * u / conduit.resistance, conduit.h * u);
+                head[r] = conduit.length * dt * 0.5 * u * u / conduit.resistance;
             }
         } else {
             q = section * conduit.outward.dot(*next++);
@@ -522,6 +565,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
         flow.conduit.push_back(q);
         flow.conduit_scale.push_back(scale);
     }
+    add_heads(network, solids, memory, given_away, head, flow.conduit);
     return flow;
 }
 
