@@ -5,6 +5,8 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/output/run_files.hpp"
 
+#include <pybind11/stl.h>
+
 #include <limits>
 #include <optional>
 
