@@ -10,9 +10,11 @@
 
 namespace py = pybind11;
 
-namespace gapflow {
+namespace gapflow
+{
 
-namespace {
+namespace
+{
 
 Purpose purpose_of(const std::string& name)
 {
@@ -76,9 +78,8 @@ PYBIND11_MODULE(_core, m)
         .def_readonly("warnings", &Scene::warnings)
         .def_property_readonly("bodies", &bodies)
         .def("json", &scene_as_json);
-    m.def("parse_scene", [](const std::string& text, const std::string& name, const Overrides& overrides, const std::string& purpose) {
-        return parse_scene(text, name, overrides, purpose_of(purpose));
-    });
+    m.def("parse_scene", [](const std::string& text, const std::string& name, const Overrides& overrides,
+                            const std::string& purpose) { return parse_scene(text, name, overrides, purpose_of(purpose)); });
     m.def("read_scene", [](const std::string& file, const Overrides& overrides, const std::string& purpose) {
         return read_scene(file, overrides, purpose_of(purpose));
     });

@@ -2,7 +2,8 @@
 
 #include "session.hpp"
 
-namespace gapflow {
+namespace gapflow
+{
 
 void Runtime::start()
 {

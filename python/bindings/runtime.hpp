@@ -9,11 +9,13 @@
 #include <mutex>
 #include <set>
 
-namespace gapflow {
+namespace gapflow
+{
 
 class Session;
 
-class Runtime {
+class Runtime
+{
 public:
     /// MPI and PETSc, started by the first call. Throws std::runtime_error after shutdown(). Needs the GIL.
     void start();
@@ -35,7 +37,8 @@ private:
 Runtime& runtime();
 
 /// A long call: other Python threads run, other computations wait. The lock is never held while waiting for the GIL.
-class Computing {
+class Computing
+{
 public:
     Computing() : lock_(runtime().lock()) {}
 

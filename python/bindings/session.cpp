@@ -12,9 +12,11 @@
 
 namespace py = pybind11;
 
-namespace gapflow {
+namespace gapflow
+{
 
-namespace {
+namespace
+{
 
 using Numbers = py::array_t<double>;
 
@@ -73,7 +75,8 @@ py::dict report_dict(const StepReport& report)
 }
 
 template <int D>
-class SessionOf : public Session {
+class SessionOf : public Session
+{
 public:
     SessionOf(const Scene& scene, const std::string& folder) : scene_(scene)
     {
@@ -98,8 +101,9 @@ public:
     {
         state();
         if (views_ > 0)
-            throw py::buffer_error(std::to_string(views_) + " view(s) of faces are alive, and a step would change what they show; "
-                                                            "delete them first, or keep copies (numpy.array(view))");
+            throw py::buffer_error(std::to_string(views_) +
+                                   " view(s) of faces are alive, and a step would change what they show; "
+                                   "delete them first, or keep copies (numpy.array(view))");
         if (!(until > state().time()))
             throw InputError("until = " + std::to_string(until) + ": the time is " + std::to_string(state().time()) +
                              " already; give a later one");
@@ -138,9 +142,10 @@ public:
         std::vector<bool> periodic;
         for (int axis = 0; axis < D; ++axis)
             periodic.push_back(g.periodic(axis));
-        return py::dict("origin"_a = vector_array<D>(g.origin()), "spacing"_a = g.dx(), "cells"_a = py::tuple(py::cast(indices<D>(g.cells()))),
-                        "low"_a = py::tuple(py::cast(indices<D>(g.low()))), "high"_a = py::tuple(py::cast(indices<D>(g.high()))),
-                        "periodic"_a = py::tuple(py::cast(periodic)));
+        return py::dict("origin"_a = vector_array<D>(g.origin()), "spacing"_a = g.dx(),
+                        "cells"_a = py::tuple(py::cast(indices<D>(g.cells()))),
+                        "low"_a = py::tuple(py::cast(indices<D>(g.low()))),
+                        "high"_a = py::tuple(py::cast(indices<D>(g.high()))), "periodic"_a = py::tuple(py::cast(periodic)));
     }
 
     py::dict bodies() const override
@@ -243,7 +248,8 @@ public:
         };
         return py::dict("bodies"_a = pairs, "nodes"_a = vectors(nodes), "node_film"_a = integers(node_film),
                         "thickness"_a = numbers(thickness), "pressure"_a = numbers(pressure), "void_depth"_a = numbers(depth),
-                        "elements"_a = table<int, D>(elements.size(), [&](std::size_t i) -> const auto& { return elements[i]; }),
+                        "elements"_a = table<int, D>(
+                            elements.size(), [&](std::size_t i) -> const auto& { return elements[i]; }),
                         "element_film"_a = integers(element_film), "velocity"_a = vectors(simulation_->velocity().film),
                         "normal"_a = vectors(normal), "area"_a = numbers(area));
     }
@@ -262,8 +268,9 @@ public:
     {
         using namespace py::literals;
         const Budget<D> b = state().budget();
-        return py::dict("momentum"_a = vector_array<D>(b.momentum), "angular_momentum"_a = vector_array<spin_size<D>>(b.angular_momentum),
-                        "energy_grid"_a = b.energy_grid, "energy_film"_a = b.energy_film, "energy_bodies"_a = b.energy_bodies);
+        return py::dict("momentum"_a = vector_array<D>(b.momentum),
+                        "angular_momentum"_a = vector_array<spin_size<D>>(b.angular_momentum), "energy_grid"_a = b.energy_grid,
+                        "energy_film"_a = b.energy_film, "energy_bodies"_a = b.energy_bodies);
     }
 
     py::dict stages() const override
@@ -279,9 +286,11 @@ public:
         const RigidBody<D>& b = state().bodies()[number_of(body)];
         const SurfaceMesh<D> mesh = b.shape->display_mesh(tolerance);
         const Mat<D> rotation = b.pose.matrix();
-        return py::make_tuple(table<double, D>(mesh.vertices.size(),
-                                               [&](std::size_t i) { return Vec<D>(b.pose.position + rotation * mesh.vertices[i]); }),
-                              table<int, D>(mesh.elements.size(), [&](std::size_t i) -> const auto& { return mesh.elements[i]; }));
+        return py::make_tuple(
+            table<double, D>(mesh.vertices.size(),
+                             [&](std::size_t i) { return Vec<D>(b.pose.position + rotation * mesh.vertices[i]); }),
+            table<int, D>(
+                mesh.elements.size(), [&](std::size_t i) -> const auto& { return mesh.elements[i]; }));
     }
 
     py::array face_velocity(int axis) override { return face_view(state().velocity().grid, axis); }
@@ -371,19 +380,14 @@ private:
         throw py::key_error("no body is named '" + name + "'");
     }
 
-    static Vec<D> vec(const char* what, const std::vector<double>& values)
-    {
-        return sized<D>(what, values);
-    }
-    static Spin<D> spin(const char* what, const std::vector<double>& values)
-    {
-        return sized<spin_size<D>>(what, values);
-    }
+    static Vec<D> vec(const char* what, const std::vector<double>& values) { return sized<D>(what, values); }
+    static Spin<D> spin(const char* what, const std::vector<double>& values) { return sized<spin_size<D>>(what, values); }
     template <int N>
     static Eigen::Matrix<double, N, 1> sized(const char* what, const std::vector<double>& values)
     {
         if (values.size() != N)
-            throw InputError(std::string(what) + ": has " + std::to_string(values.size()) + " number(s); give " + std::to_string(N));
+            throw InputError(std::string(what) + ": has " + std::to_string(values.size()) + " number(s); give " +
+                             std::to_string(N));
         return Eigen::Map<const Eigen::Matrix<double, N, 1>>(values.data());
     }
 
@@ -419,7 +423,8 @@ private:
             shape.push_back(extent[k]);
             strides.push_back(static_cast<py::ssize_t>(sizeof(double)) * field[axis].block().stride[k]);
         }
-        const py::capsule keeper(new SessionView(shared_from_this()), [](void* view) { delete static_cast<SessionView*>(view); });
+        const py::capsule keeper(new SessionView(shared_from_this()),
+                                 [](void* view) { delete static_cast<SessionView*>(view); });
         py::array view(py::dtype::of<double>(), shape, strides, &field(axis, g.low()), keeper);
         view.attr("flags").attr("writeable") = false;
         return view;
@@ -428,8 +433,8 @@ private:
     const Scene scene_;
     std::unique_ptr<Simulation<D>> simulation_;
     std::optional<RunFiles<D>> files_;
-    long output_ = 1;      ///< number of the next output time
-    bool busy_ = false;    ///< a thread computes; changed and read with the GIL held
+    long output_ = 1;   ///< number of the next output time
+    bool busy_ = false; ///< a thread computes; changed and read with the GIL held
     std::string failure_;
 };
 

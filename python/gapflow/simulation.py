@@ -223,7 +223,8 @@ class BodyState:
         In place of the scene's, from the next step on, until set again; what is None stays. Raises InputError if the body is
         not free, or numbers are too many, too few or not finite.
         """
-        self._simulation._set("set_force", self.name, self.force if force is None else force, self.torque if torque is None else torque)
+        self._simulation._set("set_force", self.name, self.force if force is None else force,
+                              self.torque if torque is None else torque)
 
     def set_velocity(self, velocity: ArrayLike | None = None, angular_velocity: ArrayLike | None = None) -> None:
         """The motion of a prescribed body from now on: constant velocity (D,) of the centre of mass and angular velocity (a
@@ -288,7 +289,8 @@ class Simulation:
         folder = "" if output is None or output is False else self._scene.output_directory if output is True else os.fspath(output)
         self._session = _core.Session(self._scene, folder)
         self._cache: dict[str, Any] = {}
-        self.bodies: Bodies = Bodies({name: BodyState(self, i, name, motion) for i, (name, motion) in enumerate(self._scene.bodies)})
+        states = [BodyState(self, i, name, motion) for i, (name, motion) in enumerate(self._scene.bodies)]
+        self.bodies: Bodies = Bodies({body.name: body for body in states})
         """Bodies by name."""
         self.grid: Grid = Grid(**self._session.grid())
         self.report: StepReport = StepReport(**self._session.initial_report())
@@ -502,7 +504,8 @@ def _read(scene: SceneLike, overrides: Mapping[str, Any] | None, purpose: str) -
     if isinstance(scene, (Scene, Mapping)):
         scene = Toml(to_toml(scene))
     if isinstance(scene, Toml):
-        read = _core.parse_scene(scene.text, os.path.join(scene.folder, "scene") if str(scene.folder) != "." else "scene", sets, purpose)
+        name = os.path.normpath(os.path.join(scene.folder, "scene"))  # stands for the file in messages
+        read = _core.parse_scene(scene.text, name, sets, purpose)
     else:
         read = _core.read_scene(os.fspath(scene), sets, purpose)
     for warning in read.warnings:

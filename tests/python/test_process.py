@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 import pytest
+from conftest import plates_scene
 
 import gapflow
 
@@ -26,7 +27,8 @@ except KeyboardInterrupt:
     print(sim.steps, flush=True)
     raise
 """
-    run = subprocess.Popen([*python, "-c", script], env=environment, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    run = subprocess.Popen([*python, "-c", script], env=environment, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                           text=True)
     try:
         assert run.stdout.readline() == "ready\n"
         time.sleep(0.3)
@@ -59,8 +61,7 @@ sys.stdout.write(row + chr(10))
     words = [mpiexec, "-n", "2", *python, "-c", script]
     out = subprocess.run(words, env=environment, cwd=folder, capture_output=True, text=True, check=True, timeout=60).stdout
     first, second = sorted(out.splitlines())
-    import conftest
-    sim = gapflow.Simulation(conftest.plates_scene())
+    sim = gapflow.Simulation(plates_scene())
     sim.run()
     centre = f"{sim.bodies['upper'].centre[1]:.9f}"
     assert first.startswith("2 0 (0, 0)") and second.startswith("2 1 ") and first.split()[-1] == second.split()[-1] == centre
@@ -87,4 +88,5 @@ def test_everything_public_is_documented():
     assert not undocumented(gapflow, [n for n in gapflow.__all__ if n != "SceneLike"])
     methods = [n for n, value in vars(gapflow.Simulation).items() if not n.startswith("_") and n != "time"]
     assert not undocumented(gapflow.Simulation, methods)
-    assert not undocumented(gapflow.BodyState, [n for n in vars(gapflow.BodyState) if not n.startswith("_") and n not in ("name", "motion")])
+    states = [n for n in vars(gapflow.BodyState) if not n.startswith("_") and n not in ("name", "motion")]
+    assert not undocumented(gapflow.BodyState, states)

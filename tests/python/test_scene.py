@@ -59,8 +59,8 @@ def test_objects_dict_text_and_file_are_the_same_scene(tmp_path):
 
 
 def test_set_replaces_values():
-    resolved = gapflow.check(ball_scene(), set={"domain.cells": np.array([16, 16]), "body.ball.position": (1, 2), "gap.model": "none",
-                                                "title": "7"})
+    resolved = gapflow.check(ball_scene(), set={"domain.cells": np.array([16, 16]), "body.ball.position": (1, 2),
+                                                "gap.model": "none", "title": "7"})
     assert resolved["domain"]["cells"] == [16, 16] and resolved["body"][0]["position"] == [1, 2]
     assert resolved["gap"]["model"] == "none" and resolved["title"] == "7"
     with pytest.raises(gapflow.InputError, match="^--set body.bal.radius: no body is named 'bal', did you mean 'ball'?"):

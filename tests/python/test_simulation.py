@@ -82,7 +82,6 @@ def test_face_velocities_are_divergence_free_and_sum_to_cell_values():
     assert u.shape == (33, 32) == a.shape and v.shape == (32, 33) == b.shape
     assert np.array_equal(sim.velocity[..., 0], 0.5 * (u[1:] + u[:-1]))
     outflow = np.diff(a * u, axis=0) + np.diff(b * v, axis=1)
-    assert np.abs(outflow[np.where((sim.kind == 1))]).max() > 0  # the ball moves
     far = np.ones_like(outflow, dtype=bool)
     far[10:22, 10:22] = False
     assert np.abs(outflow[far]).max() < 1e-7 < 1e-3 < np.abs(u).max()

@@ -5,12 +5,14 @@
 
 #include <string_view>
 
-namespace gapflow {
+namespace gapflow
+{
 
 /// Dotted keys and TOML values, as given to --set.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-/// As read_scene(), of a text. `file` stands for it in messages; files that the scene names are looked for in the folder of `file`.
+/// As read_scene(), of a text. `file` stands for it in messages; files that the scene names are looked for in the folder of
+/// `file`.
 Scene parse_scene(std::string_view text, const std::string& file, const Overrides& overrides, Purpose purpose);
 
 } // namespace gapflow

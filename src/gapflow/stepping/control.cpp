@@ -4,9 +4,11 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 
-namespace gapflow {
+namespace gapflow
+{
 
-namespace {
+namespace
+{
 
 void demand_finite(bool finite, const std::string& body, const char* what)
 {
@@ -23,8 +25,8 @@ void Simulation<D>::set_force(int body, const Vec<D>& force, const Spin<D>& torq
 {
     RigidBody<D>& b = bodies_.at(body);
     if (b.motion != Motion::free)
-        throw InputError("force on body '" + b.name + "': its motion is not \"free\", so no force moves it; set body." + b.name +
-                         ".motion = \"free\"");
+        throw InputError("force on body '" + b.name + "': its motion is not \"free\", so no force moves it; set body." +
+                         b.name + ".motion = \"free\"");
     demand_finite(force.allFinite() && torque.allFinite(), b.name, "force or torque");
     Twist<D> change;
     change << force - b.force, torque - b.torque;
@@ -38,8 +40,10 @@ void Simulation<D>::set_velocity(int body, const Vec<D>& velocity, const Spin<D>
 {
     RigidBody<D>& b = bodies_.at(body);
     if (b.motion != Motion::prescribed)
-        throw InputError("velocity of body '" + b.name + "': its motion is not \"prescribed\", so it cannot be told how to move; "
-                         "set body." + b.name + ".motion = \"prescribed\", or push it with a force");
+        throw InputError("velocity of body '" + b.name +
+                         "': its motion is not \"prescribed\", so it cannot be told how to move; "
+                         "set body." +
+                         b.name + ".motion = \"prescribed\", or push it with a force");
     demand_finite(velocity.allFinite() && angular_velocity.allFinite(), b.name, "velocity");
     const PrescribedMotion<D> motion = constant_motion<D>(b.pose, b.centre_of_mass, velocity, angular_velocity);
     b.prescribed = std::make_shared<PrescribedMotion<D>>([motion, start = time_](double time) { return motion(time - start); });
