@@ -16,8 +16,8 @@ void Runtime::start()
 void Runtime::shutdown()
 {
     ended_ = true;
-    for (Session* session : std::set<Session*>(sessions_))
-        session->end();
+    for (Session* session : std::vector<Session*>(sessions_))
+        session->end_or_print();
     environment_.reset();
 }
 

@@ -7,7 +7,7 @@
 
 #include <memory>
 #include <mutex>
-#include <set>
+#include <vector>
 
 namespace gapflow
 {
@@ -19,17 +19,17 @@ class Runtime
 public:
     /// MPI and PETSc, started by the first call. Throws std::runtime_error after shutdown(). Needs the GIL.
     void start();
-    /// Ends all sessions, then PETSc, and MPI if start() started it. Needs the GIL.
+    /// Ends all sessions, then PETSc, and MPI if start() started it. What goes wrong is printed. Needs the GIL.
     void shutdown();
 
-    void enter(Session* session) { sessions_.insert(session); }
-    void leave(Session* session) { sessions_.erase(session); }
+    void enter(Session* session) { sessions_.push_back(session); }
+    void leave(Session* session) { std::erase(sessions_, session); }
     std::mutex& lock() { return lock_; }
 
 private:
     std::unique_ptr<Environment> environment_;
     bool ended_ = false;
-    std::set<Session*> sessions_;
+    std::vector<Session*> sessions_; ///< in the order of their making, the same on all ranks
     std::mutex lock_;
 };
 

@@ -82,20 +82,21 @@ public:
     {
         const Computing computing;
         simulation_ = std::make_unique<Simulation<D>>(scene_, Communicator());
+        report_ = simulation_->initial_report();
         if (folder.empty())
             return;
         files_.emplace(folder, *simulation_, GAPFLOW_VERSION);
-        files_->write_step(*simulation_, simulation_->initial_report());
+        files_->write_step(*simulation_, report_);
         files_->write_fields(*simulation_);
     }
 
-    ~SessionOf() override { end(); }
+    ~SessionOf() override { end_or_print(); }
 
     int dimension() const override { return D; }
     double time() const override { return any_state().time(); }
     long steps() const override { return any_state().steps(); }
     const Scene& scene() const override { return scene_; }
-    py::dict initial_report() const override { return report_dict(state().initial_report()); }
+    py::dict report() const override { return report_dict(report_); }
 
     py::dict step(double until) override
     {
@@ -107,11 +108,10 @@ public:
         if (!(until > state().time()))
             throw InputError("until = " + std::to_string(until) + ": the time is " + std::to_string(state().time()) +
                              " already; give a later one");
-        StepReport report;
         try {
             const Busy busy(busy_);
             const Computing computing;
-            report = advance(until);
+            report_ = advance(until);
         } catch (const ComputationError& error) {
             failure_ = error.what();
             if (files_)
@@ -119,7 +119,7 @@ public:
             throw;
         }
         handle_signals();
-        return report_dict(report);
+        return report_dict(report_);
     }
 
     void set_force(const std::string& body, const std::vector<double>& force, const std::vector<double>& torque) override
@@ -300,18 +300,13 @@ public:
     {
         if (!simulation_)
             return;
-        if (files_ && failure_.empty()) {
-            const Computing computing;
-            files_->finish(*simulation_, simulation_->time() < scene_.end ? "interrupted" : "done");
-        }
-        if (views_ > 0) {
-            (void)simulation_.release(); // Python is ending: freed with the process
-            return;
-        }
         const Computing computing;
-        files_.reset();
-        simulation_.reset();
-        runtime().leave(this);
+        std::unique_ptr<Simulation<D>> simulation = std::move(simulation_);
+        const Simulation<D>& last_state = *simulation;
+        if (views_ > 0)
+            (void)simulation.release(); // Python is ending: the memory goes with the process
+        if (files_ && failure_.empty())
+            files_->finish(last_state, last_state.time() < scene_.end ? "interrupted" : "done");
     }
 
 private:
@@ -433,6 +428,7 @@ private:
     const Scene scene_;
     std::unique_ptr<Simulation<D>> simulation_;
     std::optional<RunFiles<D>> files_;
+    StepReport report_; ///< of the last step
     long output_ = 1;   ///< number of the next output time
     bool busy_ = false; ///< a thread computes; changed and read with the GIL held
     std::string failure_;
@@ -448,6 +444,15 @@ Session::Session()
 Session::~Session()
 {
     runtime().leave(this);
+}
+
+void Session::end_or_print()
+{
+    try {
+        end();
+    } catch (const std::exception& error) {
+        PySys_FormatStderr("gapflow: %s\n", error.what());
+    }
 }
 
 std::shared_ptr<Session> Session::make(const Scene& scene, const std::string& folder)

@@ -31,7 +31,7 @@ public:
     virtual double time() const = 0;
     virtual long steps() const = 0;
     virtual const Scene& scene() const = 0;
-    virtual pybind11::dict initial_report() const = 0;
+    virtual pybind11::dict report() const = 0; ///< of the last step, at first of the start
     /// One step that does not pass `until`, nor scene.end, nor the next output time where files are written. Lets the
     /// interpreter handle signals once it is done; if one raises, on any rank, all ranks do. Throws ComputationError;
     /// BufferError while views live.
@@ -58,6 +58,8 @@ public:
 
     /// Ends the files of the run and frees the simulation; if views live, its memory is left to them for good.
     virtual void end() = 0;
+    /// The same where nobody can catch an error.
+    void end_or_print();
     int views() const { return views_; }
 
 protected:

@@ -293,8 +293,6 @@ class Simulation:
         self.bodies: Bodies = Bodies({body.name: body for body in states})
         """Bodies by name."""
         self.grid: Grid = Grid(**self._session.grid())
-        self.report: StepReport = StepReport(**self._session.initial_report())
-        """Of the last step; at first of the start."""
 
     # Time
 
@@ -305,12 +303,18 @@ class Simulation:
 
     @property
     def time(self) -> float:
+        """Of the state, in the scene's unit; 0 at the start."""
         return self._session.time
 
     @property
     def steps(self) -> int:
         """Steps done."""
         return self._session.steps
+
+    @property
+    def report(self) -> StepReport:
+        """Of the last step; at first of the start."""
+        return self._cached("report", lambda: StepReport(**self._session.report()))
 
     @property
     def end(self) -> float:
@@ -320,17 +324,12 @@ class Simulation:
     def step(self, until: float = math.inf) -> StepReport:
         """One time step, as long as the flow allows, that does not pass `until`, nor time.end, nor, with files, an output time.
 
-        Once time.end is reached further steps go on beyond it. Ctrl-C during the step raises KeyboardInterrupt after it: the
-        state is that of a whole step, and one can go on. Raises InputError if `until` is not later than the time;
+        Once time.end is reached further steps go on beyond it. Ctrl-C during the step raises KeyboardInterrupt after it (on all
+        ranks): the state is that of a whole step, and one can go on. Raises InputError if `until` is not later than the time;
         BufferError while face views are alive; ComputationError.
         """
         self._cache.clear()
-        try:
-            self.report = StepReport(**self._session.step(until))
-        except KeyboardInterrupt:
-            self._cache.clear()
-            raise
-        return self.report
+        return self._cached("report", lambda: StepReport(**self._session.step(until)))
 
     def run(self, until: float | None = None, *, control: Control | None = None, callback: Callback | None = None) -> StepReport:
         """Steps until a time (default: time.end), exactly. Returns the last report.
