@@ -10,11 +10,9 @@
 
 namespace py = pybind11;
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 Purpose purpose_of(const std::string& name)
 {

@@ -2,8 +2,7 @@
 
 #include "session.hpp"
 
-namespace gapflow
-{
+namespace gapflow {
 
 void Runtime::start()
 {

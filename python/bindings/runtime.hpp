@@ -9,13 +9,11 @@
 #include <mutex>
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
 class Session;
 
-class Runtime
-{
+class Runtime {
 public:
     /// MPI and PETSc, started by the first call. Throws std::runtime_error after shutdown(). Needs the GIL.
     void start();
@@ -37,8 +35,7 @@ private:
 Runtime& runtime();
 
 /// A long call: other Python threads run, other computations wait. The lock is never held while waiting for the GIL.
-class Computing
-{
+class Computing {
 public:
     Computing() : lock_(runtime().lock()) {}
 

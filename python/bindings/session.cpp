@@ -12,11 +12,9 @@
 
 namespace py = pybind11;
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 using Numbers = py::array_t<double>;
 
@@ -75,8 +73,7 @@ py::dict report_dict(const StepReport& report)
 }
 
 template <int D>
-class SessionOf : public Session
-{
+class SessionOf : public Session {
 public:
     SessionOf(const Scene& scene, const std::string& folder) : scene_(scene)
     {
@@ -102,9 +99,8 @@ public:
     {
         state();
         if (views_ > 0)
-            throw py::buffer_error(std::to_string(views_) +
-                                   " view(s) of faces are alive, and a step would change what they show; "
-                                   "delete them first, or keep copies (numpy.array(view))");
+            throw py::buffer_error(std::to_string(views_) + " view(s) of faces are alive, and a step would change what they "
+                                                            "show; delete them first, or keep copies (numpy.array(view))");
         if (!(until > state().time()))
             throw InputError("until = " + std::to_string(until) + ": the time is " + std::to_string(state().time()) +
                              " already; give a later one");
@@ -112,7 +108,7 @@ public:
             const Busy busy(busy_);
             const Computing computing;
             report_ = advance(until);
-        } catch (const ComputationError& error) {
+        } catch (const std::exception& error) { // whatever it is, the state is that of half a step
             failure_ = error.what();
             if (files_)
                 files_->finish(*simulation_, "failed", error.what());

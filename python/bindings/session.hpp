@@ -10,16 +10,14 @@
 #include <memory>
 #include <string>
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// All calls need the GIL; those that compute release it. While one computes, after a failure, and after end(), the others
 /// throw std::runtime_error: there is no state to read then.
 ///
 /// Arrays are copies that belong to their reader, indexed [x, y(, z)(, component)], of this rank's cells; only
 /// face_velocity() and face_fraction() are views.
-class Session : public std::enable_shared_from_this<Session>
-{
+class Session : public std::enable_shared_from_this<Session> {
 public:
     Session();
     virtual ~Session();

@@ -5,8 +5,7 @@
 
 #include <string_view>
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Dotted keys and TOML values, as given to --set.
 using Overrides = std::vector<std::pair<std::string, std::string>>;

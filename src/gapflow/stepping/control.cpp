@@ -4,11 +4,9 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 void demand_finite(bool finite, const std::string& body, const char* what)
 {
@@ -40,10 +38,8 @@ void Simulation<D>::set_velocity(int body, const Vec<D>& velocity, const Spin<D>
 {
     RigidBody<D>& b = bodies_.at(body);
     if (b.motion != Motion::prescribed)
-        throw InputError("velocity of body '" + b.name +
-                         "': its motion is not \"prescribed\", so it cannot be told how to move; "
-                         "set body." +
-                         b.name + ".motion = \"prescribed\", or push it with a force");
+        throw InputError("velocity of body '" + b.name + "': its motion is not \"prescribed\", so it cannot be told how to move; " +
+                         "set body." + b.name + ".motion = \"prescribed\", or push it with a force");
     demand_finite(velocity.allFinite() && angular_velocity.allFinite(), b.name, "velocity");
     const PrescribedMotion<D> motion = constant_motion<D>(b.pose, b.centre_of_mass, velocity, angular_velocity);
     b.prescribed = std::make_shared<PrescribedMotion<D>>([motion, start = time_](double time) { return motion(time - start); });
