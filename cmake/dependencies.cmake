@@ -16,3 +16,12 @@ endif()
 if(GAPFLOW_TESTS)
   find_package(GTest REQUIRED)
 endif()
+
+# The Python package is for the system's own python unless -DPython_EXECUTABLE names another: Debian's pybind11 and NumPy belong to it.
+if(NOT Python_EXECUTABLE)
+  find_program(Python_EXECUTABLE NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH DOC "python of the package gapflow")
+endif()
+find_package(Python COMPONENTS Interpreter Development.Module)
+if(Python_Development.Module_FOUND)
+  find_package(pybind11 2.10 QUIET)
+endif()

@@ -133,6 +133,11 @@ Node read_document(const std::string& file)
     const std::string content{std::istreambuf_iterator<char>(in), {}};
     if (!in)
         throw InputError(file + ": cannot be read; check the path of the scene and its permissions");
+    return parse_document(content, file);
+}
+
+Node parse_document(std::string_view content, const std::string& file)
+{
     try {
         Node node = translate(toml::parse(content, std::string_view(file)), file);
         node.where = file;

@@ -1,4 +1,5 @@
 #include "gapflow/scene/check_keys.hpp"
+#include "gapflow/scene/parse_scene.hpp"
 #include "gapflow/scene/read_parts.hpp"
 
 #include "gapflow/core/error.hpp"
@@ -49,12 +50,9 @@ void read_output(const Values& v, Scene& scene)
     scene.checkpoint_every = v.number("output.checkpoint_every");
 }
 
-} // namespace
-
-Scene read_scene(const std::string& file, const std::vector<std::pair<std::string, std::string>>& overrides, Purpose purpose)
+Scene scene_of(Node document, const std::string& file, const Overrides& overrides, Purpose purpose)
 {
     const std::vector<KeyInfo> keys = scene_keys();
-    Node document = read_document(file);
     check_names(document, keys);
     apply_overrides(document, overrides, keys);
     Scene scene;
@@ -78,6 +76,18 @@ Scene read_scene(const std::string& file, const std::vector<std::pair<std::strin
     if (purpose == Purpose::added_mass && std::all_of(scene.bodies.begin(), scene.bodies.end(), fixed))
         throw InputError(file + ": no body moves, so there is no added mass; add a [[body]] whose motion is not \"fixed\"");
     return scene;
+}
+
+} // namespace
+
+Scene read_scene(const std::string& file, const Overrides& overrides, Purpose purpose)
+{
+    return scene_of(read_document(file), file, overrides, purpose);
+}
+
+Scene parse_scene(std::string_view text, const std::string& file, const Overrides& overrides, Purpose purpose)
+{
+    return scene_of(parse_document(text, file), file, overrides, purpose);
 }
 
 } // namespace gapflow

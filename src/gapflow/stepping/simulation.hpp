@@ -68,6 +68,13 @@ public:
     /// Advances by one time step that does not pass `next_output`. Collective.
     StepReport step(double next_output);
 
+    /// External force at the centre of mass and torque about it on a free body, world axes, from the next step on; in place of
+    /// those of the scene. Throws InputError if the body is not free or a number not finite.
+    void set_force(int body, const Vec<D>& force, const Spin<D>& torque);
+    /// From now on a body of prescribed motion, from where it is, moves with this velocity of the centre of mass and turns with
+    /// this angular velocity, world axes. Throws InputError as above.
+    void set_velocity(int body, const Vec<D>& velocity, const Spin<D>& angular_velocity);
+
     double time() const { return time_; }
     long steps() const { return steps_; }
     const Scene& scene() const { return scene_; }

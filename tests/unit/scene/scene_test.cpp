@@ -1,6 +1,8 @@
 #include "temporary.hpp"
 
+#include "gapflow/core/error.hpp"
 #include "gapflow/scene/keys.hpp"
+#include "gapflow/scene/parse_scene.hpp"
 #include "gapflow/scene/scene.hpp"
 
 #include <gmock/gmock.h>
@@ -372,6 +374,25 @@ TEST(Scene, Json)
             EXPECT_TRUE(names.count(table + "." + item.key())) << table << "." << item.key();
     for (const auto& item : json["body"][0].items())
         EXPECT_TRUE(names.count("body." + item.key())) << item.key();
+}
+
+TEST(Scene, ATextIsReadLikeAFile)
+{
+    const std::string text = "[domain]\nsize = [1, 1]\ncells = [8, 8]\n[domain.sides]\nx_low = { inflow = \"columns.csv\" }\n";
+    try {
+        parse_scene(text, data + "text", {{"domain.cells", "[4, -4]"}}, Purpose::check);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "--set domain.cells = [4, -4]: -4 is out of range; allowed: a list of 2 whole numbers, each >= 1 "
+                                   "and <= 1000000");
+    }
+    try { // the folder of the name is where files are looked for
+        parse_scene(text, data + "text", {}, Purpose::check);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr(data + "columns.csv"));
+    }
+    EXPECT_EQ(parse_scene("[domain]\nsize = [1, 1]\ncells = [8, 8]\n", "text", {}, Purpose::check).cells[0], 8);
 }
 
 } // namespace

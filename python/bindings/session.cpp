@@ -1,0 +1,462 @@
+#include "session.hpp"
+
+#include "runtime.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/output/run_files.hpp"
+
+#include <pybind11/stl.h>
+
+#include <limits>
+#include <optional>
+
+namespace py = pybind11;
+
+namespace gapflow {
+
+namespace {
+
+using Numbers = py::array_t<double>;
+
+template <class T, int N, class F>
+py::array_t<T> table(std::size_t rows, F&& row)
+{
+    py::array_t<T> out({static_cast<py::ssize_t>(rows), static_cast<py::ssize_t>(N)});
+    auto values = out.template mutable_unchecked<2>();
+    for (std::size_t i = 0; i < rows; ++i) {
+        const auto& from = row(i);
+        for (int k = 0; k < N; ++k)
+            values(i, k) = from[k];
+    }
+    return out;
+}
+
+template <class F>
+Numbers column(std::size_t rows, F&& value)
+{
+    Numbers out(static_cast<py::ssize_t>(rows));
+    auto values = out.mutable_unchecked<1>();
+    for (std::size_t i = 0; i < rows; ++i)
+        values(i) = value(i);
+    return out;
+}
+
+// Angular velocities and torques: one number a row in 2D, three in 3D.
+template <int D, class F>
+Numbers spins(std::size_t rows, F&& spin)
+{
+    if constexpr (D == 2)
+        return column(rows, [&](std::size_t i) { return spin(i)[0]; });
+    else
+        return table<double, 3>(rows, spin);
+}
+
+template <int D>
+Numbers vector_array(const Eigen::Matrix<double, D, 1>& v)
+{
+    return Numbers(v.size(), v.data());
+}
+
+template <int D>
+std::vector<int> indices(const Index<D>& i)
+{
+    return {i.data(), i.data() + D};
+}
+
+py::dict report_dict(const StepReport& report)
+{
+    using namespace py::literals;
+    return py::dict("step"_a = report.step, "time"_a = report.time, "dt"_a = report.dt, "cells"_a = report.cells,
+                    "film_nodes"_a = report.film_nodes, "iterations"_a = report.iterations, "residual"_a = report.residual,
+                    "divergence_max"_a = report.divergence_max, "energy_fluid"_a = report.energy_fluid,
+                    "energy_bodies"_a = report.energy_bodies, "seconds"_a = report.seconds, "notes"_a = report.notes);
+}
+
+template <int D>
+class SessionOf : public Session {
+public:
+    SessionOf(const Scene& scene, const std::string& folder) : scene_(scene)
+    {
+        const Computing computing;
+        simulation_ = std::make_unique<Simulation<D>>(scene_, Communicator());
+        report_ = simulation_->initial_report();
+        if (folder.empty())
+            return;
+        files_.emplace(folder, *simulation_, GAPFLOW_VERSION);
+        files_->write_step(*simulation_, report_);
+        files_->write_fields(*simulation_);
+    }
+
+    ~SessionOf() override { end_or_print(); }
+
+    int dimension() const override { return D; }
+    double time() const override { return any_state().time(); }
+    long steps() const override { return any_state().steps(); }
+    const Scene& scene() const override { return scene_; }
+    py::dict report() const override { return report_dict(report_); }
+
+    py::dict step(double until) override
+    {
+        state();
+        if (views_ > 0)
+            throw py::buffer_error(std::to_string(views_) + " view(s) of faces are alive, and a step would change what they "
+                                                            "show; delete them first, or keep copies (numpy.array(view))");
+        if (!(until > state().time()))
+            throw InputError("until = " + std::to_string(until) + ": the time is " + std::to_string(state().time()) +
+                             " already; give a later one");
+        try {
+            const Busy busy(busy_);
+            const Computing computing;
+            report_ = advance(until);
+        } catch (const std::exception& error) { // whatever it is, the state is that of half a step
+            failure_ = error.what();
+            if (files_)
+                files_->finish(*simulation_, "failed", error.what());
+            throw;
+        }
+        handle_signals();
+        return report_dict(report_);
+    }
+
+    void set_force(const std::string& body, const std::vector<double>& force, const std::vector<double>& torque) override
+    {
+        const int b = number_of(body);
+        simulation_->set_force(b, vec("force", force), spin("torque", torque));
+    }
+
+    void set_velocity(const std::string& body, const std::vector<double>& velocity,
+                      const std::vector<double>& angular_velocity) override
+    {
+        const int b = number_of(body);
+        simulation_->set_velocity(b, vec("velocity", velocity), spin("angular_velocity", angular_velocity));
+    }
+
+    py::dict grid() const override
+    {
+        using namespace py::literals;
+        const Grid<D>& g = state().grid();
+        std::vector<bool> periodic;
+        for (int axis = 0; axis < D; ++axis)
+            periodic.push_back(g.periodic(axis));
+        return py::dict("origin"_a = vector_array<D>(g.origin()), "spacing"_a = g.dx(),
+                        "cells"_a = py::tuple(py::cast(indices<D>(g.cells()))),
+                        "low"_a = py::tuple(py::cast(indices<D>(g.low()))),
+                        "high"_a = py::tuple(py::cast(indices<D>(g.high()))), "periodic"_a = py::tuple(py::cast(periodic)));
+    }
+
+    py::dict bodies() const override
+    {
+        using namespace py::literals;
+        const std::vector<RigidBody<D>>& b = state().bodies();
+        const std::vector<Twist<D>>& fluid = state().fluid_wrenches();
+        const std::size_t n = b.size();
+        const auto linear = [](const Twist<D>& twist) { return Vec<D>(twist.template head<D>()); };
+        const auto angular = [](const Twist<D>& twist) { return Spin<D>(twist.template tail<spin_size<D>>()); };
+        py::dict out("centre"_a = table<double, D>(n, [&](std::size_t i) { return b[i].centre(); }),
+                     "position"_a = table<double, D>(n, [&](std::size_t i) { return b[i].pose.position; }),
+                     "velocity"_a = table<double, D>(n, [&](std::size_t i) { return linear(b[i].twist); }),
+                     "angular_velocity"_a = spins<D>(n, [&](std::size_t i) { return angular(b[i].twist); }),
+                     "fluid_force"_a = table<double, D>(n, [&](std::size_t i) { return linear(fluid[i]); }),
+                     "fluid_torque"_a = spins<D>(n, [&](std::size_t i) { return angular(fluid[i]); }),
+                     "force"_a = table<double, D>(n, [&](std::size_t i) { return b[i].force; }),
+                     "torque"_a = spins<D>(n, [&](std::size_t i) { return b[i].torque; }),
+                     "mass"_a = column(n, [&](std::size_t i) { return b[i].mass; }),
+                     "volume"_a = column(n, [&](std::size_t i) { return b[i].volume; }));
+        if constexpr (D == 2) {
+            out["angle"] = column(n, [&](std::size_t i) { return b[i].pose.rotation.angle(); });
+            out["inertia"] = column(n, [&](std::size_t i) { return b[i].inertia(0, 0); });
+        } else {
+            out["quaternion"] = table<double, 4>(n, [&](std::size_t i) {
+                const Rotation<3>& q = b[i].pose.rotation;
+                return Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
+            });
+            out["inertia"] = table<double, 9>(n, [&](std::size_t i) {
+                                 return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(b[i].inertia.data()).eval();
+                             }).reshape({static_cast<py::ssize_t>(n), py::ssize_t{3}, py::ssize_t{3}});
+        }
+        return out;
+    }
+
+    py::array velocity() const override
+    {
+        const FaceField<D>& u = state().velocity().grid;
+        return cells<double>(D, [&](const Index<D>& c, double* out) {
+            for (int axis = 0; axis < D; ++axis)
+                out[axis] = 0.5 * (u(axis, c) + u(axis, c + gapflow::step<D>(axis)));
+        });
+    }
+
+    py::array pressure() const override
+    {
+        const UnknownVector<D> p = state().reduced_pressure();
+        const CellField<D, int>& component = state().coupling().system.component;
+        return cells<double>(0, [&](const Index<D>& c, double* out) {
+            *out = component(c) < 0 ? std::numeric_limits<double>::quiet_NaN()
+                                    : p.cells(c) + simulation_->hydrostatic(simulation_->grid().cell_centre(c));
+        });
+    }
+
+    py::array kind() const override
+    {
+        const auto& kind = state().coupling().kind;
+        return cells<std::int8_t>(0, [&](const Index<D>& c, std::int8_t* out) { *out = static_cast<std::int8_t>(kind(c)); });
+    }
+
+    py::dict films() const override
+    {
+        using namespace py::literals;
+        const UnknownVector<D> p = state().reduced_pressure();
+        const FilmNetwork<D>& network = state().coupling().network;
+        const std::vector<Solid<D>>& solids = state().coupling().solids;
+        std::vector<Vec<D>> nodes, normal;
+        std::vector<double> thickness, pressure, depth, area;
+        std::vector<std::array<int, D>> elements;
+        std::vector<int> node_film, element_film;
+        py::list pairs;
+        for (const Film<D>& film : network.films) {
+            const FilmMesh<D>& mesh = film.mesh;
+            const int number = static_cast<int>(pairs.size()), first = static_cast<int>(nodes.size());
+            pairs.append(py::make_tuple(solids[mesh.master].name, solids[mesh.other].name));
+            for (std::size_t i = 0; i < mesh.mid.size(); ++i) {
+                const int node = film.first_node + static_cast<int>(i);
+                nodes.push_back(mesh.mid[i]);
+                thickness.push_back(mesh.h[i] + mesh.skin);
+                pressure.push_back(p.nodes[node] + simulation_->hydrostatic(mesh.mid[i]));
+                depth.push_back(simulation_->voids().depth(node));
+                node_film.push_back(number);
+            }
+            for (const FilmElement<D>& element : mesh.elements) {
+                std::array<int, D> corners = element.nodes;
+                for (int& node : corners)
+                    node += first;
+                elements.push_back(corners);
+                normal.push_back(element.normal);
+                area.push_back(element.measure);
+                element_film.push_back(number);
+            }
+        }
+        const auto numbers = [](const std::vector<double>& v) { return Numbers(static_cast<py::ssize_t>(v.size()), v.data()); };
+        const auto integers = [](const std::vector<int>& v) {
+            return py::array_t<int>(static_cast<py::ssize_t>(v.size()), v.data());
+        };
+        const auto vectors = [](const std::vector<Vec<D>>& v) {
+            return table<double, D>(v.size(), [&](std::size_t i) -> const Vec<D>& { return v[i]; });
+        };
+        return py::dict("bodies"_a = pairs, "nodes"_a = vectors(nodes), "node_film"_a = integers(node_film),
+                        "thickness"_a = numbers(thickness), "pressure"_a = numbers(pressure), "void_depth"_a = numbers(depth),
+                        "elements"_a = table<int, D>(
+                            elements.size(), [&](std::size_t i) -> const auto& { return elements[i]; }),
+                        "element_film"_a = integers(element_film), "velocity"_a = vectors(simulation_->velocity().film),
+                        "normal"_a = vectors(normal), "area"_a = numbers(area));
+    }
+
+    py::list gaps() const override
+    {
+        py::list rows;
+        for (const GapState& gap : state().gaps())
+            rows.append(py::make_tuple(gap.body_a, gap.body_b, gap.thickness, gap.opening_rate, gap.film_nodes, gap.film_area,
+                                       gap.pressure_min, gap.pressure_max, gap.force, gap.contact_force, gap.contact_impulse,
+                                       gap.void_volume));
+        return rows;
+    }
+
+    py::dict budget() const override
+    {
+        using namespace py::literals;
+        const Budget<D> b = state().budget();
+        return py::dict("momentum"_a = vector_array<D>(b.momentum),
+                        "angular_momentum"_a = vector_array<spin_size<D>>(b.angular_momentum), "energy_grid"_a = b.energy_grid,
+                        "energy_film"_a = b.energy_film, "energy_bodies"_a = b.energy_bodies);
+    }
+
+    py::dict stages() const override
+    {
+        py::dict out;
+        for (const auto& [name, stage] : state().stages().stages())
+            out[py::str(name)] = stage.seconds;
+        return out;
+    }
+
+    py::tuple surface(const std::string& body, double tolerance) const override
+    {
+        const RigidBody<D>& b = state().bodies()[number_of(body)];
+        const SurfaceMesh<D> mesh = b.shape->display_mesh(tolerance);
+        const Mat<D> rotation = b.pose.matrix();
+        return py::make_tuple(
+            table<double, D>(mesh.vertices.size(),
+                             [&](std::size_t i) { return Vec<D>(b.pose.position + rotation * mesh.vertices[i]); }),
+            table<int, D>(
+                mesh.elements.size(), [&](std::size_t i) -> const auto& { return mesh.elements[i]; }));
+    }
+
+    py::array face_velocity(int axis) override { return face_view(state().velocity().grid, axis); }
+    py::array face_fraction(int axis) override { return face_view(state().coupling().open, axis); }
+
+    void end() override
+    {
+        if (!simulation_)
+            return;
+        const Computing computing;
+        std::unique_ptr<Simulation<D>> simulation = std::move(simulation_);
+        const Simulation<D>& last_state = *simulation;
+        if (views_ > 0)
+            (void)simulation.release(); // Python is ending: the memory goes with the process
+        if (files_ && failure_.empty())
+            files_->finish(last_state, last_state.time() < scene_.end ? "interrupted" : "done");
+    }
+
+private:
+    struct Busy {
+        explicit Busy(bool& busy_) : busy(busy_) { busy = true; }
+        ~Busy() { busy = false; }
+        bool& busy;
+    };
+
+    const Simulation<D>& any_state() const
+    {
+        if (busy_)
+            throw std::runtime_error("another thread is stepping this simulation; wait until it is done");
+        if (!simulation_)
+            throw std::runtime_error("the simulation is closed");
+        return *simulation_;
+    }
+
+    const Simulation<D>& state() const
+    {
+        any_state();
+        if (!failure_.empty())
+            throw ComputationError("the simulation has failed and has no state to read: " + failure_);
+        return *simulation_;
+    }
+
+    StepReport advance(double until)
+    {
+        Simulation<D>& s = *simulation_;
+        double next = s.time() < scene_.end ? std::min(until, scene_.end) : until;
+        double next_output = std::numeric_limits<double>::infinity();
+        if (files_ && s.time() < scene_.end) {
+            next_output = scene_.output_every > 0 ? std::min(scene_.end, output_ * scene_.output_every) : scene_.end;
+            if (scene_.end - next_output < 1e-9 * scene_.end)
+                next_output = scene_.end;
+            next = std::min(next, next_output);
+        }
+        const StepReport report = s.step(next);
+        if (files_)
+            files_->write_step(s, report);
+        if (files_ && s.time() >= next_output) {
+            files_->write_fields(s);
+            ++output_;
+        }
+        return report;
+    }
+
+    void handle_signals() const
+    {
+        const bool raised = PyErr_CheckSignals() != 0;
+        bool any = raised;
+        if (const Communicator comm; comm.size() > 1)
+            any = comm.any(raised);
+        if (any && !raised)
+            PyErr_SetNone(PyExc_KeyboardInterrupt);
+        if (any)
+            throw py::error_already_set();
+    }
+
+    int number_of(const std::string& name) const
+    {
+        const std::vector<RigidBody<D>>& b = state().bodies();
+        for (std::size_t i = 0; i < b.size(); ++i)
+            if (b[i].name == name)
+                return static_cast<int>(i);
+        throw py::key_error("no body is named '" + name + "'");
+    }
+
+    static Vec<D> vec(const char* what, const std::vector<double>& values) { return sized<D>(what, values); }
+    static Spin<D> spin(const char* what, const std::vector<double>& values) { return sized<spin_size<D>>(what, values); }
+    template <int N>
+    static Eigen::Matrix<double, N, 1> sized(const char* what, const std::vector<double>& values)
+    {
+        if (values.size() != N)
+            throw InputError(std::string(what) + ": has " + std::to_string(values.size()) + " number(s); give " +
+                             std::to_string(N));
+        return Eigen::Map<const Eigen::Matrix<double, N, 1>>(values.data());
+    }
+
+    /// An array [x, y(, z)], with one more axis if there are `components`, of this rank's cells.
+    template <class T, class F>
+    py::array cells(int components, F&& value) const
+    {
+        const Grid<D>& g = simulation_->grid();
+        std::vector<py::ssize_t> shape;
+        for (int axis = 0; axis < D; ++axis)
+            shape.push_back(g.high()[axis] - g.low()[axis]);
+        if (components > 0)
+            shape.push_back(components);
+        py::array_t<T> out(shape);
+        T* data = out.mutable_data();
+        for_each_index<D>(g.low(), g.high(), [&](const Index<D>& c) {
+            long place = 0;
+            for (int axis = 0; axis < D; ++axis)
+                place = place * (g.high()[axis] - g.low()[axis]) + c[axis] - g.low()[axis];
+            value(c, data + place * std::max(components, 1));
+        });
+        return out;
+    }
+
+    py::array face_view(const FaceField<D>& field, int axis)
+    {
+        if (axis < 0 || axis >= D)
+            throw py::index_error("axis " + std::to_string(axis) + " of " + std::to_string(D));
+        const Grid<D>& g = simulation_->grid();
+        const Index<D> extent = owned_faces_end(g, axis) - g.low();
+        std::vector<py::ssize_t> shape, strides;
+        for (int k = 0; k < D; ++k) {
+            shape.push_back(extent[k]);
+            strides.push_back(static_cast<py::ssize_t>(sizeof(double)) * field[axis].block().stride[k]);
+        }
+        const py::capsule keeper(new SessionView(shared_from_this()),
+                                 [](void* view) { delete static_cast<SessionView*>(view); });
+        py::array view(py::dtype::of<double>(), shape, strides, &field(axis, g.low()), keeper);
+        view.attr("flags").attr("writeable") = false;
+        return view;
+    }
+
+    const Scene scene_;
+    std::unique_ptr<Simulation<D>> simulation_;
+    std::optional<RunFiles<D>> files_;
+    StepReport report_; ///< of the last step
+    long output_ = 1;   ///< number of the next output time
+    bool busy_ = false; ///< a thread computes; changed and read with the GIL held
+    std::string failure_;
+};
+
+} // namespace
+
+Session::Session()
+{
+    runtime().enter(this);
+}
+
+Session::~Session()
+{
+    runtime().leave(this);
+}
+
+void Session::end_or_print()
+{
+    try {
+        end();
+    } catch (const std::exception& error) {
+        PySys_FormatStderr("gapflow: %s\n", error.what());
+    }
+}
+
+std::shared_ptr<Session> Session::make(const Scene& scene, const std::string& folder)
+{
+    runtime().start();
+    if (scene.dimension == 2)
+        return std::make_shared<SessionOf<2>>(scene, folder);
+    return std::make_shared<SessionOf<3>>(scene, folder);
+}
+
+} // namespace gapflow

@@ -1,0 +1,148 @@
+"""Pictures of a simulation's state, with matplotlib; and the state as VTK objects, for PyVista and ParaView's Python.
+
+matplotlib and VTK are imported when they are used; the package needs neither (Debian: python3-matplotlib, python3-vtk9).
+
+    from gapflow import plot
+    axes = plot.state(sim, "pressure")
+    axes.figure.savefig("pressure.png")
+"""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from .simulation import Simulation
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.collections import LineCollection, PolyCollection
+    from matplotlib.image import AxesImage
+
+Quantity = Literal["pressure", "speed"]
+
+
+def state(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes | None = None, normal: int = 1,
+          position: float | None = None) -> Axes:
+    """The field with a colour bar; in 2D with bodies and films on it. Returns the matplotlib axes."""
+    import matplotlib.pyplot as plt
+
+    if axes is None:
+        axes = plt.subplots(constrained_layout=True)[1]
+    image = field(sim, quantity, axes=axes, normal=normal, position=position)
+    axes.figure.colorbar(image, ax=axes, label=quantity, shrink=0.8)
+    if sim.dimension == 2:
+        bodies(sim, axes=axes)
+        films(sim, axes=axes)
+    axes.set_title(f"{quantity}, t = {sim.time:.4g}")
+    return axes
+
+
+def field(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes, normal: int = 1, position: float | None = None,
+          **options: Any) -> AxesImage:
+    """The field in cells that hold fluid of the grid. 3D: on the plane across axis `normal` at `position` (default: the
+    middle). `options` go to imshow; colours span 99 % of the values, symmetric about 0 for pressures of both signs."""
+    values = sim.pressure if quantity == "pressure" else np.linalg.norm(sim.velocity, axis=-1)
+    values = np.where(np.isin(sim.kind, (1, 3)), values, np.nan)
+    shown = [axis for axis in range(sim.dimension) if sim.dimension == 2 or axis != normal]
+    if sim.dimension == 3:
+        centres = sim.grid.centres(normal)
+        values = values.take(len(centres) // 2 if position is None else int(np.abs(centres - position).argmin()), axis=normal)
+    extent = [end for axis in shown for end in sim.grid.faces(axis)[[0, -1]]]
+    low, high = np.nanpercentile(values, (0.5, 99.5)) if np.isfinite(values).any() else (0.0, 1.0)
+    if quantity == "pressure" and low < 0 < high:
+        high = max(-low, high)
+        low = -high
+    options = {"cmap": "RdBu_r" if quantity == "pressure" else "viridis", "vmin": low, "vmax": high} | options
+    axes.set_xlabel("xyz"[shown[0]])
+    axes.set_ylabel("xyz"[shown[1]])
+    return axes.imshow(values.T, origin="lower", extent=extent, **options)
+
+
+def bodies(sim: Simulation, *, axes: Axes, **options: Any) -> PolyCollection:
+    """Outlines of the bodies, filled; 2D only. `options` go to the collection."""
+    from matplotlib.collections import PolyCollection
+
+    _demand_2d(sim)
+    outlines = [outline for body in sim.bodies.values() if body.volume > 0 for outline in _outlines(*body.surface())]
+    options = {"facecolors": "0.8", "edgecolors": "0.2", "linewidths": 0.8} | options
+    return axes.add_collection(PolyCollection(outlines, **options), autolim=False)
+
+
+def films(sim: Simulation, *, axes: Axes, **options: Any) -> LineCollection:
+    """The films as lines half-way between the surfaces; 2D only. `options` go to the collection."""
+    from matplotlib.collections import LineCollection
+
+    _demand_2d(sim)
+    options = {"colors": "tab:orange", "linewidths": 2.0} | options
+    return axes.add_collection(LineCollection(sim.films.nodes[sim.films.elements], **options), autolim=False)
+
+
+def to_vtk(sim: Simulation) -> dict[str, Any]:
+    """The state as VTK objects: "fields" (vtkImageData with velocity, pressure and kind in its cells), "films" (vtkPolyData)
+    and "body NAME" each. PyVista takes them by `pyvista.wrap`. On several ranks the fields are this rank's."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
+    def attach(data: Any, **arrays: np.ndarray) -> None:
+        for name, values in arrays.items():
+            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+            array.SetName(name)
+            data.AddArray(array)
+
+    def along_x_first(values: np.ndarray) -> np.ndarray:
+        cells = values.shape[:sim.dimension]
+        return values.transpose(*reversed(range(len(cells))), *range(len(cells), values.ndim)).reshape(np.prod(cells), -1)
+
+    grid = sim.grid
+    image = vtkImageData()
+    image.SetDimensions(*_three(np.subtract(grid.high, grid.low) + 1, 1).tolist())
+    image.SetSpacing(*[grid.spacing] * 3)
+    image.SetOrigin(*_three(grid.origin + grid.spacing * np.array(grid.low)))
+    attach(image.GetCellData(), velocity=_three(along_x_first(sim.velocity)), pressure=along_x_first(sim.pressure)[:, 0],
+           kind=along_x_first(sim.kind)[:, 0])
+    out = {"fields": image, "films": _poly_data(sim.films.nodes, sim.films.elements)}
+    attach(out["films"].GetPointData(), thickness=sim.films.thickness, pressure=sim.films.pressure, void_depth=sim.films.void_depth)
+    attach(out["films"].GetCellData(), velocity=_three(sim.films.velocity))
+    for name, body in sim.bodies.items():
+        out[f"body {name}"] = _poly_data(*body.surface())
+    return out
+
+
+def _demand_2d(sim: Simulation) -> None:
+    if sim.dimension != 2:
+        raise ValueError("outlines are for 2D scenes; in 3D, to_vtk() gives surfaces")
+
+
+def _outlines(vertices: np.ndarray, elements: np.ndarray) -> list[np.ndarray]:
+    """Closed chains of segments (each vertex the start of one)."""
+    after = dict(elements.tolist())
+    outlines = []
+    while after:
+        chain = [next(iter(after))]
+        while chain[-1] in after:
+            chain.append(after.pop(chain[-1]))
+        outlines.append(vertices[chain])
+    return outlines
+
+
+def _three(values: np.ndarray, fill: float = 0) -> np.ndarray:
+    """The last axis filled up to three."""
+    missing = 3 - values.shape[-1]
+    return np.concatenate([values, np.full((*values.shape[:-1], missing), fill, values.dtype)], axis=-1) if missing else values
+
+
+def _poly_data(points: np.ndarray, elements: np.ndarray) -> Any:
+    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(_three(points)), deep=True))
+    cells = vtkCellArray()
+    sized = np.insert(elements.astype(np.int64), 0, elements.shape[1], axis=1)
+    cells.SetCells(len(elements), numpy_to_vtkIdTypeArray(np.ascontiguousarray(sized).ravel(), deep=True))
+    data = vtkPolyData()
+    data.SetPoints(coordinates)
+    (data.SetLines if elements.shape[1] == 2 else data.SetPolys)(cells)
+    return data

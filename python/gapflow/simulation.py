@@ -1,0 +1,525 @@
+"""Simulations: a scene in time, its state as NumPy arrays.
+
+Shapes: D is the dimension, n the number of bodies. Fields are indexed `[x, y]` or `[x, y, z]`, vectors have one more axis at the
+end. On several MPI ranks (`mpirun -n 4 python script.py`) every rank runs the same script: fields hold the rank's own cells,
+everything else is the same on all, and calls that compute are collective.
+
+Arrays are read-only and belong to whoever holds them: they keep the values of the step they were read in, also when the
+simulation goes on or is gone. Asked for again in the same step, the same array comes back without a copy. The two exceptions
+are `Simulation.face_velocity` and `Simulation.face_fraction`.
+"""
+from __future__ import annotations
+
+import json
+import math
+import os
+import warnings
+from dataclasses import dataclass
+from typing import Any, Callable, Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from .scene import Scene, SceneLike, Toml, to_toml, toml_value
+
+Floats = NDArray[np.float64]
+
+
+class SceneWarning(UserWarning):
+    """Something in a scene that was read but not followed."""
+
+
+@dataclass(frozen=True, slots=True)
+class StepReport:
+    """What a step did, and the state's sums after it; the columns of `steps.csv`."""
+
+    step: int
+    time: float
+    dt: float
+    cells: int
+    """Unknowns of the grid."""
+    film_nodes: int
+    iterations: int
+    """Of the pressure solves of this step."""
+    residual: float
+    """Relative, of the last one."""
+    divergence_max: float
+    """Largest net outflow of a cell over its volume, 1/time."""
+    energy_fluid: float
+    energy_bodies: float
+    """Kinetic energy of the free bodies and what their springs store."""
+    seconds: float
+    """Wall clock."""
+    notes: list[str]
+    """For the user: contacts that do not settle, blind film ends."""
+
+
+@dataclass(frozen=True, slots=True)
+class Budget:
+    """Sums over fluid, films and free bodies."""
+
+    momentum: Floats
+    """(D,)"""
+    angular_momentum: Floats
+    """(1,) in 2D, (3,) in 3D; about the domain's origin."""
+    energy_grid: float
+    energy_film: float
+    energy_bodies: float
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """The grid, and this rank's part of it."""
+
+    origin: Floats
+    """(D,): low corner of the domain."""
+    spacing: float
+    """Edge of a cell."""
+    cells: tuple[int, ...]
+    """Of the whole domain."""
+    low: tuple[int, ...]
+    """This rank's cells are low <= index < high."""
+    high: tuple[int, ...]
+    periodic: tuple[bool, ...]
+
+    def centres(self, axis: int) -> Floats:
+        """Coordinates along an axis of the centres of this rank's cells."""
+        return self.origin[axis] + self.spacing * (np.arange(self.low[axis], self.high[axis]) + 0.5)
+
+    def faces(self, axis: int) -> Floats:
+        """Coordinates along an axis of the faces normal to it, as `Simulation.face_velocity(axis)` has them."""
+        last = not self.periodic[axis] and self.high[axis] == self.cells[axis]
+        return self.origin[axis] + self.spacing * np.arange(self.low[axis], self.high[axis] + last)
+
+
+@dataclass(frozen=True, slots=True)
+class Films:
+    """The films in all gaps: meshes half-way between the surfaces, N nodes and M elements (2D: segments, 3D: triangles)."""
+
+    bodies: list[tuple[str, str]]
+    """The two bodies (or walls) of each film."""
+    nodes: Floats
+    """(N, D): where they are."""
+    node_film: NDArray[np.int32]
+    """(N,): number of the node's film in `bodies`."""
+    thickness: Floats
+    """(N,)"""
+    pressure: Floats
+    """(N,): full, hydrostatic part and reference included."""
+    void_depth: Floats
+    """(N,): void volume over area; 0 where there is no void."""
+    elements: NDArray[np.int32]
+    """(M, D): their nodes."""
+    element_film: NDArray[np.int32]
+    """(M,)"""
+    velocity: Floats
+    """(M, D): of the fluid, tangential part, mean over the thickness, world axes."""
+    normal: Floats
+    """(M, D): unit, from the film's first body to its second."""
+    area: Floats
+    """(M,): 2D: length."""
+
+
+class BodyState:
+    """A body of a simulation as it is now. World axes; linear quantities are those of the centre of mass."""
+
+    __slots__ = ("_simulation", "_index", "name", "motion")
+
+    def __init__(self, simulation: Simulation, index: int, name: str, motion: str) -> None:
+        self._simulation = simulation
+        self._index = index
+        self.name = name
+        self.motion = motion
+        """"free", "fixed" or "prescribed"."""
+
+    def _row(self, key: str) -> Any:
+        value = self._simulation.body_table[key][self._index]
+        return value if value.ndim else float(value)
+
+    @property
+    def centre(self) -> Floats:
+        """(D,): centre of mass."""
+        return self._row("centre")
+
+    @property
+    def position(self) -> Floats:
+        """(D,): of the shape's own origin, as the scene's key."""
+        return self._row("position")
+
+    @property
+    def angle(self) -> float:
+        """2D: radians, counted on beyond a full turn."""
+        if self._simulation.dimension == 3:
+            raise AttributeError("a body in 3D has a quaternion and a rotation matrix, no angle")
+        return self._row("angle")
+
+    @property
+    def quaternion(self) -> Floats:
+        """3D: (4,), w x y z, from body axes to world axes."""
+        if self._simulation.dimension == 2:
+            raise AttributeError("a body in 2D has an angle, no quaternion")
+        return self._row("quaternion")
+
+    @property
+    def rotation(self) -> Floats:
+        """(D, D): matrix from body axes to world axes."""
+        if self._simulation.dimension == 2:
+            c, s = math.cos(self.angle), math.sin(self.angle)
+            return np.array([[c, -s], [s, c]])
+        w, x, y, z = self.quaternion
+        return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                         [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                         [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+    @property
+    def velocity(self) -> Floats:
+        """(D,)"""
+        return self._row("velocity")
+
+    @property
+    def angular_velocity(self) -> Any:
+        """A float in 2D, (3,) in 3D; radians per time."""
+        return self._row("angular_velocity")
+
+    @property
+    def fluid_force(self) -> Floats:
+        """(D,): mean over the last step, buoyancy included, contact excluded."""
+        return self._row("fluid_force")
+
+    @property
+    def fluid_torque(self) -> Any:
+        """A float in 2D, (3,) in 3D: about the centre of mass, as `fluid_force`."""
+        return self._row("fluid_torque")
+
+    @property
+    def force(self) -> Floats:
+        """(D,): external force in effect."""
+        return self._row("force")
+
+    @property
+    def torque(self) -> Any:
+        """A float in 2D, (3,) in 3D: external torque in effect."""
+        return self._row("torque")
+
+    @property
+    def mass(self) -> float:
+        """2D: per unit depth. Of no meaning if the body is not free."""
+        return self._row("mass")
+
+    @property
+    def inertia(self) -> Any:
+        """About the centre of mass, body axes: a float in 2D, (3, 3) in 3D."""
+        return self._row("inertia")
+
+    @property
+    def volume(self) -> float:
+        """Of fluid displaced (2D: area); negative for a container."""
+        return self._row("volume")
+
+    def set_force(self, force: ArrayLike | None = None, torque: ArrayLike | None = None) -> None:
+        """External force (D,) at the centre of mass and torque (a number in 2D, (3,) in 3D) about it, world axes.
+
+        In place of the scene's, from the next step on, until set again; what is None stays. Raises InputError if the body is
+        not free, or numbers are too many, too few or not finite.
+        """
+        self._simulation._set("set_force", self.name, self.force if force is None else force,
+                              self.torque if torque is None else torque)
+
+    def set_velocity(self, velocity: ArrayLike | None = None, angular_velocity: ArrayLike | None = None) -> None:
+        """The motion of a prescribed body from now on: constant velocity (D,) of the centre of mass and angular velocity (a
+        number in 2D, (3,) in 3D), from where it is; what is None stays. Raises InputError as `set_force`."""
+        self._simulation._set("set_velocity", self.name, self.velocity if velocity is None else velocity,
+                              self.angular_velocity if angular_velocity is None else angular_velocity)
+
+    def surface(self, tolerance: float | None = None) -> tuple[Floats, NDArray[np.int32]]:
+        """Vertices (V, D) in the world and elements (E, D) of the surface, chords at most `tolerance` (default: a twentieth
+        of a cell) off. Half-spaces have none."""
+        return self._simulation._session.surface(self.name, tolerance or 0.05 * self._simulation.grid.spacing)
+
+    def __repr__(self) -> str:
+        return f"<body {self.name!r}, {self.motion}, centre {self.centre}, velocity {self.velocity}>"
+
+
+class Bodies(Mapping[str, BodyState]):
+    """The bodies by name, in the scene's order."""
+
+    def __init__(self, bodies: dict[str, BodyState]) -> None:
+        self._bodies = bodies
+
+    def __getitem__(self, name: str) -> BodyState:
+        try:
+            return self._bodies[name]
+        except KeyError:
+            raise KeyError(f"no body is named {name!r}; there are: {', '.join(self._bodies)}") from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._bodies)
+
+    def __len__(self) -> int:
+        return len(self._bodies)
+
+    def __repr__(self) -> str:
+        return f"<bodies {', '.join(self._bodies)}>"
+
+
+_GAP_COLUMNS = [("thickness", "f8"), ("opening_rate", "f8"), ("film_nodes", "i8"), ("film_area", "f8"), ("pressure_min", "f8"),
+                ("pressure_max", "f8"), ("force", "f8"), ("contact_force", "f8"), ("contact_impulse", "f8"), ("void_volume", "f8")]
+
+Control = Callable[["Simulation"], Any]
+Callback = Callable[["Simulation", StepReport], Any]
+
+
+class Simulation:
+    """A scene in time, at its start (time 0) once built.
+
+    scene: a `Scene`, a nested dict with the keys of the TOML, a `Toml` text, or the path of a TOML file.
+    set: values to replace, {"domain.cells": [64, 64], "body.upper.position": [2, 2.3]}, as the command's --set.
+    output: a folder for the files of a run, the same that `gapflow run` writes; True: the scene's own output.directory;
+    None: no files. Files are complete after each step; `close()` or the end of a `with` block writes how the run ended.
+
+    Raises InputError (a ValueError) for a bad scene and ComputationError (a RuntimeError) if the start cannot be computed.
+    Calls that compute let other Python threads run, but only one computes at a time; to another thread the simulation is then
+    busy (RuntimeError). After a ComputationError the simulation has no state to read any more.
+    """
+
+    def __init__(self, scene: SceneLike, *, set: Mapping[str, Any] | None = None,
+                 output: str | os.PathLike[str] | bool | None = None) -> None:
+        self._scene = _read(scene, set, "run")
+        folder = "" if output is None or output is False else self._scene.output_directory if output is True else os.fspath(output)
+        self._session = _core.Session(self._scene, folder)
+        self._cache: dict[str, Any] = {}
+        states = [BodyState(self, i, name, motion) for i, (name, motion) in enumerate(self._scene.bodies)]
+        self.bodies: Bodies = Bodies({body.name: body for body in states})
+        """Bodies by name."""
+        self.grid: Grid = Grid(**self._session.grid())
+
+    # Time
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return self._scene.dimension
+
+    @property
+    def time(self) -> float:
+        """Of the state, in the scene's unit; 0 at the start."""
+        return self._session.time
+
+    @property
+    def steps(self) -> int:
+        """Steps done."""
+        return self._session.steps
+
+    @property
+    def report(self) -> StepReport:
+        """Of the last step; at first of the start."""
+        return self._cached("report", lambda: StepReport(**self._session.report()))
+
+    @property
+    def end(self) -> float:
+        """The scene's time.end."""
+        return self._scene.end
+
+    def step(self, until: float = math.inf) -> StepReport:
+        """One time step, as long as the flow allows, that does not pass `until`, nor time.end, nor, with files, an output time.
+
+        Once time.end is reached further steps go on beyond it. Ctrl-C during the step raises KeyboardInterrupt after it (on all
+        ranks): the state is that of a whole step, and one can go on. Raises InputError if `until` is not later than the time;
+        BufferError while face views are alive; ComputationError.
+        """
+        self._cache.clear()
+        return self._cached("report", lambda: StepReport(**self._session.step(until)))
+
+    def run(self, until: float | None = None, *, control: Control | None = None, callback: Callback | None = None) -> StepReport:
+        """Steps until a time (default: time.end), exactly. Returns the last report.
+
+        control(sim): called before every step, to set forces or velocities.
+        callback(sim, report): called after every step; if it returns True, the run stops there.
+        """
+        until = self.end if until is None else until
+        while self.time < until:
+            if control is not None:
+                control(self)
+            report = self.step(until)
+            if callback is not None and callback(self, report) is True:
+                break
+        return self.report
+
+    # State
+
+    def _cached(self, name: str, make: Callable[[], Any]) -> Any:
+        if name not in self._cache:
+            self._cache[name] = make()
+        return self._cache[name]
+
+    @property
+    def velocity(self) -> Floats:
+        """(*cells, D): fluid velocity at cell centres, the mean of two faces. In solids: continued from the fluid."""
+        return self._cached("velocity", lambda: _frozen(self._session.velocity()))
+
+    @property
+    def pressure(self) -> Floats:
+        """(*cells,): full pressure, hydrostatic part and reference included, mean over the last step. NaN in cells without a
+        pressure of the grid: in solids, and where films stand for the fluid."""
+        return self._cached("pressure", lambda: _frozen(self._session.pressure()))
+
+    @property
+    def kind(self) -> NDArray[np.int8]:
+        """(*cells,): 0 solid, 1 bulk, 2 film, 3 both film and bulk."""
+        return self._cached("kind", lambda: _frozen(self._session.kind()))
+
+    @property
+    def films(self) -> Films:
+        """Meshes, thicknesses, pressures and velocities of all films."""
+        return self._cached("films", lambda: Films(**{key: _frozen(v) for key, v in self._session.films().items()}))
+
+    @property
+    def gaps(self) -> np.ndarray:
+        """A row a pair with a film or in contact, the columns of `gaps.csv` but step and time: gaps["thickness"] (smallest
+        distance, negative: overlap), body_a, body_b, opening_rate, film_nodes, film_area, pressure_min, pressure_max, force (of
+        the film on body_a, along the normal that pushes it away from body_b), contact_force, contact_impulse, void_volume."""
+        return self._cached("gaps", self._gap_table)
+
+    def _gap_table(self) -> np.ndarray:
+        rows = self._session.gaps()
+        width = max((len(name) for row in rows for name in row[:2]), default=1)
+        names = [("body_a", f"U{width}"), ("body_b", f"U{width}")]
+        return _frozen(np.array(rows, dtype=np.dtype(names + _GAP_COLUMNS)))
+
+    @property
+    def body_table(self) -> dict[str, Floats]:
+        """All bodies at once, a row each in the scene's order: centre (n, D), position (n, D), angle (n,) in 2D or quaternion
+        (n, 4) in 3D, velocity (n, D), angular_velocity (n,) or (n, 3), fluid_force, fluid_torque, force, torque, mass (n,),
+        inertia (n,) or (n, 3, 3), volume (n,). As the properties of `BodyState`."""
+        return self._cached("bodies", lambda: {key: _frozen(value) for key, value in self._session.bodies().items()})
+
+    @property
+    def budget(self) -> Budget:
+        """Momentum and energy now. Collective."""
+        return self._cached("budget", lambda: Budget(**{key: _frozen(v) for key, v in self._session.budget().items()}))
+
+    @property
+    def seconds(self) -> dict[str, float]:
+        """Wall clock of each stage of the method so far."""
+        return self._session.stages()
+
+    @property
+    def resolved_scene(self) -> dict[str, Any]:
+        """The scene with all defaults filled in, as in `run.json`."""
+        return json.loads(self._scene.json())
+
+    def face_velocity(self, axis: int) -> Floats:
+        """The solver's own normal velocities on the faces normal to an axis, without a copy: entry [i, j(, k)] is the face on
+        the low side of that cell; one more along the axis at the domain's high side, unless periodic.
+
+        A read-only view. It keeps the simulation alive; while it lives, `step()` raises BufferError, as it would change what
+        the view shows: delete it (`del view`) or keep a copy (`view.copy()`).
+        """
+        return self._session.face_velocity(axis)
+
+    def face_fraction(self, axis: int) -> Floats:
+        """Which part of each face is open to the fluid of the grid, 0 to 1; a view as `face_velocity`."""
+        return self._session.face_fraction(axis)
+
+    def _set(self, what: str, body: str, linear: ArrayLike, angular: ArrayLike) -> None:
+        getattr(self._session, what)(body, _numbers(linear), _numbers(angular))
+        self._cache.pop("bodies", None)
+
+    # Files
+
+    def close(self) -> None:
+        """Ends the files of the run and frees the simulation; arrays read before stay. Raises BufferError while face views are
+        alive."""
+        self._session.close()
+        self._cache.clear()
+
+    def __enter__(self) -> Simulation:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        cells = " x ".join(map(str, self.grid.cells))
+        return f"<gapflow.Simulation {self.dimension}D, {cells} cells, {len(self.bodies)} bodies>"
+
+
+@dataclass(frozen=True, slots=True)
+class SealedPocket:
+    """Fluid that nothing lets out."""
+
+    cells: int
+    bodies: list[str]
+    """That bound it."""
+    at: list[float]
+    """A point of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class AddedMass:
+    """Added mass of all bodies that are not fixed, in the scene's fluid density: kinetic energy 1/2 V^T matrix V."""
+
+    matrix: Floats
+    """(k, k), symmetric: rows and columns are twists about the centres of mass, world axes."""
+    labels: list[str]
+    """Of its rows: "upper.vx", "upper.vy", "upper.omega" (3D: vx vy vz wx wy wz)."""
+    bodies: list[str]
+    cells: int
+    film_nodes: int
+    iterations: list[int]
+    """One a column."""
+    sealed: list[SealedPocket]
+    seconds: float
+
+    def __getitem__(self, labels: tuple[str, str]) -> float:
+        """One entry: added_mass["upper.vy", "lower.vy"]."""
+        row, column = (self.labels.index(label) for label in labels)
+        return float(self.matrix[row, column])
+
+
+def added_mass(scene: SceneLike, *, set: Mapping[str, Any] | None = None) -> AddedMass:
+    """The added-mass matrix at the scene's poses, as `gapflow added-mass`. Needs no [time]. Collective.
+
+    Raises InputError, and ComputationError if a solve does not converge.
+    """
+    result = _core.added_mass(_read(scene, set, "added_mass"))
+    sealed = [SealedPocket(**pocket) for pocket in result.pop("sealed")]
+    return AddedMass(**{key: _frozen(value) for key, value in result.items()}, sealed=sealed)
+
+
+def check(scene: SceneLike, *, set: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    """Validates a scene, computing nothing, and returns it with all defaults filled in. Raises InputError."""
+    return json.loads(_read(scene, set, "check").json())
+
+
+def rank() -> tuple[int, int]:
+    """This process's number among the ranks of the run, and their number: (0, 1) without mpirun. Starts MPI."""
+    return _core.rank()
+
+
+def _read(scene: SceneLike, overrides: Mapping[str, Any] | None, purpose: str) -> Any:
+    sets = [(key, toml_value(value)) for key, value in (overrides or {}).items()]
+    if isinstance(scene, (Scene, Mapping)):
+        scene = Toml(to_toml(scene))
+    if isinstance(scene, Toml):
+        name = os.path.normpath(os.path.join(scene.folder, "scene"))  # stands for the file in messages
+        read = _core.parse_scene(scene.text, name, sets, purpose)
+    else:
+        read = _core.read_scene(os.fspath(scene), sets, purpose)
+    for warning in read.warnings:
+        warnings.warn(warning, SceneWarning, stacklevel=3)
+    return read
+
+
+def _numbers(values: ArrayLike) -> Sequence[float]:
+    try:
+        return np.atleast_1d(np.asarray(values, dtype=float)).ravel().tolist()
+    except (TypeError, ValueError) as error:
+        raise _core.InputError(f"{values!r}: are not numbers") from error
+
+
+def _frozen(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        value.flags.writeable = False
+    return value

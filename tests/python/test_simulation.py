@@ -1,0 +1,325 @@
+"""Stepping, state as arrays and how long they live, controllers, failures, files, added mass; in 2D and 3D."""
+import gc
+import json
+import subprocess
+import threading
+
+import numpy as np
+import pytest
+from conftest import ball_scene, plates_scene
+
+import gapflow
+
+
+@pytest.mark.parametrize("dimension, cells", [(2, 32), (3, 16)])
+def test_shapes_and_meaning_of_the_state(dimension, cells):
+    sim = gapflow.Simulation(ball_scene(dimension, cells))
+    assert (sim.dimension, sim.time, sim.steps, sim.end) == (dimension, 0, 0, 0.1)
+    report = sim.step()
+    assert report == sim.report and report.step == sim.steps == 1 and report.time == sim.time == report.dt == 0.01
+    shape = (cells,) * dimension
+    assert sim.grid.cells == shape == sim.grid.high and sim.grid.spacing == 4 / cells
+    assert sim.velocity.shape == (*shape, dimension) and sim.pressure.shape == sim.kind.shape == shape
+    ball = sim.bodies["ball"]
+    assert list(sim.bodies) == ["ball"] and ball.motion == "free"
+    assert ball.centre.shape == ball.velocity.shape == ball.fluid_force.shape == (dimension,)
+    assert np.asarray(ball.angular_velocity).shape == (() if dimension == 2 else (3,))
+    assert np.allclose(ball.rotation, np.eye(dimension))
+    volume = np.pi * 0.25 if dimension == 2 else np.pi / 6
+    assert ball.volume == pytest.approx(volume) and ball.mass == pytest.approx(2 * volume)
+
+    # Cells in the ball are solid: no pressure there, and nowhere else.
+    centres = np.meshgrid(*(sim.grid.centres(axis) - 2 for axis in range(dimension)), indexing="ij")
+    inside = sum(x * x for x in centres) < (0.5 - sim.grid.spacing) ** 2
+    assert inside.any() and (sim.kind[inside] == 0).all() and np.array_equal(np.isnan(sim.pressure), sim.kind == 0)
+    # The motion balances: m dV/dt = weight + fluid force.
+    assert ball.velocity[-1] * ball.mass == pytest.approx(sim.time * (ball.fluid_force[-1] - ball.mass), rel=1e-9)
+    assert ball.velocity[-1] < 0 and np.abs(ball.velocity[:-1]).max() < 1e-9
+
+
+@pytest.mark.parametrize("dimension, cells", [(2, 16), (3, 8)])
+def test_fields_are_indexed_x_y_z(dimension, cells):
+    """Water at rest around a fixed ball: p = -rho g z. Water that streams along x: velocity (1, 0, 0)."""
+    still = gapflow.Simulation(ball_scene(dimension, cells, motion="fixed", density=None))
+    still.step()
+    for axis in range(dimension):
+        rise = np.diff(still.pressure, axis=axis)
+        rise = rise[np.isfinite(rise)]
+        assert rise.size and np.allclose(rise, -still.grid.spacing if axis == dimension - 1 else 0, atol=1e-10)
+    streaming = {"domain.sides.x_low": "periodic", "domain.sides.x_high": "periodic", "fluid.velocity": [1, 0, 0][:dimension],
+                 "body.ball.radius": 0.01, "body.ball.position": [0] * dimension}
+    sim = gapflow.Simulation(ball_scene(dimension, cells, motion="fixed", density=None), set=streaming)
+    assert np.allclose(sim.velocity[cells // 2, cells // 2], [1, 0, 0][:dimension], atol=0.02)
+    assert sim.face_velocity(0).shape[0] == cells == len(sim.grid.faces(0))
+
+
+def test_films_and_gaps_are_consistent():
+    sim = gapflow.Simulation(plates_scene())
+    sim.run(until=0.02)
+    films, gaps = sim.films, sim.gaps
+    assert films.bodies in ([("upper", "lower")], [("lower", "upper")])
+    n, m = len(films.nodes), len(films.elements)
+    assert films.nodes.shape == (n, 2) and films.thickness.shape == films.pressure.shape == films.void_depth.shape == (n,)
+    assert films.elements.shape == films.velocity.shape == films.normal.shape == (m, 2) and films.area.shape == (m,)
+    assert films.elements.min() == 0 and films.elements.max() == n - 1
+    lengths = np.linalg.norm(np.diff(films.nodes[films.elements], axis=1)[:, 0], axis=1)
+    assert np.allclose(lengths, films.area) and np.allclose(np.linalg.norm(films.normal, axis=1), 1)
+    assert len(gaps) == 1 and {gaps["body_a"][0], gaps["body_b"][0]} == {"upper", "lower"}
+    gap = sim.bodies["upper"].centre[1] - sim.bodies["lower"].centre[1] - 0.5
+    assert gaps["thickness"][0] == pytest.approx(gap, rel=1e-9) == films.thickness.min()
+    assert gaps["opening_rate"][0] == pytest.approx(2 * sim.bodies["upper"].velocity[1], rel=1e-6)
+    assert gaps["film_nodes"][0] == n and gaps["film_area"][0] == pytest.approx(films.area.sum())
+    assert gaps["pressure_min"][0] == films.pressure.min() and gaps["pressure_min"][0] < 0  # suction
+    empty = gapflow.Simulation(ball_scene())
+    assert len(empty.gaps) == 0 and empty.gaps["thickness"].shape == (0,) and empty.films.nodes.shape == (0, 2)
+
+
+def test_face_velocities_are_divergence_free_and_sum_to_cell_values():
+    sim = gapflow.Simulation(ball_scene())
+    sim.run(until=0.03)
+    u, v = (sim.face_velocity(axis) for axis in range(2))
+    a, b = (sim.face_fraction(axis) for axis in range(2))
+    assert u.shape == (33, 32) == a.shape and v.shape == (32, 33) == b.shape
+    assert np.array_equal(sim.velocity[..., 0], 0.5 * (u[1:] + u[:-1]))
+    outflow = np.diff(a * u, axis=0) + np.diff(b * v, axis=1)
+    far = np.ones_like(outflow, dtype=bool)
+    far[10:22, 10:22] = False
+    assert np.abs(outflow[far]).max() < 1e-7 < 1e-3 < np.abs(u).max()
+
+
+def test_arrays_keep_their_step_and_outlive_the_simulation():
+    sim = gapflow.Simulation(plates_scene())
+    sim.step()
+    velocity, thickness, centre, gaps = sim.velocity, sim.films.thickness, sim.bodies["upper"].centre, sim.gaps
+    assert sim.velocity is velocity and sim.gaps is gaps  # no second copy in a step
+    for array in (velocity, thickness, centre, gaps):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+    before = [array.copy() for array in (velocity, thickness, centre, gaps)]
+    sim.step()
+    assert sim.velocity is not velocity and not np.array_equal(sim.velocity, velocity)
+    assert sim.films.thickness.min() > thickness.min()
+    del sim
+    gc.collect()
+    gapflow.Simulation(plates_scene()).step()  # would reuse freed memory
+    for array, copy in zip((velocity, thickness, centre, gaps), before):
+        assert np.array_equal(array, copy)
+
+
+def test_views_of_faces_have_no_copy_and_forbid_steps():
+    sim = gapflow.Simulation(ball_scene())
+    sim.step()
+    view = sim.face_velocity(1)
+    assert not view.flags.owndata and not view.flags.writeable and np.shares_memory(view, sim.face_velocity(1))
+    part = view[3:5, ::2]
+    del view
+    for forbidden in (sim.step, sim.close):
+        with pytest.raises(BufferError, match="1 view"):
+            forbidden()
+    assert sim.steps == 1
+    del part
+    sim.step()
+    with pytest.raises(IndexError):
+        sim.face_velocity(2)
+
+    view = sim.face_velocity(1)
+    copy = view.copy()
+    del sim
+    gc.collect()
+    gapflow.Simulation(ball_scene(force=[3.0, 5.0])).step()
+    assert np.array_equal(view, copy)
+
+
+def test_a_view_alive_at_the_end_of_python_does_no_harm(python, environment):
+    script = "import gapflow, conftest; sim = gapflow.Simulation(conftest.ball_scene()); keep = sim.face_velocity(0); del sim"
+    folder = __file__.rsplit("/", 1)[0]
+    done = subprocess.run([*python, "-c", script], env=environment, cwd=folder, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_run_lands_on_times_and_a_callback_can_stop_it():
+    sim = gapflow.Simulation(ball_scene())
+    assert sim.run(until=0.025).time == 0.025 == sim.time
+    seen = []
+    sim.run(callback=lambda s, report: seen.append((s.time, report.step)) or len(seen) == 2)
+    assert len(seen) == 2 and sim.time < 0.1 and seen[-1] == (sim.time, sim.steps)
+    assert sim.run() is sim.report and sim.time == 0.1
+    assert sim.run().step == sim.steps  # nothing left to do
+    assert sim.step().time > 0.1
+    with pytest.raises(gapflow.InputError, match="give a later one"):
+        sim.step(until=0.05)
+
+
+@pytest.mark.parametrize("dimension, cells", [(2, 32), (3, 16)])
+def test_a_controller_holds_a_body_still_against_gravity(dimension, cells):
+    """PID with a guess of the mass only: it has to find the weight in the fluid, (density - 1) volume g, by itself."""
+    sim = gapflow.Simulation(ball_scene(dimension, cells, velocity=[0.1] * dimension), set={"time.end": 4.0, "time.max_step": 0.02})
+    ball, target, integral = sim.bodies["ball"], np.full(dimension, 2.0), np.zeros(dimension)
+
+    def control(sim):
+        error = target - ball.centre
+        integral[:] += error * sim.report.dt
+        ball.set_force(ball.mass * (24 * error + 8 * -ball.velocity + 24 * integral))
+
+    sim.run(control=control)
+    assert np.abs(ball.centre - target).max() < 2e-3 and np.abs(ball.velocity).max() < 5e-3
+    weight = ball.volume * (2 - 1)
+    assert ball.force[-1] == pytest.approx(weight, rel=0.02) and np.abs(ball.force[:-1]).max() < 0.02 * weight
+
+
+def test_forces_and_torques_replace_the_scenes():
+    sim = gapflow.Simulation(ball_scene(force=[0.0, 7.0]))
+    ball = sim.bodies["ball"]
+    assert ball.force.tolist() == [0, 7] and ball.torque == 0
+    ball.set_force([1, 0], torque=0.5)
+    assert ball.force.tolist() == [1, 0] and ball.torque == 0.5
+    ball.set_force(torque=0.25)
+    assert ball.force.tolist() == [1, 0] and ball.torque == 0.25
+    sim.step()
+    momentum = sim.time * (np.array([1, -ball.mass]) + ball.fluid_force)
+    assert np.allclose(ball.mass * ball.velocity, momentum, rtol=1e-9)
+    assert ball.angular_velocity * ball.inertia == pytest.approx(sim.time * (0.25 + ball.fluid_torque), rel=1e-6)
+    for force, torque, text in [([1, 2, 3], 0, "force: has 3 number"), ([0, np.nan], 0, "not finite"),
+                                ([0, 0], [0, 0, 1], "torque: has 3 number"), ("up", 0, "not numbers")]:
+        with pytest.raises(gapflow.InputError, match=text):
+            ball.set_force(force, torque)
+    with pytest.raises(KeyError, match="no body is named 'bal'; there are: ball"):
+        sim.bodies["bal"]
+
+
+def test_a_sudden_force_shortens_the_step():
+    """A gap must not change by more than time.gap_cfl of its thickness in a step, also right after the force is set."""
+    sim = gapflow.Simulation(plates_scene())
+    sim.run(until=0.02)
+    before = sim.gaps["thickness"][0]
+    sim.bodies["upper"].set_force([0, 2000.0])
+    report = sim.step()
+    assert report.dt < 2e-3 and sim.gaps["thickness"][0] < 1.3 * before
+
+
+def test_prescribed_velocities_can_change():
+    sim = gapflow.Simulation(ball_scene(motion="prescribed", velocity=[1.0, 0.0], density=None))
+    ball = sim.bodies["ball"]
+    sim.run(until=0.03)
+    ball.set_velocity([0, -2], angular_velocity=3)
+    assert ball.velocity.tolist() == [0, -2]
+    sim.run(until=0.05)
+    assert np.allclose(ball.centre, [2.03, 1.96], atol=1e-14) and ball.angle == pytest.approx(0.06)
+    assert np.allclose(ball.velocity, [0, -2]) and np.abs(sim.velocity[..., 1]).max() > 1
+    with pytest.raises(gapflow.InputError, match="force on body 'ball': its motion is not \"free\""):
+        ball.set_force([0, 1])
+    with pytest.raises(gapflow.InputError, match="not \"prescribed\""):
+        gapflow.Simulation(ball_scene()).bodies["ball"].set_velocity([0, 1])
+
+
+def lid_scene(velocity):
+    """A box reaches into a closed tank; pushed further in, it leaves the fluid nowhere to go."""
+    lid = gapflow.Box(name="lid", size=[6, 6], position=[2, 6], motion="prescribed", velocity=velocity)
+    return gapflow.Scene(domain=gapflow.Domain(size=[4, 4], cells=[32, 32]), bodies=[lid],
+                         time=gapflow.Time(end=0.1, max_step=0.01))
+
+
+def test_a_failed_computation_is_a_runtime_error_with_the_commands_text(command, tmp_path):
+    scene = lid_scene(velocity=[0, -1])
+    file = tmp_path / "scene.toml"
+    file.write_text(scene.to_toml())
+    done = subprocess.run([command, "run", file, "-q", "-o", tmp_path / "command"], capture_output=True, text=True)
+    assert done.returncode == 1 and "changes the volume" in done.stderr
+    with pytest.raises(gapflow.ComputationError) as caught:
+        gapflow.Simulation(scene).run()
+    assert isinstance(caught.value, RuntimeError) and done.stderr == f"gapflow: error: {caught.value}\n"
+
+
+def test_after_a_failure_there_is_no_state_but_files(tmp_path):
+    sim = gapflow.Simulation(lid_scene(velocity=[0, 0]), output=tmp_path)
+    lid = sim.bodies["lid"]
+    sim.step()
+    lid.set_velocity([0, -1])
+    with pytest.raises(gapflow.ComputationError) as caught:
+        sim.run()
+    for read in (lambda: sim.velocity, lambda: lid.centre, sim.step):
+        with pytest.raises(gapflow.ComputationError, match="no state to read: ") as again:
+            read()
+        assert str(caught.value) in str(again.value)
+    assert sim.time == 0.01
+    record = json.loads((tmp_path / "run.json").read_text())
+    assert record["status"] == "failed" and record["message"] == str(caught.value)
+    sim.close()
+
+
+def test_added_mass_is_the_commands(command, tmp_path):
+    scene = gapflow.Scene(domain=gapflow.Domain(size=[8, 8], cells=[64, 64]), fluid=gapflow.Fluid(density=1.5),
+                          bodies=[gapflow.Ball(name="left", radius=1, position=[2.9, 4]),
+                                  gapflow.Ball(name="right", radius=1, position=[4.91, 4])])
+    file = tmp_path / "scene.toml"
+    file.write_text(scene.to_toml())
+    printed = json.loads(subprocess.run([command, "added-mass", file, "--json"], capture_output=True, check=True).stdout)
+    mass = gapflow.added_mass(scene)
+    assert mass.labels == printed["labels"] and mass.bodies == ["left", "right"] and mass.film_nodes == printed["film_nodes"] > 0
+    assert np.allclose(mass.matrix, printed["matrix"], rtol=1e-12, atol=1e-12)
+    assert mass["right.vx", "left.vx"] == mass.matrix[3, 0]
+
+
+def test_added_mass_of_one_cylinder():
+    """rho pi R^2, and a few percent for the walls and the grid."""
+    cylinder = gapflow.Ball(name="cylinder", radius=0.5, position=[4, 4])
+    mass = gapflow.added_mass({"domain": {"size": [8, 8], "cells": [128, 128]}, "fluid": {"density": 1.5}, "body": [cylinder]})
+    assert mass.matrix.shape == (3, 3) and np.allclose(mass.matrix, mass.matrix.T, atol=1e-9)
+    for label in ("cylinder.vx", "cylinder.vy"):
+        assert mass[label, label] == pytest.approx(1.5 * np.pi / 4, rel=0.05)
+    assert abs(mass["cylinder.omega", "cylinder.omega"]) < 1e-9
+
+
+def test_files_are_those_of_the_command(command, tmp_path):
+    scene = plates_scene()
+    file = tmp_path / "scene.toml"
+    file.write_text(scene.to_toml())
+    words = ["--set", "output.every=0.02"]
+    subprocess.run([command, "run", file, "-q", "-o", tmp_path / "command", *words], check=True)
+    with gapflow.Simulation(scene, output=tmp_path / "python", set={"output.every": 0.02}) as sim:
+        sim.run()
+    names = [sorted(str(path.relative_to(tmp_path / who)) for path in (tmp_path / who).rglob("*")) for who in ("command", "python")]
+    assert names[0] == names[1] and "fields/fields_00003.vti" in names[0]
+    for name in ("bodies.csv", "gaps.csv", "films/films_00002.vtp", "gapflow.pvd"):
+        assert (tmp_path / "command" / name).read_text() == (tmp_path / "python" / name).read_text()
+    assert json.loads((tmp_path / "python/run.json").read_text())["status"] == "done"
+    with pytest.raises(RuntimeError, match="closed"):
+        sim.step()
+    with gapflow.Simulation(scene, output=tmp_path / "short") as sim:
+        sim.step()
+    assert json.loads((tmp_path / "short/run.json").read_text())["status"] == "interrupted"
+
+
+def test_other_threads_run_during_long_calls():
+    sim = gapflow.Simulation(ball_scene(3, 48))
+    ticks, done = [], threading.Event()
+
+    def tick():
+        while not done.is_set():
+            ticks.append(None)
+            done.wait(1e-3)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    start = len(ticks)
+    report = sim.step()
+    during = len(ticks) - start
+    done.set()
+    thread.join()
+    assert report.seconds > 0.03 and during > 5
+
+
+def test_simulations_in_threads_give_the_same_as_one_after_the_other():
+    def run(results, name):
+        sim = gapflow.Simulation(plates_scene())
+        sim.run()
+        results[name] = sim.bodies["upper"].centre[1]
+
+    results = {}
+    threads = [threading.Thread(target=run, args=(results, i)) for i in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    run(results, "alone")
+    assert len(results) == 4 and len(set(results.values())) == 1
