@@ -279,7 +279,7 @@ def test_files_are_those_of_the_command(command, tmp_path):
     with gapflow.Simulation(scene, output=tmp_path / "python", set={"output.every": 0.02}) as sim:
         sim.run()
     names = [sorted(str(path.relative_to(tmp_path / who)) for path in (tmp_path / who).rglob("*")) for who in ("command", "python")]
-    assert names[0] == names[1] and "fields/fields_00003.vti" in names[0]
+    assert set(names[0]) - {"checkpoint.h5"} == set(names[1]) and "fields/fields_00003.vti" in names[0]
     for name in ("bodies.csv", "gaps.csv", "films/films_00002.vtp", "gapflow.pvd"):
         assert (tmp_path / "command" / name).read_text() == (tmp_path / "python" / name).read_text()
     assert json.loads((tmp_path / "python/run.json").read_text())["status"] == "done"
