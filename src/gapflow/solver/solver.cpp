@@ -3,6 +3,7 @@
 #include "gapflow/solver/conjugate_gradients.hpp"
 #include "gapflow/solver/petsc_backend.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace gapflow {
@@ -52,9 +53,21 @@ SolveReport CoupledSolver<D>::solve(UnknownVector<D>& p, const UnknownVector<D>&
     Data& d = *data_;
     SolverOptions options = d.options;
     options.tolerance = tolerance;
-    SolveReport report = d.petsc ? d.petsc->solve(p, rhs, magnitude, tolerance, d.vectors)
-                                 : conjugate_gradients(d.matrix, *d.preconditioner, d.null_space, d.vectors, p, rhs, options,
-                                                       magnitude);
+    SolveReport report;
+    if (d.preconditioner)
+        report = conjugate_gradients(d.matrix, *d.preconditioner, d.null_space, d.vectors, p, rhs, options, magnitude);
+    if (d.preconditioner && !report.converged && report.iterations < options.max_iterations && std::isfinite(report.residual)) {
+        // Bodies that overlap far can make the films' part of the preconditioner indefinite: algebraic multigrid is not.
+        const SolveReport first = report;
+        if (!d.petsc)
+            d.petsc.emplace(d.matrix, d.null_space, d.options);
+        report = d.petsc->solve(p, rhs, magnitude, tolerance, d.vectors);
+        report.iterations += first.iterations;
+        if (!report.converged)
+            report.message = first.message + "; then " + report.message;
+    } else if (!d.preconditioner) {
+        report = d.petsc->solve(p, rhs, magnitude, tolerance, d.vectors);
+    }
     report.seconds = MPI_Wtime() - start;
     return report;
 }
@@ -63,8 +76,10 @@ template <int D>
 void CoupledSolver<D>::update_bodies()
 {
     data_->matrix.update_bodies();
-    if (data_->preconditioner)
+    if (data_->preconditioner) {
         data_->preconditioner->update_bodies();
+        data_->petsc.reset(); // its columns for the bodies are those of before
+    }
 }
 
 template <int D>
