@@ -1,6 +1,7 @@
 #include "gapflow/film/film_motion.hpp"
 
 #include "gapflow/film/edge_table.hpp"
+#include "gapflow/film/film_energy.hpp"
 #include "gapflow/film/for_each_job.hpp"
 
 #include <Eigen/Dense>
@@ -18,10 +19,6 @@ constexpr double memory_reach = 2.0;
 constexpr double same_element = 0.25;
 // Interpolated velocities relative to the master exceed those of the elements around by this factor at most.
 constexpr double surplus_bound = 1.5;
-// Energy of a pair's films after their transport over that before it, at most.
-constexpr double most_growth = 1.05;
-constexpr double inflow_margin = 1.5; // on what flows in through mouths
-constexpr double head_margin = 1.3;   // of mouths' heads over what the films gave away: steps of a quarter of the gap
 // A mouth continues an old one within this many cells.
 constexpr double mouth_reach = 2.0;
 // In dx: a point further from a film is not of it. Shape functions less than `at_vertex` are round-off.
@@ -386,95 +383,6 @@ std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<c
                                                velocity_at<D>(twists[mesh.other], e.centroid - solids[mesh.other].centre - mesh.shift)));
     }
     return speed;
-}
-
-// Transport adds little energy to the motion of a pair's film along its master, but for what flows in through its mouths and
-// for the volume that came with it. What else would add energy (traces extrapolated beyond the ends, flux over a thinner gap)
-// grows several times a step in a throat that is swept fast.
-// Returns twice the energy over the density that each pair's films gave away on the way, with what flowed in: what their mouths may
-// get.
-template <int D>
-std::map<const FilmMemory<D>*, double> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
-                  const std::vector<typename FilmMemory<D>::Transported>& at_element,
-                  const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
-{
-    struct Sum {
-        double volume = 0, motion = 0, inflow = 0;
-    };
-    std::map<const FilmMemory<D>*, Sum> sums;
-    auto for_each_carried = [&](auto&& f) {
-        for (std::size_t k = 0; k < network.films.size(); ++k) {
-            const Film<D>& film = network.films[k];
-            for (std::size_t i = 0; memory[k] && i < film.mesh.elements.size(); ++i) {
-                const FilmElement<D>& e = film.mesh.elements[i];
-                const std::size_t at = film.first_element + i;
-                if (!at_element[at].near)
-                    continue;
-                const Vec<D> U = memory[k]->master_velocity(solids[film.pair.master].shape.to_body(e.centroid_master));
-                f(memory[k], e.volume, velocity[at], tangential<D>(U, e.normal));
-            }
-        }
-    };
-    for_each_carried([&](const FilmMemory<D>* old, double volume, const Vec<D>& u, const Vec<D>& along) {
-        Sum& sum = sums[old];
-        sum.volume += volume;
-        sum.motion += volume * (u - along).squaredNorm();
-    });
-    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        const FilmMemory<D>* old = memory[conduits[r].film];
-        if (!old || !at_conduit[r].near)
-            continue;
-        const PlacedShape<D>& master = solids[network.films[conduits[r].film].pair.master].shape;
-        const double u = conduits[r].outward.dot(at_conduit[r].velocity - old->master_velocity(master.to_body(conduits[r].x)));
-        sums[old].inflow += conduits[r].length * conduits[r].h * std::pow(std::max(-u, 0.0), 3) * dt;
-    }
-    for_each_carried([&](const FilmMemory<D>* old, double, Vec<D>& u, const Vec<D>& along) {
-        const Sum& sum = sums[old];
-        const double most = inflow_margin * sum.inflow + most_growth * old->motion() * std::max(1.0, sum.volume / old->volume());
-        if (sum.motion > most)
-            u = along + std::sqrt(most / sum.motion) * (u - along);
-    });
-    std::map<const FilmMemory<D>*, double> given_away;
-    for (const auto& [old, sum] : sums)
-        given_away[old] = std::max(old->motion() + sum.inflow - sum.motion, 0.0);
-    return given_away;
-}
-
-// The outflow's kinetic head, 1/2 rho u^2 for dt over rho R, hands on the energy that leaves the film with the fluid, so the mouths of
-// a pair's films get at most what the films gave away:
-//
-//     sum R / l ((q + theta dq)^2 - q^2) <= given_away,   0 <= theta <= 1,   q relative to the master.
-//
-// Else, where a gap closes to nothing, the head makes a flood of the mouth's flux.
-template <int D>
-void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
-               const std::map<const FilmMemory<D>*, double>& given_away, const std::vector<double>& head, std::vector<double>& flux)
-{
-    struct Sum {
-        double linear = 0, square = 0;
-    };
-    std::map<const FilmMemory<D>*, Sum> sums;
-    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        if (head[r] == 0)
-            continue;
-        const Conduit<D>& c = conduits[r];
-        const FilmMemory<D>* old = memory[c.film];
-        const Vec<D> U = old->master_velocity(solids[network.films[c.film].pair.master].shape.to_body(c.x));
-        const double q = flux[r] - c.length * c.h * c.outward.dot(U);
-        sums[old].linear += c.resistance / c.length * 2 * q * head[r];
-        sums[old].square += c.resistance / c.length * head[r] * head[r];
-    }
-    std::map<const FilmMemory<D>*, double> part;
-    for (const auto& [old, sum] : sums) {
-        const auto known = given_away.find(old);
-        const double most = known != given_away.end() ? head_margin * known->second : 0.0, b = std::max(sum.linear, 0.0);
-        part[old] = b > most ? most / b : 1.0;
-    }
-    for (std::size_t r = 0; r < conduits.size(); ++r)
-        if (head[r] != 0)
-            flux[r] += part[memory[conduits[r].film]] * head[r];
 }
 
 template <int D>

@@ -1,0 +1,100 @@
+#include "gapflow/film/film_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// Energy of a pair's films after their transport over that before it, at most.
+constexpr double most_growth = 1.05;
+constexpr double inflow_margin = 1.5; // on what flows in through mouths
+constexpr double head_margin = 1.3;   // of mouths' heads over what the films gave away: steps of a quarter of the gap
+
+} // namespace
+
+template <int D>
+GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
+                          const std::vector<typename FilmMemory<D>::Transported>& at_element,
+                          const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
+{
+    struct Sum {
+        double volume = 0, motion = 0, inflow = 0;
+    };
+    std::map<const FilmMemory<D>*, Sum> sums;
+    auto for_each_carried = [&](auto&& f) {
+        for (std::size_t k = 0; k < network.films.size(); ++k) {
+            const Film<D>& film = network.films[k];
+            for (std::size_t i = 0; memory[k] && i < film.mesh.elements.size(); ++i) {
+                const FilmElement<D>& e = film.mesh.elements[i];
+                const std::size_t at = film.first_element + i;
+                if (!at_element[at].near)
+                    continue;
+                const Vec<D> U = memory[k]->master_velocity(solids[film.pair.master].shape.to_body(e.centroid_master));
+                f(memory[k], e.volume, velocity[at], Vec<D>(U - U.dot(e.normal) * e.normal));
+            }
+        }
+    };
+    for_each_carried([&](const FilmMemory<D>* old, double volume, const Vec<D>& u, const Vec<D>& along) {
+        Sum& sum = sums[old];
+        sum.volume += volume;
+        sum.motion += volume * (u - along).squaredNorm();
+    });
+    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        const FilmMemory<D>* old = memory[conduits[r].film];
+        if (!old || !at_conduit[r].near)
+            continue;
+        const PlacedShape<D>& master = solids[network.films[conduits[r].film].pair.master].shape;
+        const double u = conduits[r].outward.dot(at_conduit[r].velocity - old->master_velocity(master.to_body(conduits[r].x)));
+        sums[old].inflow += conduits[r].length * conduits[r].h * std::pow(std::max(-u, 0.0), 3) * dt;
+    }
+    for_each_carried([&](const FilmMemory<D>* old, double, Vec<D>& u, const Vec<D>& along) {
+        const Sum& sum = sums[old];
+        const double most = inflow_margin * sum.inflow + most_growth * old->motion() * std::max(1.0, sum.volume / old->volume());
+        if (sum.motion > most)
+            u = along + std::sqrt(most / sum.motion) * (u - along);
+    });
+    GivenAway<D> given_away;
+    for (const auto& [old, sum] : sums)
+        given_away[old] = std::max(old->motion() + sum.inflow - sum.motion, 0.0);
+    return given_away;
+}
+
+template <int D>
+void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
+               const GivenAway<D>& given_away, const std::vector<double>& head, std::vector<double>& flux)
+{
+    GivenAway<D> asked; // twice the work of the whole heads over the density
+    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        if (head[r] == 0)
+            continue;
+        const Conduit<D>& c = conduits[r];
+        const FilmMemory<D>* old = memory[c.film];
+        const Vec<D> U = old->master_velocity(solids[network.films[c.film].pair.master].shape.to_body(c.x));
+        const double q = flux[r] - c.length * c.h * c.outward.dot(U);
+        asked[old] += c.resistance / c.length * 2 * q * head[r];
+    }
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        if (head[r] == 0)
+            continue;
+        const FilmMemory<D>* old = memory[conduits[r].film];
+        const auto known = given_away.find(old);
+        const double most = known != given_away.end() ? head_margin * known->second : 0.0;
+        flux[r] += (asked[old] > most ? most / asked[old] : 1.0) * head[r];
+    }
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template GivenAway<D> limit_motion<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<const FilmMemory<D>*>&,   \
+                                          const std::vector<FilmMemory<D>::Transported>&,                                      \
+                                          const std::vector<FilmMemory<D>::Transported>&, double, std::vector<Vec<D>>&);       \
+    template void add_heads<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<const FilmMemory<D>*>&,     \
+                               const GivenAway<D>&, const std::vector<double>&, std::vector<double>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

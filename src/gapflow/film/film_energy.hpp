@@ -1,0 +1,33 @@
+// What bounds the energy of films on their way through a time step: their transport and the heads of their mouths (method, section 5).
+#pragma once
+
+#include "gapflow/film/film_motion.hpp"
+
+#include <map>
+
+namespace gapflow {
+
+/// Twice the energy over the density that each pair's films gave away, by the memory of the pair.
+template <int D>
+using GivenAway = std::map<const FilmMemory<D>*, double>;
+
+/// Transport adds little energy to the motion of a pair's film along its master, but for what flows in through its mouths and for the
+/// volume that came with it: scales `velocity` down to that. What else would add energy (traces extrapolated beyond the ends, flux
+/// over a thinner gap) grows several times a step in a throat that is swept fast. `memory`: of each film's pair, or null;
+/// `at_element`, `at_conduit`: what the old films carried there. Returns what the films gave away, inflow counted.
+template <int D>
+GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
+                          const std::vector<typename FilmMemory<D>::Transported>& at_element,
+                          const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity);
+
+/// Adds the outflow's kinetic head, 1/2 rho u^2 for dt over rho R, to the mouths' fluxes. It hands on the energy that leaves the film
+/// with the fluid, so the mouths of a pair's films get at most what the films gave away:
+///
+///     2 theta sum R / l q dq <= 1.3 given_away,   0 <= theta <= 1,   q relative to the master.
+///
+/// Else, where a gap closes to nothing, the head makes a flood of the mouth's flux. `head`: dq of each mouth, 0 where it has none.
+template <int D>
+void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
+               const GivenAway<D>& given_away, const std::vector<double>& head, std::vector<double>& flux);
+
+} // namespace gapflow
