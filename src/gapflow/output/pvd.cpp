@@ -10,21 +10,6 @@
 
 namespace gapflow {
 
-namespace {
-
-// Value of an attribute in a line that write() made; empty if it is not there.
-std::string attribute(const std::string& line, const std::string& name)
-{
-    const std::string opening = " " + name + "=\"";
-    const auto start = line.find(opening);
-    if (start == std::string::npos)
-        return {};
-    const auto from = start + opening.size();
-    return unescaped(line.substr(from, line.find('"', from) - from));
-}
-
-} // namespace
-
 PvdCollection::PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
 
 std::optional<int> frame_number(const std::filesystem::path& file)

@@ -56,15 +56,7 @@ std::vector<unsigned char> decode_base64(std::string_view text)
 struct Element {
     std::string_view head, content;
 
-    std::string attribute(const std::string& name) const
-    {
-        const std::string opening = " " + name + "=\"";
-        const auto at = head.find(opening);
-        if (at == std::string_view::npos)
-            return {};
-        const auto from = at + opening.size();
-        return unescaped(head.substr(from, head.find('"', from) - from));
-    }
+    std::string attribute(const std::string& name) const { return gapflow::attribute(head, name); }
 };
 
 // The first element of a name at or after `from`, which moves behind it; empty head: none.

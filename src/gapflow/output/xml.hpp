@@ -41,4 +41,15 @@ inline std::string unescaped(std::string_view text)
     return result;
 }
 
+/// Value of an attribute in the head of an element that escaped() made; empty if it is not there.
+inline std::string attribute(std::string_view head, const std::string& name)
+{
+    const std::string opening = " " + name + "=\"";
+    const auto at = head.find(opening);
+    if (at == std::string_view::npos)
+        return {};
+    const auto from = at + opening.size();
+    return unescaped(head.substr(from, head.find('"', from) - from));
+}
+
 } // namespace gapflow
