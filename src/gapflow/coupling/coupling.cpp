@@ -53,6 +53,7 @@ void fill_grid(Coupling<D>& coupling)
     exchange(grid, coupling.kind, 1);
 
     const auto is_film = static_cast<std::int8_t>(CellKind::film);
+    const double unit_conductance = std::pow(grid.dx(), D - 2) / coupling.density;
     if (!network.cells.closed.empty()) {
         for (const auto& [key, cell] : network.cells.cells)
             for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
@@ -63,15 +64,19 @@ void fill_grid(Coupling<D>& coupling)
                     Index<D> f = grid.wrapped(side.face);
                     for (int axis = 0; axis < D; ++axis)
                         f[axis] += k[axis] * (grid.periodic(axis) ? grid.cells()[axis] : 0);
-                    if (coupling.open[side.axis].block().contains(f))
-                        coupling.open(side.axis, f) = 0;
+                    if (!coupling.open[side.axis].block().contains(f))
+                        return;
+                    double& open = coupling.open(side.axis, f);
+                    const bool mine = (f.array() >= low.array()).all() && (f.array() < (high + step<D>(side.axis)).array()).all();
+                    if (mine && open > 1e-12)
+                        coupling.system.film_faces.push_back({side.axis, f, open * unit_conductance});
+                    open = 0;
                 });
             }
     }
     CoupledSystem<D>& system = coupling.system;
     system.grid = coupling.grid;
     system.conductance = FaceField<D>(grid, 0.0);
-    const double unit_conductance = std::pow(grid.dx(), D - 2) / coupling.density;
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> end = high + step<D>(axis);
         for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
@@ -289,7 +294,6 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
     const Grid<D>& grid = *coupling.grid;
     if (out.cells.size() == 0)
         out.cells = CellField<D>(grid);
-    out.cells.fill(0);
     out.nodes = Eigen::VectorXd::Zero(coupling.system.nodes);
     double squares = 0;
     const double area = grid.face_area();

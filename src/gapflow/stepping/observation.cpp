@@ -45,7 +45,7 @@ template <int D>
 std::vector<GapState> Simulation<D>::gaps() const
 {
     const Coupling<D>& c = *coupling_;
-    const UnknownVector<D> p = reduced_pressure();
+    const Eigen::VectorXd node_pressure = impulse_.nodes * (dt_ > 0 ? 1 / dt_ : 0.0);
     const std::vector<Twist<D>> V = twists();
     std::map<std::pair<int, int>, GapState> states;
     for (const Film<D>& film : c.network.films) {
@@ -72,7 +72,7 @@ std::vector<GapState> Simulation<D>::gaps() const
         }
         std::vector<double> pressure(mesh.h.size());
         for (std::size_t i = 0; i < pressure.size(); ++i) {
-            pressure[i] = p.nodes[film.first_node + static_cast<int>(i)] + hydrostatic(mesh.mid[i]);
+            pressure[i] = node_pressure[film.first_node + static_cast<int>(i)] + hydrostatic(mesh.mid[i]);
             gap.pressure_min = std::min(gap.pressure_min, pressure[i]);
             gap.pressure_max = std::max(gap.pressure_max, pressure[i]);
         }
@@ -212,7 +212,14 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
         }
     }
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
-    for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) { worst = std::max(worst, std::abs(rest.cells(c))); });
+    for_each_row<D>(grid_.low(), grid_.high(), [&](const Index<D>& row) {
+        const double* value = &rest.cells(row);
+        double largest = 0;
+#pragma omp simd reduction(max : largest)
+        for (int i = 0; i < grid_.high()[0] - grid_.low()[0]; ++i)
+            largest = std::max(largest, std::abs(value[i]));
+        worst = std::max(worst, largest);
+    });
     report.divergence_max = grid_.comm().max(worst) / std::pow(grid_.dx(), D);
     if (coupling_->network.mouths.blind_length > 0)
         report.notes.push_back("a film ends where nothing continues it (a blind end); the flow there may be too stiff");
