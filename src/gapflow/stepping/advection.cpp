@@ -56,7 +56,7 @@ void fill_component_ghosts(const Grid<D>& grid, int axis, CellField<D>& u, const
                     const int mirrored = kind == SideKind::open ? 0 : axis == normal ? beyond : beyond - 1;
                     const int source = end == 0 ? std::min(mirrored, last) : std::max(last - mirrored, 0);
                     const double* from = to + i + static_cast<long>(source - place) * block.stride[normal];
-                    if (kind == SideKind::wall && axis == normal)
+                    if (kind == SideKind::wall && (axis == normal || sides.no_slip))
                         for (int j = 0; j < n; ++j)
                             to[i + j] = 2 * given - from[j];
                     else

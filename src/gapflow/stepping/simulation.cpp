@@ -46,6 +46,10 @@ Simulation<D>::Simulation(Unprepared, const Scene& scene, const Communicator& co
     velocity_.grid = FaceField<D>(grid_);
     film_faces_ = FaceField<D, std::int8_t>(grid_);
     impulse_.cells = CellField<D>(grid_);
+    if (scene_.viscosity > 0) {
+        viscous_.pressure = viscous_.known = CellField<D>(grid_);
+        viscous_.force.assign(bodies_.size(), Twist<D>::Zero());
+    }
 }
 
 template <int D>
@@ -93,7 +97,12 @@ StepReport Simulation<D>::step(double next_output)
     FluidVelocity<D> u_star = advect_all(dt, conduit_scale);
     for (std::size_t r = 0; r < conduit_scale.size(); ++r)
         coupling_->system.links[r].conductance *= conduit_scale[r];
-    project(std::move(u_star), forced_twists(dt), dt, report);
+    std::vector<Twist<D>> V_star = forced_twists(dt);
+    if (scene_.viscosity > 0)
+        add_viscosity(u_star, V_star, dt, report);
+    project(std::move(u_star), V_star, dt, report);
+    if (scene_.viscosity > 0)
+        remember_projection(V_star, dt);
     time_ = next_output - (time_ + dt) < 1e-12 * next_output ? next_output : time_ + dt;
     continue_velocities();
     ++steps_;
@@ -468,6 +477,7 @@ template <int D>
 BoundaryVelocity<D> Simulation<D>::side_velocities(double time) const
 {
     BoundaryVelocity<D> sides;
+    sides.no_slip = scene_.viscosity > 0;
     for (int s = 0; s < 2 * D; ++s) {
         const SideScene& side = scene_.sides[s];
         sides.velocity[s] = to_vec<D>(side.velocity);
