@@ -1,0 +1,158 @@
+#include "gapflow/coupling/film_drag.hpp"
+
+#include <numbers>
+
+namespace gapflow {
+
+namespace {
+
+// An orthonormal basis of the element's tangent plane.
+template <int D>
+std::array<Vec<D>, D - 1> tangents(const Vec<D>& normal)
+{
+    if constexpr (D == 2) {
+        return {Vec<2>(-normal[1], normal[0])};
+    } else {
+        const Vec<3> t = normal.unitOrthogonal();
+        return {t, normal.cross(t)};
+    }
+}
+
+double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double h, double resistance)
+{
+    const double scale = viscosity_dt / (density * h * h);
+    return kind == ConduitKind::edge_edge || kind == ConduitKind::edge_face ? 16 * scale / (std::numbers::pi * resistance) : 12 * scale;
+}
+
+Drag drag_of(double beta)
+{
+    Drag drag;
+    drag.kappa = 1 / (1 + beta);
+    drag.theta = beta * drag.kappa;
+    return drag;
+}
+
+} // namespace
+
+template <int D>
+void find_drag(Coupling<D>& coupling, double viscosity_dt)
+{
+    const double rho = coupling.density;
+    for (const Film<D>& film : coupling.network.films) {
+        const FilmMesh<D>& mesh = film.mesh;
+        const Vec<D>& centre = coupling.solids[mesh.master].centre;
+        const Vec<D> other = coupling.solids[mesh.other].centre + mesh.shift;
+        for (const FilmElement<D>& e : mesh.elements) {
+            const int number = static_cast<int>(coupling.element_drag.size());
+            const Drag drag = drag_of(12 * viscosity_dt / rho * e.inverse / e.volume);
+            coupling.element_drag.push_back(drag);
+            for (const Vec<D>& t : tangents<D>(e.normal)) {
+                coupling.drag_inertia.push_back({{mesh.master, mesh.other, 0.5 * wrench<D>(t, e.centroid_master - centre),
+                                                  0.5 * wrench<D>(t, e.centroid_other - other), rho * e.volume * drag.theta},
+                                                 number, -1, t});
+                coupling.drag_inertia.push_back({{mesh.master, mesh.other, wrench<D>(t, e.centroid - centre),
+                                                  -wrench<D>(t, e.centroid - other), viscosity_dt * e.inverse}});
+            }
+        }
+    }
+    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        const Conduit<D>& c = conduits[r];
+        const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
+        const Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance));
+        coupling.conduit_drag.push_back(drag);
+        coupling.drag_inertia.push_back(
+            {{mesh.master, mesh.other, 0.5 * wrench<D>(c.outward, c.x - coupling.solids[mesh.master].centre),
+              0.5 * wrench<D>(c.outward, c.x - coupling.solids[mesh.other].centre - mesh.shift),
+              rho * c.resistance * c.h * c.h * c.length * drag.theta},
+             -1, static_cast<int>(r)});
+    }
+}
+
+template <int D>
+double film_conductance(const Coupling<D>& coupling, const Film<D>& film, std::size_t e)
+{
+    const double conductance = film.mesh.elements[e].conductance();
+    return coupling.element_drag.empty() ? conductance : coupling.element_drag[film.first_element + e].kappa * conductance;
+}
+
+template <int D>
+void start_drag(Coupling<D>& coupling, FluidVelocity<D>& u_star)
+{
+    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
+    for (DragInertia<D>& drag : coupling.drag_inertia) {
+        if (drag.element >= 0)
+            drag.speed = drag.direction.dot(u_star.film[drag.element]);
+        if (drag.conduit >= 0)
+            drag.speed = u_star.conduit[drag.conduit] / (conduits[drag.conduit].length * conduits[drag.conduit].h);
+    }
+    for (std::size_t e = 0; e < coupling.element_drag.size(); ++e)
+        u_star.film[e] *= coupling.element_drag[e].kappa;
+    for (std::size_t r = 0; r < coupling.conduit_drag.size(); ++r)
+        u_star.conduit[r] *= coupling.conduit_drag[r].kappa;
+}
+
+namespace {
+
+// Mean of the velocities of a film's two walls, each at its own place.
+template <int D>
+Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twists, const Vec<D>& at_master,
+                     const Vec<D>& at_other)
+{
+    return 0.5 * (velocity_at<D>(twists[mesh.master], at_master - coupling.solids[mesh.master].centre) +
+                  velocity_at<D>(twists[mesh.other], at_other - coupling.solids[mesh.other].centre - mesh.shift));
+}
+
+} // namespace
+
+template <int D>
+double entrained_flux(const Coupling<D>& coupling, std::size_t conduit, const std::vector<Twist<D>>& twists)
+{
+    if (coupling.conduit_drag.empty())
+        return 0;
+    const Conduit<D>& c = coupling.network.mouths.conduits[conduit];
+    return coupling.conduit_drag[conduit].theta * c.length * c.h *
+           c.outward.dot(mean_velocity(coupling, coupling.network.films[c.film].mesh, twists, c.x, c.x));
+}
+
+template <int D>
+void add_entrainment(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, double share, FluidVelocity<D>& u)
+{
+    if (coupling.element_drag.empty() && coupling.conduit_drag.empty())
+        return;
+    for (const Film<D>& film : coupling.network.films)
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = film.mesh.elements[e];
+            const Vec<D> U = mean_velocity(coupling, film.mesh, twists, element.centroid_master, element.centroid_other);
+            u.film[film.first_element + e] +=
+                share * coupling.element_drag[film.first_element + e].theta * (U - U.dot(element.normal) * element.normal);
+        }
+    for (std::size_t r = 0; r < u.conduit.size(); ++r)
+        u.conduit[r] += share * entrained_flux(coupling, r, twists);
+}
+
+template <int D>
+std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists)
+{
+    std::vector<Twist<D>> impulse(coupling.solids.size(), Twist<D>::Zero());
+    for (const DragInertia<D>& drag : coupling.drag_inertia) {
+        const NormalInertia<D>& inertia = drag.inertia;
+        const double lag = drag.speed - inertia.row_master.dot(twists[inertia.master]) - inertia.row_other.dot(twists[inertia.other]);
+        impulse[inertia.master] += inertia.mass * lag * inertia.row_master;
+        impulse[inertia.other] += inertia.mass * lag * inertia.row_other;
+    }
+    return impulse;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void find_drag<D>(Coupling<D>&, double);                                                                          \
+    template double film_conductance<D>(const Coupling<D>&, const Film<D>&, std::size_t);                                      \
+    template double entrained_flux<D>(const Coupling<D>&, std::size_t, const std::vector<Twist<D>>&);                          \
+    template void start_drag<D>(Coupling<D>&, FluidVelocity<D>&);                                                              \
+    template void add_entrainment<D>(const Coupling<D>&, const std::vector<Twist<D>>&, double, FluidVelocity<D>&);             \
+    template std::vector<Twist<D>> drag_impulses<D>(const Coupling<D>&, const std::vector<Twist<D>>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
