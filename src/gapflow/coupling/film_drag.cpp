@@ -1,5 +1,7 @@
 #include "gapflow/coupling/film_drag.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace gapflow {
@@ -16,6 +18,16 @@ std::array<Vec<D>, D - 1> tangents(const Vec<D>& normal)
         const Vec<3> t = normal.unitOrthogonal();
         return {t, normal.cross(t)};
     }
+}
+
+// Cosine of the angle between the film and what is its thickness, the distance from the master to the other: the gap across the
+// film is h cos.
+template <int D>
+double slant(const FilmElement<D>& e)
+{
+    const Vec<D> across = e.centroid_other - e.centroid_master;
+    const double h = e.volume / e.measure, length = across.norm();
+    return length > 1e-3 * h ? std::clamp(across.dot(e.normal) / length, 0.5, 1.0) : 1.0;
 }
 
 double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double h, double resistance)
@@ -44,7 +56,7 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt)
         const Vec<D> other = coupling.solids[mesh.other].centre + mesh.shift;
         for (const FilmElement<D>& e : mesh.elements) {
             const int number = static_cast<int>(coupling.element_drag.size());
-            const Drag drag = drag_of(12 * viscosity_dt / rho * e.inverse / e.volume);
+            const Drag drag = drag_of(12 * viscosity_dt / rho * e.inverse / e.volume / std::pow(slant(e), 3));
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
                 coupling.drag_inertia.push_back({{mesh.master, mesh.other, 0.5 * wrench<D>(t, e.centroid_master - centre),

@@ -5,7 +5,9 @@
 // with U_w the mean of the walls' velocities along the film, taken at the two walls, and [U]_t their difference, both at mid-gap.
 // So u = kappa (u* - grad p / rho) + theta U_w, kappa = 1/(1 + beta), theta = beta kappa; the bodies' mass gains
 // rho S theta P_w^T P_w + mu dt I [P]^T [P], its right-hand side rho S theta P_w^T u*. Exact without inertia (Reynolds) and
-// without viscosity (Euler).
+// without viscosity (Euler). Where the film is slanted against the line along which h is measured, by an angle a (half of that
+// between the walls), the gap across it is h cos a and beta is larger by cos^-3 a: on a cylinder of radius R at the gap h the
+// squeeze force gains 2 h / R of the 3 h / R that it lacks.
 // Mouths: the same with rho R h^2 length for rho S, and beta = 12 nu dt / h^2 where the gap goes on, 16 nu dt / (pi h^2 R) at a
 // sharp edge (half of the pressure that Stokes flow takes to leave a slit, 32 mu q / (pi h^2)).
 #pragma once

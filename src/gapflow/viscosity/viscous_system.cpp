@@ -1,6 +1,7 @@
 #include "gapflow/viscosity/viscous_system.hpp"
 
 #include "gapflow/core/threads.hpp"
+#include "gapflow/viscosity/thin_gap.hpp"
 #include "gapflow/viscosity/wall_rays.hpp"
 
 #include <algorithm>
@@ -17,6 +18,10 @@ constexpr double ray_length = 1.7;
 constexpr double least_distance = 1e-3;
 // A cut face whose mean velocity (relative to the solid) is this many times that at its centre follows a neighbour instead.
 constexpr double largest_share = 2.0;
+// Gaps of up to this many cells get the drag that the lattice lacks.
+constexpr double thin_gap = 8;
+// Surfaces of a gap face each other: cosine of their normals at most.
+constexpr double opposed = -0.5;
 // Open fraction from which a face counts as whole.
 constexpr double whole = 1 - 1e-9;
 
@@ -259,6 +264,38 @@ private:
         for (int k = 0; k < D; ++k)
             for (int end = 0; end < 2; ++end)
                 add_edge(axis, f, at, k, end);
+        for (int k = 0; k < D; ++k)
+            if (k != axis)
+                add_thin_gap(axis, f, at, k, face.share);
+    }
+
+    // Drag of a gap of a few cells across the direction k, at a point next to one of its surfaces.
+    void add_thin_gap(int axis, const Index<D>& f, long at, int k, double share)
+    {
+        const Index<D> e = step<D>(k);
+        const bool below = system_.active(axis, Index<D>(f - e)), above = system_.active(axis, Index<D>(f + e));
+        if (below && above)
+            return;
+        const Vec<D> x = grid_.face_centre(axis, f);
+        const int away = below ? -1 : 1; // from the surface that is next to the point
+        rays_.around(x, thin_gap * grid_.dx());
+        const WallHit<D> near = rays_.cast(x, -away * unit<D>(k), ray_length * grid_.dx());
+        if (near.image < 0)
+            return;
+        const WallHit<D> far = rays_.cast(x, away * unit<D>(k), thin_gap * grid_.dx() - near.distance);
+        if (far.image < 0)
+            return;
+        const Vec<D> x_near = x - away * near.distance * unit<D>(k), x_far = x + away * far.distance * unit<D>(k);
+        if (rays_.image(near.image).shape.closest(x_near).normal.dot(rays_.image(far.image).shape.closest(x_far).normal) > opposed)
+            return;
+        const double least = least_distance * grid_.dx(), h = std::max(near.distance, least) + std::max(far.distance, least);
+        const double part = std::max(near.distance, least) / h;
+        ViscousTerm<D> term{axis, at, 0, 1, 0, {rays_.image(near.image).solid, rays_.image(far.image).solid}, {}};
+        term.stiffness = system_.edge * thin_gap_drag(part * h / grid_.dx(), (1 - part) * h / grid_.dx(), share, below || above);
+        term.row[0] = -(1 - part) * row(near.image, axis, x_near);
+        term.row[1] = -part * row(far.image, axis, x_far);
+        if (term.stiffness > 0)
+            add(term);
     }
 
     // The lattice edge from f along k.
