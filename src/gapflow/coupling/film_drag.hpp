@@ -2,7 +2,9 @@
 //
 //     1/2 rho S |u - u*|^2 + 1/2 rho S beta |u - U_w|^2 + 1/2 mu dt I |[U]_t|^2,   S = int h, I = int 1/h, beta = 12 nu dt I / S,
 //
-// with U_w the mean of the walls' velocities along the film, taken at the two walls, and [U]_t their difference, both at mid-gap.
+// with U_w the mean of the walls' velocities along the film, taken at the two walls, and [U]_t their difference, both at mid-gap
+// (in 3D, where elements are coarser: beta = 12 nu dt S int 1/h^3 / area^2, what one flux through the element loses rather than
+// one velocity; the same where the thickness is constant).
 // So u = kappa (u* - grad p / rho) + theta U_w, kappa = 1/(1 + beta), theta = beta kappa; the bodies' mass gains
 // rho S theta P_w^T P_w + mu dt I [P]^T [P], its right-hand side rho S theta P_w^T u*. Exact without inertia (Reynolds) and
 // without viscosity (Euler). Where the film is slanted against the line along which h is measured, by an angle a (half of that

@@ -84,8 +84,9 @@ TEST(Viscosity, TurningCylinderConvergesToItsTorque)
 {
     const Torques coarse = turning_cylinder(24, 0.02), fine = turning_cylinder(72, 0.02);
     EXPECT_LT(std::abs(coarse.inner - 1), 0.02);
-    EXPECT_LT(std::abs(fine.inner - 1), 0.003);
-    EXPECT_LT(std::abs(fine.outer - 1), std::abs(coarse.outer - 1) / 5); // second order: 9
+    EXPECT_LT(std::abs(fine.inner - 1), 0.002);
+    EXPECT_LT(std::abs(coarse.outer - 1), 0.01);
+    EXPECT_LT(std::abs(fine.outer - 1), 0.001);
 }
 
 // A steady state is that of the equations, not of the splitting.
@@ -99,9 +100,9 @@ TEST(Viscosity, SteadyStokesFlowDoesNotDependOnTheStep)
 // Everything turns with a container: after the start nothing is left but rigid motion, and no torque.
 TEST(Viscosity, SolidBodyRotation)
 {
-    Scene scene = closed_box(2, 2.2, 24);
+    Scene scene = closed_box(2, 2.6, 26);
     scene.viscosity = 10;
-    scene.bodies = {ball("inner", 0.4, {1.113, 1.107, 0}), ball("outer", 1.0, {1.113, 1.107, 0})};
+    scene.bodies = {ball("inner", 0.4, {1.313, 1.307, 0}), ball("outer", 1.0, {1.313, 1.307, 0})};
     scene.bodies[0].density = 1.0;
     scene.bodies[1].motion = BodyScene::Motion::prescribed;
     scene.bodies[1].inside_out = true;
@@ -180,7 +181,7 @@ BoxOverWall box_over_wall(double h, const Triple& velocity)
 {
     Scene scene = closed_box(2, 4.0, 32);
     scene.density = 1e-6; // no inertia
-    scene.max_step = 1e-9;
+    scene.max_step = 1e-7;
     BodyScene box = ball("box", 0, {2.013, h + 0.25, 0});
     box.shape = BodyScene::ShapeKind::box;
     box.size = {1.0, 0.5, 0};
@@ -189,7 +190,7 @@ BoxOverWall box_over_wall(double h, const Triple& velocity)
     box.velocity = velocity;
     scene.bodies = {box};
     Simulation<2> simulation(scene, Communicator());
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 60; ++i)
         simulation.step(1e9);
     return {simulation.fluid_wrenches()[0][0], simulation.fluid_wrenches()[0][1]};
 }
