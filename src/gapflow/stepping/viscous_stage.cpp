@@ -85,9 +85,7 @@ void Simulation<D>::add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>
 {
     const auto timer = stages_.measure("viscosity");
     const Coupling<D>& c = *coupling_;
-    ViscousBodies<D> bodies{masses(), {}, V_star};
-    for (std::size_t s = 0; s < V_star.size(); ++s)
-        bodies.volume.push_back(s < bodies_.size() && std::isfinite(bodies_[s].volume) ? bodies_[s].volume : 0.0);
+    ViscousBodies<D> bodies{masses(), V_star};
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         if (bodies_[b].motion == Motion::free)
             bodies.twists[b] += impulse_response(bodies_[b], Twist<D>(dt * viscous_.force[b]), dt);

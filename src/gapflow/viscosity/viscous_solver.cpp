@@ -280,7 +280,7 @@ ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>
     for (std::size_t s = 0; s < bodies.twists.size(); ++s) {
         Twist<D> impulse = Eigen::Map<Twist<D>>(&sums[n * s]);
         impulse.template tail<spin_size<D>>() -=
-            system.turning * bodies.volume[s] * step.twists[s].template tail<spin_size<D>>();
+            system.turning[s] * step.twists[s].template tail<spin_size<D>>();
         step.impulses.push_back(impulse);
     }
     return step;

@@ -39,7 +39,7 @@ public:
         system_.active = FaceField<D, std::int8_t>(grid_);
         system_.diagonal = FaceField<D>(grid_);
         system_.rhs = FaceField<D>(grid_);
-        system_.turning = 2 * viscosity * dt;
+        system_.turning.assign(coupling.solids.size(), Spins::Zero());
         system_.free_body = coupling.free_body;
     }
 
@@ -59,6 +59,7 @@ public:
 
 private:
     static constexpr int n = twist_size<D>;
+    using Spins = Eigen::Matrix<double, spin_size<D>, spin_size<D>>;
 
     enum class Role { none, active, following };
     struct Face {
@@ -341,6 +342,9 @@ private:
             term.stiffness = system_.edge / std::max(hit.distance / grid_.dx(), least_distance);
             term.solid[0] = rays_.image(hit.image).solid;
             term.row[0] = -row(hit.image, axis, x + hit.distance * direction);
+            const Twist<D> rise = row(hit.image, axis, x) + term.row[0]; // of the solid's own motion over the edge
+            system_.turning[term.solid[0]] -= term.stiffness * term.row[0].template tail<spin_size<D>>() *
+                                              rise.template tail<spin_size<D>>().transpose();
         }
         add(term);
     }
@@ -431,8 +435,22 @@ private:
         following.stiffness = 12 * system_.edge * area * grid_.dx() * grid_.dx() / (h * h);
     }
 
+    void share_turning()
+    {
+        constexpr int size = spin_size<D> * spin_size<D>;
+        std::vector<double> sums;
+        for (const Spins& matrix : system_.turning)
+            sums.insert(sums.end(), matrix.data(), matrix.data() + size);
+        grid_.comm().sum(sums);
+        for (std::size_t s = 0; s < system_.turning.size(); ++s) {
+            const Spins sum = Eigen::Map<const Spins>(&sums[size * s]);
+            system_.turning[s] = 0.5 * (sum + sum.transpose());
+        }
+    }
+
     void finish_bodies()
     {
+        share_turning();
         const int dofs = n * coupling_.system.bodies;
         if (dofs == 0)
             return;
@@ -460,7 +478,7 @@ private:
             const TwistMatrix<D>& P = coupling_.solids[s].admissible;
             const TwistMatrix<D>& M = bodies_.mass[s];
             TwistMatrix<D> turning = TwistMatrix<D>::Zero();
-            turning.template bottomRightCorner<spin_size<D>, spin_size<D>>().diagonal().setConstant(system_.turning * bodies_.volume[s]);
+            turning.template bottomRightCorner<spin_size<D>, spin_size<D>>() = system_.turning[s];
             TwistMatrix<D> block = Eigen::Map<TwistMatrix<D>>(&sums[static_cast<std::size_t>(b) * n * n]);
             block += P * (M + turning) * P + M(0, 0) * (TwistMatrix<D>::Identity() - P);
             append(b, b, block);

@@ -61,7 +61,9 @@ struct ViscousSystem {
     const Grid<D>* grid = nullptr;
     double edge = 0;                      ///< mu dt dx^(D-2): of an edge between two points of the fluid
     double cell_mass = 0;                 ///< rho dx^D
-    double turning = 0;                   ///< 2 mu dt: times a body's volume and angular velocity, the torque's impulse that |grad u|^2 lacks
+    /// Of every solid: times its angular velocity, the torque's impulse that |grad u|^2 lacks. 2 mu dt volume, as the lattice
+    /// measures the volume: fluid that turns with a body exerts no torque.
+    std::vector<Eigen::Matrix<double, spin_size<D>, spin_size<D>>> turning;
     FaceField<D, std::int8_t> active;     ///< 1: the lattice has a value here; with one layer of ghosts
     FaceField<D> diagonal;                ///< of the matrix, 0 where not active
     FaceField<D> rhs;
@@ -78,7 +80,6 @@ struct ViscousSystem {
 template <int D>
 struct ViscousBodies {
     std::vector<TwistMatrix<D>> mass; ///< of each solid; counts for free ones
-    std::vector<double> volume;       ///< of each solid, negative for containers, 0 for walls
     std::vector<Twist<D>> twists;     ///< V* of free bodies; of others as given
 };
 

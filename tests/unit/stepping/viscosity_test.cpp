@@ -97,26 +97,24 @@ TEST(Viscosity, SteadyStokesFlowDoesNotDependOnTheStep)
     EXPECT_NEAR(large.outer, small.outer, 1e-3);
 }
 
-// Everything turns with a container: after the start nothing is left but rigid motion, and no torque.
+// Everything turns with a container: after the start nothing is left but rigid motion, and no torque. (Without inertia: advection
+// along a circle errs by the square of the angle of a step.)
 TEST(Viscosity, SolidBodyRotation)
 {
     Scene scene = closed_box(2, 2.6, 26);
-    scene.viscosity = 10;
+    scene.density = 1e-7;
+    scene.max_step = 1e-5;
     scene.bodies = {ball("inner", 0.4, {1.313, 1.307, 0}), ball("outer", 1.0, {1.313, 1.307, 0})};
-    scene.bodies[0].density = 1.0;
+    scene.bodies[0].density = 1e-7;
     scene.bodies[1].motion = BodyScene::Motion::prescribed;
     scene.bodies[1].inside_out = true;
     scene.bodies[1].density.reset();
     scene.bodies[1].angular_velocity = {1.5, 0, 0};
     Simulation<2> simulation(scene, Communicator());
-    double first = 0;
-    for (int i = 0; i < 250; ++i) {
+    for (int i = 0; i < 60; ++i)
         simulation.step(1e9);
-        if (i == 0)
-            first = std::abs(simulation.fluid_wrenches()[1][2]);
-    }
     EXPECT_NEAR(simulation.bodies()[0].twist[2], 1.5, 1e-6);
-    EXPECT_LT(std::abs(simulation.fluid_wrenches()[1][2]), 1e-6 * first);
+    EXPECT_LT(std::abs(simulation.fluid_wrenches()[1][2]), 1e-6 * 4 * std::numbers::pi * 1.5);
 }
 
 // Two balls, a film between them, and the fluid, in uniform motion through a periodic box.

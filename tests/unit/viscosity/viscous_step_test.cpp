@@ -30,7 +30,6 @@ struct World {
             TwistMatrix<D> mass = TwistMatrix<D>::Identity() * 0.2;
             mass(D, D) = 0.01;
             bodies.mass.push_back(mass);
-            bodies.volume.push_back(shapes.back()->mass_properties().volume);
             bodies.twists.push_back(Twist<D>::Zero());
         }
         coupling = couple<D>(grid, solids, bodies.mass, {density, FractionMode::cut_cell}, [](int, int) { return GapSettings{false}; }, {});
