@@ -33,7 +33,7 @@ struct NormalInertia {
     double mass;
 };
 
-/// Viscous drag on a film's element or mouth over a step (method, section 6): u = kappa (u* - grad p / rho) + theta U_w, with the
+/// Viscous drag on a film's element or mouth over a step (method, section 7.2): u = kappa (u* - grad p / rho) + theta U_w, with the
 /// mean U_w of the two walls' velocities along the film; kappa + theta = 1.
 struct Drag {
     double kappa = 1, theta = 0;

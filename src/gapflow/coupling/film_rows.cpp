@@ -90,7 +90,7 @@ private:
         matrix.finalize();
     }
 
-    // Section 6: what both walls carry along, - theta int h U_w . grad N_i.
+    // Section 7.2: what both walls carry along, - theta int h U_w . grad N_i.
     void add_entrainment(const Film<D>& f, const FilmElement<D>& e)
     {
         const FilmMesh<D>& mesh = f.mesh;

@@ -1,4 +1,4 @@
-// The implicit viscous step of the bulk (docs/theory, section "Viscosity"): velocities u of the open faces and twists V of the free
+// The implicit viscous step of the bulk (method, section 7): velocities u of the open faces and twists V of the free
 // bodies minimise
 //
 //     sum_f 1/2 rho a_f dx^D (u_f - u*_f)^2  +  1/2 |V - V*|^2_M  +  1/2 mu dt int |grad u|^2,
@@ -8,7 +8,7 @@
 // boundary terms that walls and rigid bodies turn into 2 mu volume |omega|^2 a body), so the bodies feel the true traction.
 // Between two points of the fluid a lattice edge has (u_i - u_j)^2 / dx, an edge cut by a surface at the distance theta dx has
 // (u_i - U(x_G))^2 / (theta dx) with the solid's velocity U where it is cut (Gibou, Fedkiw, Cheng & Kang, J. Comput. Phys. 176,
-// 2002; symmetric, second order). The bodies' twists are unknowns as in Batty & Bridson (SCA 2008) and Takahashi & Batty (TOG 38,
+// 2002; symmetric, second order). The bodies' twists are unknowns as in Batty & Bridson (SCA 2008) and Takahashi & Batty (CGF 38,
 // 2019).
 //
 // u_f is the mean over the open part of its face. On a cut face that differs from the lattice's value w at the face centre: on the

@@ -171,6 +171,27 @@ TEST(Viscosity, EnergyFallsMonotonically)
     }
 }
 
+// Going on from a stored state is the same to the last bit.
+TEST(Viscosity, StoredAndRestored)
+{
+    Scene scene = closed_box(2, 2.0, 20);
+    scene.viscosity = 0.05;
+    scene.gravity = {0, -1, 0};
+    scene.cfl = 1;
+    scene.bodies = {ball("a", 0.4, {1.1, 0.44, 0})};
+    scene.bodies[0].angular_velocity = {1, 0, 0};
+    Simulation<2> whole(scene, Communicator());
+    for (int i = 0; i < 3; ++i)
+        whole.step(1e9);
+    Simulation<2> second(scene, Communicator(), whole.state());
+    for (int i = 0; i < 3; ++i) {
+        whole.step(1e9);
+        EXPECT_GT(second.step(1e9).film_nodes, 0);
+    }
+    EXPECT_EQ(whole.bodies()[0].twist, second.bodies()[0].twist);
+    EXPECT_EQ(whole.fluid_wrenches()[0], second.fluid_wrenches()[0]);
+}
+
 // A box that slides over a wall with a film under it: drag mu V L / h; and one that is pressed towards it: mu V L^3 / h^3.
 struct BoxOverWall {
     double along, across;
