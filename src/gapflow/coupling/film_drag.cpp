@@ -65,6 +65,18 @@ double slant(const FilmElement<D>& e)
     return length > 1e-3 * h ? std::clamp(across.dot(e.normal) / length, 0.5, 1.0) : 1.0;
 }
 
+// Tangential part of the same distance over its normal part: what the walls' tangents are turned by against the film's.
+template <int D>
+Vec<D> tilt(const FilmElement<D>& e)
+{
+    const Vec<D> across = e.centroid_other - e.centroid_master;
+    const double h = e.volume / e.measure, normal = across.dot(e.normal);
+    if (normal <= 1e-3 * h)
+        return Vec<D>::Zero();
+    const Vec<D> g = (across - normal * e.normal) / normal;
+    return g / std::max(1.0, g.norm());
+}
+
 double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double h, double resistance)
 {
     const double scale = viscosity_dt / (density * h * h);
@@ -80,6 +92,18 @@ Drag drag_of(double beta)
 }
 
 } // namespace
+
+template <int D>
+WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t)
+{
+    // With d from wall to wall and g its tilt: 1/2 (t + (g.t) n) . U_A + 1/2 (t - (g.t) n) . U_B + 1/2 (g.t) n . (omega x d), omega
+    // the mean of both.
+    const double turn = tilt(e).dot(t);
+    Twist<D> turned = Twist<D>::Zero();
+    turned.template tail<spin_size<D>>() = 0.25 * turn * moment<D>(Vec<D>(e.centroid_other - e.centroid_master), e.normal);
+    return {0.5 * wrench<D>(t + turn * e.normal, e.centroid_master - coupling.solids[mesh.master].centre) + turned,
+            0.5 * wrench<D>(t - turn * e.normal, e.centroid_other - coupling.solids[mesh.other].centre - mesh.shift) + turned};
+}
 
 template <int D>
 void find_drag(Coupling<D>& coupling, double viscosity_dt)
@@ -98,8 +122,8 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt)
             const Drag drag = drag_of(beta / std::pow(slant(e), 3));
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
-                coupling.drag_inertia.push_back({{mesh.master, mesh.other, 0.5 * wrench<D>(t, e.centroid_master - centre),
-                                                  0.5 * wrench<D>(t, e.centroid_other - other), rho * e.volume * drag.theta},
+                const WallRows<D> rows = wall_rows(coupling, mesh, e, t);
+                coupling.drag_inertia.push_back({{mesh.master, mesh.other, rows.master, rows.other, rho * e.volume * drag.theta},
                                                  number, -1, t});
                 coupling.drag_inertia.push_back({{mesh.master, mesh.other, wrench<D>(t, e.centroid - centre),
                                                   -wrench<D>(t, e.centroid - other), viscosity_dt * e.inverse}});
@@ -145,13 +169,12 @@ void start_drag(Coupling<D>& coupling, FluidVelocity<D>& u_star)
 
 namespace {
 
-// Mean of the velocities of a film's two walls, each at its own place.
+// Mean of the velocities of a film's two walls at mid-gap.
 template <int D>
-Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twists, const Vec<D>& at_master,
-                     const Vec<D>& at_other)
+Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twists, const Vec<D>& x)
 {
-    return 0.5 * (velocity_at<D>(twists[mesh.master], at_master - coupling.solids[mesh.master].centre) +
-                  velocity_at<D>(twists[mesh.other], at_other - coupling.solids[mesh.other].centre - mesh.shift));
+    return 0.5 * (velocity_at<D>(twists[mesh.master], x - coupling.solids[mesh.master].centre) +
+                  velocity_at<D>(twists[mesh.other], x - coupling.solids[mesh.other].centre - mesh.shift));
 }
 
 } // namespace
@@ -163,7 +186,7 @@ double entrained_flux(const Coupling<D>& coupling, std::size_t conduit, const st
         return 0;
     const Conduit<D>& c = coupling.network.mouths.conduits[conduit];
     return coupling.conduit_drag[conduit].theta * c.length * c.h *
-           c.outward.dot(mean_velocity(coupling, coupling.network.films[c.film].mesh, twists, c.x, c.x));
+           c.outward.dot(mean_velocity(coupling, coupling.network.films[c.film].mesh, twists, c.x));
 }
 
 template <int D>
@@ -174,9 +197,11 @@ void add_entrainment(const Coupling<D>& coupling, const std::vector<Twist<D>>& t
     for (const Film<D>& film : coupling.network.films)
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
             const FilmElement<D>& element = film.mesh.elements[e];
-            const Vec<D> U = mean_velocity(coupling, film.mesh, twists, element.centroid_master, element.centroid_other);
-            u.film[film.first_element + e] +=
-                share * coupling.element_drag[film.first_element + e].theta * (U - U.dot(element.normal) * element.normal);
+            for (const Vec<D>& t : tangents<D>(element.normal)) {
+                const WallRows<D> rows = wall_rows(coupling, film.mesh, element, t);
+                const double U = rows.master.dot(twists[film.mesh.master]) + rows.other.dot(twists[film.mesh.other]);
+                u.film[film.first_element + e] += share * coupling.element_drag[film.first_element + e].theta * U * t;
+            }
         }
     for (std::size_t r = 0; r < u.conduit.size(); ++r)
         u.conduit[r] += share * entrained_flux(coupling, r, twists);
@@ -197,6 +222,7 @@ std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vect
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void find_drag<D>(Coupling<D>&, double);                                                                          \
+    template WallRows<D> wall_rows<D>(const Coupling<D>&, const FilmMesh<D>&, const FilmElement<D>&, const Vec<D>&);           \
     template double film_conductance<D>(const Coupling<D>&, const Film<D>&, std::size_t);                                      \
     template double entrained_flux<D>(const Coupling<D>&, std::size_t, const std::vector<Twist<D>>&);                          \
     template void start_drag<D>(Coupling<D>&, FluidVelocity<D>&);                                                              \

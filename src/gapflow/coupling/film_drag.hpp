@@ -2,14 +2,13 @@
 //
 //     1/2 rho S |u - u*|^2 + 1/2 rho S beta |u - U_w|^2 + 1/2 mu dt I |[U]_t|^2,   S = int h, I = int 1/h, beta = 12 nu dt I / S,
 //
-// with U_w the mean of the walls' velocities along the film, taken at the two walls, and [U]_t their difference, both at mid-gap
+// with U_w the mean of the walls' velocities along the film, taken along and at either wall, and [U]_t their difference, both at mid-gap
 // (in 3D, where elements are coarser: beta = 12 nu dt S int 1/h^3 / area^2, what one flux through the element loses rather than
 // one velocity; the same where the thickness is constant).
 // So u = kappa (u* - grad p / rho) + theta U_w, kappa = 1/(1 + beta), theta = beta kappa; the bodies' mass gains
 // rho S theta P_w^T P_w + mu dt I [P]^T [P], its right-hand side rho S theta P_w^T u*. Exact without inertia (Reynolds) and
 // without viscosity (Euler). Where the film is slanted against the line along which h is measured, by an angle a (half of that
-// between the walls), the gap across it is h cos a and beta is larger by cos^-3 a: on a cylinder of radius R at the gap h the
-// squeeze force gains 2 h / R of the 3 h / R that it lacks.
+// between the walls), the gap across it is h cos a and beta is larger by cos^-3 a.
 // Mouths: the same with rho R h^2 length for rho S, and beta = 12 nu dt / h^2 where the gap goes on, 16 nu dt / (pi h^2 R) at a
 // sharp edge (half of the pressure that Stokes flow takes to leave a slit, 32 mu q / (pi h^2)).
 #pragma once
@@ -25,6 +24,15 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt);
 /// Times grad p / rho . grad N: flux of an element's pressure. `e`: number in its film.
 template <int D>
 double film_conductance(const Coupling<D>& coupling, const Film<D>& film, std::size_t e);
+
+/// Rows of t . U_w in the twists of a film's two walls, for t along the element: each wall counts with its velocity along its own
+/// surface, t_A . U_A and t_B . U_B over the cosine of half the angle between them; the same motion of both gives t . U.
+template <int D>
+struct WallRows {
+    Twist<D> master, other;
+};
+template <int D>
+WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t);
 
 /// Takes the speeds of drag_inertia from u*, then makes kappa u* of it: what outflow() wants.
 template <int D>

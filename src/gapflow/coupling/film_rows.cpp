@@ -96,9 +96,9 @@ private:
         const FilmMesh<D>& mesh = f.mesh;
         const double theta = coupling_.element_drag[f.first_element + (&e - mesh.elements.data())].theta;
         for (int i = 0; i < D; ++i) {
-            const Vec<D> flux = -0.5 * theta * e.volume * e.gradient[i];
-            rows_.add_node(f.first_node + e.nodes[i], mesh.master, wrench<D>(flux, e.centroid_master - centre(mesh.master)));
-            rows_.add_node(f.first_node + e.nodes[i], mesh.other, wrench<D>(flux, e.centroid_other - other_centre(mesh)));
+            const WallRows<D> rows = wall_rows<D>(coupling_, mesh, e, -theta * e.volume * e.gradient[i]);
+            rows_.add_node(f.first_node + e.nodes[i], mesh.master, rows.master);
+            rows_.add_node(f.first_node + e.nodes[i], mesh.other, rows.other);
         }
     }
 
