@@ -65,7 +65,7 @@ void fill_component_ghosts(const Grid<D>& grid, int axis, CellField<D>& u, const
             for (int place = low[normal]; place < high[normal]; ++place) {
                 const int beyond = end == 0 ? -place : place - last; // 0 on the boundary face, else >= 1
                 const bool fixed = kind == SideKind::inflow || (set_boundary && beyond == 0);
-                const bool opposite = !fixed && kind == SideKind::wall && axis == normal;
+                const bool opposite = !fixed && kind == SideKind::wall && (axis == normal || sides.no_slip);
                 const double constant = fixed ? given : opposite ? 2 * given : 0.0, factor = opposite ? -1.0 : 1.0;
                 const int mirrored = kind == SideKind::open ? 0 : axis == normal ? beyond : beyond - 1;
                 const int source = end == 0 ? std::min(mirrored, last) : std::max(last - mirrored, 0);

@@ -2,6 +2,7 @@
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/body/forces.hpp"
+#include "gapflow/coupling/film_drag.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -197,7 +198,13 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
     report.energy_fluid = sums.energy_grid + sums.energy_film;
     report.energy_bodies = sums.energy_bodies;
     UnknownVector<D> rest;
-    outflow(*coupling_, velocity_, twists(), rest);
+    if (coupling_->element_drag.empty()) {
+        outflow(*coupling_, velocity_, twists(), rest);
+    } else { // the walls' entrainment is in K
+        FluidVelocity<D> driven = velocity_;
+        add_entrainment(*coupling_, twists(), -1, driven);
+        outflow(*coupling_, driven, twists(), rest);
+    }
     if (node_outflow_.size() > 0) { // velocities at a void's front have moved on since
         rest.nodes = node_outflow_ - Eigen::Map<const Eigen::VectorXd>(voids_.growth().data(), node_outflow_.size());
     } else {
