@@ -34,10 +34,17 @@ template <int D>
 ConstantCorrection<D>::ConstantCorrection(const CoupledOperator<D>& matrix, const FilmBand<D>& band)
     : system_(matrix.system()), matrix_(matrix), band_(band), node_part_(matrix.system().nodes, -1)
 {
-    if (system_.nodes == 0 && system_.links.empty() && all_constants_null())
+    // The usual case: the solver projects all constants out, and no part of a component has a level of its own.
+    const int weak_films = number_weak_films();
+    const bool whole = std::all_of(system_.components.begin(), system_.components.end(),
+                                   [](const Component& c) { return c.grid_parts == 0 || c.grid_parts == 1; });
+    if (weak_films == 0 && whole && all_constants_null())
         return;
-    number_columns();
-    number_weak_films();
+    number_columns(whole);
+    for (int& k : node_part_)
+        if (k >= 0)
+            k += columns_;
+    columns_ += weak_films;
     if (columns_ > 0)
         set_up_energies();
 }
@@ -53,11 +60,11 @@ bool ConstantCorrection<D>::all_constants_null() const
 
 // Parts that nothing acts on (no body, no link) have no energy: no column.
 template <int D>
-void ConstantCorrection<D>::number_columns()
+void ConstantCorrection<D>::number_columns(bool whole)
 {
     const Grid<D>& grid = *system_.grid;
     std::vector<char> grounded;
-    if (std::all_of(system_.components.begin(), system_.components.end(), [](const Component& c) { return c.grid_parts == 0 || c.grid_parts == 1; })) {
+    if (whole) {
         part_ = system_.component;
         for (const Component& component : system_.components)
             grounded.push_back(component.open_faces);
@@ -86,7 +93,7 @@ void ConstantCorrection<D>::number_columns()
 }
 
 template <int D>
-void ConstantCorrection<D>::number_weak_films()
+int ConstantCorrection<D>::number_weak_films()
 {
     std::vector<int> parent(system_.nodes);
     std::iota(parent.begin(), parent.end(), 0);
@@ -101,15 +108,17 @@ void ConstantCorrection<D>::number_weak_films()
             outside[root(parent, node)] += link.conductance * weight * weight;
     for (int i = 0; i < system_.nodes; ++i)
         outside[root(parent, i)] += std::abs(matrix_.film_ground()[i]);
+    int count = 0;
     std::vector<int> column(system_.nodes, -1);
     for (int i = 0; i < system_.nodes; ++i) {
         const int r = root(parent, i);
         if (outside[r] > weak_conduits * inside[r])
             continue;
         if (column[r] < 0)
-            column[r] = columns_++;
+            column[r] = count++;
         node_part_[i] = column[r];
     }
+    return count;
 }
 
 template <int D>

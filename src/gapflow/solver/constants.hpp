@@ -47,8 +47,10 @@ public:
 
 private:
     bool all_constants_null() const;
-    void number_columns();
-    void number_weak_films();
+    /// `whole`: no component has several parts of the grid.
+    void number_columns(bool whole);
+    /// Numbers weak films' nodes from 0; how many there are.
+    int number_weak_films();
     void set_up_energies();
     /// Z^T r.
     Eigen::VectorXd restricted(const UnknownVector<D>& r) const;

@@ -234,6 +234,14 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
 }
 
 template <int D>
+bool ContactSet<D>::likely_to_change(const std::vector<Twist<D>>& expected) const
+{
+    return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
+        return c.closed ? !c.was_closed || c.target > c.least : rate(c.normal, c, expected) < c.least;
+    });
+}
+
+template <int D>
 std::vector<HeldContact<D>> ContactSet<D>::held() const
 {
     constexpr double rigid = std::numeric_limits<double>::infinity();

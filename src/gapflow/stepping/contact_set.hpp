@@ -51,6 +51,9 @@ public:
     bool push_apart(std::vector<RigidBody<D>>& bodies) const;
     /// What each contact asks of the step: `before`: twists at its start; `forced`: with the explicit forces of the step.
     void prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt);
+    /// Whether these contacts, as they are, would not do with the twists expected at the step's end: then they are to be found
+    /// by rough solves first.
+    bool likely_to_change(const std::vector<Twist<D>>& expected) const;
     /// Rows of the contacts that hold: normal, then tangents of those that stick.
     std::vector<HeldContact<D>> held() const;
     /// Impulses of sliding friction on every solid, about its centre.

@@ -159,10 +159,7 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     const auto timer = stages_.measure("advection");
     FluidVelocity<D> u_star;
     u_star.grid = FaceField<D>(grid_);
-    std::vector<Twist<D>> predicted = twists();
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        predicted[b] = predicted_twist(bodies_[b], time_, dt);
-    FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted,
+    FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted_twists(dt),
                                        [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
     if (voids_.any())
         flood(flow, dt);
@@ -261,6 +258,32 @@ std::vector<Twist<D>> Simulation<D>::forced_twists(double dt) const
     return V;
 }
 
+// Twists of the end of the step if the accelerations of the last one go on.
+template <int D>
+std::vector<Twist<D>> Simulation<D>::predicted_twists(double dt) const
+{
+    std::vector<Twist<D>> V = twists();
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        V[b] = predicted_twist(bodies_[b], time_, dt);
+    return V;
+}
+
+// The solve starts from the last step's pressure.
+template <int D>
+void Simulation<D>::guess_impulse(double dt)
+{
+    const bool known = dt > 0 && last_dt_ > 0 && impulse_.nodes.size() == coupling_->system.nodes;
+    if (known) {
+        const double ratio = dt / last_dt_;
+        for (long i = 0; i < impulse_.cells.size(); ++i)
+            impulse_.cells.data()[i] *= ratio;
+        impulse_.nodes *= ratio;
+    } else {
+        impulse_.cells.fill(0);
+        impulse_.nodes.setZero(coupling_->system.nodes);
+    }
+}
+
 // Stage 6: (L + K M^-1 K^T) p = -(D u* + K V*), contacts among the bodies included, then velocities and twists of the end of
 // the step. In the initial projection (dt = 0) bodies are held to their velocities.
 template <int D>
@@ -274,8 +297,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     const bool contacts = dt > 0 && !contacts_.empty();
     if (contacts)
         contacts_.prepare(twists(), forced, dt);
-    impulse_.cells.fill(0);
-    impulse_.nodes.setZero(coupling_->system.nodes);
+    guess_impulse(dt);
     const bool voids = dt > 0 && voids_.any(), sets = contacts || voids; // active sets to find
     node_outflow_.resize(0);
     const std::vector<char> was_empty = voids ? voids_.empty_elements(coupling_->network) : std::vector<char>();
@@ -285,44 +307,50 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     bool new_voids = voids;
     const std::vector<double> open_flux = u_star.conduit;
     std::optional<CoupledSolver<D>> solver;
-    std::vector<Twist<D>> V;
+    std::vector<Twist<D>> V, without_pressure;
+    Eigen::VectorXd contact_impulse, held_impulse;
+    UnknownVector<D> rhs;
+    double squares = 0;
     bool settled = !sets; // whether the sets were right once, to the rough tolerance
+    bool changed = true;  // whether the sets are others than those of the last solve
+    const bool expect_none = !voids && !(contacts && contacts_.likely_to_change(predicted_twists(dt)));
     for (int round = 0;; ++round) {
-        std::vector<Twist<D>> pushed = forced;
-        if (contacts) {
-            hold_contacts(*coupling_, contacts_.held(), forced);
-            const std::vector<Twist<D>> sliding = contacts_.sliding_impulses(coupling_->solids.size());
-            for (std::size_t b = 0; b < bodies_.size(); ++b)
-                if (bodies_[b].motion == Motion::free)
-                    pushed[b] += impulse_response(bodies_[b], sliding[b], dt);
+        if (changed) {
+            std::vector<Twist<D>> pushed = forced;
+            if (contacts) {
+                hold_contacts(*coupling_, contacts_.held(), forced);
+                const std::vector<Twist<D>> sliding = contacts_.sliding_impulses(coupling_->solids.size());
+                for (std::size_t b = 0; b < bodies_.size(); ++b)
+                    if (bodies_[b].motion == Motion::free)
+                        pushed[b] += impulse_response(bodies_[b], sliding[b], dt);
+            }
+            without_pressure = intermediate_twists(*coupling_, masses(), pushed, u_star.film_normal, held_impulse);
+            if (new_voids) {
+                hold_voids(*wet, open_flux, without_pressure, dt, u_star);
+                solver.reset();
+            }
+            if (wet)
+                wet->push(without_pressure, held_impulse);
+            outflow(*coupling_, u_star, without_pressure, rhs, &squares);
+            for (long i = 0; i < rhs.cells.size(); ++i)
+                rhs.cells.data()[i] *= -1;
+            rhs.nodes *= -1;
+            if (wet)
+                wet->reduce(without_pressure, voids_.filling(dt), rhs);
+            check_compatibility(rhs, std::sqrt(squares));
+            if (solver) {
+                solver->update_bodies();
+            } else {
+                solver.emplace(coupling_->system, options);
+                stages_.add("solver set-up", solver->setup_seconds());
+                solver_seconds += solver->setup_seconds();
+            }
         }
-        Eigen::VectorXd contact_impulse;
-        V = intermediate_twists(*coupling_, masses(), pushed, u_star.film_normal, contact_impulse);
-        if (new_voids) {
-            hold_voids(*wet, open_flux, V, dt, u_star);
-            solver.reset();
-        }
-        if (wet)
-            wet->push(V, contact_impulse);
-        UnknownVector<D> rhs;
-        double squares = 0;
-        outflow(*coupling_, u_star, V, rhs, &squares);
-        for (long i = 0; i < rhs.cells.size(); ++i)
-            rhs.cells.data()[i] *= -1;
-        rhs.nodes *= -1;
-        if (wet)
-            wet->reduce(V, voids_.filling(dt), rhs);
-        check_compatibility(rhs, std::sqrt(squares));
-        if (solver) {
-            solver->update_bodies();
-        } else {
-            solver.emplace(coupling_->system, options);
-            stages_.add("solver set-up", solver->setup_seconds());
-            solver_seconds += solver->setup_seconds();
-        }
-        const double tolerance = !sets ? options.tolerance
-                                 : settled ? settled_tolerance * options.tolerance
-                                           : std::max(options.tolerance, rough_tolerance);
+        const bool exact = settled || (round == 0 && expect_none);
+        const bool holds = voids || coupling_->system.contact.rows() > 0;
+        const double tolerance = !exact  ? std::max(options.tolerance, rough_tolerance)
+                                 : holds ? settled_tolerance * options.tolerance
+                                         : options.tolerance;
         const SolveReport solve = solver->solve(impulse_, rhs, 1e-13 * std::sqrt(squares), tolerance);
         report.iterations += solve.iterations;
         stages_.add("solve", solve.seconds);
@@ -332,12 +360,14 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             throw ComputationError("the pressure solve of step " + std::to_string(steps_ + 1) + " did not converge: " +
                                    solve.message + " (" + std::to_string(solve.iterations) + " iterations, relative residual " +
                                    std::to_string(solve.residual) + ")");
+        V = without_pressure;
+        contact_impulse = held_impulse;
         add_pressure_impulse(*coupling_, impulse_, V, contact_impulse);
         if (!sets)
             break;
         // A contact whose impulse is next to nothing may flip for ever: what counts as nothing grows with the rounds.
         const double accuracy = std::max(10 * tolerance, 1e-6 * std::exp2(round - 20));
-        bool changed = contacts && contacts_.update(V, contact_impulse, accuracy, round);
+        changed = contacts && contacts_.update(V, contact_impulse, accuracy, round);
         if (wet) {
             new_voids = update_voids(*wet, u_star, V, dt, 10 * tolerance, round, changed);
             changed = changed || new_voids;
@@ -347,7 +377,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
                                    std::to_string(most_rounds) + " rounds of a step");
             break;
         }
-        if (settled && !changed)
+        if (exact && !changed)
             break;
         settled = settled || !changed || round > most_rounds / 2; // the fluid's balance holds whatever contacts do
     }

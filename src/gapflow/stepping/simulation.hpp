@@ -114,6 +114,8 @@ private:
     void flood(FilmFlow<D>& flow, double dt);
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
     std::vector<Twist<D>> forced_twists(double dt) const;
+    std::vector<Twist<D>> predicted_twists(double dt) const;
+    void guess_impulse(double dt);
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
     void hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, const std::vector<Twist<D>>& V, double dt,
                     FluidVelocity<D>& u_star);
