@@ -9,8 +9,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace gapflow {
-namespace {
+namespace gapflow
+{
+namespace
+{
 
 void demand(bool good, const char* what)
 {
@@ -36,7 +38,8 @@ void check(const std::string& text, const std::string& name)
     const Bounds<D> bounds = shape->bounds();
     for (const Vec<D>& x : {Vec<D>(0.5 * (bounds.low + bounds.high)), bounds.low, Vec<D>(2 * bounds.high - bounds.low)}) {
         const SurfacePoint<D> point = shape->closest(x);
-        demand(std::isfinite(point.distance) && point.x.allFinite() && point.normal.allFinite(), "a distance that is not finite");
+        demand(std::isfinite(point.distance) && point.x.allFinite() && point.normal.allFinite(),
+               "a distance that is not finite");
     }
 }
 
