@@ -6,9 +6,11 @@
 
 #include <vector>
 
-namespace gapflow {
+namespace gapflow
+{
 
-namespace {
+namespace
+{
 
 /// Subcommands that help lists.
 std::vector<const CLI::App*> commands_of(const CLI::App& app)
@@ -93,7 +95,8 @@ std::string man_options(const CLI::App& command)
         if (option->get_positional())
             out += ".I " + man_text(option->get_type_name()) + "\n";
         else
-            out += ".B " + man_text(joined_words(*option)) + (takes_value(*option) ? " " + man_text(option->get_type_name()) : "") + "\n";
+            out += ".B " + man_text(joined_words(*option)) +
+                   (takes_value(*option) ? " " + man_text(option->get_type_name()) : "") + "\n";
         out += man_text(option->get_description()) + ".\n";
     }
     return out;
@@ -120,8 +123,8 @@ std::string markdown(const CLI::App& app)
     std::string out = "# The command\n\n" + app.get_description() + ".\n\n" + app.get_footer() +
                       "\n\nThis page is what `gapflow generate markdown` writes; `gapflow COMMAND --help` says the same.\n";
     for (const CLI::App* command : commands_of(app)) {
-        out += "\n## gapflow " + command->get_name() + "\n\n    gapflow " + command->get_name() + synopsis_of(*command) + "\n\n" +
-               command->get_description() + ".\n\n| | |\n|---|---|\n";
+        out += "\n## gapflow " + command->get_name() + "\n\n    gapflow " + command->get_name() + synopsis_of(*command) +
+               "\n\n" + command->get_description() + ".\n\n| | |\n|---|---|\n";
         for (const CLI::Option* option : options_of(*command)) {
             const std::string value = option->get_type_name();
             const std::string words = joined_words(*option, "`, `");
@@ -163,7 +166,8 @@ std::string bash(const CLI::App& app)
             if (takes_value(*option))
                 values += "            " + joined_words(*option, "|") + ") kind=" + (kind.empty() ? "none" : kind) + " ;;\n";
         }
-        cases += "    " + command->get_name() + ")\n        words=\"" + words + "\" kind=" + (first.empty() ? "none" : first) + "\n";
+        cases +=
+            "    " + command->get_name() + ")\n        words=\"" + words + "\" kind=" + (first.empty() ? "none" : first) + "\n";
         if (!values.empty())
             cases += "        case $before in\n" + values + "        esac\n";
         cases += "        ;;\n";
@@ -175,11 +179,13 @@ _gapflow()
     COMPREPLY=()
     [ "$before" = "=" ] && return
     if [ "$COMP_CWORD" -eq 1 ]; then
-        COMPREPLY=($(compgen -W ")bash" + names + R"bash( --help --version" -- "$current"))
+        COMPREPLY=($(compgen -W ")bash" +
+           names + R"bash( --help --version" -- "$current"))
         return
     fi
     case ${COMP_WORDS[1]} in
-)bash" + cases + R"bash(    esac
+)bash" + cases +
+           R"bash(    esac
     case $current in
     -*) COMPREPLY=($(compgen -W "$words" -- "$current")) ;;
     *)
@@ -226,7 +232,8 @@ std::string zsh(const CLI::App& app)
         }
         cases += "\n        ;;\n";
     }
-    return "#compdef gapflow\n_gapflow_keys()\n{\n    compadd -S = -- ${(f)\"$(gapflow keys --names 2>/dev/null)\"}\n}\n\n_gapflow()\n{\n"
+    return "#compdef gapflow\n_gapflow_keys()\n{\n    compadd -S = -- ${(f)\"$(gapflow keys --names "
+           "2>/dev/null)\"}\n}\n\n_gapflow()\n{\n"
            "    local -a commands=(\n" +
            names +
            "    )\n    if (( CURRENT == 2 )); then\n        _describe command commands\n        return\n    fi\n"
@@ -246,7 +253,7 @@ std::string fish(const CLI::App& app)
             const std::string kind = value_kind(*option);
             const std::string values = kind == "scene"    ? " -a '(__fish_complete_suffix .toml)'"
                                        : kind == "folder" ? " -a '(__fish_complete_directories)'"
-                                       : kind == "key"    ? " -a '(gapflow keys --names 2>/dev/null | string replace -r $ =)'"
+                                       : kind == "key"    ? " -a '(gapflow keys --names 2>/dev/null)='"
                                        : kind == "file"   ? " -F"
                                                           : "";
             out += within;

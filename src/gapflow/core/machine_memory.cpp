@@ -6,7 +6,8 @@
 
 #include <unistd.h>
 
-namespace gapflow {
+namespace gapflow
+{
 
 double machine_memory()
 {

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <functional>
 
-namespace gapflow {
+namespace gapflow
+{
 
-namespace {
+namespace
+{
 
 std::string table_of(const KeyInfo& key)
 {
@@ -75,7 +77,8 @@ std::string default_of(const KeyInfo& key)
     if (!key.needed.empty())
         return "needed " + key.needed;
     if (table_of(key) == "pair")
-        return "that of " + (key.meaning.substr(key.meaning.find("(default: ") + 10, 3) == "gap" ? std::string("[gap]") : "[contact]");
+        return "that of " +
+               (key.meaning.substr(key.meaning.find("(default: ") + 10, 3) == "gap" ? std::string("[gap]") : "[contact]");
     if (key.type == KeyType::vector && key.default_value == "0.0")
         return "0 on every axis";
     return key.default_value.empty() ? "none" : key.default_value;
@@ -150,15 +153,16 @@ std::string key_names()
 
 std::string key_page()
 {
-    std::string out = "# Scene keys\n\n"
-                      "All keys of a scene file, from the table that the reader checks scenes with (`gapflow keys` prints it; this "
-                      "page is what\n`gapflow generate scene-markdown` writes). Units are those of SI; any consistent units do. A file "
-                      "named in a scene is looked for\nin the scene's folder. `--set` takes the dotted names, bodies by name: "
-                      "`--set gap.model=none`, `--set body.upper.density=2`.\n";
+    std::string out =
+        "# Scene keys\n\n"
+        "All keys of a scene file, from the table that the reader checks scenes with (`gapflow keys` prints it; this "
+        "page is what\n`gapflow generate scene-markdown` writes). Units are those of SI; any consistent units do. A file "
+        "named in a scene is looked for\nin the scene's folder. `--set` takes the dotted names, bodies by name: "
+        "`--set gap.model=none`, `--set body.upper.density=2`.\n";
     for_each_key(
         [&](const std::string& table) {
-            out += "\n## " + (table.empty() ? "Without a table" : "`" + header_of(table) + "`") + "\n\n" + cell(meaning_of_table(table)) +
-                   "\n\n| key | value | default | meaning |\n|---|---|---|---|\n";
+            out += "\n## " + (table.empty() ? "Without a table" : "`" + header_of(table) + "`") + "\n\n" +
+                   cell(meaning_of_table(table)) + "\n\n| key | value | default | meaning |\n|---|---|---|---|\n";
         },
         [&](const KeyInfo& key) {
             out += "| `" + name_in_table(key) + "` | " + cell(value_of(key)) + " | " + cell(default_of(key)) + " | " +
@@ -169,18 +173,19 @@ std::string key_page()
 
 std::string key_manual(const std::string& version)
 {
-    std::string out = ".TH GAPFLOW\\-SCENE 5 \"\" \"gapflow " + version +
-                      "\" \"Gapflow\"\n.SH NAME\ngapflow\\-scene \\- scene files of gapflow\n.SH DESCRIPTION\n"
-                      "A scene is a TOML file. Units are those of SI; any consistent units do. A file named in a scene is looked for "
-                      "in the scene's folder.\n";
+    std::string out =
+        ".TH GAPFLOW\\-SCENE 5 \"\" \"gapflow " + version +
+        "\" \"Gapflow\"\n.SH NAME\ngapflow\\-scene \\- scene files of gapflow\n.SH DESCRIPTION\n"
+        "A scene is a TOML file. Units are those of SI; any consistent units do. A file named in a scene is looked for "
+        "in the scene's folder.\n";
     for_each_key(
         [&](const std::string& table) {
             out += ".SH " + (table.empty() ? "WITHOUT A TABLE" : man_text(header_of(table))) + "\n" +
                    man_text(meaning_of_table(table)) + "\n";
         },
         [&](const KeyInfo& key) {
-            out += ".TP\n.B " + man_text(name_in_table(key)) + "\n" + man_text(meaning_of(key)) + ".\n.br\nValue: " +
-                   man_text(value_of(key)) + ". Default: " + man_text(default_of(key)) + ".\n";
+            out += ".TP\n.B " + man_text(name_in_table(key)) + "\n" + man_text(meaning_of(key)) +
+                   ".\n.br\nValue: " + man_text(value_of(key)) + ". Default: " + man_text(default_of(key)) + ".\n";
         });
     return out + ".SH SEE ALSO\n.BR gapflow (1)\n";
 }

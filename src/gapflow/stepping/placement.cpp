@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace gapflow {
+namespace gapflow
+{
 
-namespace {
+namespace
+{
 
 template <int D>
 bool bounded(const RigidBody<D>& body)
@@ -78,7 +80,8 @@ double depth_in(const Solid<D>& solid, const Surface<D>& surface)
 } // namespace
 
 template <int D>
-std::vector<std::string> placement_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls)
+std::vector<std::string> placement_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
+                                            const DomainWalls<D>& walls)
 {
     const double dx = scene.size[0] / scene.cells[0];
     const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
