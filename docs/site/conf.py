@@ -13,3 +13,4 @@ mathjax_path = "render_maths.js"  # formulas are marked as for MathJax and set b
 html_copy_source = False
 html_show_sphinx = False
 highlight_language = "none"
+smartquotes = False  # "wall" in a table is what to type
