@@ -1,7 +1,7 @@
 #include "commands.hpp"
 
 #include "gapflow/core/text.hpp"
-#include "gapflow/stepping/setup.hpp"
+#include "gapflow/stepping/placement.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -26,12 +26,15 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     const Grid<D> grid = make_grid<D>(scene, comm);
     const std::vector<RigidBody<D>> bodies = make_bodies<D>(scene);
     const DomainWalls<D> walls = make_walls<D>(scene);
+    const std::vector<std::string> warnings = placement_warnings<D>(scene, bodies, walls);
     const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
     const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
     const Coupling<D> coupling = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)},
                                            gap_settings<D>(scene, solids, scene.end > 0), {});
     if (!comm.root())
         return;
+    for (const std::string& warning : warnings)
+        std::printf("warning   %s\n", warning.c_str());
     struct Sum {
         double thinnest = std::numeric_limits<double>::infinity(), threshold = 0;
         std::size_t nodes = 0;
@@ -78,8 +81,7 @@ int check_command(const Scene& scene)
                                       [](const BodyScene& body) { return body.motion != BodyScene::Motion::fixed; });
     if (comm.root()) {
         std::printf("scene     %s%s%s\n", scene.file.c_str(), scene.title.empty() ? "" : ": ", scene.title.c_str());
-        std::printf("cells     %s = %.0f, spacing %s\n", count_text(scene).c_str(), cells,
-                    number_text(scene.size[0] / scene.cells[0]).c_str());
+        std::printf("cells     %s = %.0f, spacing %.6g\n", count_text(scene).c_str(), cells, scene.size[0] / scene.cells[0]);
         std::printf("memory    about %.3g MiB\n", expected_memory(scene.dimension, cells) / 1048576.0);
         std::printf("bodies    %zu, of which %td move\n", scene.bodies.size(), moving);
         std::printf("gaps      model %s, threshold %s\n", scene.gap.film ? "film" : "none",

@@ -45,6 +45,7 @@ struct ReportOptions {
     std::string directory; ///< of the run
     std::string page;      ///< empty: report.html in the run's folder
     bool png = false;      ///< key frames as PNG in the run's folder frames/ instead of a page
+    bool quiet = false;
 };
 
 /// Writes a page or pictures of a run from its files. Only the root works. Collective.

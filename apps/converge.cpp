@@ -6,6 +6,7 @@
 #include "gapflow/core/text.hpp"
 #include "gapflow/output/convergence.hpp"
 #include "gapflow/output/file.hpp"
+#include "gapflow/stepping/setup.hpp"
 
 #include <fmt/core.h>
 
@@ -269,6 +270,7 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
         scenes.push_back(read({{"domain.cells", "[" + joined(cells, ",") + "]"},
                                {"time.max_step", fmt::format("{:.17g}", scene.max_step * ratio)},
                                {"time.gap_cfl", fmt::format("{:.17g}", scene.gap_cfl * ratio)}}));
+        require_memory(scenes.back(), comm);
         scenes.back().output_directory = scene.output_directory + "/cells_" + std::to_string(n);
     }
     std::vector<Run> runs;

@@ -1,8 +1,11 @@
 // The command `gapflow`: reads the command line, maps errors to exit statuses (0 done, 1 failed, 2 bad usage or scene).
 #include "commands.hpp"
+#include "describe.hpp"
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/text.hpp"
+#include "gapflow/output/file.hpp"
+#include "gapflow/scene/key_reference.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -18,11 +21,11 @@ namespace {
 constexpr int failed = 1, bad_input = 2;
 
 struct Arguments {
-    std::string scene, directory, resume;
+    std::string scene, directory, resume, table, kind;
     std::vector<std::string> sets;
     ConvergeOptions converge;
     ReportOptions report;
-    bool quiet = false, json = false;
+    bool quiet = false, json = false, names = false;
 };
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
@@ -62,6 +65,19 @@ int converge(Arguments& arguments)
     arguments.converge.quiet = arguments.quiet;
     return converge_command([&](const Overrides& more) { return scene_of(arguments, Purpose::run, more); },
                             arguments.converge);
+}
+
+int keys(const Arguments& arguments)
+{
+    const std::string text = arguments.names ? key_names() : key_list(arguments.table);
+    if (text.empty()) {
+        const std::string near = nearest_key(arguments.table, scene_keys());
+        throw InputError("'" + arguments.table + "' is neither a key nor a table of scenes" +
+                         (near.empty() ? "" : "; did you mean '" + near + "'?"));
+    }
+    if (Communicator().root())
+        std::cout << text;
+    return 0;
 }
 
 /// The subcommands and their options; `action` becomes the one that the user chose.
@@ -128,11 +144,33 @@ void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& act
     converge_app->footer("Runs with domain.cells in proportion, time.max_step and time.gap_cfl scaled with the spacing, into "
                          "folders cells_N; writes converge.csv and converge.json. Errors are divided by the reference's range.");
 
+    CLI::App* keys_app = add("keys", "List the keys of scene files: meaning, allowed values, default", [&] { return keys(arguments); });
+    keys_app->add_option("table", arguments.table, "Only this table or key, as gap or body.spring")->type_name("TABLE");
+    keys_app->add_flag("--names", arguments.names, "Names alone, as --set takes them");
+
+    CLI::App* generate =
+        add("generate", "Print a man page, a reference page or a shell's completion, made from this command's own tables", [&] {
+            on_root(Communicator(), [&] {
+                const std::string text = describe(app, arguments.kind, GAPFLOW_VERSION);
+                if (arguments.directory.empty())
+                    std::cout << text;
+                else
+                    write_atomically(arguments.directory, text);
+            });
+            return 0;
+        });
+    generate->group(""); // for the build and the docs, not in --help
+    generate->add_option("-o,--output", arguments.directory);
+    generate->add_option("kind", arguments.kind)
+        ->required()
+        ->check(CLI::IsMember(std::vector<std::string>(std::begin(description_kinds), std::end(description_kinds))));
+
     CLI::App* report = add("report", "One HTML page of a run, with plots and a view to play; or pictures of it",
                            [&] { return report_command(arguments.report); });
     report->add_option("directory", arguments.report.directory, "Folder of the run")->required()->type_name("DIR");
     CLI::Option* page =
         report->add_option("-o,--output", arguments.report.page, "The page, instead of DIR/report.html")->type_name("FILE.html");
+    report->add_flag("-q,--quiet", arguments.report.quiet, "Only warnings and errors");
     report->add_flag("--png", arguments.report.png, "Key frames as pictures DIR/frames/*.png instead of a page")->excludes(page);
     report->footer("Reads what the run has written so far, also of a run that is going on or was stopped. The page needs no "
                    "network.");

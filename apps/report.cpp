@@ -3,6 +3,7 @@
 
 #include "gapflow/output/file.hpp"
 #include "gapflow/output/frame_pictures.hpp"
+#include "gapflow/output/progress.hpp"
 #include "gapflow/output/report_page.hpp"
 
 #include <fmt/core.h>
@@ -13,29 +14,34 @@ namespace gapflow {
 
 namespace {
 
-void write_page(const StoredRun& run, const ReportOptions& options)
+void write_page(const StoredRun& run, const ReportOptions& options, const CountWatcher& watch)
 {
     const std::filesystem::path page = options.page.empty() ? run.folder / "report.html" : std::filesystem::path(options.page);
-    const PageSummary summary = write_report_page(run, page);
-    std::puts(fmt::format("{}: {:.1f} MB, {} of {} output times, {} of {} steps; open it in a browser", page.string(),
-                          static_cast<double>(summary.bytes) / 1e6, summary.frames, summary.frames_of_run, summary.steps,
-                          summary.steps_of_run)
-                  .c_str());
+    const PageSummary summary = write_report_page(run, page, {}, watch);
+    if (!options.quiet)
+        std::puts(fmt::format("{}: {:.1f} MB, {} of {} output times, {} of {} steps; open it in a browser", page.string(),
+                              static_cast<double>(summary.bytes) / 1e6, summary.frames, summary.frames_of_run, summary.steps,
+                              summary.steps_of_run)
+                      .c_str());
 }
 
-void write_pictures(const StoredRun& run)
+void write_pictures(const StoredRun& run, const ReportOptions& options, const CountWatcher& watch)
 {
-    for (const std::filesystem::path& picture : write_frame_pictures(run, run.folder / "frames"))
-        std::puts(picture.c_str());
+    for (const std::filesystem::path& picture : write_frame_pictures(run, run.folder / "frames", watch))
+        if (!options.quiet)
+            std::puts(picture.c_str());
 }
 
 } // namespace
 
 int report_command(const ReportOptions& options)
 {
-    on_root(Communicator(), [&] {
+    const Communicator comm;
+    on_root(comm, [&] {
         const StoredRun run = read_run(options.directory);
-        options.png ? write_pictures(run) : write_page(run, options);
+        CountProgress progress(choose_progress_style(comm, options.quiet), options.png ? "pictures" : "output times");
+        const CountWatcher watch = [&](std::size_t done, std::size_t of) { progress(done, of); };
+        options.png ? write_pictures(run, options, watch) : write_page(run, options, watch);
     });
     return 0;
 }

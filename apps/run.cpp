@@ -7,6 +7,7 @@
 #include "gapflow/output/checkpoint.hpp"
 #include "gapflow/output/progress.hpp"
 #include "gapflow/output/run_files.hpp"
+#include "gapflow/output/schedule.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
 #include <fmt/core.h>
@@ -20,6 +21,8 @@
 namespace gapflow {
 
 namespace {
+
+constexpr std::size_t most_bodies_told = 5; // in the summary
 
 volatile std::sig_atomic_t stop_signal = 0;
 
@@ -44,15 +47,6 @@ Simulation<D> start(const Scene& scene, const RunOptions& options, const std::op
     }
 }
 
-/// Number k >= 1 of the first multiple of `every` after `time`; times of multiples are k * every to the bit.
-long next_multiple(double time, double every)
-{
-    long k = std::max(1L, std::lround(time / every) - 1);
-    while (static_cast<double>(k) * every <= time)
-        ++k;
-    return k;
-}
-
 template <int D>
 Vec<D> start_position(const RigidBody<D>& body, const BodyScene& scene)
 {
@@ -64,11 +58,21 @@ void summarise(const Simulation<D>& simulation, const Logger& log, double smalle
 {
     const double dx = simulation.grid().dx();
     log.info(fmt::format("done: {} steps to time {:.6g}", simulation.steps(), simulation.time()));
-    for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+    struct Way {
+        std::size_t body;
+        double length;
+    };
+    std::vector<Way> ways;
+    for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
+        if (const RigidBody<D>& body = simulation.bodies()[b]; body.motion != Motion::fixed)
+            ways.push_back({b, (body.pose.position - start_position(body, simulation.scene().bodies[b])).norm()});
+    if (ways.size() > most_bodies_told) {
+        log.info(fmt::format("{} bodies moved, the furthest {}:", ways.size(), most_bodies_told));
+        std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.length > b.length; });
+        ways.resize(most_bodies_told);
+    }
+    for (const auto& [b, way] : ways) {
         const RigidBody<D>& body = simulation.bodies()[b];
-        if (body.motion == Motion::fixed)
-            continue;
-        const double way = (body.pose.position - start_position(body, simulation.scene().bodies[b])).norm();
         log.info(fmt::format("{} is {:.4g} ({:.3g} cells) from its start, at speed {:.4g}", body.name, way, way / dx,
                              body.twist.template head<D>().norm()));
     }
@@ -102,25 +106,22 @@ int run(const Scene& scene, const RunOptions& options)
                          simulation.initial_report().cells, simulation.initial_report().film_nodes, comm.size(), thread_count()));
     if (const auto& sealed = simulation.coupling().sealed; !sealed.empty())
         log.info(fmt::format("{} pocket(s) of fluid are sealed in", sealed.size()));
+    for (const std::string& note : simulation.initial_report().notes)
+        log.warn_once(note);
     if (!options.resume.empty())
         log.info(fmt::format("goes on from step {} at time {:.6g}", simulation.steps(), simulation.time()));
     std::signal(SIGINT, note_signal);
     std::signal(SIGTERM, note_signal);
 
+    Schedule schedule(scene, simulation.time());
     Progress progress(choose_progress_style(comm, options.quiet), simulation.time(), scene.end);
     try {
         if (options.resume.empty()) {
             files.write_step(simulation, simulation.initial_report());
             files.write_fields(simulation);
         }
-        long output = scene.output_every > 0 ? next_multiple(simulation.time(), scene.output_every) : 0;
-        double checkpoint = scene.checkpoint_every > 0 ? scene.checkpoint_every * next_multiple(simulation.time(), scene.checkpoint_every)
-                                                       : std::numeric_limits<double>::infinity();
         while (simulation.time() < scene.end) {
-            double next = scene.output_every > 0 ? std::min(scene.end, output * scene.output_every) : scene.end;
-            if (scene.end - next < 1e-9 * scene.end)
-                next = scene.end;
-            const StepReport report = simulation.step(next);
+            const StepReport report = simulation.step(schedule.next_output());
             for (const std::string& note : report.notes)
                 log.warn_once(note);
             for (const GapState& gap : simulation.gaps())
@@ -128,17 +129,13 @@ int run(const Scene& scene, const RunOptions& options)
             files.write_step(simulation, report);
             const ProgressState state{report.time, report.dt, report.step, report.iterations};
             progress.step(state);
-            const bool stop = comm.any(stop_signal != 0), shown = simulation.time() >= next;
+            const bool stop = comm.any(stop_signal != 0), shown = schedule.output_due(simulation.time());
             if (shown) {
                 files.write_fields(simulation);
                 progress.output(state);
-                ++output;
             }
-            if (simulation.time() >= checkpoint || simulation.time() >= scene.end || stop) {
+            if (schedule.checkpoint_due(simulation.time()) || stop)
                 files.write_checkpoint(simulation, smallest_gap);
-                while (checkpoint <= simulation.time())
-                    checkpoint = scene.checkpoint_every * next_multiple(simulation.time(), scene.checkpoint_every);
-            }
             if (stop && simulation.time() < scene.end) {
                 const int signal = static_cast<int>(comm.max(static_cast<long>(stop_signal)));
                 if (!shown) // a look at where it stopped; a run that goes on from the checkpoint replaces it

@@ -1,11 +1,52 @@
+# Components: `command` (with manual pages, completions, examples) and `development` (library, headers, package config).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
-install(TARGETS gapflow gapflow_options gapflow_command EXPORT gapflow-targets
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY src/gapflow DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
-install(EXPORT gapflow-targets NAMESPACE gapflow:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/gapflow)
-configure_package_config_file(cmake/gapflow-config.cmake.in ${PROJECT_BINARY_DIR}/gapflow-config.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/gapflow)
+install(TARGETS gapflow_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+install(TARGETS gapflow gapflow_options EXPORT gapflow-targets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(DIRECTORY src/gapflow DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+set(config ${CMAKE_INSTALL_LIBDIR}/cmake/gapflow)
+install(EXPORT gapflow-targets NAMESPACE gapflow:: DESTINATION ${config} COMPONENT development)
+configure_package_config_file(cmake/gapflow-config.cmake.in ${PROJECT_BINARY_DIR}/gapflow-config.cmake INSTALL_DESTINATION ${config})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/gapflow-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/gapflow-config.cmake ${PROJECT_BINARY_DIR}/gapflow-config-version.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/gapflow)
+  DESTINATION ${config} COMPONENT development)
+
+# Manual pages and completions are what the command says of itself.
+set(generated)
+foreach(text IN ITEMS "man gapflow.1 man/man1" "scene-man gapflow-scene.5 man/man5" "bash gapflow bash-completion/completions"
+    "zsh _gapflow zsh/vendor-completions" "fish gapflow.fish fish/vendor_completions.d")
+  separate_arguments(words UNIX_COMMAND "${text}")
+  list(GET words 0 kind)
+  list(GET words 1 name)
+  list(GET words 2 place)
+  set(file ${PROJECT_BINARY_DIR}/generated/${place}/${name})
+  add_custom_command(OUTPUT ${file} COMMAND gapflow_command generate ${kind} --output ${file} DEPENDS gapflow_command VERBATIM)
+  list(APPEND generated ${file})
+  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/${place} COMPONENT command)
+endforeach()
+add_custom_target(gapflow_generated ALL DEPENDS ${generated})
+
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/gapflow COMPONENT command)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT command)
+
+# Debian packages: tools/package.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME gapflow)
+set(CPACK_PACKAGE_CONTACT "The authors of Gapflow <gapflow@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "rigid bodies in incompressible flow, two-way coupled through thin gaps")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME gapflow)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "openmpi-bin")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libgapflow-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "g++, cmake, pkg-config, libpetsc-real-dev, libopenmpi-dev, libhdf5-openmpi-dev, libeigen3-dev, libspdlog-dev, libfmt-dev, libtomlplusplus-dev, libpng-dev")
+set(CPACK_COMPONENT_COMMAND_DESCRIPTION "The command, its manual pages, completions and examples.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Library, headers and CMake package.")
+include(CPack)

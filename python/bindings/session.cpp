@@ -4,6 +4,7 @@
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/output/run_files.hpp"
+#include "gapflow/output/schedule.hpp"
 
 #include <pybind11/stl.h>
 
@@ -75,7 +76,7 @@ py::dict report_dict(const StepReport& report)
 template <int D>
 class SessionOf : public Session {
 public:
-    SessionOf(const Scene& scene, const std::string& folder) : scene_(scene)
+    SessionOf(const Scene& scene, const std::string& folder) : scene_(scene), schedule_(scene, 0)
     {
         const Computing computing;
         simulation_ = std::make_unique<Simulation<D>>(scene_, Communicator());
@@ -333,20 +334,13 @@ private:
     {
         Simulation<D>& s = *simulation_;
         double next = s.time() < scene_.end ? std::min(until, scene_.end) : until;
-        double next_output = std::numeric_limits<double>::infinity();
-        if (files_ && s.time() < scene_.end) {
-            next_output = scene_.output_every > 0 ? std::min(scene_.end, output_ * scene_.output_every) : scene_.end;
-            if (scene_.end - next_output < 1e-9 * scene_.end)
-                next_output = scene_.end;
-            next = std::min(next, next_output);
-        }
+        if (files_)
+            next = std::min(next, schedule_.next_output());
         const StepReport report = s.step(next);
         if (files_)
             files_->write_step(s, report);
-        if (files_ && s.time() >= next_output) {
+        if (files_ && schedule_.output_due(s.time()))
             files_->write_fields(s);
-            ++output_;
-        }
         return report;
     }
 
@@ -423,9 +417,9 @@ private:
 
     const Scene scene_;
     std::unique_ptr<Simulation<D>> simulation_;
+    Schedule schedule_; ///< of the files
     std::optional<RunFiles<D>> files_;
     StepReport report_; ///< of the last step
-    long output_ = 1;   ///< number of the next output time
     bool busy_ = false; ///< a thread computes; changed and read with the GIL held
     std::string failure_;
 };

@@ -1,5 +1,4 @@
 """The command as a user types it: examples in short, files, exit codes, messages. Usage: command_test.py GAPFLOW EXAMPLES"""
-import csv
 import json
 import os
 import signal
@@ -10,7 +9,9 @@ import time
 import unittest
 from pathlib import Path
 
-GAPFLOW, EXAMPLES = sys.argv.pop(1), Path(sys.argv.pop(1))
+from harness import GAPFLOW, gapflow, rows
+
+EXAMPLES = Path(sys.argv.pop(1))
 SHORT = {  # settings that keep each example to seconds
     "01_plates_pulled_apart": ["domain.cells=[64,64]", "time.end=0.1", "output.every=0.05"],
     "02_cylinders_from_contact": ["domain.cells=[48,48]", "time.end=0.3", "output.every=0.15"],
@@ -19,15 +20,6 @@ SHORT = {  # settings that keep each example to seconds
     "05_mesh_bodies": ["domain.cells=[24,24,24]", "time.end=0.04", "output.every=0.02"],
 }
 DRY = "10_dry_separation"
-
-
-def gapflow(*words):
-    return subprocess.run([GAPFLOW, *map(str, words)], capture_output=True, text=True, timeout=300)
-
-
-def rows(file):
-    with open(file) as f:
-        return list(csv.DictReader(f))
 
 
 class Command(unittest.TestCase):

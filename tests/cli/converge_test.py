@@ -1,14 +1,14 @@
 """gapflow converge as a user types it. Usage: converge_test.py GAPFLOW EXAMPLES"""
-import csv
 import json
 import math
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-GAPFLOW, EXAMPLES = sys.argv.pop(1), Path(sys.argv.pop(1))
+from harness import gapflow, rows
+
+EXAMPLES = Path(sys.argv.pop(1))
 PLATES = EXAMPLES / "01_plates_pulled_apart" / "scene.toml"
 # A ball on a damped spring in next to no fluid: its motion is known.
 SPRING = """
@@ -30,15 +30,6 @@ spring = { anchor = [1.0, 0.5], stiffness = 50, damping = 2 }
 end = 0.8
 max_step = 0.05
 """
-
-
-def gapflow(*words):
-    return subprocess.run([GAPFLOW, *map(str, words)], capture_output=True, text=True, timeout=600)
-
-
-def rows(file):
-    with open(file) as f:
-        return list(csv.DictReader(f))
 
 
 class Converge(unittest.TestCase):

@@ -1,6 +1,5 @@
 """gapflow report as a user types it: pages, pictures, errors. Usage: report_test.py GAPFLOW EXAMPLES MPIEXEC"""
 import base64
-import csv
 import json
 import math
 import re
@@ -13,24 +12,17 @@ import unittest
 import zlib
 from pathlib import Path
 
-GAPFLOW, EXAMPLES, MPIEXEC = sys.argv.pop(1), Path(sys.argv.pop(1)), sys.argv.pop(1)
+from harness import gapflow, rows
+
+EXAMPLES, MPIEXEC = Path(sys.argv.pop(1)), sys.argv.pop(1)
 PLATES, SPHERE = (EXAMPLES / name / "scene.toml" for name in ("01_plates_pulled_apart", "04_sphere_leaving_wall"))
 TITLE = 'plates </script><!-- & "co" <b>'
-
-
-def gapflow(*words, launcher=()):
-    return subprocess.run([*map(str, launcher), GAPFLOW, *map(str, words)], capture_output=True, text=True, timeout=300)
 
 
 def run(scene, out, *settings, launcher=()):
     done = gapflow("run", scene, "-o", out, *[word for s in settings for word in ("--set", s)], launcher=launcher)
     assert done.returncode == 0, done.stderr
     return done
-
-
-def rows(file):
-    with open(file) as f:
-        return list(csv.DictReader(f))
 
 
 class Page:

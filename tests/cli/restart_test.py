@@ -3,7 +3,6 @@
 Usage: restart_test.py GAPFLOW MPIEXEC. The environment variable GAPFLOW_KILLS is the number of runs that are killed at random
 moments (3 if not set); GAPFLOW_SEED chooses them.
 """
-import csv
 import hashlib
 import json
 import os
@@ -20,7 +19,9 @@ import unittest
 import xml.etree.ElementTree
 from pathlib import Path
 
-GAPFLOW, MPIEXEC = os.path.abspath(sys.argv.pop(1)), sys.argv.pop(1)
+from harness import GAPFLOW, rows
+
+MPIEXEC = sys.argv.pop(1)
 KILLS = int(os.environ.get("GAPFLOW_KILLS", "3"))
 SEED = int(os.environ.get("GAPFLOW_SEED", "1"))
 
@@ -81,11 +82,6 @@ def scene(dimension):
         lift=[0.002, 0.6] if dimension == 2 else [0.001, 0.3, 0.0], ball_speed=[0.3, 0.0] + still, driven_at=[1.6, 0.75] + extra, driven_speed=[0.1, 0.02] + still,
         end=1.0 if dimension == 2 else 0.75, step=0.01 if dimension == 2 else 0.0075,
         every=0.25 if dimension == 2 else 0.125, checkpoint=0.11)
-
-
-def rows(file):
-    with open(file) as f:
-        return list(csv.DictReader(f))
 
 
 def without_seconds(table):

@@ -191,10 +191,18 @@ template <int D>
 std::unique_ptr<Shape<D>> make_mesh(const std::string& file, double scale)
 {
     require_positive("mesh " + file, "scale", scale);
-    return std::make_unique<Mesh<D>>(closed_surface(read_surface_file<D>(file, scale), file));
+    return make_mesh<D>(read_surface_file<D>(file, scale), file);
+}
+
+template <int D>
+std::unique_ptr<Shape<D>> make_mesh(SurfaceMesh<D> surface, const std::string& name)
+{
+    return std::make_unique<Mesh<D>>(closed_surface(std::move(surface), name));
 }
 
 template std::unique_ptr<Shape<2>> make_mesh<2>(const std::string&, double);
 template std::unique_ptr<Shape<3>> make_mesh<3>(const std::string&, double);
+template std::unique_ptr<Shape<2>> make_mesh<2>(SurfaceMesh<2>, const std::string&);
+template std::unique_ptr<Shape<3>> make_mesh<3>(SurfaceMesh<3>, const std::string&);
 
 } // namespace gapflow

@@ -52,8 +52,9 @@ SurfaceMesh<D> welded(const SurfaceMesh<D>& mesh, double tolerance)
     SurfaceMesh<D> result;
     const double width = std::max(3 * tolerance, 1e-12 * extent(mesh)), reach = 1.001 * tolerance;
     std::unordered_map<Cell<D>, std::vector<int>, CellHash<D>> cells;
+    const Vec<D> origin = mesh.vertices.front(); // a small mesh far away keeps small numbers of cells
     const auto cell_of = [&](const Vec<D>& x) {
-        return Cell<D>{(x / width).array().floor().matrix().template cast<std::int64_t>()};
+        return Cell<D>{((x - origin) / width).array().floor().matrix().template cast<std::int64_t>()};
     };
     const auto merged = [&](const Vec<D>& x) {
         for (int corner = 0; corner < (tolerance > 0 ? 1 << D : 1); ++corner) { // cells that a cube of size 2 reach touches
@@ -253,6 +254,8 @@ ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name)
     ClosedSurface<D> surface{compacted<D>(mesh.vertices, std::move(mesh.elements)), {}};
     std::string defect;
     const double size = extent(surface.mesh);
+    if (size == 0)
+        throw InputError(name + ": the surface encloses no volume: all of its vertices are at one place; check its scale");
     // Tolerance -1: only vertices shared by index. Polygons close themselves and are never welded.
     for (double tolerance : {-1., 0., 1e-6 * size}) {
         if (tolerance >= 0)
@@ -265,7 +268,7 @@ ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name)
         throw InputError(name + ": " + defect);
     const double volume = mass_properties_of(surface.mesh).volume;
     if (!(std::abs(volume) > 1e-14 * std::pow(size, D)))
-        throw InputError(name + ": the surface encloses no volume");
+        throw InputError(name + ": the surface encloses no volume; give the part a thickness, and a polygon no crossings");
     if (volume < 0)
         turn_over(surface);
     check_nesting(surface, name);

@@ -73,11 +73,21 @@ void for_each_line(const std::string& text, Use use)
     }
 }
 
+/// The point, unless squares and volumes of such coordinates could overflow.
+template <int D>
+Vec<D> checked(const Vec<D>& x, const std::string& file, int line)
+{
+    constexpr double largest = 1e30;
+    if (!(x.cwiseAbs().maxCoeff() <= largest))
+        fail(file, line, "a coordinate beyond ", largest, "; choose another scale");
+    return x;
+}
+
 template <int D>
 Vec<D> point_of(const std::vector<std::string_view>& words, std::size_t first, double scale, const std::string& file, int line)
 {
     if (words.size() < first + D)
-        fail(file, line, "expected ", D, " coordinates");
+        fail(file, line, "expected ", D, " coordinates; write them with blanks in between");
     Vec<D> x;
     for (int i = 0; i < D; ++i) {
         std::string_view word = words[first + i];
@@ -87,9 +97,9 @@ Vec<D> point_of(const std::vector<std::string_view>& words, std::size_t first, d
         if (error == std::errc::result_out_of_range)
             x[i] = std::strtod(std::string(word).c_str(), nullptr); // 0 or infinity
         if (error == std::errc::invalid_argument || end != word.data() + word.size() || !std::isfinite(x[i]))
-            fail(file, line, '"', words[first + i], "\" is not a finite number");
+            fail(file, line, '"', words[first + i], "\" is not a finite number; write coordinates as 1.5");
     }
-    return scale * x;
+    return checked<D>(scale * x, file, line);
 }
 
 /// Vertex of an OBJ corner "v", "v/t", "v//n" or "v/t/n"; counts from 1, or from the last one back if negative.
@@ -100,7 +110,8 @@ int obj_index(std::string_view word, int vertices, const std::string& file, int 
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
     const int from_zero = index > 0 ? index - 1 : vertices + index;
     if (error != std::errc() || end != number.data() + number.size() || index == 0 || from_zero < 0 || from_zero >= vertices)
-        fail(file, line, "face corner \"", word, "\" names no vertex read so far (there are ", vertices, ")");
+        fail(file, line, "face corner \"", word, "\" names no vertex read so far (there are ", vertices,
+             "); vertices count from 1, and stand before the faces that name them");
     return from_zero;
 }
 
@@ -115,7 +126,7 @@ SurfaceMesh<3> read_obj(const std::string& text, const std::string& file, double
         if (words[0] != "f")
             return;
         if (words.size() < 4)
-            fail(file, line, "a face needs at least 3 corners");
+            fail(file, line, "a face needs at least 3 corners; write f 1 2 3");
         const auto corner = [&](std::size_t k) { return obj_index(words[k], int(mesh.vertices.size()), file, line); };
         for (std::size_t k = 3; k < words.size(); ++k)
             mesh.elements.push_back({corner(1), corner(k - 1), corner(k)});
@@ -136,14 +147,14 @@ SurfaceMesh<3> read_ascii_stl(const std::string& text, const std::string& file, 
             ++in_facet;
         } else if (words[0] == "endfacet") {
             if (in_facet != 3)
-                fail(file, line, "a facet has ", in_facet, " vertices; STL facets are triangles");
+                fail(file, line, "a facet has ", in_facet, " vertices; STL facets are triangles: export again");
             const int n = int(mesh.vertices.size());
             mesh.elements.push_back({n - 3, n - 2, n - 1});
             in_facet = 0;
         }
     });
     if (in_facet != 0)
-        fail(file, last_line, "the file ends inside a facet");
+        fail(file, last_line, "the file ends inside a facet; it was cut off: export again");
     return mesh;
 }
 
@@ -171,7 +182,7 @@ SurfaceMesh<3> read_binary_stl(const std::string& text, std::int64_t count, cons
             const Vec<3> x(numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]);
             if (!x.allFinite())
                 fail(file, 0, "triangle ", f, " has a coordinate that is not finite");
-            mesh.vertices.push_back(scale * x);
+            mesh.vertices.push_back(checked<3>(scale * x, file, 0));
         }
         mesh.elements.push_back({n, n + 1, n + 2});
     }
@@ -202,7 +213,7 @@ SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, do
             if (mesh.vertices.size() == first || mesh.vertices.back() != x)
                 mesh.vertices.push_back(x);
         } else if (!words.empty())
-            fail(file, line, "expected \"x y\", found ", words.size(), " words");
+            fail(file, line, "expected \"x y\", found ", words.size(), " words; write two numbers a line");
         else if (!comment)
             close(line);
     });
@@ -215,7 +226,12 @@ SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, do
 template <int D>
 SurfaceMesh<D> read_surface_file(const std::string& file, double scale)
 {
-    const std::string text = whole_file(file);
+    return parse_surface<D>(whole_file(file), file, scale);
+}
+
+template <int D>
+SurfaceMesh<D> parse_surface(const std::string& text, const std::string& file, double scale)
+{
     std::string extension = file.substr(std::min(file.rfind('.'), file.size()));
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
@@ -228,16 +244,20 @@ SurfaceMesh<D> read_surface_file(const std::string& file, double scale)
         const std::int64_t count = binary_stl_count(text);
         if (count < 0 && !std::string_view(text).starts_with("solid"))
             fail(file, 0,
-                 "neither ASCII STL (starts with \"solid\") nor binary STL of the length its header tells; truncated?");
+                 "neither ASCII STL (starts with \"solid\") nor binary STL of the length its header tells; it was cut off: export again");
         mesh = count >= 0 ? read_binary_stl(text, count, file, scale) : read_ascii_stl(text, file, scale);
     } else
         fail(file, 0, "unknown kind of mesh file \"", extension, "\"; use .obj or .stl");
     if (mesh.elements.empty())
-        fail(file, 0, "holds no facets");
+        fail(file, 0, "holds no facets; export the surface as triangles");
     return mesh;
 }
 
-template SurfaceMesh<2> read_surface_file<2>(const std::string&, double);
-template SurfaceMesh<3> read_surface_file<3>(const std::string&, double);
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template SurfaceMesh<D> read_surface_file<D>(const std::string&, double);                                                  \
+    template SurfaceMesh<D> parse_surface<D>(const std::string&, const std::string&, double);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
 
 } // namespace gapflow

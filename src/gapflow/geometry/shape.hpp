@@ -134,6 +134,9 @@ std::unique_ptr<Shape<D>> make_half_space(const Vec<D>& normal);
 /// InputError naming the file and the first bad edge.
 template <int D>
 std::unique_ptr<Shape<D>> make_mesh(const std::string& file, double scale);
+/// The same of a surface that is in memory; `name` stands for it in messages.
+template <int D>
+std::unique_ptr<Shape<D>> make_mesh(SurfaceMesh<D> surface, const std::string& name);
 /// The same surface with the solid on its other side (containers).
 template <int D>
 std::unique_ptr<Shape<D>> make_inside_out(std::unique_ptr<Shape<D>> shape);

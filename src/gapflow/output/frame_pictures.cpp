@@ -435,7 +435,8 @@ std::vector<std::size_t> key_frames(const StoredRun& run, std::size_t most)
     return {chosen.begin(), chosen.end()};
 }
 
-std::vector<std::filesystem::path> write_frame_pictures(const StoredRun& run, const std::filesystem::path& folder)
+std::vector<std::filesystem::path> write_frame_pictures(const StoredRun& run, const std::filesystem::path& folder,
+                                                        const CountWatcher& watch)
 {
     if (run.frames.empty())
         throw InputError(run.folder.string() + ": no output time is there to draw; the run has not got that far, or its files "
@@ -445,21 +446,29 @@ std::vector<std::filesystem::path> write_frame_pictures(const StoredRun& run, co
     const std::size_t stride = (run.frames.size() + 39) / 40;
     RangeSampler sampler;
     bool films = false;
+    const std::vector<std::size_t> chosen = key_frames(run);
+    std::size_t done = 0;
+    const auto told = [&] {
+        if (watch)
+            watch(++done, (run.frames.size() + stride - 1) / stride + chosen.size());
+    };
     for (std::size_t index = 0; index < run.frames.size(); index += stride) {
         const FrameView frame = view_frame(run, view, run.frames[index]);
         sampler.add(frame);
         films = films || !frame.film.points.empty();
+        told();
     }
     const ColourRanges ranges = sampler.ranges(run.scene->at("fluid").value("reference_pressure", 0.0));
     prepare_folder(folder);
     std::vector<std::filesystem::path> written;
-    for (const std::size_t index : key_frames(run)) {
+    for (const std::size_t index : chosen) {
         const FrameView frame = view_frame(run, view, run.frames[index]);
         char name[32];
         std::snprintf(name, sizeof name, "frame_%05d.png", frame.number);
         written.push_back(folder / name);
         const auto draw = view.dimension == 2 ? picture_2d : picture_3d;
         draw(run, view, frame, ranges, films).write_png(written.back());
+        told();
     }
     return written;
 }

@@ -85,4 +85,27 @@ void Progress::paint(const ProgressState& state)
     std::fflush(out_);
 }
 
+CountProgress::CountProgress(ProgressStyle style, std::string what, std::FILE* out)
+    : style_(style), what_(std::move(what)), out_(out)
+{
+}
+
+CountProgress::~CountProgress()
+{
+    if (on_screen_)
+        std::fputs("\r\033[K", out_);
+    std::fflush(out_);
+}
+
+void CountProgress::operator()(std::size_t done, std::size_t of)
+{
+    const auto wait = style_ == ProgressStyle::terminal ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
+    if (style_ == ProgressStyle::silent || Clock::now() - painted_ < wait)
+        return;
+    painted_ = Clock::now();
+    on_screen_ = style_ == ProgressStyle::terminal;
+    std::fprintf(out_, on_screen_ ? "\r%s: %zu of %zu\033[K" : "%s: %zu of %zu\n", what_.c_str(), done, of);
+    std::fflush(out_);
+}
+
 } // namespace gapflow

@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <cstdio>
+#include <functional>
+#include <string>
 
 namespace gapflow {
 
@@ -44,6 +46,32 @@ private:
     double start_time_, end_time_;
     std::FILE* out_;
     Clock::time_point started_, painted_;
+    bool on_screen_ = false;
+};
+
+/// Called after each part of a long work: parts done, parts in all.
+using CountWatcher = std::function<void(std::size_t done, std::size_t of)>;
+
+/// How far a work of many parts is, as "frames: 3 of 20": on a terminal a line that repaints itself, in a log a line every ten
+/// seconds, so that short work leaves none.
+class CountProgress {
+public:
+    /// `out` outlives the object.
+    CountProgress(ProgressStyle style, std::string what, std::FILE* out = stderr);
+    /// Erases the terminal's line.
+    ~CountProgress();
+    CountProgress(const CountProgress&) = delete;
+    CountProgress& operator=(const CountProgress&) = delete;
+
+    void operator()(std::size_t done, std::size_t of);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    ProgressStyle style_;
+    std::string what_;
+    std::FILE* out_;
+    Clock::time_point painted_ = Clock::now();
     bool on_screen_ = false;
 };
 

@@ -280,7 +280,7 @@ EncodedFrame encode(const FrameView& frame, int dimension)
 
 // Every stride-th frame and the last one, with the smallest stride (a power of two) that keeps within the limit.
 std::vector<EncodedFrame> encode_frames(const StoredRun& run, const RunView& view, const PageLimits& limits,
-                                        RangeSampler& sampler)
+                                        RangeSampler& sampler, const CountWatcher& watch)
 {
     std::vector<EncodedFrame> kept;
     std::size_t stride = 1, bytes = 0;
@@ -289,6 +289,8 @@ std::vector<EncodedFrame> encode_frames(const StoredRun& run, const RunView& vie
         sampler.add(frame);
         kept.push_back(encode(frame, view.dimension));
         bytes += kept.back().numbers.content().size();
+        if (watch)
+            watch(index + 1, run.frames.size());
     };
     std::size_t last = 0;
     for (std::size_t index = 0; index < run.frames.size(); index += stride) {
@@ -356,7 +358,8 @@ std::string title_of(const StoredRun& run)
 
 } // namespace
 
-PageSummary write_report_page(const StoredRun& run, const std::filesystem::path& page, const PageLimits& limits)
+PageSummary write_report_page(const StoredRun& run, const std::filesystem::path& page, const PageLimits& limits,
+                              const CountWatcher& watch)
 {
     PageSummary summary;
     const RunView view = view_run(run);
@@ -372,7 +375,7 @@ PageSummary write_report_page(const StoredRun& run, const std::filesystem::path&
     json["bodies"] = bodies_json(view, numbers);
     json["tables"] = tables_json(run, view, limits, numbers, summary);
     RangeSampler sampler;
-    std::vector<EncodedFrame> frames = encode_frames(run, view, limits, sampler);
+    std::vector<EncodedFrame> frames = encode_frames(run, view, limits, sampler, watch);
     json["colours"] = colours_json(sampler.ranges(run.scene->at("fluid").value("reference_pressure", 0.0)), numbers);
     json["frames_of_run"] = run.frames.size();
     json["frames"] = Json::array();

@@ -1,6 +1,7 @@
 // One HTML page of a run: plots, a view to play, the scene, machine and timings. It needs nothing but itself.
 #pragma once
 
+#include "gapflow/output/progress.hpp"
 #include "gapflow/output/stored_run.hpp"
 
 #include <cstddef>
@@ -21,6 +22,8 @@ struct PageSummary {
 };
 
 /// Writes the page. Throws InputError for damaged files of the run and ComputationError if it cannot write.
-PageSummary write_report_page(const StoredRun& run, const std::filesystem::path& page, const PageLimits& limits = {});
+/// `watch` is told of every output time that is read.
+PageSummary write_report_page(const StoredRun& run, const std::filesystem::path& page, const PageLimits& limits = {},
+                              const CountWatcher& watch = {});
 
 } // namespace gapflow

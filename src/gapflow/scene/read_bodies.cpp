@@ -74,7 +74,8 @@ void read_shape(const Values& v, const Scene& scene, BodyScene& body)
         return;
     body.mesh_scale = v.number("scale");
     body.mesh_file = resolved_path(scene, v.text("file"));
-    if (!std::filesystem::is_regular_file(body.mesh_file) || !std::ifstream(body.mesh_file))
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(body.mesh_file, error) || !std::ifstream(body.mesh_file))
         v.refuse("file", "cannot read the mesh " + body.mesh_file,
                  "paths are relative to the scene's folder; check that the file is there");
 }

@@ -5,6 +5,7 @@
 #include "gapflow/core/error.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 namespace gapflow {
@@ -15,6 +16,8 @@ std::string resolved_path(const Scene& scene, const std::string& path)
 }
 
 namespace {
+
+constexpr double most_steps = 1e9, most_outputs = 1e6;
 
 void read_fluid(const Values& v, Scene& scene)
 {
@@ -29,6 +32,17 @@ void read_fluid(const Values& v, Scene& scene)
     scene.advection = v.choice<Scene::Advection>("grid.advection");
 }
 
+/// Refuses a time that the run consists of too many of to ever end.
+void check_count(const Values& v, const char* name, double every, double end, double most, const char* what)
+{
+    if (!(every > 0) || end / every <= most)
+        return;
+    char problem[96], remedy[96];
+    std::snprintf(problem, sizeof problem, "%.3g %s until time.end = %.6g", end / every, what, end);
+    std::snprintf(remedy, sizeof remedy, "allowed: up to %.3g, so at least %.3g here", most, end / most);
+    v.refuse(name, problem, remedy);
+}
+
 void read_time(const Values& v, Purpose purpose, Scene& scene)
 {
     for (const char* name : {"time.end", "time.max_step"})
@@ -38,6 +52,7 @@ void read_time(const Values& v, Purpose purpose, Scene& scene)
         scene.end = v.number("time.end");
     if (v.given("time.max_step"))
         scene.max_step = v.number("time.max_step");
+    check_count(v, "time.max_step", scene.max_step, scene.end, most_steps, "steps");
     scene.cfl = v.number("time.cfl");
     scene.gap_cfl = v.number("time.gap_cfl");
 }
@@ -48,6 +63,32 @@ void read_output(const Values& v, Scene& scene)
     scene.output_every = v.number("output.every");
     scene.fields = v.texts("output.fields");
     scene.checkpoint_every = v.number("output.checkpoint_every");
+    check_count(v, "output.every", scene.output_every, scene.end, most_outputs, "output times");
+    check_count(v, "output.checkpoint_every", scene.checkpoint_every, scene.end, most_outputs, "checkpoints");
+}
+
+/// Fluid that flows in must find a way out. What prescribed bodies make room for, and flow both in and out, is left to the run.
+void check_way_out(const Values& v, const Scene& scene)
+{
+    for (const BodyScene& body : scene.bodies)
+        if (body.motion == BodyScene::Motion::prescribed)
+            return;
+    std::string first; // side with inflow
+    bool in = false, out = false;
+    for (int side = 0; side < 2 * scene.dimension; ++side) {
+        const SideScene& s = scene.sides[side];
+        if (s.kind == SideScene::Kind::open || (s.kind == SideScene::Kind::inflow && !s.table.time.empty()))
+            return;
+        const double inward = (side % 2 == 0 ? 1 : -1) * s.velocity[side / 2];
+        if (s.kind != SideScene::Kind::inflow || inward == 0)
+            continue;
+        (inward > 0 ? in : out) = true;
+        if (first.empty())
+            first = "domain.sides." + side_names[side];
+    }
+    if (in != out)
+        v.refuse(first, in ? "fluid flows in, and no side lets it out" : "fluid flows out, and no side lets it in",
+                 "open a side, or let as much through another one");
 }
 
 Scene scene_of(Node document, const std::string& file, const Overrides& overrides, Purpose purpose)
@@ -68,6 +109,7 @@ Scene scene_of(Node document, const std::string& file, const Overrides& override
     read_fluid(values, scene);
     const bool moves = purpose == Purpose::run || (purpose == Purpose::check && scene.end > 0);
     read_bodies(document, keys, moves, scene);
+    check_way_out(values, scene);
     read_gaps(values, keys, scene);
     scene.tolerance = values.number("solver.tolerance");
     scene.backend = values.choice<Scene::Backend>("solver.backend");
@@ -78,16 +120,29 @@ Scene scene_of(Node document, const std::string& file, const Overrides& override
     return scene;
 }
 
+/// Messages quote what stands in the file: control characters become blanks, so that a message is one line.
+template <class Read>
+Scene with_plain_messages(Read read)
+{
+    try {
+        return read();
+    } catch (const InputError& error) {
+        std::string message = error.what();
+        std::replace_if(message.begin(), message.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+        throw InputError(message);
+    }
+}
+
 } // namespace
 
 Scene read_scene(const std::string& file, const Overrides& overrides, Purpose purpose)
 {
-    return scene_of(read_document(file), file, overrides, purpose);
+    return with_plain_messages([&] { return scene_of(read_document(file), file, overrides, purpose); });
 }
 
 Scene parse_scene(std::string_view text, const std::string& file, const Overrides& overrides, Purpose purpose)
 {
-    return scene_of(parse_document(text, file), file, overrides, purpose);
+    return with_plain_messages([&] { return scene_of(parse_document(text, file), file, overrides, purpose); });
 }
 
 } // namespace gapflow

@@ -12,9 +12,9 @@ namespace gapflow {
 
 TimeTable read_time_table(const std::string& file, const std::vector<std::string>& columns)
 {
-    std::ifstream in(file);
-    std::error_code error;
-    if (!in || std::filesystem::is_directory(file, error))
+    std::error_code error; // a device or pipe may never end
+    std::ifstream in(std::filesystem::is_regular_file(file, error) ? file : "");
+    if (!in)
         throw InputError(file + ": cannot be read; paths are relative to the scene's folder");
     const std::string wanted = joined(columns, ",");
     TimeTable table;

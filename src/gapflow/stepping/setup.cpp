@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace gapflow {
 
@@ -35,9 +36,28 @@ FractionMode fraction_mode(const Scene& scene)
     return scene.fractions == Scene::Fractions::voxel ? FractionMode::voxel : FractionMode::cut_cell;
 }
 
+void require_memory(const Scene& scene, const Communicator& comm, double available)
+{
+    double cells = 1;
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        cells *= scene.cells[axis];
+    const double needed = expected_memory(scene.dimension, cells);
+    const double here = needed * ranks_on_this_machine(comm) / comm.size();
+    if (!comm.any(here > available))
+        return;
+    constexpr double gib = 1073741824.0;
+    char text[256];
+    std::snprintf(text, sizeof text,
+                  ": domain.cells: %.3g cells need about %.3g GiB of memory, %.3g GiB of it on a machine that has %.3g GiB; use "
+                  "fewer cells, or ranks on more machines",
+                  cells, needed / gib, comm.max(here > available ? here : 0.0) / gib, comm.min(available) / gib);
+    throw InputError(scene.file + text);
+}
+
 template <int D>
 Grid<D> make_grid(const Scene& scene, const Communicator& comm)
 {
+    require_memory(scene, comm);
     std::array<SideKind, 2 * D> sides;
     for (int s = 0; s < 2 * D; ++s)
         sides[s] = static_cast<SideKind>(scene.sides[s].kind);

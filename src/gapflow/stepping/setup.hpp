@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/body/rigid_body.hpp"
+#include "gapflow/core/machine_memory.hpp"
 #include "gapflow/coupling/coupling.hpp"
 #include "gapflow/film/film_motion.hpp"
 #include "gapflow/scene/scene.hpp"
@@ -19,6 +20,11 @@ Vec<D> to_vec(const Triple& t)
     return Eigen::Map<const Vec<D>>(t.data());
 }
 
+/// Throws InputError where the scene's grid needs more memory than the machines of the ranks have: before anything is allocated,
+/// with the number. `available`: bytes on this rank's machine. Collective.
+void require_memory(const Scene& scene, const Communicator& comm, double available = machine_memory());
+
+/// Throws InputError as require_memory().
 template <int D>
 Grid<D> make_grid(const Scene& scene, const Communicator& comm);
 

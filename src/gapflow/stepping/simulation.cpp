@@ -6,6 +6,7 @@
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/flooding.hpp"
+#include "gapflow/stepping/placement.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -58,8 +59,14 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
 {
     // The flow at rest that the bodies' velocities drive: one projection of the initial velocity, bodies held to theirs.
     const double start = now();
+    initial_report_.notes = placement_warnings<D>(scene_, bodies_, walls_);
     holding_ = true;
     rebuild();
+    long cells = -coupling_->network.nodes;
+    for (const Component& component : coupling_->system.components)
+        cells += component.unknowns;
+    if (cells <= 0)
+        throw InputError(scene_.file + ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");
     const Vec<D> u0 = to_vec<D>(scene_.fluid_velocity);
     FluidVelocity<D> u_star = velocity_;
     for (int axis = 0; axis < D; ++axis)

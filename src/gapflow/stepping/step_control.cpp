@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -23,6 +24,15 @@ constexpr double steps_a_period = 20;
 constexpr double invisible_amplitude = 1e-3;
 // Steps below this times time.max_step mean that something grows without bound.
 constexpr double smallest_step = 1e-9;
+// Bodies that cannot give way and have met: steps below this times time.max_step would crawl on for ever.
+constexpr double driven_step = 1e-3;
+
+std::string short_text(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
 
 } // namespace
 
@@ -72,12 +82,18 @@ double Simulation<D>::choose_step(double next_output) const
         const FilmMesh<D>& mesh = film.mesh;
         const double thickness = scene_.contact_of(solids[mesh.master].name, solids[mesh.other].name).thickness;
         const double least = std::max({thickness, gaps_(mesh.master, mesh.other).floor, smallest_limiting_gap * dx});
+        const auto moves_freely = [&](int solid) { return solids[solid].motion == Motion::free; };
+        const bool unstoppable = !moves_freely(mesh.master) && !moves_freely(mesh.other);
         for (const FilmPoint<D>& q : mesh.points) {
             const Vec<D> arm_a = q.x - solids[mesh.master].centre, arm_b = q.y - solids[mesh.other].centre - mesh.shift;
             auto rate = [&](const std::vector<Twist<D>>& twist) {
                 return std::abs(q.other_normal.dot(velocity_at<D>(twist[mesh.master], arm_a) - velocity_at<D>(twist[mesh.other], arm_b)));
             };
             const double distance = q.h + mesh.skin, h = std::max(distance, least);
+            if (unstoppable && distance < least && scene_.gap_cfl * h < driven_step * scene_.max_step * rate(V))
+                throw ComputationError("prescribed motion drives '" + solids[mesh.master].name + "' and '" +
+                                       solids[mesh.other].name + "' into each other at time " + short_text(time_) +
+                                       "; let it stop before they touch, or let one of them be free");
             // What is left to the contact thickness limits the step too.
             const double left = thickness > 0 ? std::max(distance - thickness, smallest_limiting_gap * dx) : h;
             dt = std::min(dt, scene_.gap_cfl * std::min(h, left) / std::max(rate(V), tiny));
@@ -96,8 +112,9 @@ double Simulation<D>::choose_step(double next_output) const
         }
     }
     if (!(dt > smallest_step * scene_.max_step))
-        throw ComputationError("the time step fell to " + std::to_string(dt) + " at time " + std::to_string(time_) +
-                               ": the flow does not stay bounded; use a finer grid, or a smaller time.max_step or time.cfl");
+        throw ComputationError("the time step fell to " + short_text(dt) + " at time " + short_text(time_) +
+                               ": the flow does not stay bounded, or something is driven into what cannot give way; use a finer "
+                               "grid, a smaller time.max_step or time.cfl, or look at the last output");
     // Land on output times without a sliver of a step before them.
     const double left = next_output - time_;
     if (left <= dt * (1 + 1e-9))

@@ -276,7 +276,7 @@ TEST(Mesh, BadFilesAreRefused)
     EXPECT_THAT(error("x.obj", "# nothing\n"), HasSubstr("holds no facets"));
     EXPECT_THAT(error("x.ply", "ply"), HasSubstr("use .obj or .stl"));
     EXPECT_THAT(error("x.stl", binary_stl_text(torus(1, 0.2, 4, 3)).substr(0, 300).replace(0, 5, "xxxxx")),
-                HasSubstr("truncated"));
+                HasSubstr("cut off"));
     EXPECT_THAT(error("x.stl", "solid\nfacet normal 0 0 1\nvertex 0 0 0\n"), HasSubstr("ends inside a facet"));
     EXPECT_THAT(error("x.stl", "solid\nvertex 0 0 0\nendfacet\n"), HasSubstr("a facet has 1 vertices"));
 }

@@ -76,7 +76,7 @@ TEST(BadScenes, OverridesAreRefused)
         {"gap.model", "nonne", "--set gap.model = \"nonne\": unknown value \"nonne\", did you mean \"none\"?"},
         {"gap.model", "", "--set gap.model: has no value"},
         {"gap.threshold", "0", "--set gap.threshold = 0: out of range"},
-        {"time.end", "1\nmax_step = 2", "--set time.end = 1\nmax_step = 2: not a TOML value"},
+        {"time.end", "1\nmax_step = 2", "--set time.end = 1 max_step = 2: not a TOML value"},
         {"time.end", "soon", "--set time.end = \"soon\": \"soon\" is not a number"},
         {"time.end", "inf", "--set time.end = inf: not a finite number"},
         {"fluid.viscosity", "-0.1", "--set fluid.viscosity = -0.1: out of range"},

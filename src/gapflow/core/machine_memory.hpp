@@ -1,0 +1,14 @@
+// How much memory there is.
+#pragma once
+
+#include "gapflow/core/communicator.hpp"
+
+namespace gapflow {
+
+/// Bytes that this machine, or the control group that the process is in, lets all its processes use; infinity if unknown.
+double machine_memory();
+
+/// Ranks of the communicator on this rank's machine. Collective.
+int ranks_on_this_machine(const Communicator& comm);
+
+} // namespace gapflow

@@ -1,0 +1,82 @@
+// What is refused or told of before the first step.
+#include "gapflow/core/error.hpp"
+#include "gapflow/stepping/placement.hpp"
+#include "gapflow/stepping/setup.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gapflow
+{
+namespace
+{
+
+Scene scene_of(int cells)
+{
+    Scene scene;
+    scene.file = "scene.toml";
+    scene.size = {1, 1, 0};
+    scene.cells = {cells, cells, 1};
+    return scene;
+}
+
+TEST(Memory, IsRefusedWithTheNumberThatItWouldTake)
+{
+    const double mebibyte = 1048576;
+    const Communicator comm;
+    EXPECT_NO_THROW(require_memory(scene_of(100), comm, 100 * mebibyte));
+    try {
+        require_memory(scene_of(2000), comm, 100 * mebibyte); // 80 MB and 4e6 cells of 285 bytes
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith("scene.toml: domain.cells: 4e+06 cells need about 1.14 GiB of memory"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("on a machine that has 0.0977 GiB; use fewer cells"));
+    }
+    EXPECT_GT(machine_memory(), 100 * mebibyte);
+    EXPECT_GE(ranks_on_this_machine(comm), 1);
+}
+
+BodyScene ball(const std::string& name, double x, double radius, BodyScene::Motion motion)
+{
+    BodyScene body;
+    body.name = name;
+    body.radius = radius;
+    body.position = {x, 0.5, 0};
+    body.density = 1;
+    body.motion = motion;
+    return body;
+}
+
+std::vector<std::string> warnings_of(const Scene& scene)
+{
+    return placement_warnings<2>(scene, make_bodies<2>(scene), make_walls<2>(scene));
+}
+
+TEST(Placement, TellsOfOverlapsAndOfWhatIsOutside)
+{
+    using Motion = BodyScene::Motion;
+    Scene scene = scene_of(50);
+    scene.bodies = {ball("a", 0.4, 0.1, Motion::free), ball("b", 0.61, 0.1, Motion::fixed)};
+    EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
+    scene.bodies[1].position[0] = 0.59; // half a cell deep
+    EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
+    scene.bodies[1].position[0] = 0.5;
+    EXPECT_THAT(warnings_of(scene),
+                testing::ElementsAre(testing::StartsWith("'a' and 'b' overlap by 0.1 (5 cells) at the start; contact")));
+    scene.bodies[0].motion = Motion::fixed;
+    EXPECT_THAT(warnings_of(scene), testing::ElementsAre(testing::HasSubstr("they count as one solid")));
+    scene.bodies[1].position[0] = 1.05; // through a wall: only of a free body
+    EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
+    scene.bodies[1].motion = Motion::free;
+    EXPECT_THAT(warnings_of(scene), testing::ElementsAre(testing::StartsWith("'b' and 'wall:x_high' overlap by 0.15")));
+    scene.bodies[1].position[0] = 1.2;
+    EXPECT_THAT(warnings_of(scene), testing::Contains(testing::StartsWith("body 'b' lies outside the domain")));
+    scene.bodies[1].motion = Motion::prescribed; // may come in
+    EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
+    scene.bodies = {ball("a", 0.5, 0.1, Motion::free),
+                    ball("b", 0.5, 0.1, Motion::free)}; // no surface point of one in the other
+    EXPECT_THAT(warnings_of(scene), testing::ElementsAre(testing::StartsWith("'a' and 'b' overlap by 0.1")));
+}
+
+} // namespace
+} // namespace gapflow
