@@ -93,7 +93,7 @@ class Command(unittest.TestCase):
     def test_bad_use_is_status_2_with_place_and_remedy(self):
         scene = EXAMPLES / "01_plates_pulled_apart" / "scene.toml"
         for words, text in ((["run", scene, "--set", "time.endd=1"], "time.end"), (["run", "nowhere.toml"], "nowhere.toml"),
-                            (["fly"], "fly"), (["run", scene, "--set", "fluid.viscosity=1"], "viscosity")):
+                            (["fly"], "fly"), (["run", scene, "--set", "fluid.viscosity=-1"], "viscosity")):
             done = gapflow(*words)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(text, done.stderr)

@@ -93,14 +93,9 @@ void* take_large_block(std::size_t bytes)
     return store().take(bytes);
 }
 
-void give_large_block(void* memory, std::size_t)
+void give_large_block(void* memory)
 {
     store().give(memory);
-}
-
-std::size_t kept_large_memory()
-{
-    return store().kept_bytes();
 }
 
 } // namespace gapflow

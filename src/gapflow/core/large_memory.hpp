@@ -15,11 +15,8 @@ constexpr std::size_t least_large_block = std::size_t{1} << 20;
 
 /// A block of at least `bytes` bytes, its content arbitrary. Throws std::bad_alloc. Any thread.
 void* take_large_block(std::size_t bytes);
-/// Gives back what take_large_block(bytes) gave: kept for the next of about that size, as long as the process keeps less than it
-/// uses.
-void give_large_block(void* memory, std::size_t bytes);
-/// Bytes kept and not in use.
-std::size_t kept_large_memory();
+/// Gives back what take_large_block gave: kept for the next of about that size, as long as the process keeps less than it uses.
+void give_large_block(void* memory);
 
 /// Allocator of std::vector.
 template <class T>
@@ -33,8 +30,7 @@ struct LargeMemory {
     }
     T* allocate(std::size_t n)
     {
-        constexpr std::size_t line = 64;
-        const std::size_t bytes = (n * sizeof(T) + line - 1) / line * line;
+        const std::size_t bytes = size_of(n);
         void* memory = bytes >= least_large_block ? take_large_block(bytes) : std::aligned_alloc(line, bytes);
         if (!memory)
             throw std::bad_alloc();
@@ -42,14 +38,16 @@ struct LargeMemory {
     }
     void deallocate(T* memory, std::size_t n)
     {
-        constexpr std::size_t line = 64;
-        const std::size_t bytes = (n * sizeof(T) + line - 1) / line * line;
-        if (bytes >= least_large_block)
-            give_large_block(memory, bytes);
+        if (size_of(n) >= least_large_block)
+            give_large_block(memory);
         else
             std::free(memory);
     }
     friend bool operator==(const LargeMemory&, const LargeMemory&) { return true; }
+
+private:
+    static constexpr std::size_t line = 64; ///< bytes of a cache line, to which blocks are aligned
+    static std::size_t size_of(std::size_t n) { return (n * sizeof(T) + line - 1) / line * line; }
 };
 
 template <class T>

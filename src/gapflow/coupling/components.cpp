@@ -15,6 +15,38 @@ namespace gapflow {
 
 namespace {
 
+constexpr int chunk = 64; // cells of a row that are labelled at once where nothing closes a face
+
+// Labels n cells of a row from `first` on if all are open to each other and to what lies before, which has one label.
+template <int D>
+bool label_if_joined(const Coupling<D>& coupling, CellField<D, int>& label, const Index<D>& first, int n)
+{
+    const Grid<D>& grid = *coupling.grid;
+    if ((first.array() == grid.low().array()).any())
+        return false;
+    const Block<D>& block = label.block();
+    const long at = block.offset(first);
+    int* mine = label.data() + at;
+    const int wanted = mine[-1];
+    if (wanted < 0)
+        return false;
+    const std::int8_t* kind = coupling.kind.data() + at;
+    int others = 0;
+    for (int i = 0; i < n; ++i)
+        others |= kind[i] != static_cast<std::int8_t>(CellKind::bulk);
+    for (int axis = 0; axis < D; ++axis) {
+        const double* a = coupling.system.conductance[axis].data() + at;
+        for (int i = 0; i < n; ++i)
+            others |= !(a[i] > 0);
+        for (int i = 0; i < n && axis > 0; ++i)
+            others |= mine[i - block.stride[axis]] ^ wanted;
+    }
+    if (others)
+        return false;
+    std::fill_n(mine, n, wanted);
+    return true;
+}
+
 // Components of this rank's block alone: one pass in memory order. Returns their number.
 template <int D>
 int label_block(Coupling<D>& coupling, CellField<D, int>& label)
@@ -23,7 +55,7 @@ int label_block(Coupling<D>& coupling, CellField<D, int>& label)
     const FaceField<D>& conductance = coupling.system.conductance;
     const Block<D>& block = label.block();
     DisjointSets sets;
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+    auto visit = [&](const Index<D>& c) {
         const auto kind = static_cast<CellKind>(coupling.kind(c));
         if (kind != CellKind::bulk && kind != CellKind::mixed)
             return;
@@ -39,14 +71,30 @@ int label_block(Coupling<D>& coupling, CellField<D, int>& label)
                 sets.join(mine, other);
         }
         label.data()[at] = mine < 0 ? sets.add() : mine;
+    };
+    const int width = grid.high()[0] - grid.low()[0];
+    for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+        for (int begin = 0; begin < width; begin += chunk) {
+            Index<D> c = row;
+            c[0] += begin;
+            const int n = std::min(chunk, width - begin);
+            if (label_if_joined(coupling, label, c, n))
+                continue;
+            for (int i = 0; i < n; ++i, ++c[0])
+                visit(c);
+        }
     });
     int count = 0;
     const std::vector<int> number = sets.numbers(count);
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        int& l = label(c);
-        if (l >= 0)
-            l = number[l];
-    });
+    bool same = true;
+    for (std::size_t l = 0; l < number.size(); ++l)
+        same = same && number[l] == static_cast<int>(l);
+    if (!same)
+        for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+            int& l = label(c);
+            if (l >= 0)
+                l = number[l];
+        });
     return count;
 }
 
@@ -209,10 +257,11 @@ void find_components(Coupling<D>& coupling)
     if (comm.root())
         start = 0;
     const int cells_total = static_cast<int>(comm.sum(static_cast<long>(mine)));
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        if (label(c) >= 0)
-            label(c) += start;
-    });
+    if (start > 0)
+        for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+            if (label(c) >= 0)
+                label(c) += start;
+        });
     exchange(grid, label, 1);
 
     // Pairs of labels joined across the block's sides or by links; nodes count after all cells' labels.
@@ -263,20 +312,33 @@ void find_components(Coupling<D>& coupling)
             ++system.components[number[l]].grid_parts;
         }
     std::vector<double> facts(2 * static_cast<std::size_t>(count), 0.0); // cells; faces on open sides
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        int& l = label(c);
-        if (l < 0)
-            return;
-        l = number[l];
-        ++facts[2 * l];
-        for (int axis = 0; axis < D; ++axis) {
-            if (grid.periodic(axis))
+    for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+        const int n = grid.high()[0] - grid.low()[0];
+        int* l = &label(row);
+        for (int i = 0, end; i < n; i = end) { // runs of one label
+            end = i + 1;
+            while (end < n && l[end] == l[i])
+                ++end;
+            if (l[i] < 0)
                 continue;
-            if ((c[axis] == 0 && system.conductance(axis, c) > 0) ||
-                (c[axis] == grid.cells()[axis] - 1 && system.conductance(axis, c + step<D>(axis)) > 0))
-                ++facts[2 * l + 1];
+            const int k = number[l[i]];
+            std::fill(l + i, l + end, k);
+            facts[2 * k] += end - i;
         }
     });
+    for (int axis = 0; axis < D; ++axis)
+        for (int end = 0; end < 2 && !grid.periodic(axis); ++end) {
+            const int last = end * (grid.cells()[axis] - 1);
+            if (last < grid.low()[axis] || last >= grid.high()[axis])
+                continue;
+            Index<D> low = grid.low(), high = grid.high();
+            low[axis] = last;
+            high[axis] = last + 1;
+            for_each_index<D>(low, high, [&](const Index<D>& c) {
+                if (const int k = label(c); k >= 0 && system.conductance(axis, c + end * step<D>(axis)) > 0)
+                    ++facts[2 * k + 1];
+            });
+        }
     comm.sum(facts);
     for (int k = 0; k < count; ++k)
         system.components[k].open_faces = facts[2 * k + 1] > 0;

@@ -1,6 +1,7 @@
 #include "gapflow/coupling/coupling.hpp"
 
 #include "gapflow/core/threads.hpp"
+#include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/coupling/film_rows.hpp"
 #include "gapflow/grid/body_flux.hpp"
 
@@ -53,6 +54,7 @@ void fill_grid(Coupling<D>& coupling)
     exchange(grid, coupling.kind, 1);
 
     const auto is_film = static_cast<std::int8_t>(CellKind::film);
+    const double unit_conductance = std::pow(grid.dx(), D - 2) / coupling.density;
     if (!network.cells.closed.empty()) {
         for (const auto& [key, cell] : network.cells.cells)
             for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
@@ -63,15 +65,19 @@ void fill_grid(Coupling<D>& coupling)
                     Index<D> f = grid.wrapped(side.face);
                     for (int axis = 0; axis < D; ++axis)
                         f[axis] += k[axis] * (grid.periodic(axis) ? grid.cells()[axis] : 0);
-                    if (coupling.open[side.axis].block().contains(f))
-                        coupling.open(side.axis, f) = 0;
+                    if (!coupling.open[side.axis].block().contains(f))
+                        return;
+                    double& open = coupling.open(side.axis, f);
+                    const bool mine = (f.array() >= low.array()).all() && (f.array() < (high + step<D>(side.axis)).array()).all();
+                    if (mine && open > 1e-12)
+                        coupling.system.film_faces.push_back({side.axis, f, open * unit_conductance});
+                    open = 0;
                 });
             }
     }
     CoupledSystem<D>& system = coupling.system;
     system.grid = coupling.grid;
     system.conductance = FaceField<D>(grid, 0.0);
-    const double unit_conductance = std::pow(grid.dx(), D - 2) / coupling.density;
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> end = high + step<D>(axis);
         for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
@@ -161,7 +167,7 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
                       P * mass[s] * P + mass[s](0, 0) * (TwistMatrix<D>::Identity() - P));
         }
     std::map<std::pair<int, int>, TwistMatrix<D>> blocks;
-    for (const NormalInertia<D>& inertia : coupling.normal_inertia) {
+    auto add_inertia = [&](const NormalInertia<D>& inertia) {
         const int a = coupling.free_body[inertia.master], b = coupling.free_body[inertia.other];
         const Twist<D> row_a = coupling.solids[inertia.master].admissible * inertia.row_master;
         const Twist<D> row_b = coupling.solids[inertia.other].admissible * inertia.row_other;
@@ -175,7 +181,11 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
         add(a, row_a, b, row_b);
         add(b, row_b, a, row_a);
         add(b, row_b, b, row_b);
-    }
+    };
+    for (const NormalInertia<D>& inertia : coupling.normal_inertia)
+        add_inertia(inertia);
+    for (const DragInertia<D>& drag : coupling.drag_inertia)
+        add_inertia(drag.inertia);
     for (const auto& [place, block] : blocks)
         add_block(place.first, place.second, block);
     const int dofs = n * coupling.system.bodies;
@@ -233,6 +243,8 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     fill_grid(coupling);
     FluxRows<D> rows;
     timer.emplace(timers.stage("films"));
+    if (options.viscosity_dt > 0)
+        find_drag(coupling, options.viscosity_dt);
     assemble_films(coupling, rows);
     timer.emplace(timers.stage("system"));
     fill_flux(coupling, rows);
@@ -289,7 +301,6 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
     const Grid<D>& grid = *coupling.grid;
     if (out.cells.size() == 0)
         out.cells = CellField<D>(grid);
-    out.cells.fill(0);
     out.nodes = Eigen::VectorXd::Zero(coupling.system.nodes);
     double squares = 0;
     const double area = grid.face_area();
@@ -396,7 +407,8 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
             Vec<D> gradient = Vec<D>::Zero();
             for (int i = 0; i < D; ++i)
                 gradient += p.nodes[film.first_node + element.nodes[i]] * element.gradient[i];
-            u.film[film.first_element + e] -= element.conductance() / element.volume * gradient / coupling.density;
+            u.film[film.first_element + e] -=
+                film_conductance(coupling, film, e) / element.volume * gradient / coupling.density;
         }
     const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
     std::vector<double> drop(conduits.size(), 0.0);
@@ -471,10 +483,8 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
     for (std::size_t s = 0; s < twists.size(); ++s)
         if (const int b = coupling.free_body[s]; b >= 0)
             momentum.segment<n>(n * b) += mass[s] * twists[s];
-    for (std::size_t e = 0; e < coupling.normal_inertia.size(); ++e) {
-        const NormalInertia<D>& inertia = coupling.normal_inertia[e];
+    auto add = [&](const NormalInertia<D>& inertia, double speed) {
         const int a = coupling.free_body[inertia.master], b = coupling.free_body[inertia.other];
-        double speed = film_normal[e];
         if (a < 0)
             speed -= inertia.row_master.dot(twists[inertia.master]);
         if (b < 0)
@@ -483,7 +493,11 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
             momentum.segment<n>(n * a) += inertia.mass * speed * inertia.row_master;
         if (b >= 0)
             momentum.segment<n>(n * b) += inertia.mass * speed * inertia.row_other;
-    }
+    };
+    for (std::size_t e = 0; e < coupling.normal_inertia.size(); ++e)
+        add(coupling.normal_inertia[e], film_normal[e]);
+    for (const DragInertia<D>& drag : coupling.drag_inertia)
+        add(drag.inertia, drag.speed);
     for (std::size_t s = 0; s < twists.size(); ++s)
         if (coupling.free_body[s] >= 0)
             result[s].setZero();

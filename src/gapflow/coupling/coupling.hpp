@@ -33,6 +33,21 @@ struct NormalInertia {
     double mass;
 };
 
+/// Viscous drag on a film's element or mouth over a step (method, section 7.2): u = kappa (u* - grad p / rho) + theta U_w, with the
+/// mean U_w of the two walls' velocities along the film; kappa + theta = 1.
+struct Drag {
+    double kappa = 1, theta = 0;
+};
+
+/// What drag adds to the bodies' mass: 1/2 mass (row_master . V + row_other . V - speed)^2.
+template <int D>
+struct DragInertia {
+    NormalInertia<D> inertia;
+    int element = -1, conduit = -1; ///< whose u* gives the speed; neither: 0
+    Vec<D> direction = Vec<D>::Zero();
+    double speed = 0;
+};
+
 /// Fluid that nothing lets out.
 struct SealedPocket {
     long cells = 0;
@@ -57,6 +72,8 @@ struct Coupling {
     std::vector<BodyFlux<D, Index<D>>> cell_flux;
     std::vector<BodyFlux<D, int>> node_flux;
     std::vector<NormalInertia<D>> normal_inertia; ///< one a film element
+    std::vector<Drag> element_drag, conduit_drag; ///< one a film element or conduit; empty without viscosity
+    std::vector<DragInertia<D>> drag_inertia;
     BodyResponse response;        ///< of the free bodies: M^-1 of `system`
     Eigen::VectorXd held_speed;   ///< of the contacts in system.contact, less the share of solids that are not free
     std::vector<SealedPocket> sealed;             ///< components that touch no open side, but the first (largest) one
@@ -66,6 +83,7 @@ struct CouplingOptions {
     double density = 1;
     FractionMode fractions = FractionMode::cut_cell;
     StageTimers* timers = nullptr; ///< receives the time of the stages, if not null
+    double viscosity_dt = 0;       ///< dynamic viscosity times the step's length
 };
 
 /// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). Collective.

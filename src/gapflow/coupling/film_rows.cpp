@@ -1,5 +1,6 @@
 #include "gapflow/coupling/film_rows.hpp"
 
+#include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/film/film_cells.hpp"
 
 #include <algorithm>
@@ -81,10 +82,41 @@ private:
                                                     0.5 * wrench<D>(e.normal, e.centroid - centre(mesh.master)),
                                                     0.5 * wrench<D>(e.normal, e.centroid - other_centre(mesh)),
                                                     coupling_.density * e.volume});
+                if (!coupling_.element_drag.empty())
+                    add_entrainment(f, e);
             }
             append_stiffness(f, matrix);
         }
         matrix.finalize();
+    }
+
+    // Section 7.2: what both walls carry along, - theta int h U_w . grad N_i.
+    void add_entrainment(const Film<D>& f, const FilmElement<D>& e)
+    {
+        const FilmMesh<D>& mesh = f.mesh;
+        const double theta = coupling_.element_drag[f.first_element + (&e - mesh.elements.data())].theta;
+        for (int i = 0; i < D; ++i) {
+            const WallRows<D> rows = wall_rows<D>(coupling_, mesh, e, -theta * e.volume * e.gradient[i]);
+            rows_.add_node(f.first_node + e.nodes[i], mesh.master, rows.master);
+            rows_.add_node(f.first_node + e.nodes[i], mesh.other, rows.other);
+        }
+    }
+
+    // The same in a mouth: theta length h nu . U_w leaves the film, with both walls' velocities at mid-gap.
+    void add_entrainment(const Conduit<D>& conduit, double theta)
+    {
+        const FilmMesh<D>& mesh = film(conduit.film).mesh;
+        const Vec<D> flux = 0.5 * theta * conduit.length * conduit.h * conduit.outward;
+        const Twist<D> of_master = wrench<D>(flux, conduit.x - centre(mesh.master));
+        const Twist<D> of_other = wrench<D>(flux, conduit.x - other_centre(mesh));
+        for (int i = 0; i < D - 1; ++i) {
+            rows_.add_node(conduit.nodes[i], mesh.master, conduit.shape[i] * of_master);
+            rows_.add_node(conduit.nodes[i], mesh.other, conduit.shape[i] * of_other);
+        }
+        for (const auto& [key, weight] : conduit.cells) {
+            rows_.add_cell(key, mesh.master, -weight * of_master);
+            rows_.add_cell(key, mesh.other, -weight * of_other);
+        }
     }
 
     // Appends the columns of a film's nodes, which know none but each other.
@@ -109,7 +141,7 @@ private:
                 const FilmElement<D>& e = mesh.elements[around[at]];
                 const int mine = static_cast<int>(std::find(e.nodes.begin(), e.nodes.end(), j) - e.nodes.begin());
                 for (int i = 0; i < D; ++i) {
-                    const double value = e.conductance() / coupling_.density * e.gradient[i].dot(e.gradient[mine]);
+                    const double value = film_conductance(coupling_, f, around[at]) / coupling_.density * e.gradient[i].dot(e.gradient[mine]);
                     const auto known = std::find_if(column.begin(), column.end(), [&](const auto& c) { return c.first == e.nodes[i]; });
                     if (known == column.end())
                         column.emplace_back(e.nodes[i], value);
@@ -336,6 +368,10 @@ private:
             Link link{conduit.length / (coupling_.density * conduit.resistance), {}, {}};
             if (conduit.kind == ConduitKind::inflow)
                 link.conductance = 0;
+            if (!coupling_.conduit_drag.empty()) {
+                link.conductance *= coupling_.conduit_drag[links.size()].kappa;
+                add_entrainment(conduit, coupling_.conduit_drag[links.size()].theta);
+            }
             for (int i = 0; i < D - 1; ++i) {
                 link.nodes.emplace_back(conduit.nodes[i], conduit.shape[i]);
                 rows_.add_node(conduit.nodes[i], mesh.master, -conduit.shape[i] * carried);

@@ -40,6 +40,14 @@ struct BodyFlux {
     Twist<D> flux;
 };
 
+/// A face that a film closes to the grid.
+template <int D>
+struct FilmFace {
+    int axis;
+    Index<D> face;
+    double conductance; ///< that its open part would have on the grid
+};
+
 /// A connected part of the fluid: unknowns joined by faces, film elements or links.
 struct Component {
     bool grounded = false; ///< touches an open side: its pressure level is fixed
@@ -54,6 +62,9 @@ struct CoupledSystem {
     /// Conductance of every face, 0 where closed. On open sides of the domain: to the pressure 0 beyond the face (distance
     /// dx/2, so twice the inner value). Valid on all faces of owned cells (both sides of the block).
     FaceField<D> conductance;
+    /// Faces on this rank's block (its ends included) whose flow films carry. No part of the system: they tell multigrid which
+    /// cells the films join.
+    std::vector<FilmFace<D>> film_faces;
     int nodes = 0;
     Eigen::SparseMatrix<double> film; ///< nodes x nodes, symmetric, positive semidefinite; the same on all ranks
     std::vector<Link> links;          ///< the same list on all ranks

@@ -1,5 +1,7 @@
 #include "gapflow/coupling/wet_system.hpp"
 
+#include "gapflow/coupling/film_drag.hpp"
+
 #include <algorithm>
 
 namespace gapflow {
@@ -102,7 +104,8 @@ UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p, std::vect
     const Grid<D>& grid = *coupling_.grid;
     UnknownVector<D> out{CellField<D>(grid), Eigen::VectorXd::Zero(coupling_.system.nodes)};
     for (const Film<D>& film : coupling_.network.films)
-        for (const FilmElement<D>& element : film.mesh.elements) {
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = film.mesh.elements[e];
             bool wet = false;
             Vec<D> gradient = Vec<D>::Zero();
             for (int i = 0; i < D; ++i) {
@@ -112,7 +115,7 @@ UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p, std::vect
             }
             for (int i = 0; i < D && wet; ++i)
                 out.nodes[film.first_node + element.nodes[i]] +=
-                    element.conductance() / coupling_.density * element.gradient[i].dot(gradient);
+                    film_conductance(coupling_, film, e) / coupling_.density * element.gradient[i].dot(gradient);
         }
     std::vector<double> sums(links_.size(), 0.0);
     for (std::size_t r = 0; r < links_.size(); ++r)

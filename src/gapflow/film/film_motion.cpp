@@ -414,8 +414,10 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
     constexpr int chunk = 64;
     for_each_job(static_cast<int>((conduits.size() + chunk - 1) / chunk), [&](int job) {
         for (std::size_t r = static_cast<std::size_t>(job) * chunk; r < std::min(conduits.size(), (job + std::size_t(1)) * chunk); ++r)
-            if (const int k = conduits[r].film; memory[k])
-                at_conduit[r] = memory[k]->at(solids[network.films[k].pair.master].shape.to_body(conduits[r].x));
+            if (const int k = conduits[r].film; memory[k]) {
+                int hint = -1;
+                at_conduit[r] = memory[k]->at(solids[network.films[k].pair.master].shape.to_body(conduits[r].x), hint);
+            }
     });
 
     // The bulk's velocity where no old film is near.

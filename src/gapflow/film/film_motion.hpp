@@ -45,11 +45,7 @@ public:
     /// `hint`: an element near it, or -1; on return the one it arrived in.
     Transported transport(const Vec<D>& x_body, double dt, int& hint) const;
     /// Old velocity at a point of the master's frame, extrapolated linearly beyond the film, and the film's normal there.
-    Transported at(const Vec<D>& x_body) const
-    {
-        int hint = -1;
-        return transport(x_body, 0.0, hint);
-    }
+    Transported at(const Vec<D>& x_body, int& hint) const { return transport(x_body, 0.0, hint); }
     /// A field given at the vertices, linear over the elements, at a point of the master's frame; 0 where no film was. `hint` as
     /// above.
     double at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const;

@@ -130,9 +130,12 @@ private:
     void fill(const Index<D>& low, const Index<D>& high, double open, int cut)
     {
         for (int axis = 0; axis < D; ++axis)
-            for_each_index<D>(low, high.cwiseMin(faces_end_[axis]), [&](const Index<D>& f) {
-                result_.open(axis, f) = open;
-                result_.cut(axis, f) = cut;
+            for_each_row<D>(low, high.cwiseMin(faces_end_[axis]), [&](const Index<D>& row) {
+                const int n = std::min(high[0], faces_end_[axis][0]) - low[0];
+                if (n <= 0)
+                    return;
+                std::fill_n(&result_.open(axis, row), n, open);
+                std::fill_n(&result_.cut(axis, row), n, cut);
             });
     }
 

@@ -129,23 +129,6 @@ void check_needed(const Node& document, const std::vector<KeyInfo>& keys, int di
     }
 }
 
-bool same_value(const Node& a, const Node& b)
-{
-    if (a.numeric() && b.numeric())
-        return a.number == b.number;
-    return a.kind == b.kind && a.text == b.text;
-}
-
-void refuse_later(const Node& value, const KeyInfo& key, const std::string& shown)
-{
-    if (key.later.empty() || (!key.default_value.empty() && same_value(value, parse_value(key.default_value, ""))))
-        return;
-    refuse(value, shown,
-           "not available in this version: " + key.later + (key.later.ends_with('s') ? " come later" : " comes later"),
-           "remove the key" +
-               (key.default_value.empty() ? "" : " or write " + last_part(key.name) + " = " + key.default_value));
-}
-
 } // namespace
 
 void check_names(const Node& document, const std::vector<KeyInfo>& keys)
@@ -171,7 +154,6 @@ void check_values(const Node& document, const std::vector<KeyInfo>& keys, int di
         if (dimension == 2 && key.name.starts_with("domain.sides.z"))
             refuse(value, shown, "a 2D scene has no z sides", "remove the key, or give domain.size three numbers");
         check_value(value, key, shown, dimension);
-        refuse_later(value, key, shown);
     });
     check_needed(document, keys, dimension);
 }

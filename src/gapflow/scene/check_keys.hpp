@@ -1,4 +1,4 @@
-// Checks that follow from the table of keys alone: names, types, ranges, what has to be given, what comes later.
+// Checks that follow from the table of keys alone: names, types, ranges, what has to be given.
 #pragma once
 
 #include "gapflow/scene/document.hpp"
@@ -20,7 +20,7 @@ void check_names(const Node& document, const std::vector<KeyInfo>& keys);
 /// 2 or 3, from domain.size. Throws InputError.
 int dimension_of(const Node& document, const std::vector<KeyInfo>& keys);
 
-/// Throws InputError for missing keys, wrong types, values out of range and keys of later versions.
+/// Throws InputError for missing keys, wrong types and values out of range.
 void check_values(const Node& document, const std::vector<KeyInfo>& keys, int dimension);
 
 /// A table under its name in messages: "body.upper." or, without a name, "body[1]." (counted from 1); "pair[2].".

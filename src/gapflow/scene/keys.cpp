@@ -103,7 +103,7 @@ std::vector<KeyInfo> scene_keys()
     append(keys,
            {
                {"fluid.density", T::number, "kg/m^3", "1.0", positive, {}, "of the fluid"},
-               {"fluid.viscosity", T::number, "Pa s", "0.0", non_negative, {}, "dynamic", "", "viscosity"},
+               {"fluid.viscosity", T::number, "Pa s", "0.0", non_negative, {}, "dynamic; 0: the fluid slips along walls"},
                {"fluid.reference_pressure", T::number, "Pa", "0.0", any, {},
                 "absolute pressure at the highest point of open sides"},
                {"fluid.vapour_pressure", T::number_or_word, "Pa", "\"none\"", any, {"none"},

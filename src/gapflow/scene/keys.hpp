@@ -41,7 +41,6 @@ struct KeyInfo {
     std::vector<std::string> choices{};
     std::string meaning;  ///< one line
     std::string needed{}; ///< when it must be given: "always" or a condition in words; empty: never
-    std::string later{};  ///< not in this version, except for its default value: what comes later
 };
 
 /// All keys, in the order of the reference page.

@@ -22,9 +22,13 @@ namespace gapflow {
 namespace {
 
 constexpr int layers = 2;          // cells between a conduit's cells and the band's end
+// Where films are everywhere, a band between all of them is a factorisation of the whole fluid: then the conduits' own cells
+// must do. It does where the band has more cells than this, and than a share of the films' nodes.
+constexpr std::size_t few_cells = 8000;
+constexpr double share_of_nodes = 1.0 / 3;
 constexpr double shift = 1e-12;    // relative, on the diagonal: films whose conduits are 1e-12 of their own conductance
 
-/// All cells within `layers` steps of the links' cells.
+/// All cells within `layers` steps of the links' cells, or the links' cells alone.
 template <int D>
 std::vector<long> cells_around_links(const CoupledSystem<D>& system)
 {
@@ -38,6 +42,7 @@ std::vector<long> cells_around_links(const CoupledSystem<D>& system)
         found.erase(std::unique(found.begin(), found.end()), found.end());
     };
     unique();
+    std::vector<long> alone = found;
     for (int layer = 0; layer < layers; ++layer) {
         const std::size_t n = found.size();
         for (std::size_t i = 0; i < n; ++i)
@@ -50,6 +55,8 @@ std::vector<long> cells_around_links(const CoupledSystem<D>& system)
             }
         unique();
     }
+    if (found.size() > few_cells && static_cast<double>(found.size()) > share_of_nodes * system.nodes)
+        return alone;
     return found;
 }
 

@@ -10,6 +10,7 @@
 #include "gapflow/solver/level.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace gapflow {
 
@@ -110,7 +111,7 @@ void finish(Level<D>& level)
 }
 
 template <int D>
-std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& system)
+std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& system, bool with_films)
 {
     const Grid<D>& grid = *system.grid;
     Level<D> level; // for its numbering alone
@@ -119,11 +120,26 @@ std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& sy
     level.block = Block<D>(level.low - Index<D>::Ones(), level.high + Index<D>::Ones());
     const long back = level.row_stride(D - 1);
     std::array<SharedRows<double>, D> result;
+    std::array<std::vector<std::tuple<long, int, double>>, D> added; // row, place in it, conductance
+    for (const FilmFace<D>& face : system.film_faces)
+        if (with_films)
+            added[face.axis].emplace_back(level.row_number(face.face), face.face[0] - level.low[0], face.conductance);
+    std::vector<double> values;
     for (int axis = 0; axis < D; ++axis) {
-        result[axis] = SharedRows<double>(rows_of(level.block), level.high[0] - level.low[0] + (axis == 0 ? 1 : 0));
+        const int width = level.high[0] - level.low[0] + (axis == 0 ? 1 : 0);
+        result[axis] = SharedRows<double>(rows_of(level.block), width);
+        std::sort(added[axis].begin(), added[axis].end());
+        auto next = added[axis].begin();
         for_each_row<D>(level.low, level.high + step<D>(axis), [&](const Index<D>& first) {
             const long row = level.row_number(first);
-            result[axis].set(row, &system.conductance(axis, first), row - 1, first[D - 1] > level.low[D - 1] ? row - back : -1);
+            const double* from = &system.conductance(axis, first);
+            if (next != added[axis].end() && std::get<0>(*next) == row) {
+                values.assign(from, from + width);
+                for (; next != added[axis].end() && std::get<0>(*next) == row; ++next)
+                    values[std::get<1>(*next)] += std::get<2>(*next);
+                from = values.data();
+            }
+            result[axis].set(row, from, row - 1, first[D - 1] > level.low[D - 1] ? row - back : -1);
         });
     }
     return result;
@@ -266,7 +282,7 @@ Level<D> gathered(const Level<D>& part, const Communicator& comm)
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template struct Level<D>;                                                                                                  \
-    template std::array<SharedRows<double>, D> shared_conductances<D>(const CoupledSystem<D>&);                                \
+    template std::array<SharedRows<double>, D> shared_conductances<D>(const CoupledSystem<D>&, bool);                          \
     template Level<D> finest_level<D>(const CoupledSystem<D>&, const std::array<SharedRows<double>, D>&, double);              \
     template bool can_halve<D>(const Level<D>&, const Grid<D>&);                                                               \
     template Level<D> coarsened<D>(const Level<D>&, const Communicator&);                                                      \

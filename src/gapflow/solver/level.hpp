@@ -65,9 +65,10 @@ struct Stencil {
     }
 };
 
-/// Conductances of the system's faces on this rank's block, by Level::row_number of a block with one layer of ghosts.
+/// Conductances of the system's faces on this rank's block, by Level::row_number of a block with one layer of ghosts;
+/// `with_films`: with those that its film_faces would have on the grid.
 template <int D>
-std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& system);
+std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& system, bool with_films = false);
 
 /// The finest level: the system's conductances times `scale`.
 template <int D>

@@ -19,10 +19,19 @@ constexpr double column_bytes = 96; // a cell, for kept columns
 
 template <int D>
 Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bodies)
-    : matrix_(matrix), mode_(bodies), multigrid_(matrix.system(), matrix.conductance()), band_(matrix, multigrid_.finest()),
+    : matrix_(matrix), mode_(bodies),
+      multigrid_(matrix.system(), matrix.system().film_faces.empty() ? matrix.conductance()
+                                                                     : shared_conductances(matrix.system(), true)),
+      band_(matrix, multigrid_.finest()),
       bodies_(matrix)
 {
     constants_.emplace(matrix, band_);
+    for (const FilmFace<D>& face : matrix.system().film_faces)
+        for (const Index<D>& c : {face.face, Index<D>(face.face - step<D>(face.axis))})
+            if (matrix.system().grid->owns(c) && matrix.system().component(c) < 0)
+                film_cells_.push_back(multigrid_.finest().block.offset(c));
+    std::sort(film_cells_.begin(), film_cells_.end());
+    film_cells_.erase(std::unique(film_cells_.begin(), film_cells_.end()), film_cells_.end());
     if (matrix.dofs() == 0 || mode_ == BodyMode::never)
         return;
     if (mode_ == BodyMode::always || (matrix.dofs() <= few_dofs && bodies_.lightness(inverse()) > light(matrix.dofs())))
@@ -38,6 +47,8 @@ void Preconditioner<D>::cycle(const UnknownVector<D>& r, UnknownVector<D>& z, do
         for_each_piece(grid, [&](const Index<D>& first, int n) { load(first, &r.cells(first), n, to_level); });
     band_.first(r, to_level, multigrid_.finest());
     multigrid_.cycle();
+    for (long c : film_cells_)
+        multigrid_.finest().x[c] = 0;
     from_level_ = multigrid_.scale() / to_level;
     band_.second(from_level_, multigrid_.finest());
     z.nodes = band_.node_correction();

@@ -22,6 +22,28 @@ namespace gapflow {
 
 namespace {
 
+// u = constant + factor * (u `shift` values on) where index `normal` is `place`, for low <= others < high.
+template <int D>
+void set_layer(CellField<D>& u, Index<D> low, Index<D> high, int normal, int place, double constant, double factor, long shift)
+{
+    const Block<D>& block = u.block();
+    low[normal] = place;
+    high[normal] = place + 1;
+    const int inner = normal == 0 ? 1 : 0, outer = D == 3 ? (normal == 2 ? 1 : 2) : inner; // of the layer's axes
+    const long stride = block.stride[inner];
+    double* const begin = u.data() + block.offset(low);
+    for (int k = 0; k < (D == 3 ? high[outer] - low[outer] : 1); ++k) {
+        double* to = begin + k * static_cast<long>(block.stride[outer]);
+        const int n = high[inner] - low[inner];
+        if (factor == 0)
+            for (int i = 0; i < n; ++i)
+                to[i * stride] = constant;
+        else
+            for (int i = 0; i < n; ++i)
+                to[i * stride] = constant + factor * to[i * stride + shift];
+    }
+}
+
 // Ghosts of the component normal to `axis`, side after side over the block's whole width, so that corners are filled too.
 template <int D>
 void fill_component_ghosts(const Grid<D>& grid, int axis, CellField<D>& u, const BoundaryVelocity<D>& sides)
@@ -39,30 +61,17 @@ void fill_component_ghosts(const Grid<D>& grid, int axis, CellField<D>& u, const
             const bool set_boundary = axis == normal && kind != SideKind::open;
             Index<D> low = block.low, high = block.high;
             (end == 0 ? high[normal] : low[normal]) = end == 0 ? (set_boundary ? 1 : 0) : last + (set_boundary ? 0 : 1);
-            Index<D> rows_end = high;
-            rows_end[0] = low[0] + 1;
-            for_each_index<D>(low, rows_end, [&](const Index<D>& row) {
-                const int width = high[0] - low[0];
-                double* to = &u(row);
-                // Along axis 0 every value of the row has its own source, else the whole row has one.
-                for (int i = 0, n; i < width; i += n) {
-                    n = normal == 0 ? 1 : width;
-                    const int place = row[normal] + (normal == 0 ? i : 0);
-                    const int beyond = end == 0 ? -place : place - last; // 0 on the boundary face, else >= 1
-                    if (kind == SideKind::inflow || (set_boundary && beyond == 0)) {
-                        std::fill_n(to + i, n, given);
-                        continue;
-                    }
-                    const int mirrored = kind == SideKind::open ? 0 : axis == normal ? beyond : beyond - 1;
-                    const int source = end == 0 ? std::min(mirrored, last) : std::max(last - mirrored, 0);
-                    const double* from = to + i + static_cast<long>(source - place) * block.stride[normal];
-                    if (kind == SideKind::wall && axis == normal)
-                        for (int j = 0; j < n; ++j)
-                            to[i + j] = 2 * given - from[j];
-                    else
-                        std::copy_n(from, n, to + i);
-                }
-            });
+            // Layer by layer: values = constant + factor * those of another layer.
+            for (int place = low[normal]; place < high[normal]; ++place) {
+                const int beyond = end == 0 ? -place : place - last; // 0 on the boundary face, else >= 1
+                const bool fixed = kind == SideKind::inflow || (set_boundary && beyond == 0);
+                const bool opposite = !fixed && kind == SideKind::wall && (axis == normal || sides.no_slip);
+                const double constant = fixed ? given : opposite ? 2 * given : 0.0, factor = opposite ? -1.0 : 1.0;
+                const int mirrored = kind == SideKind::open ? 0 : axis == normal ? beyond : beyond - 1;
+                const int source = end == 0 ? std::min(mirrored, last) : std::max(last - mirrored, 0);
+                const long shift = fixed ? 0 : static_cast<long>(source - place) * block.stride[normal];
+                set_layer(u, low, high, normal, place, constant, fixed ? 0.0 : factor, shift);
+            }
         }
 }
 
@@ -214,11 +223,14 @@ inline double along(double before, double here, double after, double d)
     }
 }
 
+// Loops over lanes vectorise only if all of their body is inlined.
+#define GAPFLOW_INLINE __attribute__((always_inline))
+
 template <int D, Reach reach0, Reach reach1, Reach reach2>
-inline double interpolate_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2)
+GAPFLOW_INLINE inline double interpolate_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2)
 {
-    auto line = [&](const double* c) { return along<reach0>(c[-1], c[0], c[1], d0); };
-    auto plane = [&](const double* c) { return along<reach1>(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
+    auto line = [&](const double* c) GAPFLOW_INLINE { return along<reach0>(c[-1], c[0], c[1], d0); };
+    auto plane = [&](const double* c) GAPFLOW_INLINE { return along<reach1>(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
     if constexpr (D == 2)
         return plane(p);
     else
@@ -227,14 +239,14 @@ inline double interpolate_near(const double* p, const std::array<long, D>& strid
 
 /// Least (largest) of the values that interpolate_near with Reach::by_sign reads.
 template <int D, class Pick>
-inline double extreme_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2, Pick&& pick)
+GAPFLOW_INLINE inline double extreme_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2, Pick&& pick)
 {
-    auto either = [&](double before, double here, double after, double d) {
+    auto either = [&](double before, double here, double after, double d) GAPFLOW_INLINE {
         const double far = d < 0 ? before : after;
         return pick(here, far);
     };
-    auto line = [&](const double* c) { return either(c[-1], c[0], c[1], d0); };
-    auto plane = [&](const double* c) { return either(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
+    auto line = [&](const double* c) GAPFLOW_INLINE { return either(c[-1], c[0], c[1], d0); };
+    auto plane = [&](const double* c) GAPFLOW_INLINE { return either(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
     if constexpr (D == 2)
         return plane(p);
     else

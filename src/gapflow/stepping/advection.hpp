@@ -11,17 +11,18 @@ namespace gapflow {
 
 enum class AdvectionScheme { semi_lagrangian, maccormack };
 
-/// Velocity of the domain's sides, at 2 * axis + end: of walls (only the normal component counts; 0 unless the wall moves)
-/// and of inflow. Unused on open and periodic sides.
+/// Velocity of the domain's sides, at 2 * axis + end: of walls (the normal component is 0 unless the wall moves; the others count
+/// only where fluid sticks to walls) and of inflow. Unused on open and periodic sides.
 template <int D>
 struct BoundaryVelocity {
     std::array<Vec<D>, 2 * D> velocity;
+    bool no_slip = false; ///< fluid sticks to walls
 
     BoundaryVelocity() { velocity.fill(Vec<D>::Zero()); }
 };
 
 /// Sets the normal velocity on walls and inflow sides and fills all ghosts:
-///   wall (free slip)  normal component odd about the wall's velocity, tangential components even;
+///   wall              normal component odd about the wall's velocity, tangential components even (no slip: odd too);
 ///   inflow            the given velocity;
 ///   open              constant;
 ///   other ranks and periodic sides: exchanged. Collective.

@@ -125,6 +125,7 @@ template <int D>
 void Simulation<D>::paint_films(FaceField<D, std::int8_t>& valid)
 {
     const FilmNetwork<D>& network = coupling_->network;
+    std::vector<int> near(network.films.size(), -1); // element of each film's memory close to the last face
     for (const auto& [key, cell] : network.cells.cells) {
         if (cell.kind != CellKind::film)
             continue;
@@ -137,7 +138,7 @@ void Simulation<D>::paint_films(FaceField<D, std::int8_t>& valid)
             if ((f.array() < grid_.low().array()).any() || (f.array() >= end.array()).any() || valid(side.axis, f))
                 continue;
             const Vec<D> x = grid_.face_centre(side.axis, Index<D>(side.face + cell.offset(cell.owner)));
-            painted_(side.axis, f) = memory.at(master.to_body(x)).velocity[side.axis];
+            painted_(side.axis, f) = memory.at(master.to_body(x), near[cell.owner]).velocity[side.axis];
             valid(side.axis, f) = 1;
             film_faces_(side.axis, f) = 1;
         }

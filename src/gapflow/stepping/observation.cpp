@@ -2,6 +2,7 @@
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/body/forces.hpp"
+#include "gapflow/coupling/film_drag.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,7 @@ template <int D>
 std::vector<GapState> Simulation<D>::gaps() const
 {
     const Coupling<D>& c = *coupling_;
-    const UnknownVector<D> p = reduced_pressure();
+    const Eigen::VectorXd node_pressure = impulse_.nodes * (dt_ > 0 ? 1 / dt_ : 0.0);
     const std::vector<Twist<D>> V = twists();
     std::map<std::pair<int, int>, GapState> states;
     for (const Film<D>& film : c.network.films) {
@@ -72,7 +73,7 @@ std::vector<GapState> Simulation<D>::gaps() const
         }
         std::vector<double> pressure(mesh.h.size());
         for (std::size_t i = 0; i < pressure.size(); ++i) {
-            pressure[i] = p.nodes[film.first_node + static_cast<int>(i)] + hydrostatic(mesh.mid[i]);
+            pressure[i] = node_pressure[film.first_node + static_cast<int>(i)] + hydrostatic(mesh.mid[i]);
             gap.pressure_min = std::min(gap.pressure_min, pressure[i]);
             gap.pressure_max = std::max(gap.pressure_max, pressure[i]);
         }
@@ -197,7 +198,13 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
     report.energy_fluid = sums.energy_grid + sums.energy_film;
     report.energy_bodies = sums.energy_bodies;
     UnknownVector<D> rest;
-    outflow(*coupling_, velocity_, twists(), rest);
+    if (coupling_->element_drag.empty()) {
+        outflow(*coupling_, velocity_, twists(), rest);
+    } else { // the walls' entrainment is in K
+        FluidVelocity<D> driven = velocity_;
+        add_entrainment(*coupling_, twists(), -1, driven);
+        outflow(*coupling_, driven, twists(), rest);
+    }
     if (node_outflow_.size() > 0) { // velocities at a void's front have moved on since
         rest.nodes = node_outflow_ - Eigen::Map<const Eigen::VectorXd>(voids_.growth().data(), node_outflow_.size());
     } else {
@@ -212,7 +219,14 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
         }
     }
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
-    for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) { worst = std::max(worst, std::abs(rest.cells(c))); });
+    for_each_row<D>(grid_.low(), grid_.high(), [&](const Index<D>& row) {
+        const double* value = &rest.cells(row);
+        double largest = 0;
+#pragma omp simd reduction(max : largest)
+        for (int i = 0; i < grid_.high()[0] - grid_.low()[0]; ++i)
+            largest = std::max(largest, std::abs(value[i]));
+        worst = std::max(worst, largest);
+    });
     report.divergence_max = grid_.comm().max(worst) / std::pow(grid_.dx(), D);
     if (coupling_->network.mouths.blind_length > 0)
         report.notes.push_back("a film ends where nothing continues it (a blind end); the flow there may be too stiff");

@@ -3,6 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/body/move.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/placement.hpp"
@@ -47,6 +48,10 @@ Simulation<D>::Simulation(Unprepared, const Scene& scene, const Communicator& co
     velocity_.grid = FaceField<D>(grid_);
     film_faces_ = FaceField<D, std::int8_t>(grid_);
     impulse_.cells = CellField<D>(grid_);
+    if (scene_.viscosity > 0) {
+        viscous_.pressure = viscous_.known = CellField<D>(grid_);
+        viscous_.force.assign(bodies_.size(), Twist<D>::Zero());
+    }
 }
 
 template <int D>
@@ -100,7 +105,13 @@ StepReport Simulation<D>::step(double next_output)
     FluidVelocity<D> u_star = advect_all(dt, conduit_scale);
     for (std::size_t r = 0; r < conduit_scale.size(); ++r)
         coupling_->system.links[r].conductance *= conduit_scale[r];
-    project(std::move(u_star), forced_twists(dt), dt, report);
+    std::vector<Twist<D>> V_star = forced_twists(dt);
+    if (scene_.viscosity > 0)
+        add_viscosity(u_star, V_star, dt, report);
+    start_drag(*coupling_, u_star);
+    project(std::move(u_star), V_star, dt, report);
+    if (scene_.viscosity > 0)
+        remember_projection(V_star, dt);
     time_ = next_output - (time_ + dt) < 1e-12 * next_output ? next_output : time_ + dt;
     continue_velocities();
     ++steps_;
@@ -149,7 +160,8 @@ template <int D>
 void Simulation<D>::build_coupling()
 {
     coupling_ = std::make_unique<Coupling<D>>(couple<D>(grid_, make_solids<D>(bodies_, walls_), masses(),
-                                                        {scene_.density, fraction_mode(scene_), &stages_}, gaps_, alive_));
+                                                        {scene_.density, fraction_mode(scene_), &stages_, scene_.viscosity * dt_},
+                                                        gaps_, alive_));
 }
 
 // Stages 2 and 4: the fluid's velocities carried to the new configuration.
@@ -388,6 +400,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     }
     velocity_ = std::move(u_star);
     subtract_gradient(*coupling_, impulse_, velocity_);
+    add_entrainment(*coupling_, V, 1, velocity_);
     if (voids) {
         const std::vector<char> is_empty = voids_.empty_elements(coupling_->network);
         rest_in_voids<D>(*coupling_, is_empty, V, velocity_.film);
@@ -399,7 +412,12 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         if (bodies_[b].motion == Motion::free)
             finish_step(bodies_[b], V[b], dt, !impact);
     }
-    const std::vector<Twist<D>> impulse = impulses(*coupling_, impulse_);
+    std::vector<Twist<D>> impulse = impulses(*coupling_, impulse_);
+    if (!coupling_->drag_inertia.empty()) {
+        const std::vector<Twist<D>> shear = drag_impulses(*coupling_, V);
+        for (std::size_t s = 0; s < impulse.size(); ++s)
+            impulse[s] += shear[s];
+    }
     const Vec<D> g = to_vec<D>(scene_.gravity);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const RigidBody<D>& body = bodies_[b];
@@ -419,7 +437,7 @@ void Simulation<D>::hold_voids(WetSystem<D>& wet, const std::vector<double>& ope
     wet.take_out(voids_.is_void(), voids_.impulses(dt), voids_.shut());
     const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
     for (std::size_t r = 0; r < conduits.size(); ++r)
-        u_star.conduit[r] = voids_.shut()[r] ? carried_flux<D>(*coupling_, conduits[r], V) : open_flux[r];
+        u_star.conduit[r] = voids_.shut()[r] ? carried_flux<D>(*coupling_, conduits[r], V) - entrained_flux(*coupling_, r, V) : open_flux[r];
     for (int node = 0; node < coupling_->network.nodes; ++node)
         if (voids_.is_void()[node])
             impulse_.nodes[node] = 0;
@@ -441,7 +459,8 @@ bool Simulation<D>::update_voids(const WetSystem<D>& wet, const FluidVelocity<D>
     const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
     std::vector<double> flux; // seen from the masters
     for (std::size_t r = 0; r < conduits.size(); ++r)
-        flux.push_back(u_star.conduit[r] + wet.conductance(r) * drop[r] - carried_flux<D>(*coupling_, conduits[r], V));
+        flux.push_back(u_star.conduit[r] + wet.conductance(r) * drop[r] + entrained_flux(*coupling_, r, V) -
+                       carried_flux<D>(*coupling_, conduits[r], V));
     return voids_.update_mouths(conduits, flux, drop, accuracy, at_once) || nodes;
 }
 
@@ -505,6 +524,7 @@ template <int D>
 BoundaryVelocity<D> Simulation<D>::side_velocities(double time) const
 {
     BoundaryVelocity<D> sides;
+    sides.no_slip = scene_.viscosity > 0;
     for (int s = 0; s < 2 * D; ++s) {
         const SideScene& side = scene_.sides[s];
         sides.velocity[s] = to_vec<D>(side.velocity);

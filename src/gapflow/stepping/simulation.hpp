@@ -28,6 +28,7 @@ struct StepReport {
     double time = 0, dt = 0;
     long cells = 0; ///< unknowns of the grid
     int film_nodes = 0, iterations = 0;
+    int viscous_iterations = 0; ///< of the bulk's viscous solve
     double residual = 0, divergence_max = 0; ///< divergence: net outflow of a cell over its volume, 1/time
     double energy_fluid = 0, energy_bodies = 0; ///< as in Budget
     double seconds = 0;
@@ -53,6 +54,16 @@ struct Budget {
     Spin<D> angular_momentum = Spin<D>::Zero(); ///< the same, about the domain's origin
     double energy_grid = 0, energy_film = 0;
     double energy_bodies = 0; ///< kinetic energy of the free bodies and what their springs store
+};
+
+/// What the bulk's viscous step takes from the projection before it; unused without viscosity.
+template <int D>
+struct ViscousMemory {
+    CellField<D> pressure;            ///< reduced pressure, per time, that the next step starts from
+    CellField<D> known;               ///< 1 where there is one
+    std::vector<Twist<D>> force;      ///< of the projection on every body: pressure, films, contacts
+    std::vector<Twist<D>> impulse;    ///< of the viscous traction on every solid, this step
+    CellField<D> divergence;          ///< outflow of the cells after the viscous step
 };
 
 template <int D>
@@ -116,6 +127,8 @@ private:
     std::vector<Twist<D>> forced_twists(double dt) const;
     std::vector<Twist<D>> predicted_twists(double dt) const;
     void guess_impulse(double dt);
+    void add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>>& V_star, double dt, StepReport& report);
+    void remember_projection(const std::vector<Twist<D>>& V_star, double dt);
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
     void hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, const std::vector<Twist<D>>& V, double dt,
                     FluidVelocity<D>& u_star);
@@ -156,6 +169,7 @@ private:
     UnknownVector<D> impulse_;              ///< p
     ContactSet<D> contacts_;                ///< of the last step
     VoidSet<D> voids_;
+    ViscousMemory<D> viscous_;
     Eigen::VectorXd node_outflow_;          ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
     FilmMemories<D> memories_;
     std::set<FilmPair<D>> alive_;           ///< pairs with films before the coupling was built

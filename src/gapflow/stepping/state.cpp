@@ -51,6 +51,12 @@ void Simulation<D>::list_state(StateArchive& archive)
         archive("normal_speed", velocity_.film_normal);
     });
     archive("conduit_flux", velocity_.conduit);
+    if (scene_.viscosity > 0)
+        archive.group("viscosity", [&] {
+            list_field(archive, "pressure", grid_, viscous_.pressure);
+            list_field(archive, "known", grid_, viscous_.known);
+            archive("force", viscous_.force);
+        });
 }
 
 template <int D>

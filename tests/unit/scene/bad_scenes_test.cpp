@@ -79,7 +79,7 @@ TEST(BadScenes, OverridesAreRefused)
         {"time.end", "1\nmax_step = 2", "--set time.end = 1 max_step = 2: not a TOML value"},
         {"time.end", "soon", "--set time.end = \"soon\": \"soon\" is not a number"},
         {"time.end", "inf", "--set time.end = inf: not a finite number"},
-        {"fluid.viscosity", "0.1", "--set fluid.viscosity = 0.1: not available in this version: viscosity comes later"},
+        {"fluid.viscosity", "-0.1", "--set fluid.viscosity = -0.1: out of range"},
         {"body.uper.left.density", "1", "--set body.uper.left.density: no body is named 'uper'"},
         {"body.upper.left.densty", "1", "--set body.upper.left.densty: unknown key; did you mean 'body.upper.left.density'?"},
         {"body.upper.left.density", "-1", "--set body.upper.left.density = -1: out of range"},

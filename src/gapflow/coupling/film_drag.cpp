@@ -1,0 +1,235 @@
+#include "gapflow/coupling/film_drag.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gapflow {
+
+namespace {
+
+// An orthonormal basis of the element's tangent plane.
+template <int D>
+std::array<Vec<D>, D - 1> tangents(const Vec<D>& normal)
+{
+    if constexpr (D == 2) {
+        return {Vec<2>(-normal[1], normal[0])};
+    } else {
+        const Vec<3> t = normal.unitOrthogonal();
+        return {t, normal.cross(t)};
+    }
+}
+
+// int 1/h^3 of every element: exact for h linear between its nodes (a triangle: A / (h0 h1 h2), a segment: l (h0 + h1) / (2 h0^2
+// h1^2)), times what the true thickness at its points makes of it. One point, in the middle of a parabola, sees (D + 1) / D times
+// the parabola's mean.
+template <int D>
+std::vector<double> cubic_integrals(const FilmMesh<D>& mesh)
+{
+    std::vector<double> weight(mesh.elements.size(), 0.0), ratio(mesh.elements.size(), 0.0);
+    std::vector<int> points(mesh.elements.size(), 0);
+    for (const FilmPoint<D>& point : mesh.points) {
+        double linear = 0;
+        for (int i = 0; i < D; ++i)
+            linear += point.shape[i] * mesh.h[mesh.elements[point.element].nodes[i]];
+        weight[point.element] += point.weight;
+        ratio[point.element] += point.weight * std::pow(linear / point.h, 3);
+        ++points[point.element];
+    }
+    std::vector<double> integrals;
+    for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+        const FilmElement<D>& e = mesh.elements[k];
+        std::array<double, D> h;
+        for (int i = 0; i < D; ++i)
+            h[i] = mesh.h[e.nodes[i]];
+        double linear;
+        if constexpr (D == 2)
+            linear = e.measure * (h[0] + h[1]) / (2 * h[0] * h[0] * h[1] * h[1]);
+        else
+            linear = e.measure / (h[0] * h[1] * h[2]);
+        double bulge = weight[k] > 0 ? ratio[k] / weight[k] - 1 : 0.0;
+        if (points[k] == 1)
+            bulge *= static_cast<double>(D) / (D + 1);
+        integrals.push_back((1 + bulge) * linear);
+    }
+    return integrals;
+}
+
+// Cosine of the angle between the film and what is its thickness, the distance from the master to the other: the gap across the
+// film is h cos.
+template <int D>
+double slant(const FilmElement<D>& e)
+{
+    const Vec<D> across = e.centroid_other - e.centroid_master;
+    const double h = e.volume / e.measure, length = across.norm();
+    return length > 1e-3 * h ? std::clamp(across.dot(e.normal) / length, 0.5, 1.0) : 1.0;
+}
+
+// Tangential part of the same distance over its normal part: what the walls' tangents are turned by against the film's.
+template <int D>
+Vec<D> tilt(const FilmElement<D>& e)
+{
+    const Vec<D> across = e.centroid_other - e.centroid_master;
+    const double h = e.volume / e.measure, normal = across.dot(e.normal);
+    if (normal <= 1e-3 * h)
+        return Vec<D>::Zero();
+    const Vec<D> g = (across - normal * e.normal) / normal;
+    return g / std::max(1.0, g.norm());
+}
+
+double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double h, double resistance)
+{
+    const double scale = viscosity_dt / (density * h * h);
+    return kind == ConduitKind::edge_edge || kind == ConduitKind::edge_face ? 16 * scale / (std::numbers::pi * resistance) : 12 * scale;
+}
+
+Drag drag_of(double beta)
+{
+    Drag drag;
+    drag.kappa = 1 / (1 + beta);
+    drag.theta = beta * drag.kappa;
+    return drag;
+}
+
+} // namespace
+
+template <int D>
+WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t)
+{
+    // With d from wall to wall and g its tilt: 1/2 (t + (g.t) n) . U_A + 1/2 (t - (g.t) n) . U_B + 1/2 (g.t) n . (omega x d), omega
+    // the mean of both.
+    const double turn = tilt(e).dot(t);
+    Twist<D> turned = Twist<D>::Zero();
+    turned.template tail<spin_size<D>>() = 0.25 * turn * moment<D>(Vec<D>(e.centroid_other - e.centroid_master), e.normal);
+    return {0.5 * wrench<D>(t + turn * e.normal, e.centroid_master - coupling.solids[mesh.master].centre) + turned,
+            0.5 * wrench<D>(t - turn * e.normal, e.centroid_other - coupling.solids[mesh.other].centre - mesh.shift) + turned};
+}
+
+template <int D>
+void find_drag(Coupling<D>& coupling, double viscosity_dt)
+{
+    const double rho = coupling.density;
+    for (const Film<D>& film : coupling.network.films) {
+        const FilmMesh<D>& mesh = film.mesh;
+        const Vec<D>& centre = coupling.solids[mesh.master].centre;
+        const Vec<D> other = coupling.solids[mesh.other].centre + mesh.shift;
+        const std::vector<double> cubic = D == 3 ? cubic_integrals(mesh) : std::vector<double>();
+        for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+            const FilmElement<D>& e = mesh.elements[k];
+            const int number = static_cast<int>(coupling.element_drag.size());
+            const double resistance = D == 3 ? cubic[k] * e.conductance() / (e.measure * e.measure) : e.inverse / e.volume;
+            const double beta = 12 * viscosity_dt / rho * resistance;
+            const Drag drag = drag_of(beta / std::pow(slant(e), 3));
+            coupling.element_drag.push_back(drag);
+            for (const Vec<D>& t : tangents<D>(e.normal)) {
+                const WallRows<D> rows = wall_rows(coupling, mesh, e, t);
+                coupling.drag_inertia.push_back({{mesh.master, mesh.other, rows.master, rows.other, rho * e.volume * drag.theta},
+                                                 number, -1, t});
+                coupling.drag_inertia.push_back({{mesh.master, mesh.other, wrench<D>(t, e.centroid - centre),
+                                                  -wrench<D>(t, e.centroid - other), viscosity_dt * e.inverse}});
+            }
+        }
+    }
+    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
+    for (std::size_t r = 0; r < conduits.size(); ++r) {
+        const Conduit<D>& c = conduits[r];
+        const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
+        const Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance));
+        coupling.conduit_drag.push_back(drag);
+        coupling.drag_inertia.push_back(
+            {{mesh.master, mesh.other, 0.5 * wrench<D>(c.outward, c.x - coupling.solids[mesh.master].centre),
+              0.5 * wrench<D>(c.outward, c.x - coupling.solids[mesh.other].centre - mesh.shift),
+              rho * c.resistance * c.h * c.h * c.length * drag.theta},
+             -1, static_cast<int>(r)});
+    }
+}
+
+template <int D>
+double film_conductance(const Coupling<D>& coupling, const Film<D>& film, std::size_t e)
+{
+    const double conductance = film.mesh.elements[e].conductance();
+    return coupling.element_drag.empty() ? conductance : coupling.element_drag[film.first_element + e].kappa * conductance;
+}
+
+template <int D>
+void start_drag(Coupling<D>& coupling, FluidVelocity<D>& u_star)
+{
+    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
+    for (DragInertia<D>& drag : coupling.drag_inertia) {
+        if (drag.element >= 0)
+            drag.speed = drag.direction.dot(u_star.film[drag.element]);
+        if (drag.conduit >= 0)
+            drag.speed = u_star.conduit[drag.conduit] / (conduits[drag.conduit].length * conduits[drag.conduit].h);
+    }
+    for (std::size_t e = 0; e < coupling.element_drag.size(); ++e)
+        u_star.film[e] *= coupling.element_drag[e].kappa;
+    for (std::size_t r = 0; r < coupling.conduit_drag.size(); ++r)
+        u_star.conduit[r] *= coupling.conduit_drag[r].kappa;
+}
+
+namespace {
+
+// Mean of the velocities of a film's two walls at mid-gap.
+template <int D>
+Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twists, const Vec<D>& x)
+{
+    return 0.5 * (velocity_at<D>(twists[mesh.master], x - coupling.solids[mesh.master].centre) +
+                  velocity_at<D>(twists[mesh.other], x - coupling.solids[mesh.other].centre - mesh.shift));
+}
+
+} // namespace
+
+template <int D>
+double entrained_flux(const Coupling<D>& coupling, std::size_t conduit, const std::vector<Twist<D>>& twists)
+{
+    if (coupling.conduit_drag.empty())
+        return 0;
+    const Conduit<D>& c = coupling.network.mouths.conduits[conduit];
+    return coupling.conduit_drag[conduit].theta * c.length * c.h *
+           c.outward.dot(mean_velocity(coupling, coupling.network.films[c.film].mesh, twists, c.x));
+}
+
+template <int D>
+void add_entrainment(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, double share, FluidVelocity<D>& u)
+{
+    if (coupling.element_drag.empty() && coupling.conduit_drag.empty())
+        return;
+    for (const Film<D>& film : coupling.network.films)
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = film.mesh.elements[e];
+            for (const Vec<D>& t : tangents<D>(element.normal)) {
+                const WallRows<D> rows = wall_rows(coupling, film.mesh, element, t);
+                const double U = rows.master.dot(twists[film.mesh.master]) + rows.other.dot(twists[film.mesh.other]);
+                u.film[film.first_element + e] += share * coupling.element_drag[film.first_element + e].theta * U * t;
+            }
+        }
+    for (std::size_t r = 0; r < u.conduit.size(); ++r)
+        u.conduit[r] += share * entrained_flux(coupling, r, twists);
+}
+
+template <int D>
+std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists)
+{
+    std::vector<Twist<D>> impulse(coupling.solids.size(), Twist<D>::Zero());
+    for (const DragInertia<D>& drag : coupling.drag_inertia) {
+        const NormalInertia<D>& inertia = drag.inertia;
+        const double lag = drag.speed - inertia.row_master.dot(twists[inertia.master]) - inertia.row_other.dot(twists[inertia.other]);
+        impulse[inertia.master] += inertia.mass * lag * inertia.row_master;
+        impulse[inertia.other] += inertia.mass * lag * inertia.row_other;
+    }
+    return impulse;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void find_drag<D>(Coupling<D>&, double);                                                                          \
+    template WallRows<D> wall_rows<D>(const Coupling<D>&, const FilmMesh<D>&, const FilmElement<D>&, const Vec<D>&);           \
+    template double film_conductance<D>(const Coupling<D>&, const Film<D>&, std::size_t);                                      \
+    template double entrained_flux<D>(const Coupling<D>&, std::size_t, const std::vector<Twist<D>>&);                          \
+    template void start_drag<D>(Coupling<D>&, FluidVelocity<D>&);                                                              \
+    template void add_entrainment<D>(const Coupling<D>&, const std::vector<Twist<D>>&, double, FluidVelocity<D>&);             \
+    template std::vector<Twist<D>> drag_impulses<D>(const Coupling<D>&, const std::vector<Twist<D>>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

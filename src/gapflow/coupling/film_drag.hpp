@@ -1,0 +1,53 @@
+// Viscosity in films and mouths (method, section 7.2): an element's one velocity u and the twists of its two walls minimise
+//
+//     1/2 rho S |u - u*|^2 + 1/2 rho S beta |u - U_w|^2 + 1/2 mu dt I |[U]_t|^2,   S = int h, I = int 1/h, beta = 12 nu dt I / S,
+//
+// with U_w the mean of the walls' velocities along the film, taken along and at either wall, and [U]_t their difference, both at mid-gap
+// (in 3D, where elements are coarser: beta = 12 nu dt S int 1/h^3 / area^2, what one flux through the element loses rather than
+// one velocity; the same where the thickness is constant).
+// So u = kappa (u* - grad p / rho) + theta U_w, kappa = 1/(1 + beta), theta = beta kappa; the bodies' mass gains
+// rho S theta P_w^T P_w + mu dt I [P]^T [P], its right-hand side rho S theta P_w^T u*. Exact without inertia (Reynolds) and
+// without viscosity (Euler). Where the film is slanted against the line along which h is measured, by an angle a (half of that
+// between the walls), the gap across it is h cos a and beta is larger by cos^-3 a.
+// Mouths: the same with rho R h^2 length for rho S, and beta = 12 nu dt / h^2 where the gap goes on, 16 nu dt / (pi h^2 R) at a
+// sharp edge (half of the pressure that Stokes flow takes to leave a slit, 32 mu q / (pi h^2)).
+#pragma once
+
+#include "gapflow/coupling/coupling.hpp"
+
+namespace gapflow {
+
+/// Fills the coupling's element_drag, conduit_drag and drag_inertia, for viscosity_dt = mu dt > 0. Before assemble_films().
+template <int D>
+void find_drag(Coupling<D>& coupling, double viscosity_dt);
+
+/// Times grad p / rho . grad N: flux of an element's pressure. `e`: number in its film.
+template <int D>
+double film_conductance(const Coupling<D>& coupling, const Film<D>& film, std::size_t e);
+
+/// Rows of t . U_w in the twists of a film's two walls, for t along the element: each wall counts with its velocity along its own
+/// surface, t_A . U_A and t_B . U_B over the cosine of half the angle between them; the same motion of both gives t . U.
+template <int D>
+struct WallRows {
+    Twist<D> master, other;
+};
+template <int D>
+WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t);
+
+/// Takes the speeds of drag_inertia from u*, then makes kappa u* of it: what outflow() wants.
+template <int D>
+void start_drag(Coupling<D>& coupling, FluidVelocity<D>& u_star);
+
+/// theta length h nu . U_w of a conduit: what both walls carry out of the film there; 0 without viscosity.
+template <int D>
+double entrained_flux(const Coupling<D>& coupling, std::size_t conduit, const std::vector<Twist<D>>& twists);
+
+/// u += theta U_w in films and mouths (share 1), or takes it away (share -1).
+template <int D>
+void add_entrainment(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, double share, FluidVelocity<D>& u);
+
+/// Impulse of the films' shear on every solid about its centre; the pressure's entrainment is in impulses().
+template <int D>
+std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists);
+
+} // namespace gapflow

@@ -1,0 +1,159 @@
+// Viscosity of the bulk in a time step (method, section 7): an incremental splitting. The viscous step starts from
+// velocities and twists that the last step's pressure (and whatever else the projection did to the bodies: films, contacts) has
+// already acted on,
+//
+//     u~ = u* - dt grad p^n / rho,   V~ = V* + dt M^-1 F^n,     (u**, V**) = viscous step of (u~, V~),
+//     (u*, V*) += (u**, V**) - (u~, V~),
+//
+// and the projection that follows finds the whole pressure anew. A steady state does not depend on dt. In the next step p^n is
+// the projection's pressure less mu div u** (the rotational form; Timmermans, Minev & van de Vosse, Int. J. Numer. Meth. Fluids
+// 22, 1996), with which transients stay short for any nu dt / dx^2.
+#include "gapflow/stepping/simulation.hpp"
+
+#include "gapflow/body/forces.hpp"
+#include "gapflow/core/error.hpp"
+#include "gapflow/viscosity/viscous_solver.hpp"
+
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// Pressure in cells that the fluid has just uncovered: the mean of the neighbours that had one, layer by layer.
+template <int D>
+void continue_pressure(const Coupling<D>& coupling, CellField<D>& pressure, CellField<D>& known)
+{
+    const Grid<D>& grid = *coupling.grid;
+    for (int layer = 0; layer < 2; ++layer) {
+        exchange(grid, pressure, 1);
+        exchange(grid, known, 1);
+        std::vector<std::pair<Index<D>, double>> found;
+        for (const Index<D>& c : coupling.fractions->surface_cells) {
+            if (coupling.system.component(c) < 0 || known(c) > 0)
+                continue;
+            double sum = 0;
+            int count = 0;
+            for (int side = 0; side < 2 * D; ++side) {
+                const Index<D> g = c + (2 * (side % 2) - 1) * step<D>(side / 2);
+                if (known(g) > 0) {
+                    sum += pressure(g);
+                    ++count;
+                }
+            }
+            if (count > 0)
+                found.emplace_back(c, sum / count);
+        }
+        for (const auto& [c, value] : found) {
+            pressure(c) = value;
+            known(c) = 1;
+        }
+    }
+    exchange(grid, pressure, 1);
+    exchange(grid, known, 1);
+}
+
+// u -= dt grad p / rho on open faces between cells whose pressure is known.
+template <int D>
+void subtract_known_gradient(const Coupling<D>& coupling, const CellField<D>& pressure, const CellField<D>& known, double dt,
+                             FaceField<D>& u)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const double scale = dt / (coupling.density * grid.dx());
+    for (int axis = 0; axis < D; ++axis)
+        for_each_row<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& row) {
+            const long back = pressure.block().stride[axis];
+            const double *a = &coupling.system.conductance(axis, row), *p = &pressure(row), *k = &known(row);
+            double* to = &u(axis, row);
+            for (int i = 0; i < owned_faces_end(grid, axis)[0] - row[0]; ++i) {
+                if (!(a[i] > 0))
+                    continue;
+                const int place = row[axis] + (axis == 0 ? i : 0);
+                const bool low = !grid.periodic(axis) && place == 0, high = !grid.periodic(axis) && place == grid.cells()[axis];
+                if (low || high) // an open side: the pressure 0 half a cell away
+                    to[i] -= scale * 2 * (low ? p[i] * k[i] : -p[i - back] * k[i - back]);
+                else if (k[i] > 0 && k[i - back] > 0)
+                    to[i] -= scale * (p[i] - p[i - back]);
+            }
+        });
+}
+
+} // namespace
+
+template <int D>
+void Simulation<D>::add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>>& V_star, double dt, StepReport& report)
+{
+    const auto timer = stages_.measure("viscosity");
+    const Coupling<D>& c = *coupling_;
+    ViscousBodies<D> bodies{masses(), V_star};
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (bodies_[b].motion == Motion::free)
+            bodies.twists[b] += impulse_response(bodies_[b], Twist<D>(dt * viscous_.force[b]), dt);
+    FluidVelocity<D> u = u_star;
+    continue_pressure(c, viscous_.pressure, viscous_.known);
+    subtract_known_gradient(c, viscous_.pressure, viscous_.known, dt, u.grid);
+    fill_velocity_ghosts(grid_, u.grid, side_velocities(time_ + dt));
+
+    const ViscousSystem<D> system = viscous_system(c, scene_.viscosity, dt, u.grid, bodies);
+    const FaceField<D> before = u.grid;
+    const ViscousStep<D> step = solve_viscous_system(system, u.grid, bodies, scene_.tolerance);
+    if (!step.report.converged)
+        throw ComputationError("the viscous solve of step " + std::to_string(steps_ + 1) + " did not converge (" +
+                               std::to_string(step.report.iterations) + " iterations, relative residual " +
+                               std::to_string(step.report.residual) + ")");
+    report.viscous_iterations = step.report.iterations;
+    viscous_.impulse = step.impulses;
+
+    for (int axis = 0; axis < D; ++axis)
+        for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
+            const double *after = &u.grid(axis, row), *from = &before(axis, row);
+            double* to = &u_star.grid(axis, row);
+            for (int i = 0; i < owned_faces_end(grid_, axis)[0] - row[0]; ++i)
+                to[i] += after[i] - from[i];
+        });
+    fill_velocity_ghosts(grid_, u_star.grid, side_velocities(time_ + dt));
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (bodies_[b].motion == Motion::free)
+            V_star[b] += step.twists[b] - bodies.twists[b];
+
+    // div u** of the cells that the grid's own faces drain.
+    fill_velocity_ghosts(grid_, u.grid, side_velocities(time_ + dt));
+    UnknownVector<D> outflow_of_cells;
+    outflow(c, u, step.twists, outflow_of_cells);
+    viscous_.divergence = std::move(outflow_of_cells.cells);
+    for (const Conduit<D>& conduit : c.network.mouths.conduits)
+        for (const auto& [key, weight] : conduit.cells)
+            if (const Index<D> cell = grid_.cell_of_key(key); grid_.owns(cell))
+                viscous_.divergence(cell) = 0;
+}
+
+// After the projection: what the next viscous step starts from, and the viscous traction's share of the wrenches.
+template <int D>
+void Simulation<D>::remember_projection(const std::vector<Twist<D>>& V_star, double dt)
+{
+    const std::vector<TwistMatrix<D>> mass = masses();
+    bool impact = false;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        wrenches_[b] += viscous_.impulse[b] / dt;
+        impact = impact || contacts_.impact_on(static_cast<int>(b));
+        viscous_.force[b] = bodies_[b].motion == Motion::free ? Twist<D>(mass[b] * (bodies_[b].twist - V_star[b]) / dt)
+                                                              : Twist<D>(Twist<D>::Zero());
+    }
+    const double share = scene_.viscosity / std::pow(grid_.dx(), D);
+    for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
+        const bool has_pressure = !impact && coupling_->system.component(c) >= 0;
+        viscous_.known(c) = has_pressure;
+        viscous_.pressure(c) = has_pressure ? impulse_.cells(c) / dt - share * viscous_.divergence(c) : 0.0;
+    });
+    if (impact) // what stopped the bodies does not go on
+        std::fill(viscous_.force.begin(), viscous_.force.end(), Twist<D>(Twist<D>::Zero()));
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void Simulation<D>::add_viscosity(FluidVelocity<D>&, std::vector<Twist<D>>&, double, StepReport&);                \
+    template void Simulation<D>::remember_projection(const std::vector<Twist<D>>&, double);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

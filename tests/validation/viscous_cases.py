@@ -1,0 +1,149 @@
+"""Viscous flow: exact Stokes flow, lubrication, published tables."""
+import math
+import tempfile
+from pathlib import Path
+
+import harness
+from harness import REFERENCE, Row
+
+CYLINDERS = "Viscosity: turning cylinder in a cylinder (Wannier), radius ratio 0.5"
+APPROACH = "Viscosity: cylinder towards a wall, Stokes flow (V2)"
+FILMS = "Viscosity: squeeze films (V3) and journal bearing"
+CAVITY = "Viscosity: lid-driven cavity (Ghia, Ghia & Shin 1982)"
+
+# Ghia, Ghia & Shin, J. Comput. Phys. 48 (1982), tables I and II: u over y and v over x through the centre, at Re 100 and 1000.
+GHIA_Y = (.9766, .9688, .9609, .9531, .8516, .7344, .6172, .5, .4531, .2813, .1719, .1016, .0703, .0625, .0547)
+GHIA_U = {100: (.84123, .78871, .73722, .68717, .23151, .00332, -.13641, -.20581, -.21090, -.15662, -.10150, -.06434, -.04775, -.04192,
+                -.03717),
+          1000: (.65928, .57492, .51117, .46604, .33304, .18719, .05702, -.06080, -.10648, -.27805, -.38289, -.29730, -.22220, -.20196,
+                 -.18109)}
+GHIA_X = (.9688, .9609, .9531, .9453, .9063, .8594, .8047, .5, .2344, .2266, .1563, .0938, .0781, .0703, .0625)
+GHIA_V = {100: (-.05906, -.07391, -.08864, -.10313, -.16914, -.22445, -.24533, .05454, .17527, .17507, .16077, .12317, .10890, .10091,
+                .09233),
+          1000: (-.21388, -.27669, -.33714, -.39188, -.51550, -.42665, -.31966, .02526, .32235, .33075, .37095, .32627, .30353, .29012,
+                 .27485)}
+
+
+def body(name, **keys):
+    return {"name": name, "shape": "ball", "motion": "prescribed", **keys}
+
+
+def last_state(scene, steps, dt, name):
+    """Row of bodies.csv of a body after `steps` steps of dt."""
+    scene["time"] = {"end": steps * dt, "max_step": dt, "cfl": 10.0}
+    scene["output"] = {"every": steps * dt}
+    return [row for row in harness.run(scene)["bodies"] if row["body"] == name][-1]
+
+
+def error_row(section, case, target, error):
+    return Row(section, case, f"≤ {100 * target:g} %", f"{100 * error:+.2f} %", abs(error) <= target)
+
+
+def cylinders(eccentricity, cells, offset, clearance=0.5, radius=0.5, viscosity=1.0):
+    """The inner one turns with the surface speed 1; nothing has inertia."""
+    outer = radius + clearance
+    side = 2.2 * outer
+    centre = [0.5 * side + offset[0] * side / cells, 0.5 * side + offset[1] * side / cells]
+    return {"domain": {"size": [side, side], "cells": [cells, cells]}, "fluid": {"density": 1e-6, "viscosity": viscosity},
+            "body": [body("inner", radius=radius, position=[centre[0] + eccentricity * clearance, centre[1]], angular_velocity=1 / radius),
+                     {"name": "outer", "shape": "ball", "radius": outer, "inside_out": True, "position": centre, "motion": "fixed"}]}
+
+
+def wannier(quick):
+    for row in harness.read_table(REFERENCE / "V4_wannier_summary.csv"):
+        if row["R1"] != 0.5 or (quick and row["eccentricity_ratio"] != 0.5):
+            continue
+        e = row["eccentricity_ratio"]
+        last = last_state(cylinders(e, 70, (0.41, 0.23)), 60 if quick else 150, 2e-8, "inner")
+        for what, measured, exact in (("load", math.hypot(last["fx"], last["fy"]), abs(row["force_on_inner_y"])),
+                                      ("torque", abs(last["torque"]), abs(row["torque_on_inner"]))):
+            yield error_row(CYLINDERS, f"eccentricity {e:g}, {what} on the inner one, 16 cells a radius", 0.03, measured / exact - 1)
+
+
+def cylinder_and_wall(gap, axis, offset, cells, side=8.0, viscosity=1.0):
+    speed = 1e-6 * gap
+    n = round(side * cells)
+    velocity = [speed, 0.0] if axis == 0 else [0.0, -speed]
+    scene = {"domain": {"size": [side, side], "cells": [n, n], "sides": {"y_high": "open"}},
+             "fluid": {"density": 1.0, "viscosity": viscosity},
+             "body": [body("cylinder", radius=1.0, position=[0.5 * side + offset / cells, 1 + gap], velocity=velocity)]}
+    last = last_state(scene, 120, 0.02, "cylinder")
+    return abs(last["fx" if axis == 0 else "fy"]) / speed
+
+
+def approach(quick):
+    """Normal motion. The box (side 8 radii, open above) does not matter: the force of a cylinder so close to a wall is the gap's."""
+    table = harness.read_table(REFERENCE / "V2_cylinder_stokes.csv")
+    for gap in (0.1, 1e-2, 1e-5) if quick else (0.1, 0.05, 0.02, 1e-2, 1e-3, 1e-4, 1e-5):
+        row = min(table, key=lambda r: abs(math.log(r["gap_over_a"] / gap)))
+        exact = row["F_normal_over_muU"]
+        errors = [cylinder_and_wall(row["gap_over_a"], 1, offset, 12) / exact - 1 for offset in ((0.0,) if quick else (0.0, 0.23, 0.61))]
+        worst = max(errors, key=abs)
+        yield error_row(APPROACH, f"gap {gap:g}, 12 cells a radius, worst of {len(errors)} offsets", 0.05, worst)
+        if len(errors) > 1:
+            spread = max(errors) - min(errors)
+            yield Row(APPROACH, f"gap {gap:g}, spread over offsets", "≤ 3 %", f"{100 * spread:.2f} %", spread <= 0.03)
+
+
+def squeezed(shape, h):
+    """Coefficient of the squeeze force over the exact one, less one."""
+    flat = shape == "strip"
+    speed = 1e-6 * h
+    keys = {"strip": {"shape": "box", "size": [1.0, 0.5]}, "square": {"shape": "box", "size": [1.0, 0.25, 1.0]},
+            "disk": {"shape": "cylinder", "radius": 0.5, "length": 0.25, "rotation": {"axis": [0, 0, 1], "degrees": 90}}}[shape]
+    position = [2.013, 0.25 + h] if flat else [1.013, 0.125 + h, 1.007]
+    scene = {"domain": {"size": [4.0, 2.0] if flat else [2.0, 1.0, 2.0], "cells": [64, 32] if flat else [32, 16, 32],
+                        "sides": {"y_high": "open"}},
+             "fluid": {"density": 1e-6, "viscosity": 1.0},
+             "body": [{"name": "plate", "motion": "prescribed", "position": position, "velocity": [0, -speed, 0][:len(position)], **keys}]}
+    last = last_state(scene, 6, 1.0, "plate")
+    coefficient = {"strip": 1.0, "square": 0.42173, "disk": 1.5 * math.pi * 0.5**4}[shape]
+    return last["fy"] * h**3 / (coefficient * speed) - 1
+
+
+def squeeze(quick):
+    for shape in ("strip", "disk", "square"):
+        for h in (1e-3, 1e-6) if quick else (1e-3, 1e-4, 1e-5, 1e-6):
+            yield error_row(FILMS, f"squeeze of a {shape}, h = {h:g} of the width", 0.02, squeezed(shape, h))
+
+
+def journal(quick):
+    e = 0.5
+    for c in (1e-3,) if quick else (1e-2, 1e-3, 1e-4):
+        last = last_state(cylinders(e, 40, (0.1, 0.3), clearance=c, radius=1.0), 5, 1e-9 * c, "inner")
+        root = (2 + e * e) * math.sqrt(1 - e * e)
+        load, torque = 12 * math.pi * e / root / c**2, 4 * math.pi * (1 + 2 * e * e) / root / c
+        target = 0.02 + 2 * c
+        yield error_row(FILMS, f"journal bearing, clearance {c:g}, eccentricity 0.5: load", target, math.hypot(last["fx"], last["fy"]) / load - 1)
+        yield error_row(FILMS, f"journal bearing, clearance {c:g}, eccentricity 0.5: torque", target, abs(last["torque"]) / torque - 1)
+
+
+def between(x, values, at):
+    for i in range(len(x) - 1):
+        if x[i] <= at <= x[i + 1]:
+            return values[i] + (values[i + 1] - values[i]) * (at - x[i]) / (x[i + 1] - x[i])
+    raise ValueError(at)
+
+
+def centre_lines(n):
+    """Reader of the last frame: (y, u(y)) and (x, v(x)) through the centre; n is odd, so that cells lie there."""
+    def look(out):
+        from pressure_cases import read, values
+        file = sorted((Path(out) / "fields").glob("*.vti"))[-1]
+        u = values(read(file, "vtkXMLImageDataReader").GetCellData(), "velocity").reshape(n, n, 3)
+        places = [0.0] + [(i + 0.5) / n for i in range(n)] + [1.0]
+        return places, [0.0, *u[:, n // 2, 0], 1.0], [0.0, *u[n // 2, :, 1], 0.0]
+    return look
+
+
+def cavity(quick):
+    for reynolds, n, end in ((100, 65, 15.0),) if quick else ((100, 65, 15.0), (100, 129, 15.0), (1000, 129, 45.0)):
+        scene = {"domain": {"size": [1.0, 1.0], "cells": [n, n], "sides": {"y_high": {"wall": [1.0, 0.0]}}},
+                 "fluid": {"viscosity": 1 / reynolds}, "time": {"end": end, "max_step": 0.02}, "output": {"every": end}}
+        places, u, v = harness.run(scene, look=centre_lines(n))["look"]
+        error = max([abs(between(places, u, y) - exact) for y, exact in zip(GHIA_Y, GHIA_U[reynolds])]
+                    + [abs(between(places, v, x) - exact) for x, exact in zip(GHIA_X, GHIA_V[reynolds])])
+        yield error_row(CAVITY, f"Re {reynolds}, {n}²: worst of both centre lines, of the lid's speed", 0.01, error)
+
+
+ALL = [wannier, approach, squeeze, journal, cavity]
