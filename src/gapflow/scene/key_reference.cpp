@@ -86,8 +86,7 @@ std::string default_of(const KeyInfo& key)
 
 std::string meaning_of(const KeyInfo& key)
 {
-    const std::string meaning = key.meaning.substr(0, key.meaning.find(" (default: "));
-    return meaning;
+    return key.meaning.substr(0, key.meaning.find(" (default: "));
 }
 
 /// Calls `table` before the first key of every table and `key` for every key.
