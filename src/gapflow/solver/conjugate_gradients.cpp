@@ -11,9 +11,6 @@ namespace gapflow {
 
 namespace {
 
-// Of |r|^2, for the square of r's part along the constants.
-constexpr double negligible_incompatibility = 1e-14;
-
 std::string describe(const char* format, double value)
 {
     char text[200];
@@ -199,13 +196,6 @@ double true_residual(const CoupledOperator<D>& matrix, const NullSpace<D>& null_
     if (null_space.empty()) {
         grid.comm().sum(sums);
         return std::sqrt(sums[0] + r.nodes.squaredNorm());
-    }
-    if (system.components.size() == 1) {
-        // r is compatible but for round-off, which a pass over memory would take out again.
-        grid.comm().sum(sums);
-        const double square = sums[0] + r.nodes.squaredNorm(), sum = sums[1] + r.nodes.sum();
-        if (sum * null_space.shifts(sum)[1] < negligible_incompatibility * square)
-            return std::sqrt(square);
     }
     null_space.project(r);
     return std::sqrt(dot(grid, r, r));
