@@ -27,6 +27,22 @@ constexpr int void_rounds_at_once = 40;
 // Masses in the initial projection, which holds the bodies to their velocities.
 constexpr double held_mass_factor = 1e12;
 
+// Whether there are cells to compute, or else films between surfaces that are apart.
+template <int D>
+bool any_fluid(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps)
+{
+    long cells = -coupling.network.nodes;
+    for (const Component& component : coupling.system.components)
+        cells += component.unknowns;
+    if (cells > 0)
+        return true;
+    return std::any_of(coupling.network.films.begin(), coupling.network.films.end(), [&](const Film<D>& film) {
+        const double touching = 1.001 * gaps(film.mesh.master, film.mesh.other).floor;
+        return std::any_of(film.mesh.points.begin(), film.mesh.points.end(),
+                           [&](const FilmPoint<D>& point) { return point.h + film.mesh.skin > touching; });
+    });
+}
+
 double now()
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -62,10 +78,7 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
     initial_report_.notes = placement_warnings<D>(scene_, bodies_, walls_);
     holding_ = true;
     rebuild();
-    long cells = -coupling_->network.nodes;
-    for (const Component& component : coupling_->system.components)
-        cells += component.unknowns;
-    if (cells <= 0)
+    if (!any_fluid(*coupling_, gaps_))
         throw InputError(scene_.file + ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");
     const Vec<D> u0 = to_vec<D>(scene_.fluid_velocity);
     FluidVelocity<D> u_star = velocity_;
