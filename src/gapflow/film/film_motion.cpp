@@ -13,6 +13,7 @@ namespace gapflow {
 
 namespace {
 
+constexpr int longest_walk = 100; // elements: a walk that is longer may go round in circles
 // An old film within this many cells of a new element's arrival point is its past.
 constexpr double memory_reach = 2.0;
 // A new element is an old one if its centroid lies within this part of the old one's size from it.
@@ -224,7 +225,7 @@ template <int D>
 typename FilmMemory<D>::Place FilmMemory<D>::walk(const Vec<D>& x_body, int start) const
 {
     Place place = place_in(start, x_body);
-    for (int step = 0; step < 2 * elements(); ++step) {
+    for (int step = 0; step < longest_walk; ++step) {
         const int i = static_cast<int>(std::min_element(place.shape.begin(), place.shape.end()) - place.shape.begin());
         if (place.shape[i] >= 0)
             return place;
