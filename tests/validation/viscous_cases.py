@@ -36,7 +36,7 @@ def last_state(scene, steps, dt, name):
 
 
 def error_row(section, case, target, error):
-    return Row(section, case, f"≤ {100 * target:g} %", f"{100 * error:+.2f} %", abs(error) <= target)
+    return Row(section, case, f"≤ {100 * target:g} %", f"{100 * error:+.2f} %", bool(abs(error) <= target))
 
 
 def cylinders(eccentricity, cells, offset, clearance=0.5, radius=0.5, viscosity=1.0):
@@ -82,7 +82,7 @@ def approach(quick):
         yield error_row(APPROACH, f"gap {gap:g}, 12 cells a radius, worst of {len(errors)} offsets", 0.05, worst)
         if len(errors) > 1:
             spread = max(errors) - min(errors)
-            yield Row(APPROACH, f"gap {gap:g}, spread over offsets", "≤ 3 %", f"{100 * spread:.2f} %", spread <= 0.03)
+            yield Row(APPROACH, f"gap {gap:g}, spread over offsets", "≤ 3 %", f"{100 * spread:.2f} %", bool(spread <= 0.03))
 
 
 def squeezed(shape, h):
