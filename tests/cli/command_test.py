@@ -18,6 +18,8 @@ SHORT = {  # settings that keep each example to seconds
     "03_square_plates": ["domain.cells=[24,24,24]", "time.end=0.04", "output.every=0.02"],
     "04_sphere_leaving_wall": ["domain.cells=[24,24,24]", "time.end=0.1", "output.every=0.05"],
     "05_mesh_bodies": ["domain.cells=[24,24,24]", "time.end=0.04", "output.every=0.02"],
+    "06_wet_separation_2d": ["domain.cells=[48,48]", "time.end=0.1", "output.every=0.05"],
+    "08_wet_separation_3d": ["domain.cells=[24,24,24]", "time.end=0.04", "output.every=0.02"],
 }
 DRY = "10_dry_separation"
 
