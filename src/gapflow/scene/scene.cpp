@@ -1,6 +1,7 @@
 #include "gapflow/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gapflow {
 
@@ -33,6 +34,14 @@ const ContactScene& Scene::contact_of(const std::string& a, const std::string& b
 double Scene::held_distance(const std::string& a, const std::string& b) const
 {
     return std::max(contact_of(a, b).thickness, gap_of(a, b).roughness);
+}
+
+double expected_memory(int dimension, double cells)
+{
+    constexpr double least = 50e6;
+    if (dimension == 2)
+        return std::max(least, -14e6 + 211 * cells + 268e3 * std::sqrt(cells));
+    return 33e6 + 287 * cells + 17.1e3 * std::cbrt(cells * cells);
 }
 
 } // namespace gapflow

@@ -161,12 +161,9 @@ std::vector<double> derivative_at(const TimeTable& table, double time);
 /// What a reader shall check beyond the file's own sense.
 enum class Purpose { run, added_mass, check };
 
-/// Bytes that a run needs on one rank, films not counted, for `check` and for refusing an absurd one: a fixed part and one a
-/// cell, from the peaks of measured runs (docs/performance.md).
-inline double expected_memory(int dimension, double cells)
-{
-    return 80e6 + (dimension == 2 ? 285.0 : 440.0) * cells;
-}
+/// Bytes that a run without viscosity needs on one rank, for `check` and for refusing an absurd one: a fixed part, one a cell and
+/// one for surfaces, fitted to the peaks of measured runs (docs/performance.md).
+double expected_memory(int dimension, double cells);
 
 /// Reads and validates a scene. `overrides` are dotted keys and TOML values as given to --set.
 /// Throws InputError that names file, line, key, value, range and remedy.
