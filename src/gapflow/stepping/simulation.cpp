@@ -293,22 +293,6 @@ std::vector<Twist<D>> Simulation<D>::predicted_twists(double dt) const
     return V;
 }
 
-// The solve starts from the last step's pressure.
-template <int D>
-void Simulation<D>::guess_impulse(double dt)
-{
-    const bool known = dt > 0 && last_dt_ > 0 && impulse_.nodes.size() == coupling_->system.nodes;
-    if (known) {
-        const double ratio = dt / last_dt_;
-        for (long i = 0; i < impulse_.cells.size(); ++i)
-            impulse_.cells.data()[i] *= ratio;
-        impulse_.nodes *= ratio;
-    } else {
-        impulse_.cells.fill(0);
-        impulse_.nodes.setZero(coupling_->system.nodes);
-    }
-}
-
 // Stage 6: (L + K M^-1 K^T) p = -(D u* + K V*), contacts among the bodies included, then velocities and twists of the end of
 // the step. In the initial projection (dt = 0) bodies are held to their velocities.
 template <int D>
@@ -322,7 +306,8 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     const bool contacts = dt > 0 && !contacts_.empty();
     if (contacts)
         contacts_.prepare(twists(), forced, dt);
-    guess_impulse(dt);
+    impulse_.cells.fill(0); // a guess would keep errors of the solver from step to step: symmetric scenes would tell
+    impulse_.nodes.setZero(coupling_->system.nodes);
     const bool voids = dt > 0 && voids_.any(), sets = contacts || voids; // active sets to find
     node_outflow_.resize(0);
     const std::vector<char> was_empty = voids ? voids_.empty_elements(coupling_->network) : std::vector<char>();
