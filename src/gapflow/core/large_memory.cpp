@@ -59,11 +59,6 @@ public:
         kept_.emplace(size, memory);
         kept_bytes_ += size;
     }
-    std::size_t kept_bytes()
-    {
-        const std::lock_guard lock(mutex_);
-        return kept_bytes_;
-    }
 
 private:
     void release_all()

@@ -15,15 +15,21 @@ double light(int dofs)
 constexpr int few_dofs = 48; // more columns than this only once iterations turn out slow
 constexpr double column_bytes = 96; // a cell, for kept columns
 
+/// Films' cells count as the grid's.
+template <int D>
+Multigrid<D> multigrid_of(const CoupledOperator<D>& matrix)
+{
+    const CoupledSystem<D>& system = matrix.system();
+    if (system.film_faces.empty())
+        return Multigrid<D>(system, matrix.conductance());
+    return Multigrid<D>(system, shared_conductances(system, true));
+}
+
 } // namespace
 
 template <int D>
 Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bodies)
-    : matrix_(matrix), mode_(bodies),
-      multigrid_(matrix.system(), matrix.system().film_faces.empty() ? matrix.conductance()
-                                                                     : shared_conductances(matrix.system(), true)),
-      band_(matrix, multigrid_.finest()),
-      bodies_(matrix)
+    : matrix_(matrix), mode_(bodies), multigrid_(multigrid_of(matrix)), band_(matrix, multigrid_.finest()), bodies_(matrix)
 {
     constants_.emplace(matrix, band_);
     for (const FilmFace<D>& face : matrix.system().film_faces)
