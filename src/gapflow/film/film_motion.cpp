@@ -88,6 +88,7 @@ FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, 
             normal_.push_back(element.normal);
             weight.push_back(!idle.empty() && idle[film->first_element + e] ? 0.0 : element.volume);
             h_mean_.push_back(element.volume / element.measure);
+            coarse_.push_back(element.coarse);
             const Vec<D> relative = w_.back() - master_velocity(centroid);
             flux_.push_back(h_mean_.back() * relative);
             volume_ += element.volume;
@@ -345,7 +346,8 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     }
     // What the old element has beyond its vertex values is kept where the new element is the old one and as far as the foot is
     // still in it: no diffusion at rest, and elsewhere that of linear interpolation (kept whole, the scheme would be a centred
-    // difference forward in time, which grows; on a changed mesh it would be noise of small cut elements).
+    // difference forward in time, which grows; on a changed mesh it would be noise of small cut elements). Not where the element
+    // is coarse for its gap: about a point of contact its velocity is noise, and would only gain by this.
     const std::array<int, D>& nodes = elements_[arrival.element];
     const Vec<D>& centroid = centroid_[arrival.element];
     Place middle = arrival;
@@ -353,8 +355,9 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     double size = 0;
     for (int i = 0; i < D; ++i)
         size = std::max(size, (x_[nodes[i]] - x_[nodes[(i + 1) % D]]).norm());
-    const double same = std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
-                        std::max(0.0, 1 - (x_body - x_foot).norm() / size);
+    const double same = coarse_[arrival.element] ? 0.0
+                                                 : std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
+                                                       std::max(0.0, 1 - (x_body - x_foot).norm() / size);
     return {vertex_velocity(x_foot, foot) + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
             normal_[foot.element], arrival.distance < memory_reach * dx_};
 }

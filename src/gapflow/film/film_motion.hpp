@@ -86,6 +86,7 @@ private:
     std::vector<double> radius_;   ///< of elements about their centroids
     std::vector<double> fastest_;  ///< largest |w - U_m| of the elements around a vertex
     std::vector<double> h_, h_mean_; ///< thickness at the vertices, mean over the elements
+    std::vector<char> coarse_;       ///< elements too large for their gap
     std::vector<Vec<D>> w_, normal_; ///< of elements, world axes
     std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
     KeyMap<std::vector<int>> bins_;

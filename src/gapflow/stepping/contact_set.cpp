@@ -1,8 +1,9 @@
-// Primal-dual active set: a contact that pulls opens, one that overlaps closes, all at once while that settles, else one at a
-// time (the last in order: Murty's rule). Friction by fixed point on its bound.
+// Active set around the coupled solve: the bodies' laws of contact, with the fluid's answer as it was, forecast which contacts hold,
+// stick and slide; all change at once while that settles, else the worst alone.
 #include "gapflow/stepping/contact_set.hpp"
 
 #include "gapflow/body/move.hpp"
+#include "gapflow/stepping/contact_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +28,8 @@ constexpr double smooth = 0.05;
 // Rounds after which contacts change one at a time.
 constexpr int rounds_at_once = 15;
 constexpr double friction_accuracy = 1e-3; // of the friction's bound
-// Slip below this times the speeds of approach, or what the forces add to them, is none.
-constexpr double still = 1e-9;
+constexpr double slide_margin = 1e-9;      // the same: pulls this close to it slide
+constexpr double forecast_accuracy = 1e-2; // of what is asked of the speeds
 
 template <int D>
 std::array<Vec<D>, D - 1> tangents_of(const Vec<D>& n)
@@ -275,43 +276,12 @@ std::vector<Twist<D>> ContactSet<D>::sliding_impulses(std::size_t solids) const
 }
 
 template <int D>
-bool ContactSet<D>::update_friction(Contact<D>& c, const std::vector<Twist<D>>& twists, double tolerance, double standstill) const
-{
-    const double bound = c.friction * std::max(c.impulse, 0.0);
-    if (!c.slides) {
-        if (c.tangential.norm() <= bound * (1 + friction_accuracy) + tolerance)
-            return false;
-        c.slides = true;
-        c.pull = bound * c.tangential.normalized();
-        c.slip = 0;
-        return true;
-    }
-    Vec<D - 1> slip;
-    for (int k = 0; k < D - 1; ++k)
-        slip[k] = rate(c.tangents[k], c, twists);
-    c.slip = slip.norm();
-    if (slip.dot(c.pull) > standstill * c.pull.norm()) { // friction would drive: it sticks
-        c.slides = false;
-        return true;
-    }
-    // At rest, held by others, it pulls as it did, within its bound.
-    const Vec<D - 1> direction = c.slip > standstill ? Vec<D - 1>(-slip) : c.pull;
-    const Vec<D - 1> pull = direction.norm() > 0 ? Vec<D - 1>(bound * direction.normalized()) : c.pull;
-    const bool changed = (pull - c.tangential).norm() > friction_accuracy * bound + tolerance;
-    c.pull = pull;
-    return changed;
-}
-
-template <int D>
-bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, double accuracy, int round)
+void ContactSet<D>::take_impulses(const Eigen::VectorXd& impulses)
 {
     int row = 0;
-    double largest_impulse = 0, largest_speed = 0, standstill = 0;
     for (Contact<D>& c : contacts_) {
         c.impulse = 0;
         c.tangential.setZero();
-        largest_speed = std::max({largest_speed, std::abs(c.approach), std::abs(c.target), std::abs(rate(c.normal, c, twists))});
-        standstill = std::max({standstill, still * c.gained, still * std::abs(c.approach)});
         if (!c.closed)
             continue;
         c.impulse = impulses[row++];
@@ -322,29 +292,58 @@ bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::Vec
             c.tangential = c.pull;
         if (resists_turning(c))
             c.tangential += impulses[row++] * across_pull(c);
-        largest_impulse = std::max(largest_impulse, std::abs(c.impulse));
     }
-    bool changed = false;
-    Contact<D>* last = nullptr;
-    for (Contact<D>& c : contacts_) {
-        const bool wrong = c.closed ? c.impulse < -accuracy * largest_impulse
-                                    : rate(c.normal, c, twists) < c.least - accuracy * largest_speed;
-        if (wrong) {
-            last = &c;
-            if (round < rounds_at_once) {
-                c.closed = !c.closed;
-                c.slides = false;
+}
+
+template <int D>
+bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses,
+                           const std::vector<TwistMatrix<D>>& mobility, double accuracy, int round)
+{
+    take_impulses(impulses);
+    std::vector<ContactImpulse<D>> given;
+    double largest_speed = 0;
+    for (const Contact<D>& c : contacts_) {
+        given.push_back({c.impulse, c.tangential});
+        largest_speed = std::max({largest_speed, std::abs(c.approach), std::abs(c.target), std::abs(rate(c.normal, c, twists))});
+    }
+    const double tolerance = accuracy * largest_speed;
+    const ContactForecast<D> forecast = forecast_contacts<D>(contacts_, given, twists, mobility, forecast_accuracy * tolerance);
+
+    // What must change: the forecast's impulses move the bodies. (Redundant contacts may share theirs in many ways.)
+    auto wrong = [&](std::size_t i) {
+        const Contact<D>& c = contacts_[i];
+        double most = std::abs(rate(c.normal, c, forecast.twists) - rate(c.normal, c, twists)) / tolerance;
+        if (c.friction > 0)
+            for (const RelativeRow<D>& t : c.tangents) {
+                const double own = t.a.dot(mobility[c.point.a] * t.a) + t.b.dot(mobility[c.point.b] * t.b);
+                const double allowed = tolerance + friction_accuracy * c.friction * forecast.impulses[i].normal * own;
+                most = std::max(most, std::abs(rate(t, c, forecast.twists) - rate(t, c, twists)) / allowed);
             }
-            changed = true;
-        } else if (c.closed && c.friction > 0) {
-            changed = update_friction(c, twists, accuracy * largest_impulse, standstill) || changed;
+        return most;
+    };
+    std::size_t worst = 0;
+    double most = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+        if (const double w = wrong(i); w > most) {
+            most = w;
+            worst = i;
         }
+    if (!(most > 1))
+        return false;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (round >= rounds_at_once && i != worst)
+            continue;
+        Contact<D>& c = contacts_[i];
+        const ContactImpulse<D>& impulse = forecast.impulses[i];
+        c.closed = impulse.normal > 0;
+        const double bound = c.friction * impulse.normal;
+        c.slides = c.closed && c.friction > 0 && impulse.tangential.norm() > (1 - slide_margin) * bound;
+        c.pull = c.slides ? impulse.tangential : Vec<D - 1>(Vec<D - 1>::Zero());
+        c.slip = 0;
+        for (const RelativeRow<D>& t : c.tangents)
+            c.slip = std::hypot(c.slip, rate(t, c, forecast.twists));
     }
-    if (last && round >= rounds_at_once) {
-        last->closed = !last->closed;
-        last->slides = false;
-    }
-    return changed;
+    return true;
 }
 
 template <int D>

@@ -59,7 +59,9 @@ public:
     /// Impulses of sliding friction on every solid, about its centre.
     std::vector<Twist<D>> sliding_impulses(std::size_t solids) const;
     /// Takes the twists and the impulses of held() that a solve gave. True if contacts must change and the solve be repeated.
-    bool update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, double accuracy, int round);
+    /// `mobility`: as for forecast_contacts().
+    bool update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const std::vector<TwistMatrix<D>>& mobility,
+                double accuracy, int round);
 
     const std::vector<Contact<D>>& contacts() const { return contacts_; }
     bool empty() const { return contacts_.empty(); }
@@ -74,7 +76,7 @@ private:
         double hold, restitution, friction;
     };
     PairLaw law(int a, int b) const;
-    bool update_friction(Contact<D>& contact, const std::vector<Twist<D>>& twists, double tolerance, double standstill) const;
+    void take_impulses(const Eigen::VectorXd& impulses);
 
     const Scene* scene_ = nullptr;
     double dx_ = 0;

@@ -304,8 +304,11 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     options.tolerance = scene_.tolerance;
     options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
     const bool contacts = dt > 0 && !contacts_.empty();
-    if (contacts)
+    std::vector<TwistMatrix<D>> mobility;
+    if (contacts) {
         contacts_.prepare(twists(), forced, dt);
+        mobility = mobilities(*coupling_);
+    }
     impulse_.cells.fill(0); // a guess would keep errors of the solver from step to step: symmetric scenes would tell
     impulse_.nodes.setZero(coupling_->system.nodes);
     const bool voids = dt > 0 && voids_.any(), sets = contacts || voids; // active sets to find
@@ -377,7 +380,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             break;
         // A contact whose impulse is next to nothing may flip for ever: what counts as nothing grows with the rounds.
         const double accuracy = std::max(10 * tolerance, 1e-6 * std::exp2(round - 20));
-        changed = contacts && contacts_.update(V, contact_impulse, accuracy, round);
+        changed = contacts && contacts_.update(V, contact_impulse, mobility, accuracy, round);
         if (wet) {
             new_voids = update_voids(*wet, u_star, V, dt, 10 * tolerance, round, changed);
             changed = changed || new_voids;
