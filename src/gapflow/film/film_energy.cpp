@@ -48,7 +48,8 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
             continue;
         const PlacedShape<D>& master = solids[network.films[conduits[r].film].pair.master].shape;
         const double u = conduits[r].outward.dot(at_conduit[r].velocity - old->master_velocity(master.to_body(conduits[r].x)));
-        sums[old].inflow += conduits[r].length * conduits[r].h * std::pow(std::max(-u, 0.0), 3) * dt;
+        const double volume = conduits[r].length * conduits[r].h * std::max(-u, 0.0) * dt;
+        sums[old].inflow += std::min(volume, old->volume()) * u * u; // more than fills the film has passed through it
     }
     for_each_carried([&](const FilmMemory<D>* old, double, Vec<D>& u, const Vec<D>& along) {
         const Sum& sum = sums[old];
@@ -66,7 +67,7 @@ template <int D>
 void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
                const GivenAway<D>& given_away, const std::vector<double>& head, std::vector<double>& flux)
 {
-    GivenAway<D> asked; // twice the work of the whole heads over the density
+    GivenAway<D> asked, thrown; // twice the work of the whole heads over the density, and the energy of their own fluxes
     const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         if (head[r] == 0)
@@ -76,6 +77,7 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
         const Vec<D> U = old->master_velocity(solids[network.films[c.film].pair.master].shape.to_body(c.x));
         const double q = flux[r] - c.length * c.h * c.outward.dot(U);
         asked[old] += c.resistance / c.length * 2 * q * head[r];
+        thrown[old] += c.resistance / c.length * head[r] * head[r];
     }
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         if (head[r] == 0)
@@ -83,7 +85,12 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
         const FilmMemory<D>* old = memory[conduits[r].film];
         const auto known = given_away.find(old);
         const double most = known != given_away.end() ? head_margin * known->second : 0.0;
-        flux[r] += (asked[old] > most ? most / asked[old] : 1.0) * head[r];
+        double share = asked[old] > most ? most / asked[old] : 1.0;
+        // Heads that outweigh their mouths' fluxes by far: asked * share + thrown * share^2 <= 2 most.
+        const double half = 0.5 * std::max(asked[old], 0.0);
+        if (2 * half * share + thrown[old] * share * share > 2 * most)
+            share = most > 0 ? 2 * most / (half + std::sqrt(half * half + 2 * most * thrown[old])) : 0.0;
+        flux[r] += share * head[r];
     }
 }
 

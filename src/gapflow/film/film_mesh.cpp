@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace gapflow
@@ -178,7 +179,7 @@ private:
             set_geometry<D>(corners(mid_, nodes), element);
             add_points(test_, patch, other_patch, flat, int(film.elements.size()) - 1, film);
             set_walls(patch, flat, corners(film.x, element.nodes), corners(film.y, element.nodes), element);
-            element.coarse = is_coarse(patch, other_patch, film, element);
+            set_lateral(patch, other_patch, film, element);
             add_rim(e, film);
         }
         for (int e : piece) // ready for the next piece (pieces may touch in a node)
@@ -198,7 +199,7 @@ private:
             element.centroid_other = p.x;
     }
 
-    bool is_coarse(int patch, int other_patch, const FilmMesh<D>& film, const FilmElement<D>& element) const
+    void set_lateral(int patch, int other_patch, const FilmMesh<D>& film, FilmElement<D>& element) const
     {
         const double curvature = test_.curvature(patch, other_patch);
         double longest = 0, h = film.h[element.nodes[0]];
@@ -206,7 +207,8 @@ private:
             longest = std::max(longest, (film.x[element.nodes[k]] - film.x[element.nodes[(k + 1) % D]]).norm());
             h = std::min(h, film.h[element.nodes[k]]);
         }
-        return curvature > 0 && longest > 1.2 * test_.options.curved * std::sqrt(2 * h / curvature);
+        element.lateral = curvature > 0 ? std::sqrt(2 * h / curvature) : std::numeric_limits<double>::infinity();
+        element.coarse = longest > 1.2 * test_.options.curved * element.lateral;
     }
 
     /// Adds the facets of element e (the film's last) that no other element shares.

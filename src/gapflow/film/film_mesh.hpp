@@ -38,6 +38,7 @@ struct FilmElement {
     double measure;         ///< area (2D: length) at mid-gap
     double volume;          ///< S = int h
     double inverse;         ///< I = int 1/h, exact for h linear over each quadrature point's piece
+    double lateral;         ///< over which the gap doubles: sqrt(2 h R), least h of its nodes; infinite between flat surfaces
     bool coarse;            ///< larger than the gap's lateral scale asks for: uses the harmonic conductance
 
     /// Conductance at density 1 times the gradients' product: S, on coarse elements the harmonic mean's (measure)^2 / I.

@@ -20,11 +20,16 @@ constexpr double memory_reach = 2.0;
 constexpr double same_element = 0.25;
 // Interpolated velocities relative to the master exceed those of the elements around by this factor at most.
 constexpr double surplus_bound = 1.5;
+// A mouth carries its flux on, seen from the master, up to this times what the film's speeds there make of its section: where the
+// mouth narrows beside a point of contact, the flux of wider ones would become a jet that nothing drives.
+constexpr double mouth_bound = 2.0;
 // A mouth continues an old one within this many cells.
 constexpr double mouth_reach = 2.0;
 // In dx: a point further from a film is not of it. Shape functions less than `at_vertex` are round-off.
 constexpr double beside_film = 0.05;
 constexpr double at_vertex = 1e-6;
+// Mouths thinner than this times their film's mean thickness lie beside a point of contact: their outflow's head fades to nothing.
+constexpr double thin_mouth = 0.1;
 // Films of up to this many elements are searched without bins.
 constexpr int few_elements = 256;
 
@@ -349,6 +354,9 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     // difference forward in time, which grows; on a changed mesh it would be noise of small cut elements). Not where the element
     // is coarse for its gap: about a point of contact its velocity is noise, and would only gain by this.
     const std::array<int, D>& nodes = elements_[arrival.element];
+    double fastest = 0;
+    for (int node : nodes)
+        fastest = std::max(fastest, fastest_[node]);
     const Vec<D>& centroid = centroid_[arrival.element];
     Place middle = arrival;
     middle.shape.fill(1.0 / D);
@@ -359,7 +367,7 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
                                                  : std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
                                                        std::max(0.0, 1 - (x_body - x_foot).norm() / size);
     return {vertex_velocity(x_foot, foot) + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
-            normal_[foot.element], arrival.distance < memory_reach * dx_};
+            normal_[foot.element], arrival.distance < memory_reach * dx_, fastest};
 }
 
 template <int D>
@@ -403,7 +411,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
 
     // What the old films carry to the new elements and conduits.
     using Transported = typename FilmMemory<D>::Transported;
-    const Transported unknown{Vec<D>::Zero(), Vec<D>::Zero(), false};
+    const Transported unknown{Vec<D>::Zero(), Vec<D>::Zero(), false, 0};
     std::vector<Transported> at_element(network.elements, unknown), at_conduit(conduits.size(), unknown);
     for_each_job(films, [&](int k) {
         if (!memory[k])
@@ -450,6 +458,15 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
             flow.velocity.push_back(tangential<D>(w, e.normal));
         }
     const auto given_away = limit_motion(network, solids, memory, at_element, at_conduit, dt, flow.velocity);
+    std::vector<double> mean_thickness;
+    for (const Film<D>& film : network.films) {
+        double volume = 0, measure = 0;
+        for (const FilmElement<D>& e : film.mesh.elements) {
+            volume += e.volume;
+            measure += e.measure;
+        }
+        mean_thickness.push_back(volume / measure);
+    }
     std::vector<double> head(conduits.size(), 0.0); // flux that the head of the outflow adds to a mouth
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& conduit = conduits[r];
@@ -462,8 +479,12 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
             const double u = conduit.outward.dot(w - U); // out of the film, seen from the master
             const auto* old = memory[conduit.film]->mouth(place, conduit.outward);
             q = section * conduit.outward.dot(w);
-            if (old)
-                q = conduit.length * (old->flux + (conduit.h * conduit.outward - old->h * old->outward).dot(old->master_velocity));
+            if (old) {
+                const double flux =
+                    conduit.length * (old->flux + (conduit.h * conduit.outward - old->h * old->outward).dot(old->master_velocity));
+                const double with_master = section * conduit.outward.dot(U), most = mouth_bound * section * at_conduit[r].fastest;
+                q = with_master + std::clamp(flux - with_master, -most, most);
+            }
             const MouthLaw mouth = law(film.pair.master, film.pair.other);
             const bool sharp = conduit.kind != ConduitKind::smooth && conduit.kind != ConduitKind::inflow;
             if (sharp && u < 0) { // entrance, semi-implicit
@@ -471,7 +492,8 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                 scale = 1 / (1 + dt * k * -u / (2 * conduit.resistance * conduit.h));
                 q = scale * q + (1 - scale) * section * conduit.outward.dot(U);
             } else if (sharp && !mouth.jet) {
-                head[r] = conduit.length * dt * 0.5 * u * u / conduit.resistance;
+                const double thin = std::min(1.0, conduit.h / (thin_mouth * mean_thickness[conduit.film]));
+                head[r] = thin * thin * conduit.length * dt * 0.5 * u * u / conduit.resistance;
             }
         } else {
             q = section * conduit.outward.dot(*next++);

@@ -41,6 +41,7 @@ public:
     struct Transported {
         Vec<D> velocity, normal;
         bool near; ///< an old film lies within two cells of the arrival point
+        double fastest; ///< largest |w - U_m| of the old film's elements about the arrival point
     };
     /// `hint`: an element near it, or -1; on return the one it arrived in.
     Transported transport(const Vec<D>& x_body, double dt, int& hint) const;

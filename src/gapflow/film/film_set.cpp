@@ -187,14 +187,22 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
     const std::vector<Image<D>>& images = clipper.images();
     const Vec<D> size = grid.size();
     std::vector<double> radius(solids.size());
-    for (std::size_t s = 0; s < solids.size(); ++s)
+    std::vector<std::array<bool, D>> endless(solids.size()); // axes along which the solid is its own image, as a wall along itself
+    for (std::size_t s = 0; s < solids.size(); ++s) {
         radius[s] = bounding_radius(world_bounds(solids[s].shape));
+        const Vec<D> x = grid.origin() + 0.5 * size;
+        for (int axis = 0; axis < D; ++axis)
+            endless[s][axis] = !std::isfinite(radius[s]) &&
+                               std::abs(solids[s].shape.distance(x) - solids[s].shape.distance(x + size[axis] * unit<D>(axis))) <
+                                   1e-9 * size[axis];
+    }
 
     std::set<FilmPair<D>> pairs;
     for (const auto& [a, b] : close_images(images, solids, 4 * hysteresis * grid.dx())) {
         FilmPair<D> pair{images[a].solid, images[b].solid, {}}, turned{images[b].solid, images[a].solid, {}};
         for (int axis = 0; axis < D; ++axis) {
-            const double shift = images[b].shift[axis] - images[a].shift[axis];
+            const bool same = endless[pair.master][axis] || endless[pair.other][axis];
+            const double shift = same ? 0.0 : images[b].shift[axis] - images[a].shift[axis];
             pair.shift[axis] = static_cast<int>(std::lround(shift / size[axis]));
             turned.shift[axis] = -pair.shift[axis];
         }

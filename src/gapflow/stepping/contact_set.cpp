@@ -284,6 +284,7 @@ void ContactSet<D>::take_impulses(const Eigen::VectorXd& impulses)
         c.tangential.setZero();
         if (!c.closed)
             continue;
+        c.solved = true;
         c.impulse = impulses[row++];
         if (c.friction > 0 && !c.slides)
             for (int k = 0; k < D - 1; ++k)
@@ -301,24 +302,32 @@ bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::Vec
 {
     take_impulses(impulses);
     std::vector<ContactImpulse<D>> given;
-    double largest_speed = 0;
+    double largest_speed = 0, largest_impulse = 0;
     for (const Contact<D>& c : contacts_) {
         given.push_back({c.impulse, c.tangential});
         largest_speed = std::max({largest_speed, std::abs(c.approach), std::abs(c.target), std::abs(rate(c.normal, c, twists))});
+        largest_impulse = std::max(largest_impulse, std::abs(c.impulse));
     }
-    const double tolerance = accuracy * largest_speed;
-    const ContactForecast<D> forecast = forecast_contacts<D>(contacts_, given, twists, mobility, forecast_accuracy * tolerance);
+    const double speed = accuracy * largest_speed, impulse = accuracy * largest_impulse; // that count as nothing
+    const ContactForecast<D> forecast = forecast_contacts<D>(contacts_, given, twists, mobility, forecast_accuracy * speed);
 
-    // What must change: the forecast's impulses move the bodies. (Redundant contacts may share theirs in many ways.)
+    // Wrong is a contact that closes too fast, and one at which the forecast's impulses move the bodies. (Impulses alone do not
+    // tell: redundant contacts may share theirs in many ways.) In units of what is allowed.
+    auto change = [&](std::size_t i, const RelativeRow<D>& row) {
+        return std::abs(rate(row, contacts_[i], forecast.twists) - rate(row, contacts_[i], twists));
+    };
+    auto yield_of = [&](std::size_t i, const RelativeRow<D>& row) {
+        return row.a.dot(mobility[contacts_[i].point.a] * row.a) + row.b.dot(mobility[contacts_[i].point.b] * row.b);
+    };
     auto wrong = [&](std::size_t i) {
         const Contact<D>& c = contacts_[i];
-        double most = std::abs(rate(c.normal, c, forecast.twists) - rate(c.normal, c, twists)) / tolerance;
+        if (!c.closed)
+            return (c.least - rate(c.normal, c, twists)) / speed;
+        double most = change(i, c.normal) / (speed + impulse * yield_of(i, c.normal));
         if (c.friction > 0)
-            for (const RelativeRow<D>& t : c.tangents) {
-                const double own = t.a.dot(mobility[c.point.a] * t.a) + t.b.dot(mobility[c.point.b] * t.b);
-                const double allowed = tolerance + friction_accuracy * c.friction * forecast.impulses[i].normal * own;
-                most = std::max(most, std::abs(rate(t, c, forecast.twists) - rate(t, c, twists)) / allowed);
-            }
+            for (const RelativeRow<D>& t : c.tangents)
+                most = std::max(most, change(i, t) / ((impulse + friction_accuracy * c.friction * forecast.impulses[i].normal) *
+                                                      yield_of(i, t)));
         return most;
     };
     std::size_t worst = 0;
@@ -334,11 +343,10 @@ bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::Vec
         if (round >= rounds_at_once && i != worst)
             continue;
         Contact<D>& c = contacts_[i];
-        const ContactImpulse<D>& impulse = forecast.impulses[i];
-        c.closed = impulse.normal > 0;
-        const double bound = c.friction * impulse.normal;
-        c.slides = c.closed && c.friction > 0 && impulse.tangential.norm() > (1 - slide_margin) * bound;
-        c.pull = c.slides ? impulse.tangential : Vec<D - 1>(Vec<D - 1>::Zero());
+        const ContactImpulse<D>& next = forecast.impulses[i];
+        c.closed = next.normal > 0;
+        c.slides = c.solved && c.closed && c.friction > 0 && next.tangential.norm() > (1 - slide_margin) * c.friction * next.normal;
+        c.pull = c.slides ? next.tangential : Vec<D - 1>(Vec<D - 1>::Zero());
         c.slip = 0;
         for (const RelativeRow<D>& t : c.tangents)
             c.slip = std::hypot(c.slip, rate(t, c, forecast.twists));

@@ -30,6 +30,7 @@ struct Contact {
     double least = 0;                   ///< opening rate that the end of the step may not fall below
     double target = 0;                  ///< opening rate while it holds: `least`, or a rebound
     bool closed = false, was_closed = false;
+    bool solved = false;                ///< some solve of the step held it; before, a forecast leaves out the fluid's part: it sticks
     bool slides = false;
     Vec<D - 1> pull = Vec<D - 1>::Zero(); ///< friction impulse on a along the tangents while it slides
     double slip = 0;                    ///< speed at which it slides

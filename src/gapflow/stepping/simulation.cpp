@@ -4,6 +4,7 @@
 #include "gapflow/body/move.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/film/film_vorticity.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/placement.hpp"
@@ -186,6 +187,7 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     u_star.grid = FaceField<D>(grid_);
     FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted_twists(dt),
                                        [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
+    damp_vorticity(coupling_->network, grid_.dx(), flow.velocity);
     if (voids_.any())
         flood(flow, dt);
     const BoundaryVelocity<D> sides = side_velocities(time_);

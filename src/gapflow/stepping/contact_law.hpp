@@ -1,0 +1,36 @@
+// The laws of contact among rigid bodies alone (method, section 7):
+//
+//     0 <= lambda  |  c V - least >= 0,        |lambda_t| <= mu lambda, against the slip,
+//     V = V_0 + M^-1 C^T (lambda - lambda_0)
+//
+// around twists V_0 that impulses lambda_0 gave. The fluid answers a change of impulses too, so this is a forecast; where it
+// changes nothing, V_0 and lambda_0 obey the laws.
+#pragma once
+
+#include "gapflow/stepping/contact_set.hpp"
+
+#include <vector>
+
+namespace gapflow {
+
+template <int D>
+struct ContactImpulse {
+    double normal = 0;
+    Vec<D - 1> tangential = Vec<D - 1>::Zero();
+};
+
+/// What the laws ask.
+template <int D>
+struct ContactForecast {
+    std::vector<ContactImpulse<D>> impulses;
+    std::vector<Twist<D>> twists; ///< V
+};
+
+/// `given`: lambda_0, one a contact; `mobility`: M^-1 of every solid in its admissible directions, 0 where it does not yield.
+/// Speeds are found to `accuracy`, absolute.
+template <int D>
+ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
+                                     const std::vector<Twist<D>>& twists, const std::vector<TwistMatrix<D>>& mobility,
+                                     double accuracy);
+
+} // namespace gapflow
