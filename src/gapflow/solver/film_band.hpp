@@ -1,4 +1,4 @@
-// The films' half of the Schwarz pair: a direct solve of all film nodes together with a band of cells around their conduits.
+// The films' half of the Schwarz pair: a direct solve of all film nodes together with the cells that their conduits end in.
 #pragma once
 
 #include "gapflow/solver/coupled_operator.hpp"
@@ -19,6 +19,8 @@ public:
 
     bool empty() const { return size_ == 0; }
     int size() const { return size_; }
+    /// Whether nothing outside the band fixes the level of the block that holds the row.
+    bool floating(int row) const { return block_[row] >= 0; }
 
     /// A band cell that this rank owns.
     struct OwnedCell {
