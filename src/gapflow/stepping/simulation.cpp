@@ -22,6 +22,7 @@ constexpr double rough_tolerance = 1e-4;
 // Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
 constexpr double settled_tolerance = 0.1;
 constexpr int most_rounds = 60;
+constexpr int few_iterations = 12; // of a solve without a correction for bodies: the next one asks no more for their lightness
 // Voids change all at once in the first rounds, then one at a time.
 constexpr int void_rounds_at_once = 40;
 // Masses in the initial projection, which holds the bodies to their velocities.
@@ -303,6 +304,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     SolverOptions options;
     options.tolerance = scene_.tolerance;
     options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
+    options.ask_lightness = light_bodies_;
     const bool contacts = dt > 0 && !contacts_.empty();
     if (contacts)
         contacts_.prepare(twists(), forced, dt);
@@ -363,6 +365,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
                                          : options.tolerance;
         const SolveReport solve = solver->solve(impulse_, rhs, 1e-13 * std::sqrt(squares), tolerance);
         report.iterations += solve.iterations;
+        light_bodies_ = solver->corrects_bodies() || solve.iterations > few_iterations;
         stages_.add("solve", solve.seconds);
         solver_seconds += solve.seconds;
         report.residual = solve.residual;
