@@ -1,5 +1,5 @@
-// Multiplicative Schwarz (Smith, Bjorstad & Gropp 1996, section 1.1) between a direct solve on the band b, film nodes and the
-// cells that conduits end in, and multigrid G on the cells: with R_b the restriction to the band and A_b = R_b L R_b^T,
+// Multiplicative Schwarz (Smith, Bjorstad & Gropp 1996, section 1.1) between a direct solve on the band b and multigrid G on
+// the cells: with R_b the restriction to the band and A_b = R_b L R_b^T,
 //
 //     z_1 = R_b^T A_b^-1 R_b r;     x = G (r - L z_1);     z = z_1 + x + R_b^T A_b^-1 R_b (r - L (z_1 + x)),
 //
@@ -21,17 +21,42 @@ namespace gapflow {
 
 namespace {
 
+constexpr int layers = 2;          // cells between a conduit's cells and the band's end
+// Where films are everywhere, a band between all of them is a factorisation of the whole fluid: then the conduits' own cells
+// must do. It does where the band has more cells than this, and than a share of the films' nodes.
+constexpr std::size_t few_cells = 8000;
+constexpr double share_of_nodes = 1.0 / 3;
 constexpr double shift = 1e-12;    // relative, on the diagonal: films whose conduits are 1e-12 of their own conductance
 
-/// Cells that links end in, sorted.
-std::vector<long> linked_cells(const std::vector<Link>& links)
+/// All cells within `layers` steps of the links' cells, or the links' cells alone.
+template <int D>
+std::vector<long> cells_around_links(const CoupledSystem<D>& system)
 {
+    const Grid<D>& grid = *system.grid;
     std::vector<long> found;
-    for (const Link& link : links)
+    for (const Link& link : system.links)
         for (const auto& entry : link.cells)
             found.push_back(entry.first);
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    auto unique = [&] {
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+    };
+    unique();
+    std::vector<long> alone = found;
+    for (int layer = 0; layer < layers; ++layer) {
+        const std::size_t n = found.size();
+        for (std::size_t i = 0; i < n; ++i)
+            for (int side = 0; side < 2 * D; ++side) {
+                Index<D> c = grid.cell_of_key(found[i]);
+                c[side / 2] += side % 2 ? 1 : -1;
+                c = grid.wrapped(c);
+                if (grid.in_domain(c))
+                    found.push_back(grid.key(c));
+            }
+        unique();
+    }
+    if (found.size() > few_cells && static_cast<double>(found.size()) > share_of_nodes * system.nodes)
+        return alone;
     return found;
 }
 
@@ -60,7 +85,7 @@ void FilmBand<D>::find_cells(const Level<D>& finest)
     const Grid<D>& grid = *system_.grid;
     // Every rank tells of its cells: whether there is an unknown, and the conductances around.
     constexpr int width = 2 * D + 1;
-    const std::vector<long> around = linked_cells(system_.links);
+    const std::vector<long> around = cells_around_links(system_);
     std::vector<double> told(width * around.size(), 0.0);
     for (std::size_t i = 0; i < around.size(); ++i) {
         const Index<D> c = grid.cell_of_key(around[i]);
