@@ -181,6 +181,7 @@ private:
             element.coarse = is_coarse(patch, other_patch, film, element);
             add_rim(e, film);
         }
+        film.points.shrink_to_fit(); // most of a film's memory
         for (int e : piece) // ready for the next piece (pieces may touch in a node)
             for (int i : elements_[e].nodes)
                 number_[i] = -1;

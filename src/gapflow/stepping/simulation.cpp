@@ -3,6 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/body/move.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/machine_memory.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/flooding.hpp"
@@ -22,6 +23,7 @@ constexpr double rough_tolerance = 1e-4;
 // Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
 constexpr double settled_tolerance = 0.1;
 constexpr int most_rounds = 60;
+constexpr std::size_t many_points = 1000000; // of films: what they leave behind in small pieces is worth collecting
 constexpr int few_iterations = 12; // of a solve without a correction for bodies: the next one asks no more for their lightness
 // Voids change all at once in the first rounds, then one at a time.
 constexpr int void_rounds_at_once = 40;
@@ -163,8 +165,14 @@ void Simulation<D>::rebuild()
     if (coupling_) {
         old_fractions_ = coupling_->fractions;
         alive_.clear();
-        for (const Film<D>& film : coupling_->network.films)
+        std::size_t points = 0;
+        for (Film<D>& film : coupling_->network.films) {
             alive_.insert(film.pair);
+            points += film.mesh.points.size();
+            film.mesh.points = {}; // most of a film's memory, and the new films are built before the old ones go
+        }
+        if (points > many_points)
+            return_freed_memory();
     }
     build_coupling();
     voids_.find(*coupling_, holding_ ? nullptr : &memories_);
