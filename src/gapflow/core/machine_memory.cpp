@@ -5,6 +5,9 @@
 #include <limits>
 
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace gapflow
 {
@@ -30,6 +33,13 @@ int ranks_on_this_machine(const Communicator& comm)
     MPI_Comm_size(machine, &ranks);
     MPI_Comm_free(&machine);
     return ranks;
+}
+
+void return_freed_memory()
+{
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
 }
 
 } // namespace gapflow

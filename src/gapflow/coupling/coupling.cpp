@@ -55,6 +55,10 @@ void fill_grid(Coupling<D>& coupling)
 
     const auto is_film = static_cast<std::int8_t>(CellKind::film);
     const double unit_conductance = std::pow(grid.dx(), D - 2) / coupling.density;
+    auto has_unknown = [&](const Index<D>& c) {
+        const auto kind = static_cast<CellKind>(coupling.kind(c));
+        return kind == CellKind::bulk || kind == CellKind::mixed;
+    };
     if (!network.cells.closed.empty()) {
         for (const auto& [key, cell] : network.cells.cells)
             for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
@@ -70,7 +74,8 @@ void fill_grid(Coupling<D>& coupling)
                     double& open = coupling.open(side.axis, f);
                     const bool mine = (f.array() >= low.array()).all() && (f.array() < (high + step<D>(side.axis)).array()).all();
                     if (mine && open > 1e-12)
-                        coupling.system.film_faces.push_back({side.axis, f, open * unit_conductance});
+                        coupling.system.film_faces.push_back({side.axis, f, open * unit_conductance,
+                                                              {has_unknown(f - step<D>(side.axis)), has_unknown(f)}});
                     open = 0;
                 });
             }

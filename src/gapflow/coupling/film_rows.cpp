@@ -4,6 +4,7 @@
 #include "gapflow/film/film_cells.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace gapflow {
 
@@ -58,9 +59,12 @@ private:
     void find_mouths()
     {
         conduits_.assign(network_.films.size(), {});
+        conduit_places_.assign(network_.films.size(), {});
         for (const Conduit<D>& conduit : network_.mouths.conduits)
-            if (!conduit.cells.empty())
+            if (!conduit.cells.empty()) {
                 conduits_[conduit.film].push_back(&conduit);
+                conduit_places_[conduit.film].push_back(conduit.x);
+            }
     }
 
     // Item 8: stiffness S / rho grad N_i . grad N_j (harmonic on coarse elements), and the flux that the master carries
@@ -288,16 +292,20 @@ private:
     void add_to_nearest_mouth(long key, const FilmCell<D>& cell, const Twist<D>& rest, std::vector<Twist<D>>& lost)
     {
         const Vec<D> x = grid_.cell_centre(grid_.cell_of_key(key) + cell.offset(cell.owner));
-        const std::vector<const Conduit<D>*>& mouths = conduits_[cell.owner];
-        const auto nearest = std::min_element(mouths.begin(), mouths.end(), [&](const Conduit<D>* a, const Conduit<D>* b) {
-            return (a->x - x).squaredNorm() < (b->x - x).squaredNorm();
-        });
-        if (nearest == mouths.end()) {
+        const std::vector<Vec<D>>& places = conduit_places_[cell.owner];
+        std::size_t nearest = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < places.size(); ++i)
+            if (const double distance = (places[i] - x).squaredNorm(); distance < least) {
+                least = distance;
+                nearest = i;
+            }
+        if (places.empty()) {
             lost[cell.owner] += rest;
             return;
         }
         const FilmMesh<D>& mesh = film(cell.owner).mesh;
-        for (const auto& [to, weight] : (*nearest)->cells)
+        for (const auto& [to, weight] : conduits_[cell.owner][nearest]->cells)
             add_relative(to_cell(to), mesh, mesh.other, other_centre(mesh), rest, weight);
     }
 
@@ -405,6 +413,7 @@ private:
     const FilmNetwork<D>& network_;
     const FaceCache<D>& faces_;
     std::vector<std::vector<const Conduit<D>*>> conduits_;    ///< of each film, those that end in cells
+    std::vector<std::vector<Vec<D>>> conduit_places_;         ///< where they are
     KeyMap<std::vector<CellFlux>> closed_flux_;
     std::vector<Third> third_;
 };

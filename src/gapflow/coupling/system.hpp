@@ -13,6 +13,7 @@
 
 #include <Eigen/Sparse>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct FilmFace {
     int axis;
     Index<D> face;
     double conductance; ///< that its open part would have on the grid
+    std::array<bool, 2> unknown; ///< whether the cells below and above hold one
 };
 
 /// A connected part of the fluid: unknowns joined by faces, film elements or links.

@@ -182,6 +182,7 @@ private:
             set_lateral(patch, other_patch, film, element);
             add_rim(e, film);
         }
+        film.points.shrink_to_fit(); // most of a film's memory
         for (int e : piece) // ready for the next piece (pieces may touch in a node)
             for (int i : elements_[e].nodes)
                 number_[i] = -1;

@@ -125,7 +125,8 @@ double turn(const CoupledOperator<D>& matrix, const Preconditioner<D>& precondit
         p.nodes.setZero();
     p.nodes = z.nodes + b * p.nodes;
     p.nodes.array() -= shift;
-    matrix.begin_product(p);
+    if (b == 0) // nothing else writes there
+        matrix.begin_product(p);
     // Slabs of planes for threads: the products of planes whose neighbours lie in the slab follow on the heels of p.
     const int slabs = std::max(1, std::min(thread_count(), planes / 4));
     const bool fused = matrix.halo_only_last_axis();
@@ -178,7 +179,7 @@ double true_residual(const CoupledOperator<D>& matrix, const NullSpace<D>& null_
     const CoupledSystem<D>& system = matrix.system();
     const Grid<D>& grid = *system.grid;
     matrix.apply(x, q);
-    // r = rhs - A x where there is an unknown, and what its projection leaves of |r|^2.
+    // r = rhs - A x where there is an unknown.
     std::array<double, 2> sums = sum_over_pieces<2>(grid, [&](const Index<D>& first, int n) {
         double* row = &r.cells(first);
         const double *from = &rhs.cells(first), *product = &q.cells(first);
@@ -193,9 +194,14 @@ double true_residual(const CoupledOperator<D>& matrix, const NullSpace<D>& null_
         return std::array<double, 2>{square, sum};
     });
     r.nodes = rhs.nodes - q.nodes;
-    if (null_space.empty()) {
-        grid.comm().sum(sums);
-        return std::sqrt(sums[0] + r.nodes.squaredNorm());
+    grid.comm().sum(sums);
+    const double square = sums[0] + r.nodes.squaredNorm(), sum = sums[1] + r.nodes.sum();
+    if (null_space.empty())
+        return std::sqrt(square);
+    if (system.components.size() == 1) {
+        const double constant = null_space.shifts(sum)[1] * sum; // its part of |r|^2
+        if (constant < 1e-3 * square)
+            return std::sqrt(square - constant);
     }
     null_space.project(r);
     return std::sqrt(dot(grid, r, r));
@@ -243,7 +249,11 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
     std::string reason;
     constexpr int most_restarts = 2; // by a residual that drifted from the true one, or by a breakdown
     for (int restarts = 0; restarts <= most_restarts;) {
-        double start = fresh ? size : true_residual(matrix, null_space, x, rhs, q, r);
+        double start = size;
+        if (!fresh) {
+            start = true_residual(matrix, null_space, x, rhs, q, r);
+            null_space.project(r);
+        }
         if (!fresh && report.iterations == 0 && restarts == 0 && start > size) { // a guess worse than none
             x.cells.fill(0);
             x.nodes.setZero();

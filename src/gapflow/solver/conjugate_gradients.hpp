@@ -23,7 +23,7 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
 template <int D>
 void compatible(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const UnknownVector<D>& rhs, UnknownVector<D>& v);
 
-/// r = v - A x; returns |r|.
+/// r = rhs - A x in all unknowns; returns the norm of its part that the null vectors leave.
 template <int D>
 double true_residual(const CoupledOperator<D>& matrix, const NullSpace<D>& null_space, UnknownVector<D>& x,
                      const UnknownVector<D>& rhs, UnknownVector<D>& q, UnknownVector<D>& r);

@@ -58,12 +58,14 @@ bool ConstantCorrection<D>::all_constants_null() const
     return floating == system_.null_space.cols();
 }
 
-// Parts that nothing acts on (no body, no link) have no energy: no column.
+// Parts that nothing acts on (no body, no link) have no energy: no column. Nor have parts that the films' band holds whole, of
+// which it solves for the level.
 template <int D>
 void ConstantCorrection<D>::number_columns(bool whole)
 {
     const Grid<D>& grid = *system_.grid;
     std::vector<char> grounded;
+    std::vector<long> size;
     if (whole) {
         part_ = system_.component;
         for (const Component& component : system_.components)
@@ -72,6 +74,7 @@ void ConstantCorrection<D>::number_columns(bool whole)
         GridParts<D> parts = find_grid_parts(system_);
         part_ = std::move(parts.part);
         grounded = parts.grounded;
+        size = parts.size;
     }
     std::vector<double> acted(grounded.size(), 0.0);
     for (const auto& entry : system_.cell_flux)
@@ -82,6 +85,14 @@ void ConstantCorrection<D>::number_columns(bool whole)
             if (const Index<D> c = grid.cell_of_key(entry.first); grid.owns(c) && part_(c) >= 0)
                 acted[part_(c)] = 1;
     grid.comm().sum(acted);
+    std::vector<double> banded(size.size(), 0.0);
+    for (const auto& entry : band_.owned())
+        if (!size.empty() && !band_.floating(entry.row))
+            banded[part_(entry.cell)] += 1;
+    grid.comm().sum(banded);
+    for (std::size_t k = 0; k < size.size(); ++k)
+        if (banded[k] == static_cast<double>(size[k]))
+            acted[k] = 0;
     std::vector<int> column(grounded.size(), -1);
     for (std::size_t k = 0; k < column.size(); ++k)
         if (acted[k] > 0 && !grounded[k])

@@ -19,6 +19,8 @@ public:
 
     bool empty() const { return size_ == 0; }
     int size() const { return size_; }
+    /// Whether nothing outside the band fixes the level of the block that holds the row.
+    bool floating(int row) const { return block_[row] >= 0; }
 
     /// A band cell that this rank owns.
     struct OwnedCell {

@@ -110,6 +110,46 @@ void finish(Level<D>& level)
         }
 }
 
+namespace {
+
+/// Cells that links end in, sorted, with the sum of the links' conductances.
+template <int D>
+std::vector<std::pair<long, double>> link_conductances(const CoupledSystem<D>& system)
+{
+    std::vector<std::pair<long, double>> cells;
+    for (const Link& link : system.links)
+        for (const auto& [key, weight] : link.cells)
+            cells.emplace_back(key, link.conductance * weight * weight);
+    std::sort(cells.begin(), cells.end());
+    std::size_t n = 0;
+    for (const auto& [key, conductance] : cells)
+        if (n > 0 && cells[n - 1].first == key)
+            cells[n - 1].second += conductance;
+        else
+            cells[n++] = {key, conductance};
+    cells.resize(n);
+    return cells;
+}
+
+/// What multigrid sees of a face that a film closes. Cells and films meet in links only: what a cell has of them bounds it. Else
+/// a pore that hardly anything joins to the rest would look open to all films beside it.
+template <int D>
+double bounded_conductance(const Grid<D>& grid, const FilmFace<D>& face, const std::vector<std::pair<long, double>>& linked)
+{
+    double conductance = face.conductance;
+    for (int side = 0; side < 2; ++side) {
+        const Index<D> c = grid.wrapped(side ? face.face : Index<D>(face.face - step<D>(face.axis)));
+        if (!face.unknown[side])
+            continue;
+        const auto found = std::lower_bound(linked.begin(), linked.end(), std::pair<long, double>(grid.key(c), 0.0));
+        const bool links = found != linked.end() && found->first == grid.key(c);
+        conductance = std::min(conductance, links ? found->second : 0.0);
+    }
+    return conductance;
+}
+
+} // namespace
+
 template <int D>
 std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& system, bool with_films)
 {
@@ -121,9 +161,12 @@ std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& sy
     const long back = level.row_stride(D - 1);
     std::array<SharedRows<double>, D> result;
     std::array<std::vector<std::tuple<long, int, double>>, D> added; // row, place in it, conductance
-    for (const FilmFace<D>& face : system.film_faces)
-        if (with_films)
-            added[face.axis].emplace_back(level.row_number(face.face), face.face[0] - level.low[0], face.conductance);
+    if (with_films) {
+        const std::vector<std::pair<long, double>> linked = link_conductances(system);
+        for (const FilmFace<D>& face : system.film_faces)
+            added[face.axis].emplace_back(level.row_number(face.face), face.face[0] - level.low[0],
+                                          bounded_conductance(grid, face, linked));
+    }
     std::vector<double> values;
     for (int axis = 0; axis < D; ++axis) {
         const int width = level.high[0] - level.low[0] + (axis == 0 ? 1 : 0);

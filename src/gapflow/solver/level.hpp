@@ -66,7 +66,7 @@ struct Stencil {
 };
 
 /// Conductances of the system's faces on this rank's block, by Level::row_number of a block with one layer of ghosts;
-/// `with_films`: with those that its film_faces would have on the grid.
+/// `with_films`: with those that its film_faces would have on the grid, as far as links let flow pass there.
 template <int D>
 std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& system, bool with_films = false);
 

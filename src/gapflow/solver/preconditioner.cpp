@@ -28,7 +28,7 @@ Multigrid<D> multigrid_of(const CoupledOperator<D>& matrix)
 } // namespace
 
 template <int D>
-Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bodies)
+Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bodies, bool ask_lightness)
     : matrix_(matrix), mode_(bodies), multigrid_(multigrid_of(matrix)), band_(matrix, multigrid_.finest()), bodies_(matrix)
 {
     constants_.emplace(matrix, band_);
@@ -40,7 +40,8 @@ Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bod
     film_cells_.erase(std::unique(film_cells_.begin(), film_cells_.end()), film_cells_.end());
     if (matrix.dofs() == 0 || mode_ == BodyMode::never)
         return;
-    if (mode_ == BodyMode::always || (matrix.dofs() <= few_dofs && bodies_.lightness(inverse()) > light(matrix.dofs())))
+    if (mode_ == BodyMode::always ||
+        (ask_lightness && matrix.dofs() <= few_dofs && bodies_.lightness(inverse()) > light(matrix.dofs())))
         add_bodies();
 }
 

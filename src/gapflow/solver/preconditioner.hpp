@@ -14,7 +14,8 @@ namespace gapflow {
 template <int D>
 class Preconditioner {
 public:
-    Preconditioner(const CoupledOperator<D>& matrix, BodyMode bodies);
+    /// `ask_lightness`: whether light bodies are corrected for from the start where `bodies` is automatic.
+    Preconditioner(const CoupledOperator<D>& matrix, BodyMode bodies, bool ask_lightness = true);
 
     /// z = B r; 0 in cells without unknown. `size`: about |r|, the scale for single precision. Collective.
     void apply(const UnknownVector<D>& r, UnknownVector<D>& z, double size);
@@ -50,6 +51,7 @@ public:
     /// Whether the bodies' correction should be added now: `remaining` iterations are expected without.
     bool wants_bodies(double remaining) const;
     void add_bodies();
+    bool corrects_bodies() const { return bodies_.ready(); }
     /// Takes the system's masses and contacts anew.
     void update_bodies();
     long bytes() const;

@@ -15,7 +15,7 @@ struct CoupledSolver<D>::Data {
           vectors{zero_vector(system), zero_vector(system), zero_vector(system), zero_vector(system)}
     {
         if (options.backend == Backend::multigrid)
-            preconditioner.emplace(matrix, options.bodies);
+            preconditioner.emplace(matrix, options.bodies, options.ask_lightness);
         else
             petsc.emplace(matrix, null_space, options);
     }
@@ -80,6 +80,12 @@ void CoupledSolver<D>::update_bodies()
         data_->preconditioner->update_bodies();
         data_->petsc.reset(); // its columns for the bodies are those of before
     }
+}
+
+template <int D>
+bool CoupledSolver<D>::corrects_bodies() const
+{
+    return data_->preconditioner && data_->preconditioner->corrects_bodies();
 }
 
 template <int D>

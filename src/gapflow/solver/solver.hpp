@@ -19,6 +19,7 @@ struct SolverOptions {
     int max_iterations = 500;
     Backend backend = Backend::multigrid;
     BodyMode bodies = BodyMode::automatic;
+    bool ask_lightness = true; ///< automatic: from the start; else the iterations' progress alone decides
 };
 
 struct SolveReport {
@@ -45,6 +46,8 @@ public:
     /// Takes the system's masses and contacts anew, after they changed; all else must be as it was.
     void update_bodies();
 
+    /// Whether the preconditioner corrects for the bodies, by now.
+    bool corrects_bodies() const;
     double setup_seconds() const;
     /// Bytes held by the solver per cell of the rank's block.
     double bytes_per_cell() const;

@@ -3,6 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/body/move.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/machine_memory.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/film/film_vorticity.hpp"
 #include "gapflow/grid/interpolation.hpp"
@@ -23,6 +24,8 @@ constexpr double rough_tolerance = 1e-4;
 // Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
 constexpr double settled_tolerance = 0.1;
 constexpr int most_rounds = 60;
+constexpr std::size_t many_points = 1000000; // of films: what they leave behind in small pieces is worth collecting
+constexpr int few_iterations = 12; // of a solve without a correction for bodies: the next one asks no more for their lightness
 // Voids change all at once in the first rounds, then one at a time.
 constexpr int void_rounds_at_once = 40;
 // Masses in the initial projection, which holds the bodies to their velocities.
@@ -163,8 +166,14 @@ void Simulation<D>::rebuild()
     if (coupling_) {
         old_fractions_ = coupling_->fractions;
         alive_.clear();
-        for (const Film<D>& film : coupling_->network.films)
+        std::size_t points = 0;
+        for (Film<D>& film : coupling_->network.films) {
             alive_.insert(film.pair);
+            points += film.mesh.points.size();
+            film.mesh.points = {}; // most of a film's memory, and the new films are built before the old ones go
+        }
+        if (points > many_points)
+            return_freed_memory();
     }
     build_coupling();
     voids_.find(*coupling_, holding_ ? nullptr : &memories_);
@@ -305,6 +314,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     SolverOptions options;
     options.tolerance = scene_.tolerance;
     options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
+    options.ask_lightness = light_bodies_;
     const bool contacts = dt > 0 && !contacts_.empty();
     std::vector<TwistMatrix<D>> mobility;
     if (contacts) {
@@ -368,6 +378,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
                                          : options.tolerance;
         const SolveReport solve = solver->solve(impulse_, rhs, 1e-13 * std::sqrt(squares), tolerance);
         report.iterations += solve.iterations;
+        light_bodies_ = solver->corrects_bodies() || solve.iterations > few_iterations;
         stages_.add("solve", solve.seconds);
         solver_seconds += solve.seconds;
         report.residual = solve.residual;

@@ -166,6 +166,7 @@ private:
     bool any_film_faces_ = false;
     FaceField<D, std::int8_t> near_jets_;
     UnknownVector<D> impulse_;              ///< p
+    bool light_bodies_ = true;              ///< the next solver asks whether bodies are so light that they need correction
     ContactSet<D> contacts_;                ///< of the last step
     VoidSet<D> voids_;
     ViscousMemory<D> viscous_;

@@ -66,5 +66,25 @@ TEST(Preconditioner, SymmetricAndPositiveWithBodies)
         }
 }
 
+// A film's face counts for multigrid as far as the links of the cell beside it conduct.
+TEST(Preconditioner, FilmFacesConductNoMoreThanLinks)
+{
+    const auto test = build(film_scene<2>(32, 1.0, 1.0, 1.0));
+    CoupledSystem<2>& system = test->system;
+    const Index<2> linked(5, 7), alone(9, 7);
+    Link link{2.0, {{0, 1.0}}, {{test->grid->key(linked), -0.5}}};
+    system.links = {link, link};
+    const auto added = [&](const Index<2>& cell, double conductance, bool unknown) {
+        system.film_faces = {{1, cell, conductance, {false, unknown}}};
+        const auto with = shared_conductances(system, true), without = shared_conductances(system);
+        const long row = finest_level<2>(system, without, 1.0).row_number(cell);
+        return with[1].value(row, cell[0]) - without[1].value(row, cell[0]);
+    };
+    EXPECT_NEAR(added(linked, 0.25, true), 0.25, 1e-14);
+    EXPECT_NEAR(added(linked, 7.0, true), 2 * 2.0 * 0.25, 1e-14);
+    EXPECT_NEAR(added(alone, 7.0, true), 0.0, 1e-14);
+    EXPECT_NEAR(added(alone, 7.0, false), 7.0, 1e-14);
+}
+
 } // namespace
 } // namespace gapflow::test
