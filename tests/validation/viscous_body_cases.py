@@ -1,0 +1,2 @@
+"""Bodies in viscous fluid."""
+ALL = []
