@@ -127,7 +127,7 @@ private:
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
     std::vector<Twist<D>> forced_twists(double dt) const;
     std::vector<Twist<D>> predicted_twists(double dt) const;
-    void carry_pressure(double dt, FaceField<D>& u_star);
+    void advect_with_pressure(FaceField<D>& u_star, double dt, AdvectionScheme scheme, const FaceField<D, std::int8_t>* plain);
     void add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>>& V_star, double dt, StepReport& report);
     void remember_projection(const std::vector<Twist<D>>& V_star, double dt);
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
