@@ -70,7 +70,9 @@ py::dict report_dict(const StepReport& report)
     return py::dict("step"_a = report.step, "time"_a = report.time, "dt"_a = report.dt, "cells"_a = report.cells,
                     "film_nodes"_a = report.film_nodes, "iterations"_a = report.iterations, "residual"_a = report.residual,
                     "divergence_max"_a = report.divergence_max, "energy_fluid"_a = report.energy_fluid,
-                    "energy_bodies"_a = report.energy_bodies, "seconds"_a = report.seconds, "notes"_a = report.notes);
+                    "energy_bodies"_a = report.energy_bodies, "viscous_iterations"_a = report.viscous_iterations,
+                    "dissipation_grid"_a = report.dissipation_grid, "dissipation_film"_a = report.dissipation_film,
+                    "seconds"_a = report.seconds, "notes"_a = report.notes);
 }
 
 template <int D>

@@ -49,6 +49,12 @@ class StepReport:
     energy_fluid: float
     energy_bodies: float
     """Kinetic energy of the free bodies and what their springs store."""
+    viscous_iterations: int
+    """Of the bulk's viscous solve."""
+    dissipation_grid: float
+    """Power that viscosity takes in the bulk."""
+    dissipation_film: float
+    """The same in films and their mouths."""
     seconds: float
     """Wall clock."""
     notes: list[str]

@@ -21,6 +21,12 @@ SHORT = {  # settings that keep each example to seconds
     "06_wet_separation_2d": ["domain.cells=[48,48]", "time.end=0.1", "output.every=0.05"],
     "08_wet_separation_3d": ["domain.cells=[24,24,24]", "time.end=0.04", "output.every=0.02"],
 }
+VISCOUS = {  # the same, and a body that moves down meanwhile
+    "14_settling_sphere": ("sphere", "z", ["domain.size=[0.1,0.1,0.16]", "domain.cells=[20,20,32]", "time.end=0.1"]),
+    "15_bouncing_sphere": ("ball", "z", ["domain.cells=[20,20,24]", "time.end=0.01"]),
+    "17_squeeze_film": ("disk", "y", ["domain.cells=[16,8,16]", "time.end=3"]),
+    "18_drafting_kissing_tumbling": ("upper", "z", ["domain.cells=[18,18,72]", "time.end=0.05"]),
+}
 DRY = "10_dry_separation"
 
 
@@ -50,6 +56,26 @@ class Command(unittest.TestCase):
                 for file in ("gapflow.pvd", "run.json", "bodies.csv", "fields/fields_00002.vti", "films/films_00002.vtp"):
                     self.assertTrue((self.out / file).exists(), file)
                 self.assertEqual(json.loads((self.out / "run.json").read_text())["status"], "done")
+
+    def test_viscous_examples(self):
+        for name, (body, axis, settings) in VISCOUS.items():
+            with self.subTest(name):
+                self.run_example(name, *settings)
+                heights = [float(row[axis]) for row in rows(self.out / "bodies.csv") if row["body"] == body]
+                self.assertLess(heights[-1], heights[0])
+                steps = rows(self.out / "steps.csv")[1:]
+                self.assertTrue(all(1 <= int(row["viscous_iterations"]) <= 60 for row in steps))
+                self.assertTrue(all(float(row["dissipation_grid"]) > 0 for row in steps))
+                films = any(int(row["film_nodes"]) > 0 for row in steps)
+                self.assertEqual(any(float(row["dissipation_film"]) > 0 for row in steps), films)
+                self.assertLess(max(float(row["divergence_max"]) for row in steps), 1e-5)
+
+    def test_journal_bearing_carries_sommerfelds_load(self):
+        self.run_example("16_journal_bearing")
+        shaft = [row for row in rows(self.out / "bodies.csv") if row["body"] == "shaft"][-1]
+        load = (float(shaft["fx"]) ** 2 + float(shaft["fy"]) ** 2) ** 0.5
+        self.assertAlmostEqual(load / 145.1, 1, delta=0.03)
+        self.assertAlmostEqual(abs(float(shaft["torque"])) / 58.0e-3, 1, delta=0.04)
 
     def test_without_gap_pressures_bodies_stick(self):
         name = "01_plates_pulled_apart"

@@ -20,4 +20,12 @@ def momentum(quick):
         yield Row(section, name + ", both backends: change relative to the largest component", "≤ 1e-10", found["change"], passed)
 
 
-ALL = [film_advection, momentum]
+def taylor_green(quick):
+    section = "Viscosity: Taylor–Green vortex, whole steps of 0.4 cells, t = 0.2, viscosity 0.01 (Re 100)"
+    found, passed = harness.unit_figures("unit_stepping", "Viscosity.TaylorGreenVortexDecays")
+    for name, text in (("standing", "standing"), ("carried", "carried along by a stream (0.6, 0.35)")):
+        order = round(float(found[f"{name}_order"]), 2)
+        yield Row(section, f"{text}, root mean square of the error, 16² to 64²: order", "≥ 1.8", f"{order:.2f} ({found[name]})", passed and order >= 1.8)
+
+
+ALL = [film_advection, momentum, taylor_green]

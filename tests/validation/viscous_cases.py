@@ -24,6 +24,10 @@ GHIA_V = {100: (-.05906, -.07391, -.08864, -.10313, -.16914, -.22445, -.24533, .
                  .27485)}
 
 
+# Botella & Peyret, Comput. Fluids 27 (1998), spectral: least u, largest and least v on the centre lines.
+BOTELLA = {100: (-0.2140424, 0.1795728, -0.2538030), 1000: (-0.3885698, 0.3769447, -0.5270771)}
+
+
 def body(name, **keys):
     return {"name": name, "shape": "ball", "motion": "prescribed", **keys}
 
@@ -136,6 +140,15 @@ def centre_lines(n):
     return look
 
 
+def turning_point(x, values, sign):
+    """Largest (sign 1) or least (-1) value of the parabola through the extreme one and its neighbours."""
+    i = max(range(1, len(x) - 1), key=lambda k: sign * values[k])
+    left, right = x[i] - x[i - 1], x[i + 1] - x[i]
+    a, b = (values[i] - values[i - 1]) / left, (values[i + 1] - values[i]) / right
+    slope, curvature = (a * right + b * left) / (left + right), 2 * (b - a) / (left + right)
+    return values[i] - 0.5 * slope**2 / curvature
+
+
 def cavity(quick):
     for reynolds, n, end in ((100, 65, 15.0),) if quick else ((100, 65, 15.0), (100, 129, 15.0), (1000, 129, 45.0)):
         scene = {"domain": {"size": [1.0, 1.0], "cells": [n, n], "sides": {"y_high": {"wall": [1.0, 0.0]}}},
@@ -143,7 +156,11 @@ def cavity(quick):
         places, u, v = harness.run(scene, look=centre_lines(n))["look"]
         error = max([abs(between(places, u, y) - exact) for y, exact in zip(GHIA_Y, GHIA_U[reynolds])]
                     + [abs(between(places, v, x) - exact) for x, exact in zip(GHIA_X, GHIA_V[reynolds])])
-        yield error_row(CAVITY, f"Re {reynolds}, {n}²: worst of both centre lines, of the lid's speed", 0.01, error)
+        extremes = [turning_point(places[:-1], u[:-1], -1), turning_point(places, v, 1), turning_point(places, v, -1)]
+        worst = max(abs(value - exact) for value, exact in zip(extremes, BOTELLA[reynolds]))
+        yield error_row(CAVITY, f"Re {reynolds}, {n}²: least u, largest and least v on the centre lines (Botella & Peyret 1998), of the lid's speed", 0.01, worst)
+        if not quick: # at Re 100 the table itself is 0.85 % of the lid's speed off the spectral solution
+            yield error_row(CAVITY, f"Re {reynolds}, {n}²: worst of Ghia's both centre lines, of the lid's speed", 0.01, error)
 
 
 ALL = [wannier, approach, squeeze, journal, cavity]

@@ -167,12 +167,14 @@ void list_sealed(Coupling<D>& coupling)
         return;
     const std::size_t row = static_cast<std::size_t>(solids + 1 + D); // who touches it; its cells; a cell's centre
     std::vector<double> facts(sealed.size() * row, 0.0);
+    auto touches = [&](int component, int solid) {
+        if (place[component] >= 0 && !coupling.solids[solid].wall)
+            facts[place[component] * row + solid] = 1;
+    };
     for (const auto& entry : coupling.cell_flux)
-        if (const int i = place[system.component(entry.row)]; i >= 0)
-            facts[i * row + entry.body] = 1;
+        touches(system.component(entry.row), entry.body);
     for (const auto& entry : coupling.node_flux)
-        if (const int i = place[system.node_component[entry.row]]; i >= 0)
-            facts[i * row + entry.body] = 1;
+        touches(system.node_component[entry.row], entry.body);
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         const int k = system.component(c);
         if (k < 0 || place[k] < 0)

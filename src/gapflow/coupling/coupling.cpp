@@ -109,7 +109,8 @@ void fill_grid(Coupling<D>& coupling)
     }
 }
 
-// K in the rows of the grid: J of every body (walls left out: nothing flows through them), then what films add.
+// K in the rows of the grid: J of every body (walls left out: nothing flows through them), then what films add (walls too: those that
+// slide drag fluid along).
 template <int D>
 void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
 {
@@ -131,13 +132,11 @@ void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
         if (!grid.owns(c))
             continue;
         for (const auto& [solid, flux] : fluxes)
-            if (!solids[solid].wall)
-                coupling.cell_flux.push_back({c, solid, flux});
+            coupling.cell_flux.push_back({c, solid, flux});
     }
     for (int node = 0; node < static_cast<int>(rows.nodes.size()); ++node)
         for (const auto& [solid, flux] : rows.nodes[node])
-            if (!solids[solid].wall)
-                coupling.node_flux.push_back({node, solid, flux});
+            coupling.node_flux.push_back({node, solid, flux});
 
     CoupledSystem<D>& system = coupling.system;
     system.cell_flux.clear();

@@ -207,6 +207,28 @@ void add_entrainment(const Coupling<D>& coupling, const std::vector<Twist<D>>& t
         u.conduit[r] += share * entrained_flux(coupling, r, twists);
 }
 
+// The inertia of drag is theta times a film's mass, and beta = theta / kappa.
+template <int D>
+double film_loss(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, const FluidVelocity<D>& u)
+{
+    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
+    double loss = 0;
+    for (const DragInertia<D>& drag : coupling.drag_inertia) {
+        const NormalInertia<D>& inertia = drag.inertia;
+        double speed = 0, kappa = 1;
+        if (drag.element >= 0) {
+            speed = drag.direction.dot(u.film[drag.element]);
+            kappa = coupling.element_drag[drag.element].kappa;
+        } else if (drag.conduit >= 0) {
+            speed = u.conduit[drag.conduit] / (conduits[drag.conduit].length * conduits[drag.conduit].h);
+            kappa = coupling.conduit_drag[drag.conduit].kappa;
+        }
+        const double lag = speed - inertia.row_master.dot(twists[inertia.master]) - inertia.row_other.dot(twists[inertia.other]);
+        loss += inertia.mass / kappa * lag * lag;
+    }
+    return loss;
+}
+
 template <int D>
 std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists)
 {
@@ -227,6 +249,7 @@ std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vect
     template double entrained_flux<D>(const Coupling<D>&, std::size_t, const std::vector<Twist<D>>&);                          \
     template void start_drag<D>(Coupling<D>&, FluidVelocity<D>&);                                                              \
     template void add_entrainment<D>(const Coupling<D>&, const std::vector<Twist<D>>&, double, FluidVelocity<D>&);             \
+    template double film_loss<D>(const Coupling<D>&, const std::vector<Twist<D>>&, const FluidVelocity<D>&);                   \
     template std::vector<Twist<D>> drag_impulses<D>(const Coupling<D>&, const std::vector<Twist<D>>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

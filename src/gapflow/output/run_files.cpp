@@ -174,7 +174,7 @@ void RunFiles<D>::open_tables(const RunPosition* from)
           "pressure_max", "force", "contact_force", "contact_impulse", "void_volume"});
     open(steps_, "steps.csv",
          {"step", "time", "dt", "cells", "film_nodes", "iterations", "residual", "divergence_max", "energy_fluid",
-          "energy_bodies", "seconds"});
+          "energy_bodies", "viscous_iterations", "dissipation_grid", "dissipation_film", "seconds"});
 }
 
 template <int D>
@@ -192,7 +192,8 @@ void RunFiles<D>::write_step(const Simulation<D>& simulation, const StepReport& 
                        gap.film_area, gap.pressure_min, gap.pressure_max, gap.force, gap.contact_force, gap.contact_impulse,
                        gap.void_volume);
         steps_->row(report.step, report.time, report.dt, report.cells, report.film_nodes, report.iterations, report.residual,
-                    report.divergence_max, report.energy_fluid, report.energy_bodies, report.seconds);
+                    report.divergence_max, report.energy_fluid, report.energy_bodies, report.viscous_iterations, report.dissipation_grid,
+                    report.dissipation_film, report.seconds);
         bodies_->flush();
         gaps_->flush();
         steps_->flush();

@@ -197,6 +197,8 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
     const Budget<D> sums = budget();
     report.energy_fluid = sums.energy_grid + sums.energy_film;
     report.energy_bodies = sums.energy_bodies;
+    if (dt > 0)
+        report.dissipation_film = film_loss(*coupling_, twists(), velocity_) / dt;
     UnknownVector<D> rest;
     if (coupling_->element_drag.empty()) {
         outflow(*coupling_, velocity_, twists(), rest);

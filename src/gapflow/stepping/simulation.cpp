@@ -202,7 +202,11 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     const BoundaryVelocity<D> sides = side_velocities(time_);
     const AdvectionScheme scheme = scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack
                                                                                     : AdvectionScheme::semi_lagrangian;
-    advect<D>(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides, nullptr, faces_near_jets(flow.conduit));
+    const FaceField<D, std::int8_t>* plain = faces_near_jets(flow.conduit);
+    if (scene_.viscosity > 0)
+        advect_with_pressure(u_star.grid, dt, scheme, plain);
+    else
+        advect<D>(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides, nullptr, plain);
     if (any_film_faces_) {
         const auto& cells = coupling_->network.cells.cells;
         auto beside_film = [&](int axis, const Index<D>& f) {

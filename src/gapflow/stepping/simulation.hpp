@@ -31,6 +31,7 @@ struct StepReport {
     int viscous_iterations = 0; ///< of the bulk's viscous solve
     double residual = 0, divergence_max = 0; ///< divergence: net outflow of a cell over its volume, 1/time
     double energy_fluid = 0, energy_bodies = 0; ///< as in Budget
+    double dissipation_grid = 0, dissipation_film = 0; ///< power that viscosity takes, in the bulk and in films
     double seconds = 0;
     std::vector<std::string> notes; ///< for the user, once each: contacts that do not settle, blind film ends
 };
@@ -126,6 +127,7 @@ private:
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
     std::vector<Twist<D>> forced_twists(double dt) const;
     std::vector<Twist<D>> predicted_twists(double dt) const;
+    void advect_with_pressure(FaceField<D>& u_star, double dt, AdvectionScheme scheme, const FaceField<D, std::int8_t>* plain);
     void add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>>& V_star, double dt, StepReport& report);
     void remember_projection(const std::vector<Twist<D>>& V_star, double dt);
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);

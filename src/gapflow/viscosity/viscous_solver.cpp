@@ -85,6 +85,8 @@ public:
         return report;
     }
 
+    double work_of_rhs(const Unknowns<D>& x) const { return dot(rhs(), x); }
+
 private:
     struct BodyCoupling {
         int axis;
@@ -246,6 +248,12 @@ ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>
 
     ViscousSolver<D> solver(system);
     step.report = solver.solve(x, tolerance);
+    step.energy = grid.comm().sum(system.constant) - solver.work_of_rhs(x);
+    for (std::size_t s = 0; s < bodies.twists.size(); ++s) {
+        const auto spin = bodies.twists[s].template tail<spin_size<D>>();
+        step.energy += system.free_body[s] >= 0 ? bodies.twists[s].dot(bodies.mass[s] * bodies.twists[s])
+                                                : spin.dot(system.turning[s] * spin);
+    }
 
     for (std::size_t s = 0; s < bodies.twists.size(); ++s)
         if (const int b = system.free_body[s]; b >= 0)

@@ -15,6 +15,7 @@ template <int D>
 struct ViscousStep {
     std::vector<Twist<D>> twists;   ///< of all solids
     std::vector<Twist<D>> impulses; ///< of the fluid's viscous traction on every solid but walls, about its centre
+    double energy = 0;              ///< twice what the step minimises, at its solution
     ViscousReport report;
 };
 

@@ -189,6 +189,7 @@ private:
                 target -= term.row[k].dot(bodies_.twists[s]);
             any = any || !coupling_.solids[s].wall;
         }
+        system_.constant += term.stiffness * target * target;
         if (term.at >= 0) {
             system_.diagonal[term.axis].data()[term.at] += term.stiffness * term.weight * term.weight;
             system_.rhs[term.axis].data()[term.at] += term.stiffness * term.weight * target;
@@ -243,6 +244,7 @@ private:
                 }
                 diagonal[i] = full;
                 rhs[i] = system_.cell_mass * u[i];
+                system_.constant += rhs[i] * u[i];
             }
         });
         for (const Index<D>& f : special)

@@ -67,6 +67,7 @@ struct ViscousSystem {
     FaceField<D, std::int8_t> active;     ///< 1: the lattice has a value here; with one layer of ghosts
     FaceField<D> diagonal;                ///< of the matrix, 0 where not active
     FaceField<D> rhs;
+    double constant = 0;                  ///< this rank's share of twice the energy at (w, V) = 0
     std::vector<ViscousTerm<D>> terms;    ///< those with a solid
     std::vector<CutFace<D>> cut;
     std::vector<FollowingFace<D>> following;

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 
 namespace gapflow {
 namespace {
@@ -115,6 +117,57 @@ TEST(Viscosity, SolidBodyRotation)
         simulation.step(1e9);
     EXPECT_NEAR(simulation.bodies()[0].twist[2], 1.5, 1e-6);
     EXPECT_LT(std::abs(simulation.fluid_wrenches()[1][2]), 1e-6 * 4 * std::numbers::pi * 1.5);
+}
+
+// A Taylor-Green vortex that decays while a stream carries it along, in a periodic box: root mean square of u's error at t = 0.2, whole
+// steps of half a cell's way.
+double taylor_green_error(int cells, const Vec<2>& stream)
+{
+    Scene scene = closed_box(2, 1.0, cells);
+    for (SideScene& side : scene.sides)
+        side.kind = Kind::periodic;
+    scene.viscosity = 0.01;
+    scene.max_step = 0.4 / cells;
+    const double k = 2 * std::numbers::pi, end = 0.2;
+    const Grid<2> grid = Simulation<2>(scene, Communicator()).grid();
+    auto exact = [&](int axis, const Index<2>& f, double t) {
+        const Vec<2> x = grid.face_centre(axis, f) - t * stream;
+        const double decay = std::exp(-2 * scene.viscosity * k * k * t);
+        return stream[axis] + decay * (axis == 0 ? std::sin(k * x[0]) * std::cos(k * x[1]) : -std::cos(k * x[0]) * std::sin(k * x[1]));
+    };
+    StoredState state = Simulation<2>(scene, Communicator()).state();
+    for (int axis = 0; axis < 2; ++axis) {
+        std::vector<double>& u = state.fields.at(axis == 0 ? "velocity_x" : "velocity_y");
+        std::size_t i = 0;
+        for_each_index<2>(grid.low(), owned_faces_end(grid, axis), [&](const Index<2>& f) { u.at(i++) = exact(axis, f, 0); });
+    }
+    Simulation<2> simulation(scene, Communicator(), state);
+    while (simulation.time() < end)
+        simulation.step(end);
+    double squares = 0;
+    long faces = 0;
+    for_each_index<2>(grid.low(), owned_faces_end(grid, 0), [&](const Index<2>& f) {
+        squares += std::pow(simulation.velocity().grid(0, f) - exact(0, f, end), 2);
+        ++faces;
+    });
+    return std::sqrt(squares / static_cast<double>(faces));
+}
+
+// Standing, all that is left on fine grids is the viscous step's error in time, of first order and small.
+TEST(Viscosity, TaylorGreenVortexDecays)
+{
+    for (const Vec<2>& stream : {Vec<2>(0, 0), Vec<2>(0.6, 0.35)}) {
+        const bool moves = stream.norm() > 0;
+        const double coarse = taylor_green_error(16, stream), middle = taylor_green_error(32, stream), fine = taylor_green_error(64, stream);
+        const double order = std::log2(coarse / fine) / 2;
+        EXPECT_GT(order, moves ? 1.8 : 1.2) << coarse << " " << middle << " " << fine;
+        EXPECT_LT(fine, moves ? 1.2e-3 : 1.5e-4);
+        std::ostringstream series;
+        series << std::scientific << std::setprecision(2) << coarse << ", " << middle << ", " << fine;
+        const std::string name = moves ? "carried" : "standing";
+        RecordProperty(name, series.str());
+        RecordProperty(name + "_order", std::to_string(order));
+    }
 }
 
 // Two balls, a film between them, and the fluid, in uniform motion through a periodic box.
