@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gapflow {
 
@@ -91,7 +92,8 @@ FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, 
             centroid_.push_back(centroid);
             w_.push_back(w[film->first_element + e]);
             normal_.push_back(element.normal);
-            weight.push_back(!idle.empty() && idle[film->first_element + e] ? 0.0 : element.volume);
+            idle_.push_back(!idle.empty() && idle[film->first_element + e]);
+            weight.push_back(idle_.back() ? 0.0 : element.volume);
             h_mean_.push_back(element.volume / element.measure);
             coarse_.push_back(element.coarse);
             const Vec<D> relative = w_.back() - master_velocity(centroid);
@@ -354,7 +356,7 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     // difference forward in time, which grows; on a changed mesh it would be noise of small cut elements). Not where the element
     // is coarse for its gap: about a point of contact its velocity is noise, and would only gain by this.
     const std::array<int, D>& nodes = elements_[arrival.element];
-    double fastest = 0;
+    double fastest = idle_[arrival.element] ? std::numeric_limits<double>::infinity() : 0.0;
     for (int node : nodes)
         fastest = std::max(fastest, fastest_[node]);
     const Vec<D>& centroid = centroid_[arrival.element];

@@ -41,7 +41,7 @@ public:
     struct Transported {
         Vec<D> velocity, normal;
         bool near; ///< an old film lies within two cells of the arrival point
-        double fastest; ///< largest |w - U_m| of the old film's elements about the arrival point
+        double fastest; ///< largest |w - U_m| of the old film's elements about the arrival point; infinite where it was idle
     };
     /// `hint`: an element near it, or -1; on return the one it arrived in.
     Transported transport(const Vec<D>& x_body, double dt, int& hint) const;
@@ -87,7 +87,7 @@ private:
     std::vector<double> radius_;   ///< of elements about their centroids
     std::vector<double> fastest_;  ///< largest |w - U_m| of the elements around a vertex
     std::vector<double> h_, h_mean_; ///< thickness at the vertices, mean over the elements
-    std::vector<char> coarse_;       ///< elements too large for their gap
+    std::vector<char> coarse_, idle_; ///< elements too large for their gap; those that say nothing of the flow
     std::vector<Vec<D>> w_, normal_; ///< of elements, world axes
     std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
     KeyMap<std::vector<int>> bins_;

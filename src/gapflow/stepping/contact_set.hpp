@@ -64,6 +64,9 @@ public:
     bool update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const std::vector<TwistMatrix<D>>& mobility,
                 double accuracy, int round);
 
+    /// A contact that holds and yet closes: its solids are driven into each other, and neither can give way. Null: none.
+    const Contact<D>* crushed(const std::vector<Twist<D>>& twists) const;
+
     const std::vector<Contact<D>>& contacts() const { return contacts_; }
     bool empty() const { return contacts_.empty(); }
     /// Whether a contact of this solid closed, opened, rebounded or was brought to rest in the step: then the change of its

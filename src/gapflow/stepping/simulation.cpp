@@ -411,6 +411,10 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             break;
         settled = settled || !changed || round > most_rounds / 2; // the fluid's balance holds whatever contacts do
     }
+    if (const Contact<D>* c = contacts ? contacts_.crushed(V) : nullptr)
+        throw ComputationError("prescribed motion drives '" + coupling_->solids[c->point.a].name + "' and '" +
+                               coupling_->solids[c->point.b].name + "' into each other in step " + std::to_string(steps_ + 1) +
+                               ", and neither can give way; let it stop before they touch");
     if (wet) {
         impulse_.nodes += wet->given();
         wet.reset();
