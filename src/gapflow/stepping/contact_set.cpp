@@ -30,7 +30,7 @@ constexpr int rounds_at_once = 15;
 constexpr double friction_accuracy = 1e-3; // of the friction's bound
 constexpr double slide_margin = 1e-9;      // the same: pulls this close to it slide
 constexpr double forecast_accuracy = 1e-2; // of what is asked of the speeds
-constexpr double crushing = 1e-2;          // of the largest speed of closing: held contacts that close faster cannot be held
+constexpr double crushing = 1e-2;          // of the largest speed about: held contacts that close faster cannot be held
 
 template <int D>
 std::array<Vec<D>, D - 1> tangents_of(const Vec<D>& n)
@@ -360,7 +360,7 @@ const Contact<D>* ContactSet<D>::crushed(const std::vector<Twist<D>>& twists) co
 {
     double largest = 0;
     for (const Contact<D>& c : contacts_)
-        largest = std::max({largest, std::abs(c.approach), std::abs(rate(c.normal, c, twists))});
+        largest = std::max({largest, std::abs(c.approach), c.gained, std::abs(rate(c.normal, c, twists))});
     const auto found = std::find_if(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
         return c.closed && rate(c.normal, c, twists) < c.least - crushing * largest;
     });

@@ -1,4 +1,5 @@
 // Contact inside the coupled solve: rest, impact, friction, stacks.
+#include "gapflow/stepping/contact_law.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -142,6 +143,92 @@ TEST(ContactSet, OverlapIsTakenOutWithoutMomentum)
     EXPECT_NEAR((bodies[1].pose.position - bodies[0].pose.position).norm(), 0.4, 1e-9);
     EXPECT_NEAR(bodies[0].pose.position[0] + bodies[1].pose.position[0], 2.0 - 1e-3, 1e-12);
     EXPECT_LT(bodies[0].twist.norm(), 1e-12);
+}
+
+// A ball pushed along a floor that it rests on gains what the push does. The floor is one solid however many periods wide: the
+// ball and it have one film.
+TEST(ContactSet, BallSlidesAlongAPeriodicFloor)
+{
+    Scene scene = tank(3);
+    scene.cells = {20, 20, 20};
+    scene.sides[5].kind = SideScene::Kind::wall;
+    for (int side = 0; side < 4; ++side)
+        scene.sides[side].kind = SideScene::Kind::periodic;
+    scene.gravity = {0.3, 0.1, -1};
+    scene.max_step = 0.005;
+    BodyScene ball;
+    ball.name = "ball";
+    ball.radius = 0.2;
+    ball.position = {0.511, 0.527, 0.2};
+    ball.density = 2.5;
+    scene.bodies = {ball};
+    Simulation<3> simulation(scene, Communicator());
+    while (simulation.time() < 0.2)
+        simulation.step(0.2);
+    ASSERT_EQ(simulation.gaps().size(), 1u);
+    const Vec<3> moved = simulation.bodies()[0].pose.position - Vec<3>(0.511, 0.527, 0.2);
+    EXPECT_NEAR(moved[1], moved[0] / 3, 0.02 * moved[0]);
+    EXPECT_NEAR(moved[2], 0, 1e-9);
+    const double work = (2.5 - 1) * simulation.bodies()[0].volume * (0.3 * moved[0] + 0.1 * moved[1]);
+    const Budget<3> budget = simulation.budget();
+    EXPECT_NEAR(budget.energy_grid + budget.energy_film + budget.energy_bodies, work, 0.01 * work);
+}
+
+// Boxes that tumble onto each other: the bodies' own laws forecast what holds, sticks and slides.
+TEST(ContactSet, TumblingBoxesTakeFewIterations)
+{
+    Scene scene = tank(2);
+    scene.contact.friction = 0.3;
+    for (int i = 0; i < 4; ++i) {
+        scene.bodies.push_back(box("box" + std::to_string(i), {0.3, 0.2, 0}, {0.5 + 0.31 * i, 0.22 + 0.1 * (i % 2), 0}));
+        scene.bodies.back().angle = 0.35 + 0.45 * i;
+    }
+    Simulation<2> simulation(scene, Communicator());
+    int most = 0;
+    double highest = 0;
+    for (int i = 0; i < 60; ++i) {
+        const StepReport report = simulation.step(scene.end);
+        most = std::max(most, report.iterations);
+        highest = std::max(highest, report.energy_fluid + report.energy_bodies);
+        for (const GapState& gap : simulation.gaps())
+            EXPECT_GT(gap.thickness, -2e-3 / 16);
+    }
+    EXPECT_LE(most, 80);
+    EXPECT_LT(highest, 0.1);
+}
+
+// A block of mass 2 on two points of a floor, by the laws alone: weight 1 a second over one second, pushed along the floor.
+TEST(ContactLaw, BlockSticksOrSlides)
+{
+    const TwistMatrix<2> mobility = Eigen::Vector3d(0.5, 0.5, 4).asDiagonal();
+    std::vector<Contact<2>> contacts(2);
+    for (int i = 0; i < 2; ++i) {
+        Contact<2>& c = contacts[i];
+        c.point.a = 0;
+        c.point.b = 1;
+        const double arm = i == 0 ? -1 : 1, height = -0.25;
+        c.normal = {Twist<2>(0, 1, arm), Twist<2>::Zero()};
+        c.tangents[0] = {Twist<2>(1, 0, -height), Twist<2>::Zero()};
+        c.friction = 0.5;
+    }
+    const std::vector<ContactImpulse<2>> none(2);
+    for (double push : {0.2, 0.4}) { // against a bound of 0.5 over the weight of 1 and mass of 2: 0.25 of speed
+        const std::vector<Twist<2>> free_motion{Twist<2>(push, -0.5, 0), Twist<2>::Zero()};
+        const ContactForecast<2> forecast =
+            forecast_contacts<2>(contacts, none, free_motion, {mobility, TwistMatrix<2>::Zero()}, 1e-12);
+        double normal = 0, tangential = 0;
+        for (const ContactImpulse<2>& impulse : forecast.impulses) {
+            EXPECT_GE(impulse.normal, 0);
+            EXPECT_LE(std::abs(impulse.tangential[0]), 0.5 * impulse.normal * (1 + 1e-12));
+            normal += impulse.normal;
+            tangential += impulse.tangential[0];
+        }
+        EXPECT_NEAR(normal, 1.0, 1e-9);
+        EXPECT_NEAR(tangential, -std::min(2 * push, 0.5), 1e-9);
+        EXPECT_NEAR(forecast.twists[0][0], std::max(push - 0.25, 0.0), 1e-9);
+        EXPECT_NEAR(forecast.twists[0][1], 0, 1e-9);
+        EXPECT_NEAR(forecast.twists[0][2], 0, 1e-9);
+    }
 }
 
 } // namespace
