@@ -11,6 +11,7 @@ namespace {
 constexpr double most_growth = 1.05;
 constexpr double inflow_margin = 1.5; // on what flows in through mouths
 constexpr double head_margin = 1.3;   // of mouths' heads over what the films gave away: steps of a quarter of the gap
+constexpr double thrown_margin = 10;  // of the energy of the heads' own fluxes over that: plates that meet take up to that much
 
 } // namespace
 
@@ -86,10 +87,8 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
         const auto known = given_away.find(old);
         const double most = known != given_away.end() ? head_margin * known->second : 0.0;
         double share = asked[old] > most ? most / asked[old] : 1.0;
-        // Heads that outweigh their mouths' fluxes by far: asked * share + thrown * share^2 <= 2 most.
-        const double half = 0.5 * std::max(asked[old], 0.0);
-        if (2 * half * share + thrown[old] * share * share > 2 * most)
-            share = most > 0 ? 2 * most / (half + std::sqrt(half * half + 2 * most * thrown[old])) : 0.0;
+        if (share * share * thrown[old] > thrown_margin * most)
+            share = std::sqrt(thrown_margin * most / thrown[old]);
         flux[r] += share * head[r];
     }
 }

@@ -29,8 +29,9 @@ constexpr double mouth_reach = 2.0;
 // In dx: a point further from a film is not of it. Shape functions less than `at_vertex` are round-off.
 constexpr double beside_film = 0.05;
 constexpr double at_vertex = 1e-6;
-// Mouths thinner than this times their film's mean thickness lie beside a point of contact: their outflow's head fades to nothing.
-constexpr double thin_mouth = 0.1;
+// Mouths thinner than this times their film's mean thickness lie beside a point of contact, and their outflow's head adds no more than
+// their own flux; much thinner ones have none.
+constexpr double thin_mouth = 0.5, blocked_mouth = 0.1;
 // Films of up to this many elements are searched without bins.
 constexpr int few_elements = 256;
 
@@ -494,8 +495,11 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                 scale = 1 / (1 + dt * k * -u / (2 * conduit.resistance * conduit.h));
                 q = scale * q + (1 - scale) * section * conduit.outward.dot(U);
             } else if (sharp && !mouth.jet) {
-                const double thin = std::min(1.0, conduit.h / (thin_mouth * mean_thickness[conduit.film]));
-                head[r] = thin * thin * conduit.length * dt * 0.5 * u * u / conduit.resistance;
+                const double thickness = conduit.h / mean_thickness[conduit.film];
+                const double open = std::min(1.0, thickness / blocked_mouth);
+                head[r] = open * open * conduit.length * dt * 0.5 * u * u / conduit.resistance;
+                if (thickness < thin_mouth)
+                    head[r] = std::min(head[r], section * u);
             }
         } else {
             q = section * conduit.outward.dot(*next++);
