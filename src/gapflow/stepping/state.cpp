@@ -39,6 +39,7 @@ void Simulation<D>::list_state(StateArchive& archive)
             archive("fluid_wrench", wrench);
     });
     archive("acceleration", acceleration_);
+    archive("light_bodies", light_bodies_);
     contacts_.list_state(archive);
     voids_.list_state(archive);
     list_pairs(archive, "films_before", alive_);
