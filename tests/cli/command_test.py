@@ -68,7 +68,8 @@ class Command(unittest.TestCase):
                 self.assertTrue(all(float(row["dissipation_grid"]) > 0 for row in steps))
                 films = any(int(row["film_nodes"]) > 0 for row in steps)
                 self.assertEqual(any(float(row["dissipation_film"]) > 0 for row in steps), films)
-                self.assertLess(max(float(row["divergence_max"]) for row in steps), 1e-5)
+                # The tolerance is one of what gravity drives in a step, far above what viscosity leaves of it.
+                self.assertLess(max(float(row["divergence_max"]) for row in steps), 2e-5)
 
     def test_journal_bearing_carries_sommerfelds_load(self):
         self.run_example("16_journal_bearing")

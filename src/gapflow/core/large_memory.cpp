@@ -1,5 +1,7 @@
 #include "gapflow/core/large_memory.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <unordered_map>
@@ -13,8 +15,7 @@ namespace gapflow {
 namespace {
 
 constexpr std::size_t huge_page = std::size_t{1} << 21;
-constexpr std::size_t always_kept = std::size_t{64} << 20; // bytes
-
+constexpr std::size_t slack = 16; // a sixteenth of the most ever used may be kept on top: a few blocks change size from step to step
 class BlockStore {
 public:
     void* take(std::size_t bytes)
@@ -24,7 +25,7 @@ public:
         if (kept != kept_.end() && kept->first - bytes <= bytes / 4) {
             void* memory = kept->second;
             size_[memory] = kept->first;
-            used_ += kept->first;
+            in_use(kept->first);
             kept_bytes_ -= kept->first;
             kept_.erase(kept);
             return memory;
@@ -32,7 +33,8 @@ public:
         const std::size_t unit = bytes >= 2 * huge_page ? huge_page : 4096, size = (bytes + unit - 1) / unit * unit;
         void* memory = std::aligned_alloc(unit, size);
         if (!memory) {
-            release_all();
+            while (!kept_.empty())
+                release(kept_.begin());
             memory = std::aligned_alloc(unit, size);
         }
         if (!memory)
@@ -42,7 +44,9 @@ public:
             madvise(memory, size, MADV_HUGEPAGE); // a wish
 #endif
         size_[memory] = size;
-        used_ += size;
+        in_use(size);
+        while (used_ + kept_bytes_ > most_used_ + most_used_ / slack)
+            release(std::prev(kept_.end()));
         return memory;
     }
     void give(void* memory)
@@ -52,27 +56,29 @@ public:
         const std::size_t size = at->second;
         size_.erase(at);
         used_ -= size;
-        if (kept_bytes_ + size > used_ + always_kept) {
-            std::free(memory);
-            return;
-        }
         kept_.emplace(size, memory);
         kept_bytes_ += size;
     }
 
 private:
-    void release_all()
+    using Kept = std::multimap<std::size_t, void*>; // by size
+
+    void in_use(std::size_t size)
     {
-        for (const auto& [size, memory] : kept_)
-            std::free(memory);
-        kept_.clear();
-        kept_bytes_ = 0;
+        used_ += size;
+        most_used_ = std::max(most_used_, used_);
+    }
+    void release(Kept::iterator block)
+    {
+        std::free(block->second);
+        kept_bytes_ -= block->first;
+        kept_.erase(block);
     }
 
     std::mutex mutex_;
-    std::multimap<std::size_t, void*> kept_;          // by size
-    std::unordered_map<void*, std::size_t> size_;     // of blocks in use
-    std::size_t used_ = 0, kept_bytes_ = 0;
+    Kept kept_;
+    std::unordered_map<void*, std::size_t> size_; // of blocks in use
+    std::size_t used_ = 0, kept_bytes_ = 0, most_used_ = 0;
 };
 
 BlockStore& store()

@@ -15,7 +15,8 @@ constexpr std::size_t least_large_block = std::size_t{1} << 20;
 
 /// A block of at least `bytes` bytes, its content arbitrary. Throws std::bad_alloc. Any thread.
 void* take_large_block(std::size_t bytes);
-/// Gives back what take_large_block gave: kept for the next of about that size, as long as the process keeps less than it uses.
+/// Gives back what take_large_block gave: kept for the next of about that size. Blocks in use and kept blocks together never take
+/// more than those in use once took.
 void give_large_block(void* memory);
 
 /// Allocator of std::vector.

@@ -112,11 +112,9 @@ void fill_grid(Coupling<D>& coupling)
 // K in the rows of the grid: J of every body (walls left out: nothing flows through them), then what films add (walls too: those that
 // slide drag fluid along).
 template <int D>
-void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
+void fill_flux(Coupling<D>& coupling, FluxRows<D>&& rows)
 {
     const Grid<D>& grid = *coupling.grid;
-    coupling.cell_flux.clear();
-    coupling.node_flux.clear();
     const std::vector<Solid<D>>& solids = coupling.solids;
     for (const Index<D>& c : coupling.fractions->surface_cells) {
         const auto kind = static_cast<CellKind>(coupling.kind(c));
@@ -134,13 +132,19 @@ void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
         for (const auto& [solid, flux] : fluxes)
             coupling.cell_flux.push_back({c, solid, flux});
     }
+    std::size_t entries = 0;
+    for (const auto& row : rows.nodes)
+        entries += row.size();
+    coupling.node_flux.reserve(entries);
     for (int node = 0; node < static_cast<int>(rows.nodes.size()); ++node)
         for (const auto& [solid, flux] : rows.nodes[node])
             coupling.node_flux.push_back({node, solid, flux});
+    rows = {};
 
     CoupledSystem<D>& system = coupling.system;
-    system.cell_flux.clear();
-    system.node_flux.clear();
+    auto is_free = [&](const auto& entry) { return coupling.free_body[entry.body] >= 0; };
+    system.cell_flux.reserve(std::count_if(coupling.cell_flux.begin(), coupling.cell_flux.end(), is_free));
+    system.node_flux.reserve(std::count_if(coupling.node_flux.begin(), coupling.node_flux.end(), is_free));
     auto add_free = [&](auto& list, const auto& entry) {
         if (const int b = coupling.free_body[entry.body]; b >= 0)
             list.push_back({entry.row, b, solids[entry.body].admissible * entry.flux});
@@ -251,7 +255,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
         find_drag(coupling, options.viscosity_dt);
     assemble_films(coupling, rows);
     timer.emplace(timers.stage("system"));
-    fill_flux(coupling, rows);
+    fill_flux(coupling, std::move(rows));
     fill_mass(coupling, mass);
     coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact, coupling.system.contact_resistance);
     find_components(coupling);

@@ -2,8 +2,8 @@
 // each, and cut where the closest point y (linear over the flat simplex y_0..y_{D-1}) crosses a plane of the grid, so that
 // each piece has its y in one cell.
 //
-// Midpoint rule on each piece, second order, except: 2D, int 1/h = L ln(h_1/h_0) / (h_1 - h_0) on each half, exact for linear
-// h; the area vectors and moments of the simplex, exact (their fractions are those of the piece in barycentric coordinates).
+// Midpoint rule on each piece, second order, except: int h over a triangle of one piece, its corners counted by a twelfth each
+// (exact for quadratic h); 2D, int 1/h = L ln(h_1/h_0) / (h_1 - h_0) on each half, exact for linear h; the area vectors and moments of the simplex, exact (their fractions are those of the piece in barycentric coordinates).
 #include "gapflow/film/film_quadrature.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace
 
 constexpr double thickness_ratio = 1.3; ///< largest change of h over a piece ...
 template <int D>
-constexpr int most_for_ratio = D == 2 ? 8 : 2; ///< ... as long as an element needs no more divisions along an edge
+constexpr int most_for_ratio = D == 2 ? 8 : 1; ///< ... as long as an element needs no more divisions along an edge
 constexpr int most_for_inverse = 6;            ///< the same for the integral of 1/h alone (3D)
 constexpr int most_divisions = 64;
 
@@ -230,6 +230,8 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
         if (D == 3 && for_inverse == divisions)
             element.inverse += p.weight / p.h;
     }
+    if (D == 3 && pieces.size() == 1)
+        element.volume = element.measure * (0.75 * film.points.back().h + 0.25 * (h[0] + h[1] + h[D - 1]) / 3);
     if constexpr (D == 3)
         if (for_inverse > divisions) {
             pieces.clear();

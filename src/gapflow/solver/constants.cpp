@@ -8,11 +8,11 @@
 
 #include "gapflow/solver/constants.hpp"
 
+#include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/solver/grid_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace gapflow {
 
@@ -20,13 +20,6 @@ namespace {
 
 constexpr int full_parts = 48;
 constexpr double weak_conduits = 1e-6; // relative to the film's conductances: the band's own solve loses the film's level
-
-int root(std::vector<int>& parent, int i)
-{
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
 
 } // namespace
 
@@ -106,23 +99,22 @@ void ConstantCorrection<D>::number_columns(bool whole)
 template <int D>
 int ConstantCorrection<D>::number_weak_films()
 {
-    std::vector<int> parent(system_.nodes);
-    std::iota(parent.begin(), parent.end(), 0);
+    DisjointSets films(system_.nodes);
     for (const FilmEdge& edge : matrix_.film_edges())
         if (edge.conductance != 0)
-            parent[root(parent, edge.i)] = root(parent, edge.j);
+            films.join(edge.i, edge.j);
     std::vector<double> inside(system_.nodes, 0.0), outside(system_.nodes, 0.0);
     for (const FilmEdge& edge : matrix_.film_edges())
-        inside[root(parent, edge.i)] = std::max(inside[root(parent, edge.i)], std::abs(edge.conductance));
+        inside[films.find(edge.i)] = std::max(inside[films.find(edge.i)], std::abs(edge.conductance));
     for (const Link& link : system_.links)
         for (const auto& [node, weight] : link.nodes)
-            outside[root(parent, node)] += link.conductance * weight * weight;
+            outside[films.find(node)] += link.conductance * weight * weight;
     for (int i = 0; i < system_.nodes; ++i)
-        outside[root(parent, i)] += std::abs(matrix_.film_ground()[i]);
+        outside[films.find(i)] += std::abs(matrix_.film_ground()[i]);
     int count = 0;
     std::vector<int> column(system_.nodes, -1);
     for (int i = 0; i < system_.nodes; ++i) {
-        const int r = root(parent, i);
+        const int r = films.find(i);
         if (outside[r] > weak_conduits * inside[r])
             continue;
         if (column[r] < 0)

@@ -11,6 +11,7 @@
 
 #include "gapflow/solver/film_band.hpp"
 
+#include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/error.hpp"
 
 #include <algorithm>
@@ -58,13 +59,6 @@ std::vector<long> cells_around_links(const CoupledSystem<D>& system)
     if (found.size() > few_cells && static_cast<double>(found.size()) > share_of_nodes * system.nodes)
         return alone;
     return found;
-}
-
-int root(std::vector<int>& parent, int i)
-{
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
 }
 
 } // namespace
@@ -132,29 +126,26 @@ void FilmBand<D>::find_cells(const Level<D>& finest)
 }
 
 template <int D>
-void FilmBand<D>::factorise()
+int FilmBand<D>::row_of(long key) const
+{
+    const auto found = std::lower_bound(keys_.begin(), keys_.end(), key);
+    return found != keys_.end() && *found == key ? system_.nodes + static_cast<int>(found - keys_.begin()) : -1;
+}
+
+template <int D>
+template <class F, class Join>
+void FilmBand<D>::for_each_term(F&& f, Join&& join, std::vector<char>& fixed) const
 {
     const Grid<D>& grid = *system_.grid;
-    auto row_of = [&](long key) {
-        const auto found = std::lower_bound(keys_.begin(), keys_.end(), key);
-        return found != keys_.end() && *found == key ? system_.nodes + static_cast<int>(found - keys_.begin()) : -1;
-    };
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<int> parent(size_);
-    std::iota(parent.begin(), parent.end(), 0);
-    std::vector<char> fixed(size_, 0);
-    auto join = [&](int i, int j) { parent[root(parent, i)] = root(parent, j); };
-
     for (const FilmEdge& edge : matrix_.film_edges()) {
-        entries.emplace_back(edge.i, edge.i, edge.conductance);
-        entries.emplace_back(edge.j, edge.j, edge.conductance);
-        entries.emplace_back(edge.i, edge.j, -edge.conductance);
-        entries.emplace_back(edge.j, edge.i, -edge.conductance);
+        f(edge.i, edge.i, edge.conductance);
+        f(edge.j, edge.j, edge.conductance);
+        f(std::max(edge.i, edge.j), std::min(edge.i, edge.j), -edge.conductance);
         if (edge.conductance != 0)
             join(edge.i, edge.j);
     }
     for (int i = 0; i < system_.nodes; ++i) {
-        entries.emplace_back(i, i, matrix_.film_ground()[i]);
+        f(i, i, matrix_.film_ground()[i]);
         fixed[i] = matrix_.film_ground()[i] != 0;
     }
     for (std::size_t i = 0; i < keys_.size(); ++i) {
@@ -170,24 +161,27 @@ void FilmBand<D>::factorise()
             const int column = grid.in_domain(other) ? row_of(grid.key(other)) : -1;
             if (column == row)
                 continue; // periodic axis of one cell
-            entries.emplace_back(row, row, a);
-            if (column >= 0) {
-                entries.emplace_back(row, column, -a);
-                join(row, column);
-            } else {
+            f(row, row, a);
+            if (column < 0) {
                 fixed[row] = 1;
+                continue;
             }
+            join(row, column);
+            if (column < row)
+                f(row, column, -a);
         }
     }
+    std::vector<std::pair<int, double>> terms;
     for (const Link& link : system_.links) {
-        std::vector<std::pair<int, double>> terms(link.nodes.begin(), link.nodes.end());
+        terms.assign(link.nodes.begin(), link.nodes.end());
         double sum = 0, size = 0;
         for (const auto& [key, weight] : link.cells)
             if (const int row = row_of(key); row >= 0)
                 terms.emplace_back(row, weight);
         for (const auto& [i, wi] : terms) {
             for (const auto& [j, wj] : terms)
-                entries.emplace_back(i, j, link.conductance * wi * wj);
+                if (j <= i)
+                    f(i, j, link.conductance * wi * wj);
             if (link.conductance > 0)
                 join(i, terms.front().first);
             sum += wi;
@@ -196,39 +190,71 @@ void FilmBand<D>::factorise()
         if (!terms.empty() && link.conductance > 0 && std::abs(sum) > 1e-9 * size)
             fixed[terms.front().first] = 1; // a conduit to an open side
     }
+}
+
+// The lower triangle, and the blocks that float. Terms are counted, laid out by columns, and merged there: with films everywhere a
+// list of triplets would be the largest array of a step.
+template <int D>
+Eigen::SparseMatrix<double> FilmBand<D>::assemble()
+{
+    DisjointSets joined(size_);
+    std::vector<char> fixed(size_, 0);
     Eigen::SparseMatrix<double> matrix(size_, size_);
-    matrix.setFromTriplets(entries.begin(), entries.end());
+    std::vector<long> begin(size_ + 1, 0);
+    for_each_term([&](int, int j, double) { ++begin[j + 1]; }, [&](int i, int j) { joined.join(i, j); }, fixed);
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<std::pair<int, double>> terms(begin.back());
+    std::vector<long> next(begin.begin(), begin.end() - 1);
+    for_each_term([&](int i, int j, double value) { terms[next[j]++] = {i, value}; }, [](int, int) {}, fixed);
+    long count = 0; // of merged terms; they move to the front
+    for (int j = 0; j < size_; ++j) {
+        const long first = begin[j], last = begin[j + 1];
+        std::stable_sort(&terms[first], terms.data() + last, [](const auto& a, const auto& b) { return a.first < b.first; });
+        begin[j] = count;
+        for (long k = first; k < last; ++k)
+            if (count > begin[j] && terms[count - 1].first == terms[k].first)
+                terms[count - 1].second += terms[k].second;
+            else
+                terms[count++] = terms[k];
+    }
+    begin[size_] = count;
+    matrix.resizeNonZeros(count);
+    for (int j = 0; j <= size_; ++j)
+        matrix.outerIndexPtr()[j] = static_cast<int>(begin[j]);
+    for (long k = 0; k < count; ++k) {
+        matrix.innerIndexPtr()[k] = terms[k].first;
+        matrix.valuePtr()[k] = terms[k].second;
+    }
 
     std::vector<char> block_fixed(size_, 0);
     for (int i = 0; i < size_; ++i)
         if (fixed[i])
-            block_fixed[root(parent, i)] = 1;
+            block_fixed[joined.find(i)] = 1;
     std::unordered_map<int, int> number;
     block_.assign(size_, -1);
-    for (int i = 0; i < size_; ++i) {
-        const int r = root(parent, i);
-        if (block_fixed[r])
-            continue;
-        block_[i] = number.try_emplace(r, static_cast<int>(number.size())).first->second;
-    }
+    for (int i = 0; i < size_; ++i)
+        if (const int root = joined.find(i); !block_fixed[root])
+            block_[i] = number.try_emplace(root, static_cast<int>(number.size())).first->second;
     block_size_.assign(number.size(), 0);
     for (int i = 0; i < size_; ++i)
         if (block_[i] >= 0)
             ++block_size_[block_[i]];
+    return matrix;
+}
 
-    double largest = 0;
-    for (int i = 0; i < size_; ++i)
-        largest = std::max(largest, matrix.coeff(i, i));
+template <int D>
+void FilmBand<D>::factorise()
+{
+    Eigen::SparseMatrix<double> matrix = assemble();
+    const Eigen::VectorXd diagonal = matrix.diagonal();
+    const double alone = std::max(diagonal.maxCoeff(), 1.0); // for a row of zeros
     double relative = shift;
     for (int attempt = 0; attempt < 5; ++attempt, relative *= 100) {
-        Eigen::SparseMatrix<double> shifted = matrix;
-        for (int i = 0; i < size_; ++i) {
-            double& diagonal = shifted.coeffRef(i, i);
-            diagonal = diagonal > 0 ? diagonal * (1 + relative) : std::max(largest, 1.0); // a row of zeros stands alone
-        }
+        for (int i = 0; i < size_; ++i)
+            matrix.coeffRef(i, i) = diagonal[i] > 0 ? diagonal[i] * (1 + relative) : alone;
         if (attempt == 0)
-            factor_.analyzePattern(shifted);
-        factor_.factorize(shifted);
+            factor_.analyzePattern(matrix);
+        factor_.factorize(matrix);
         if (factor_.info() == Eigen::Success && factor_.vectorD().minCoeff() > 0)
             return;
     }
@@ -307,11 +333,9 @@ void FilmBand<D>::second(double scale, const Level<D>& level)
         const double flux = link.conductance * r[size_ + k];
         for (const auto& [node, weight] : link.nodes)
             r[node] -= weight * flux;
-        for (const auto& [key, weight] : link.cells) {
-            const auto found = std::lower_bound(keys_.begin(), keys_.end(), key);
-            if (found != keys_.end() && *found == key)
-                r[system_.nodes + (found - keys_.begin())] -= weight * flux;
-        }
+        for (const auto& [key, weight] : link.cells)
+            if (const int row = row_of(key); row >= 0)
+                r[row] -= weight * flux;
     }
     correction_ += solve(r.head(size_));
 }

@@ -67,6 +67,12 @@ private:
         double weight;
     };
     void find_cells(const Level<D>& finest);
+    int row_of(long key) const; ///< of a cell; -1 outside the band
+    /// Calls f(i, j, value) for the terms that make up the submatrix' lower triangle, and join(i, j) for rows that one of them
+    /// ties; `fixed` becomes 1 in rows that something outside the band fixes.
+    template <class F, class Join>
+    void for_each_term(F&& f, Join&& join, std::vector<char>& fixed) const;
+    Eigen::SparseMatrix<double> assemble();
     void factorise();
 
     const CoupledOperator<D>& matrix_;

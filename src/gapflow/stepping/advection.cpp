@@ -418,7 +418,8 @@ void for_owned_faces(const Grid<D>& grid, const Block<D>& block, F&& f)
 template <int D, int Axis>
 void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField<D>& u, const CellField<D>& carried, double dt,
                       AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceFractions<D>* fractions,
-                      const CellField<D, std::int8_t>* plain, CellField<D>& hat_field, CellField<D, std::int8_t>& octants)
+                      const CellField<D, std::int8_t>* plain, const CellField<D>* change, CellField<D>& hat_field,
+                      CellField<D, std::int8_t>& octants)
 {
     const Tracer<D, Axis> tracer(grid, u);
     const auto& stride = tracer.stride;
@@ -434,6 +435,9 @@ void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField
 
     double* hat = corrected ? hat_field.data() : out;
     std::int8_t* const octant = corrected ? octants.data() : nullptr;
+    const double* const g = change ? change->data() : nullptr;
+    // What the change adds waits in `out` for the correction, unless that is where the values are.
+    auto add_change = [&](long f, double brought) { out[f] = (corrected ? 0.0 : out[f]) + 0.5 * (brought - g[f]); };
     for_owned_pieces<D, Axis>(grid, block, [&](long first, Point<D> x, int n) {
         RowTracer<D, Axis> rows(tracer);
         Lanes<D> d;
@@ -442,12 +446,22 @@ void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField
             values_near<D>(phi + first, stride, d, n, hat + first);
             if (octant)
                 store_octants<D>(d, n, octant + first);
+            if (g) {
+                std::array<double, lanes> brought;
+                values_near<D>(g + first, stride, d, n, brought.data());
+                for (int i = 0; i < n; ++i)
+                    add_change(first + i, brought[i]);
+            }
             return;
         }
         if (octant)
             octant[first] = far_away;
-        for (long f = first; f < first + n; ++f, ++x[0])
-            hat[f] = value(phi, f, tracer.foot(f, x, centre, tracer.velocity(f), courant));
+        for (long f = first; f < first + n; ++f, ++x[0]) {
+            const Point<D> foot = tracer.foot(f, x, centre, tracer.velocity(f), courant);
+            hat[f] = value(phi, f, foot);
+            if (g)
+                add_change(f, value(g, f, foot));
+        }
     });
     if (corrected) {
         fill_component_ghosts(grid, Axis, hat_field, sides);
@@ -472,12 +486,14 @@ void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField
             for (int i = 0; i < n; ++i) {
                 const long f = first + i;
                 const double v = hat[f] + 0.5 * (phi[f] - back[i]), least = v < low[i] ? low[i] : v;
-                out[f] = least > high[i] ? high[i] : least;
+                back[i] = least > high[i] ? high[i] : least;
             }
             if (uncorrected)
-                for (long f = first; f < first + n; ++f)
-                    if (uncorrected[f])
-                        out[f] = hat[f];
+                for (int i = 0; i < n; ++i)
+                    if (uncorrected[first + i])
+                        back[i] = hat[first + i];
+            for (int i = 0; i < n; ++i)
+                out[first + i] = g ? out[first + i] + back[i] : back[i];
         });
     }
     if (!fractions)
@@ -544,9 +560,9 @@ void fill_velocity_ghosts(const Grid<D>& grid, FaceField<D>& u, const BoundaryVe
 template <int D>
 void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D>& carried, double dt,
             AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceFractions<D>* fractions,
-            const FaceField<D, std::int8_t>* plain)
+            const FaceField<D, std::int8_t>* plain, const FaceField<D>* change)
 {
-    assert(grid.ghost() >= 2 && &result != &u && &result != &carried);
+    assert(grid.ghost() >= 2 && &result != &u && &result != &carried && !(fractions && change));
     CellField<D> hat;
     CellField<D, std::int8_t> octants;
     if (scheme == AdvectionScheme::maccormack) {
@@ -555,7 +571,7 @@ void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, co
     }
     for_each_axis<D>([&]<int Axis>(std::integral_constant<int, Axis>) {
         advect_component<D, Axis>(grid, result[Axis], u, carried[Axis], dt, scheme, sides, fractions,
-                                  plain ? &(*plain)[Axis] : nullptr, hat, octants);
+                                  plain ? &(*plain)[Axis] : nullptr, change ? &(*change)[Axis] : nullptr, hat, octants);
     });
 }
 
@@ -572,7 +588,8 @@ void advect_marked_faces(const Grid<D>& grid, FaceField<D>& result, const FaceFi
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void fill_velocity_ghosts<D>(const Grid<D>&, FaceField<D>&, const BoundaryVelocity<D>&);                          \
     template void advect<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D>&, double, AdvectionScheme,  \
-                            const BoundaryVelocity<D>&, const FaceFractions<D>*, const FaceField<D, std::int8_t>*);                \
+                            const BoundaryVelocity<D>&, const FaceFractions<D>*, const FaceField<D, std::int8_t>*,                  \
+                            const FaceField<D>*);                                                                              \
     template void advect_marked_faces<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D, std::int8_t>&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -37,10 +37,12 @@ void fill_velocity_ghosts(const Grid<D>& grid, FaceField<D>& u, const BoundaryVe
 ///
 /// fractions (optional): velocities of cut faces arrive at the centroid of the face's open part instead of its centre.
 /// plain (optional): faces marked with nonzero take the semi-Lagrangian value. Collective with MacCormack.
+/// change (optional, not with fractions; ghosts filled): of what this adds to velocities in the step, half acts where the fluid comes
+/// from: result += 1/2 (A(change) - change), A semi-Lagrangian.
 template <int D>
 void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D>& carried, double dt,
             AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceFractions<D>* fractions = nullptr,
-            const FaceField<D, std::int8_t>* plain = nullptr);
+            const FaceField<D, std::int8_t>* plain = nullptr, const FaceField<D>* change = nullptr);
 
 /// The semi-Lagrangian result for u itself on the marked faces (nonzero); others are left as they are.
 template <int D>

@@ -338,8 +338,16 @@ bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::Vec
             most = w;
             worst = i;
         }
-    if (!(most > 1))
+    if (!(most > 1)) {
+        // Where contacts share a force in many ways, as floor and ceiling of a body wedged in between do, the solve's may have pulling
+        // ones among them: the forecast's push, and move nothing.
+        if (std::any_of(given.begin(), given.end(), [&](const ContactImpulse<D>& g) { return g.normal < -impulse; }))
+            for (std::size_t i = 0; i < contacts_.size(); ++i) {
+                contacts_[i].impulse = forecast.impulses[i].normal;
+                contacts_[i].tangential = forecast.impulses[i].tangential;
+            }
         return false;
+    }
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         if (round >= rounds_at_once && i != worst)
             continue;

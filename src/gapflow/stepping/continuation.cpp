@@ -1,11 +1,12 @@
 // Velocities beyond the fluid: continued into solids and films, and where surfaces uncover faces (method, section 5, stage 7).
 #include "gapflow/stepping/simulation.hpp"
 
+#include "gapflow/core/threads.hpp"
 #include "gapflow/grid/extrapolation.hpp"
-#include "gapflow/grid/interpolation.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace gapflow {
 
@@ -13,6 +14,18 @@ namespace {
 
 // Layers of faces that velocities are continued into solids and films.
 constexpr int continued_layers = 4;
+
+// u at a face centre, ghosts filled.
+template <int D>
+Vec<D> velocity_at_face(const FaceField<D>& u, int axis, const Index<D>& f)
+{
+    Vec<D> value;
+    for (int k = 0; k < D; ++k) {
+        const Index<D> below = f - step<D>(axis), up = step<D>(k);
+        value[k] = k == axis ? u(k, f) : 0.25 * (u(k, f) + u(k, f + up) + u(k, below) + u(k, below + up));
+    }
+    return value;
+}
 
 } // namespace
 
@@ -88,13 +101,11 @@ double Simulation<D>::normal_surplus(const FaceField<D>& u, int axis, const Inde
         distance = std::min(distance, images[i].shape.distance(x));
     if (distance >= grid_.dx())
         return 0;
-    Vec<D> fluid;
-    for (int k = 0; k < D; ++k)
-        fluid[k] = interpolate_face(grid_, u[k], k, x);
+    const Vec<D> fluid = velocity_at_face(u, axis, f);
     double surplus = 0;
     int count = 0;
     for (int i : near)
-        if (images[i].shape.distance(x) <= distance + 1e-9 * grid_.dx()) {
+        if (near.size() == 1 || images[i].shape.distance(x) <= distance + 1e-9 * grid_.dx()) {
             const Vec<D> n = images[i].shape.closest(x).normal;
             const Vec<D> relative = velocity_at<D>(V[images[i].solid], x - c.solids[images[i].solid].centre - images[i].shift) - fluid;
             surplus += n[axis] * n.dot(relative);
@@ -109,14 +120,18 @@ template <int D>
 void Simulation<D>::follow_solids(FaceField<D>& u, const FaceField<D, std::int8_t>& valid) const
 {
     const std::vector<Twist<D>> V = twists();
-    std::vector<std::tuple<int, Index<D>, double>> changed;
-    std::vector<int> near;
+    std::vector<std::pair<int, Index<D>>> faces;
     for (int axis = 0; axis < D; ++axis)
-        for_each_marked<D>(valid[axis], grid_.low(), owned_faces_end(grid_, axis), 2, [&](const Index<D>& f) {
-            changed.emplace_back(axis, f, u(axis, f) + normal_surplus(u, axis, f, V, near));
-        });
-    for (const auto& [axis, f, value] : changed)
-        u(axis, f) = value;
+        for_each_marked<D>(valid[axis], grid_.low(), owned_faces_end(grid_, axis), 2,
+                           [&](const Index<D>& f) { faces.emplace_back(axis, f); });
+    std::vector<double> surplus(faces.size());
+    for_each_part(static_cast<long>(faces.size()), [&](long begin, long end) {
+        std::vector<int> near;
+        for (long k = begin; k < end; ++k)
+            surplus[k] = normal_surplus(u, faces[k].first, faces[k].second, V, near);
+    });
+    for (std::size_t k = 0; k < faces.size(); ++k)
+        u(faces[k].first, faces[k].second) += surplus[k];
     fill_velocity_ghosts(grid_, u, side_velocities(time_));
 }
 
@@ -138,7 +153,9 @@ void Simulation<D>::paint_films(FaceField<D, std::int8_t>& valid)
             if ((f.array() < grid_.low().array()).any() || (f.array() >= end.array()).any() || valid(side.axis, f))
                 continue;
             const Vec<D> x = grid_.face_centre(side.axis, Index<D>(side.face + cell.offset(cell.owner)));
-            painted_(side.axis, f) = memory.at(master.to_body(x), near[cell.owner]).velocity[side.axis];
+            // From the master's surface, on which the memory lies: next to it there is no need to search.
+            const Vec<D> on_master = master.to_body(master.closest(x).x);
+            painted_(side.axis, f) = memory.at(on_master, near[cell.owner]).velocity[side.axis];
             valid(side.axis, f) = 1;
             film_faces_(side.axis, f) = 1;
         }

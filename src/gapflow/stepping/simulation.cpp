@@ -167,11 +167,11 @@ void Simulation<D>::rebuild()
         old_fractions_ = coupling_->fractions;
         alive_.clear();
         std::size_t points = 0;
-        for (Film<D>& film : coupling_->network.films) {
+        for (const Film<D>& film : coupling_->network.films) {
             alive_.insert(film.pair);
             points += film.mesh.points.size();
-            film.mesh.points = {}; // most of a film's memory, and the new films are built before the old ones go
         }
+        coupling_.reset(); // two at a time would be the most of a step's memory
         if (points > many_points)
             return_freed_memory();
     }

@@ -92,6 +92,7 @@ public:
     const Scene& scene() const { return scene_; }
     const Grid<D>& grid() const { return grid_; }
     const std::vector<RigidBody<D>>& bodies() const { return bodies_; }
+    /// Of the last step; none after a step that threw.
     const Coupling<D>& coupling() const { return *coupling_; }
     /// Fluid velocity: divergence-free on open faces, continued into solids.
     const FluidVelocity<D>& velocity() const { return velocity_; }

@@ -12,6 +12,7 @@
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/threads.hpp"
 #include "gapflow/grid/extrapolation.hpp"
 #include "gapflow/viscosity/viscous_solver.hpp"
 
@@ -60,54 +61,94 @@ void continue_pressure(const Coupling<D>& coupling, CellField<D>& pressure, Cell
     exchange(grid, known, 1);
 }
 
-// u -= dt grad p / rho on open faces between cells whose pressure is known; `changed` gets 1 there.
+// u -= dt grad p / rho on open faces between cells whose pressure is known; `changed` gets 1 there. Beyond an open side the pressure
+// is 0, half a cell away.
 template <int D>
 void subtract_known_gradient(const Coupling<D>& coupling, const CellField<D>& pressure, const CellField<D>& known, double dt,
                              FaceField<D>& u, FaceField<D, std::int8_t>* changed = nullptr)
 {
     const Grid<D>& grid = *coupling.grid;
     const double scale = dt / (coupling.density * grid.dx());
-    for (int axis = 0; axis < D; ++axis)
-        for_each_row<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& row) {
-            const long back = pressure.block().stride[axis];
-            const double *a = &coupling.system.conductance(axis, row), *p = &pressure(row), *k = &known(row);
-            double* to = &u(axis, row);
-            std::int8_t* marks = changed ? &(*changed)(axis, row) : nullptr;
-            for (int i = 0; i < owned_faces_end(grid, axis)[0] - row[0]; ++i) {
-                if (!(a[i] > 0))
-                    continue;
-                const int place = row[axis] + (axis == 0 ? i : 0);
-                const bool low = !grid.periodic(axis) && place == 0, high = !grid.periodic(axis) && place == grid.cells()[axis];
-                const bool known = low ? k[i] > 0 : high ? k[i - back] > 0 : k[i] > 0 && k[i - back] > 0;
-                if (!known)
-                    continue;
-                // At an open side the pressure is 0 half a cell away.
-                to[i] -= scale * (low ? 2 * p[i] : high ? -2 * p[i - back] : p[i] - p[i - back]);
-                if (marks)
-                    marks[i] = 1;
+    for (int axis = 0; axis < D; ++axis) {
+        const long back = pressure.block().stride[axis];
+        // n faces of a row from `first` on, with cells of the domain above and below them (`above`, `below`: 1, or 0 on a side).
+        auto subtract = [&](const Index<D>& first, int n, double above, double below) {
+            const double *a = &coupling.system.conductance(axis, first), *p = &pressure(first), *k = &known(first);
+            double* to = &u(axis, first);
+            const double up = scale * above * (2 - below), down = scale * below * (2 - above);
+            for (int i = 0; i < n; ++i) {
+                const double counts = a[i] > 0 ? 1.0 : 0.0, above_known = 1 + above * (k[i] - 1), below_known = 1 + below * (k[i - back] - 1);
+                to[i] -= counts * above_known * below_known * (up * p[i] - down * p[i - back]);
             }
+            if (!changed)
+                return;
+            std::int8_t* marks = &(*changed)(axis, first);
+            for (int i = 0; i < n; ++i)
+                marks[i] = a[i] > 0 && (above == 0 || k[i] > 0) && (below == 0 || k[i - back] > 0);
+        };
+        Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
+        for (int side = 0; side < 2; ++side) {
+            Index<D> first = low, last = end;
+            const int place = side * grid.cells()[axis];
+            if (grid.periodic(axis) || (side ? end[axis] - 1 : low[axis]) != place)
+                continue;
+            first[axis] = place;
+            last[axis] = place + 1;
+            for_each_row<D>(first, last, [&](const Index<D>& row) { subtract(row, last[0] - first[0], 1 - side, side); });
+            (side ? end : low)[axis] += side ? -1 : 1;
+        }
+        for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
+            Index<D> from = low, to = end;
+            from[D - 1] = plane;
+            to[D - 1] = plane + 1;
+            for_each_row<D>(from, to, [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
         });
+    }
 }
 
 // Limits the length of g to inertial_share times what the flow changes by along its way, |dt u . grad u|, as u and u half a step on
-// tell: at a face the larger of the two cells'.
+// tell: at a face the larger of the two cells'. Then half_way += g / 2.
 template <int D>
-void limit_to_inertia(const Grid<D>& grid, const FaceField<D>& u, const FaceField<D>& half_way, FaceField<D>& g)
+void limit_to_inertia(const Grid<D>& grid, const FaceField<D>& u, FaceField<D>& half_way, FaceField<D>& g)
 {
     CellField<D> most(grid);
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        double squares = 0;
-        for (int axis = 0; axis < D; ++axis)
-            for (const Index<D>& f : {c, Index<D>(c + step<D>(axis))})
-                squares += 0.5 * std::pow(half_way(axis, f) - u(axis, f), 2);
-        most(c) = 2 * inertial_share * std::sqrt(squares);
+    for_each_plane(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
+        Index<D> low = grid.low(), high = grid.high();
+        low[D - 1] = plane;
+        high[D - 1] = plane + 1;
+        for_each_row<D>(low, high, [&](const Index<D>& row) {
+            double* to = &most(row);
+            for (int axis = 0; axis < D; ++axis) {
+                const double *a = &half_way(axis, row), *b = &u(axis, row);
+                const long up = most.block().stride[axis];
+                for (int i = 0; i < high[0] - low[0]; ++i) {
+                    const double below = a[i] - b[i], above = a[i + up] - b[i + up];
+                    to[i] += below * below + above * above;
+                }
+            }
+            for (int i = 0; i < high[0] - low[0]; ++i)
+                to[i] = inertial_share * std::sqrt(2 * to[i]);
+        });
     });
     exchange(grid, most, 1);
-    for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-            const double largest = std::max(most(f), most(Index<D>(f - step<D>(axis))));
-            g(axis, f) = std::clamp(g(axis, f), -largest, largest);
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> end = owned_faces_end(grid, axis);
+        const long back = most.block().stride[axis];
+        for_each_plane(grid.low()[D - 1], end[D - 1], [&](int plane) {
+            Index<D> low = grid.low(), high = end;
+            low[D - 1] = plane;
+            high[D - 1] = plane + 1;
+            for_each_row<D>(low, high, [&](const Index<D>& row) {
+                const double* m = &most(row);
+                double *change = &g(axis, row), *middle = &half_way(axis, row);
+                for (int i = 0; i < high[0] - low[0]; ++i) {
+                    const double largest = std::max(m[i], m[i - back]);
+                    change[i] = std::clamp(change[i], -largest, largest);
+                    middle[i] += 0.5 * change[i];
+                }
+            });
         });
+    }
 }
 
 } // namespace
@@ -125,7 +166,7 @@ void Simulation<D>::advect_with_pressure(FaceField<D>& u_star, double dt, Advect
     const Coupling<D>& c = *coupling_;
     const BoundaryVelocity<D> sides = side_velocities(time_);
     continue_pressure(c, viscous_.pressure, viscous_.known);
-    FaceField<D> change(grid_), carried(grid_), middle(grid_);
+    FaceField<D> change(grid_), middle(grid_);
     FaceField<D, std::int8_t> valid(grid_);
     subtract_known_gradient(c, viscous_.pressure, viscous_.known, dt, change, &valid);
     extrapolate(grid_, change, valid, carried_layers);
@@ -133,21 +174,8 @@ void Simulation<D>::advect_with_pressure(FaceField<D>& u_star, double dt, Advect
     fill_velocity_ghosts(grid_, middle, sides);
     limit_to_inertia(grid_, velocity_.grid, middle, change);
     fill_velocity_ghosts(grid_, change, {});
-    auto add_half = [&](FaceField<D>& u, const FaceField<D>& more, double sign) {
-        for (int axis = 0; axis < D; ++axis)
-            for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
-                const double* from = &more(axis, row);
-                double* to = &u(axis, row);
-                for (int i = 0; i < owned_faces_end(grid_, axis)[0] - row[0]; ++i)
-                    to[i] += 0.5 * sign * from[i];
-            });
-    };
-    add_half(middle, change, 1);
     fill_velocity_ghosts(grid_, middle, sides);
-    advect<D>(grid_, u_star, middle, velocity_.grid, dt, scheme, sides, nullptr, plain);
-    advect<D>(grid_, carried, middle, change, dt, AdvectionScheme::semi_lagrangian, sides);
-    add_half(u_star, carried, 1);
-    add_half(u_star, change, -1);
+    advect<D>(grid_, u_star, middle, velocity_.grid, dt, scheme, sides, nullptr, plain, &change);
 }
 
 template <int D>

@@ -7,19 +7,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gapflow {
 
 namespace {
 
 constexpr int most_iterations = 500;
+constexpr int most_rounds = 20;            // of corrections in single precision
+constexpr double single_tolerance = 1e-5;  // what one of them reduces the residual to
 // Below this ratio of an edge to a cell's mass the diagonal alone preconditions well.
 constexpr double stiff = 0.25;
 
 // Velocities on the lattice and twists of the free bodies.
-template <int D>
+template <int D, class T = double>
 struct Unknowns {
-    FaceField<D> u;
+    FaceField<D, T> u;
     Eigen::VectorXd V;
 
     explicit Unknowns(const ViscousSystem<D>& system)
@@ -28,10 +31,34 @@ struct Unknowns {
     }
 };
 
-template <int D>
-class ViscousSolver {
+/// Sum of f(axis, place of the row's first value, number of values) over all rows of this rank's faces.
+template <int D, class F>
+double sum_over_face_rows(const Grid<D>& grid, const Block<D>& block, F&& f)
+{
+    double sum = 0;
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
+        sum += sum_over_planes(low[D - 1], end[D - 1], [&](int plane) {
+            Index<D> from = low, to = end;
+            from[D - 1] = plane;
+            to[D - 1] = plane + 1;
+            double of_plane = 0;
+            for_each_row<D>(from, to, [&](const Index<D>& row) { of_plane += f(axis, block.offset(row), end[0] - low[0]); });
+            return of_plane;
+        });
+    }
+    return sum;
+}
+
+/// The matrix and its preconditioner on values of one precision.
+template <int D, class T>
+class ViscousMatrix {
 public:
-    explicit ViscousSolver(const ViscousSystem<D>& system) : system_(system), grid_(*system.grid)
+    using Values = Unknowns<D, T>;
+
+    /// `diagonal`: of the system, in this precision.
+    ViscousMatrix(const ViscousSystem<D>& system, const FaceField<D, T>& diagonal)
+        : system_(system), grid_(*system.grid), diagonal_(diagonal)
     {
         for (const ViscousTerm<D>& term : system.terms)
             for (int k = 0; k < 2 && term.at >= 0; ++k)
@@ -43,49 +70,111 @@ public:
             const TwistMatrix<D> block = Eigen::MatrixXd(system.body_matrix.block(at, at, twist_size<D>, twist_size<D>));
             body_blocks_.emplace_back(block);
         }
-        if (system.edge > stiff * system.cell_mass)
-            for (int axis = 0; axis < D; ++axis)
-                multigrid_.emplace_back(system, axis);
     }
 
-    ViscousReport solve(Unknowns<D>& x, double tolerance)
+    /// y = A x; returns x . y.
+    double apply(Values& x, Values& y) const
     {
-        Unknowns<D> r(system_), z(system_), p(system_), q(system_);
-        apply(x, q);
-        const double start = std::abs(dot(rhs(), x));
-        for_each_value([&](int axis, long at) { r.u[axis].data()[at] = system_.rhs[axis].data()[at] - q.u[axis].data()[at]; });
-        r.V = system_.body_rhs - q.V;
-        precondition(r, z);
-        double rho = dot(r, z);
-        const double scale = std::sqrt(std::max(start, rho));
-        ViscousReport report;
-        for_each_value([&](int axis, long at) { p.u[axis].data()[at] = z.u[axis].data()[at]; });
-        p.V = z.V;
-        while (std::sqrt(std::max(rho, 0.0)) > tolerance * scale && report.iterations < most_iterations) {
-            apply(p, q);
-            const double alpha = rho / dot(p, q);
-            for_each_value([&](int axis, long at) {
-                x.u[axis].data()[at] += alpha * p.u[axis].data()[at];
-                r.u[axis].data()[at] -= alpha * q.u[axis].data()[at];
-            });
-            x.V += alpha * p.V;
-            r.V -= alpha * q.V;
-            precondition(r, z);
-            const double rho_next = dot(r, z), beta = rho_next / rho;
-            rho = rho_next;
-            for_each_value([&](int axis, long at) {
-                p.u[axis].data()[at] = z.u[axis].data()[at] + beta * p.u[axis].data()[at];
-            });
-            p.V = z.V + beta * p.V;
-            ++report.iterations;
-        }
-        report.residual = scale > 0 ? std::sqrt(std::max(rho, 0.0)) / scale : 0.0;
-        report.converged = !(report.residual > tolerance);
         exchange(grid_, x.u, 1);
-        return report;
+        const T edge = static_cast<T>(system_.edge);
+        double energy = over_rows([&](int axis, long at, int n) {
+            std::array<long, D> stride;
+            for (int k = 0; k < D; ++k)
+                stride[k] = block().stride[k];
+            const T *v = x.u[axis].data() + at, *diagonal = diagonal_[axis].data() + at;
+            const std::int8_t* active = system_.active[axis].data() + at;
+            T* result = y.u[axis].data() + at;
+            T of_row = 0;
+#pragma omp simd reduction(+ : of_row)
+            for (int i = 0; i < n; ++i) {
+                T around = 0;
+                for (int k = 0; k < D; ++k)
+                    around += v[i - stride[k]] + v[i + stride[k]];
+                result[i] = diagonal[i] * v[i] - edge * static_cast<T>(active[i]) * around;
+                of_row += result[i] * v[i];
+            }
+            return of_row;
+        });
+        y.V.setZero();
+        constexpr int n = twist_size<D>;
+        for (const BodyCoupling& c : couplings_) {
+            const double pushed = c.row.dot(x.V.template segment<n>(n * c.body)), moved = x.u[c.axis].data()[c.at];
+            y.u[c.axis].data()[c.at] += static_cast<T>(pushed);
+            y.V.template segment<n>(n * c.body) += moved * c.row;
+            energy += moved * pushed;
+        }
+        if (x.V.size() > 0)
+            grid_.comm().sum(std::span<double>(y.V.data(), y.V.size()));
+        y.V += system_.body_matrix * x.V;
+        return grid_.comm().sum(energy) + x.V.dot(y.V);
     }
 
-    double work_of_rhs(const Unknowns<D>& x) const { return dot(rhs(), x); }
+    /// x += alpha p, r -= alpha q; returns r . B r with the diagonal for B.
+    double advance(double alpha, const Values& p, const Values& q, Values& x, Values& r) const
+    {
+        x.V += alpha * p.V;
+        r.V -= alpha * q.V;
+        const T a = static_cast<T>(alpha);
+        const double sum = over_rows([&](int axis, long at, int n) {
+            const T *dp = p.u[axis].data() + at, *dq = q.u[axis].data() + at, *diagonal = diagonal_[axis].data() + at;
+            T *to = x.u[axis].data() + at, *left = r.u[axis].data() + at;
+            T of_row = 0;
+#pragma omp simd reduction(+ : of_row)
+            for (int i = 0; i < n; ++i) {
+                to[i] += a * dp[i];
+                left[i] -= a * dq[i];
+                of_row += left[i] * left[i] * inverse(diagonal[i]);
+            }
+            return of_row;
+        });
+        return grid_.comm().sum(sum) + solve_bodies(r.V).dot(r.V);
+    }
+
+    /// r . B r with the diagonal for B.
+    double energy(const Values& r) const
+    {
+        const double sum = over_rows([&](int axis, long at, int n) {
+            const T *from = r.u[axis].data() + at, *diagonal = diagonal_[axis].data() + at;
+            T of_row = 0;
+#pragma omp simd reduction(+ : of_row)
+            for (int i = 0; i < n; ++i)
+                of_row += from[i] * from[i] * inverse(diagonal[i]);
+            return of_row;
+        });
+        return grid_.comm().sum(sum) + solve_bodies(r.V).dot(r.V);
+    }
+
+    /// p = B r + beta p with the diagonal for B.
+    void turn(Values& p, const Values& r, double beta) const
+    {
+        const T b = static_cast<T>(beta);
+        over_rows([&](int axis, long at, int n) {
+            T* to = p.u[axis].data() + at;
+            const T *from = r.u[axis].data() + at, *diagonal = diagonal_[axis].data() + at;
+#pragma omp simd
+            for (int i = 0; i < n; ++i)
+                to[i] = from[i] * inverse(diagonal[i]) + b * to[i];
+            return T(0);
+        });
+        p.V = solve_bodies(r.V) + beta * p.V;
+    }
+
+    /// The bodies' own blocks, solved.
+    Eigen::VectorXd solve_bodies(const Eigen::VectorXd& r) const
+    {
+        constexpr int n = twist_size<D>;
+        Eigen::VectorXd z(r.size());
+        for (std::size_t b = 0; b < body_blocks_.size(); ++b)
+            z.template segment<n>(n * static_cast<long>(b)) =
+                body_blocks_[b].solve(Twist<D>(r.template segment<n>(n * static_cast<long>(b))));
+        return z;
+    }
+
+    template <class F>
+    double over_rows(F&& f) const
+    {
+        return sum_over_face_rows(grid_, block(), f);
+    }
 
 private:
     struct BodyCoupling {
@@ -94,119 +183,166 @@ private:
         int body;
         Twist<D> row;
     };
-
-    struct Rhs {
-        const FaceField<D>& u;
-        const Eigen::VectorXd& V;
-    };
-    Rhs rhs() const { return {system_.rhs, system_.body_rhs}; }
-
-    template <class F>
-    void for_each_value(F&& f) const
-    {
-        for (int axis = 0; axis < D; ++axis) {
-            const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
-            const Block<D>& block = system_.active[axis].block();
-            for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
-                Index<D> from = low, to = end;
-                from[D - 1] = plane;
-                to[D - 1] = plane + 1;
-                for_each_row<D>(from, to, [&](const Index<D>& row) {
-                    const long first = block.offset(row), last = first + end[0] - low[0];
-                    for (long at = first; at < last; ++at)
-                        f(axis, at);
-                });
-            });
-        }
-    }
-
-    template <class A>
-    double dot(const A& a, const Unknowns<D>& b) const
-    {
-        double sum = 0;
-        for (int axis = 0; axis < D; ++axis) {
-            const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
-            const Block<D>& block = system_.active[axis].block();
-            sum += sum_over_planes(low[D - 1], end[D - 1], [&](int plane) {
-                Index<D> from = low, to = end;
-                from[D - 1] = plane;
-                to[D - 1] = plane + 1;
-                double of_plane = 0;
-                for_each_row<D>(from, to, [&](const Index<D>& row) {
-                    const double *x = a.u[axis].data() + block.offset(row), *y = b.u[axis].data() + block.offset(row);
-                    double of_row = 0;
-#pragma omp simd reduction(+ : of_row)
-                    for (int i = 0; i < end[0] - low[0]; ++i)
-                        of_row += x[i] * y[i];
-                    of_plane += of_row;
-                });
-                return of_plane;
-            });
-        }
-        return grid_.comm().sum(sum) + a.V.dot(b.V);
-    }
-
-    // y = A x.
-    void apply(Unknowns<D>& x, Unknowns<D>& y) const
-    {
-        exchange(grid_, x.u, 1);
-        for (int axis = 0; axis < D; ++axis) {
-            const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
-            const Block<D>& block = system_.active[axis].block();
-            std::array<long, D> stride;
-            for (int k = 0; k < D; ++k)
-                stride[k] = block.stride[k];
-            for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
-                Index<D> from = low, to = end;
-                from[D - 1] = plane;
-                to[D - 1] = plane + 1;
-                for_each_row<D>(from, to, [&](const Index<D>& row) {
-                    const long at = block.offset(row);
-                    const double *v = x.u[axis].data() + at, *diagonal = system_.diagonal[axis].data() + at;
-                    const std::int8_t* active = system_.active[axis].data() + at;
-                    double* result = y.u[axis].data() + at;
-#pragma omp simd
-                    for (int i = 0; i < end[0] - low[0]; ++i) {
-                        double around = 0;
-                        for (int k = 0; k < D; ++k)
-                            around += v[i - stride[k]] + v[i + stride[k]];
-                        result[i] = diagonal[i] * v[i] - system_.edge * active[i] * around;
-                    }
-                });
-            });
-        }
-        if (x.V.size() == 0)
-            return;
-        y.V.setZero();
-        constexpr int n = twist_size<D>;
-        for (const BodyCoupling& c : couplings_) {
-            y.u[c.axis].data()[c.at] += c.row.dot(x.V.template segment<n>(n * c.body));
-            y.V.template segment<n>(n * c.body) += x.u[c.axis].data()[c.at] * c.row;
-        }
-        grid_.comm().sum(std::span<double>(y.V.data(), y.V.size()));
-        y.V += system_.body_matrix * x.V;
-    }
-
-    void precondition(const Unknowns<D>& r, Unknowns<D>& z)
-    {
-        if (multigrid_.empty())
-            for_each_value([&](int axis, long at) {
-                const double d = system_.diagonal[axis].data()[at];
-                z.u[axis].data()[at] = d > 0 ? r.u[axis].data()[at] / d : 0.0;
-            });
-        for (std::size_t axis = 0; axis < multigrid_.size(); ++axis)
-            multigrid_[axis].cycle(r.u[static_cast<int>(axis)], z.u[static_cast<int>(axis)]);
-        constexpr int n = twist_size<D>;
-        for (std::size_t b = 0; b < body_blocks_.size(); ++b)
-            z.V.template segment<n>(n * static_cast<long>(b)) =
-                body_blocks_[b].solve(Twist<D>(r.V.template segment<n>(n * static_cast<long>(b))));
-    }
+    const Block<D>& block() const { return system_.active[0].block(); }
+    static T inverse(T diagonal) { return 1 / (diagonal > 0 ? diagonal : std::numeric_limits<T>::infinity()); }
 
     const ViscousSystem<D>& system_;
     const Grid<D>& grid_;
+    const FaceField<D, T>& diagonal_; ///< 0 where the lattice has no value
     std::vector<BodyCoupling> couplings_;
     std::vector<Eigen::LDLT<TwistMatrix<D>>> body_blocks_;
-    std::vector<ViscousMultigrid<D>> multigrid_;
+};
+
+/// x . rhs.
+template <int D>
+double work_of_rhs(const ViscousSystem<D>& system, const Unknowns<D>& x)
+{
+    return system.grid->comm().sum(sum_over_face_rows(*system.grid, system.active[0].block(), [&](int axis, long at, int n) {
+               const double *a = system.rhs[axis].data() + at, *b = x.u[axis].data() + at;
+               double of_row = 0;
+#pragma omp simd reduction(+ : of_row)
+               for (int i = 0; i < n; ++i)
+                   of_row += a[i] * b[i];
+               return of_row;
+           })) +
+           system.body_rhs.dot(x.V);
+}
+
+/// Conjugate gradients from x on, until the error's energy norm, as the preconditioner sees it, is `tolerance` of the solution's.
+template <int D>
+class ViscousSolver {
+public:
+    ViscousSolver(const ViscousSystem<D>& system, double tolerance) : system_(system), tolerance_(tolerance), matrix_(system, system.diagonal) {}
+
+    ViscousReport solve(Unknowns<D>& x)
+    {
+        Unknowns<D> r(system_);
+        matrix_.apply(x, r);
+        const double start = std::abs(work_of_rhs(system_, x));
+        subtract_from_rhs(r);
+        ViscousReport report;
+        if (system_.edge > stiff * system_.cell_mass)
+            solve_with_multigrid(x, r, start, report);
+        else
+            solve_with_diagonal(x, r, start, report);
+        report.converged = !(report.residual > tolerance_);
+        exchange(*system_.grid, x.u, 1);
+        return report;
+    }
+
+private:
+    /// r = rhs - r.
+    void subtract_from_rhs(Unknowns<D>& r) const
+    {
+        matrix_.over_rows([&](int axis, long at, int n) {
+            const double* b = system_.rhs[axis].data() + at;
+            double* to = r.u[axis].data() + at;
+            for (int i = 0; i < n; ++i)
+                to[i] = b[i] - to[i];
+            return 0.0;
+        });
+        r.V = system_.body_rhs - r.V;
+    }
+
+    // In single precision, which moves half the bytes, for a correction of x; what rounding leaves of the residual is the next one's.
+    void solve_with_diagonal(Unknowns<D>& x, Unknowns<D>& r, double start, ViscousReport& report)
+    {
+        using Single = Unknowns<D, float>;
+        FaceField<D, float> diagonal(*system_.grid);
+        convert(system_.diagonal, 1, diagonal);
+        const ViscousMatrix<D, float> matrix(system_, diagonal);
+        Single left(system_), e(system_), p(system_), q(system_);
+        double scale = 0;
+        for (int round = 0; round < most_rounds; ++round) {
+            const double size = std::sqrt(matrix_.energy(r));
+            if (round == 0)
+                scale = std::max(std::sqrt(start), size);
+            report.residual = scale > 0 ? size / scale : 0.0;
+            if (!(report.residual > tolerance_) || report.iterations >= most_iterations)
+                return;
+            convert(r.u, 1 / size, left.u); // single precision has a range of 1e38
+            left.V = r.V / size;
+            if (round > 0)
+                for (int axis = 0; axis < D; ++axis)
+                    e.u[axis].fill(0);
+            e.V.setZero();
+            matrix.turn(p, left, 0);
+            const double enough = std::max(single_tolerance, 0.5 * tolerance_ / report.residual);
+            for (double rho = 1; std::sqrt(std::max(rho, 0.0)) > enough && report.iterations < most_iterations; ++report.iterations) {
+                const double alpha = rho / matrix.apply(p, q), rho_next = matrix.advance(alpha, p, q, e, left);
+                matrix.turn(p, left, rho_next / rho);
+                rho = rho_next;
+            }
+            matrix_.over_rows([&](int axis, long at, int n) {
+                const float* from = e.u[axis].data() + at;
+                double* to = x.u[axis].data() + at;
+                for (int i = 0; i < n; ++i)
+                    to[i] += size * from[i];
+                return 0.0;
+            });
+            x.V += size * e.V;
+            matrix_.apply(x, r);
+            subtract_from_rhs(r);
+        }
+    }
+
+    void solve_with_multigrid(Unknowns<D>& x, Unknowns<D>& r, double start, ViscousReport& report)
+    {
+        std::vector<ViscousMultigrid<D>> multigrid;
+        for (int axis = 0; axis < D; ++axis)
+            multigrid.emplace_back(system_, axis);
+        Unknowns<D> z(system_), p(system_), q(system_);
+        auto precondition = [&] { // z = B r; returns z . r
+            for (int axis = 0; axis < D; ++axis)
+                multigrid[axis].cycle(r.u[axis], z.u[axis]);
+            z.V = matrix_.solve_bodies(r.V);
+            return system_.grid->comm().sum(matrix_.over_rows([&](int axis, long at, int n) {
+                       const double *a = r.u[axis].data() + at, *b = z.u[axis].data() + at;
+                       double of_row = 0;
+#pragma omp simd reduction(+ : of_row)
+                       for (int i = 0; i < n; ++i)
+                           of_row += a[i] * b[i];
+                       return of_row;
+                   })) +
+                   r.V.dot(z.V);
+        };
+        auto turn = [&](double beta) { // p = z + beta p
+            matrix_.over_rows([&](int axis, long at, int n) {
+                const double* from = z.u[axis].data() + at;
+                double* to = p.u[axis].data() + at;
+                for (int i = 0; i < n; ++i)
+                    to[i] = from[i] + beta * to[i];
+                return 0.0;
+            });
+            p.V = z.V + beta * p.V;
+        };
+        double rho = precondition();
+        const double scale = std::sqrt(std::max(start, rho));
+        turn(0);
+        for (; std::sqrt(std::max(rho, 0.0)) > tolerance_ * scale && report.iterations < most_iterations; ++report.iterations) {
+            const double alpha = rho / matrix_.apply(p, q);
+            matrix_.advance(alpha, p, q, x, r);
+            const double rho_next = precondition();
+            turn(rho_next / rho);
+            rho = rho_next;
+        }
+        report.residual = scale > 0 ? std::sqrt(std::max(rho, 0.0)) / scale : 0.0;
+    }
+
+    void convert(const FaceField<D>& from, double factor, FaceField<D, float>& to) const
+    {
+        matrix_.over_rows([&](int axis, long at, int n) {
+            const double* x = from[axis].data() + at;
+            float* y = to[axis].data() + at;
+            for (int i = 0; i < n; ++i)
+                y[i] = static_cast<float>(factor * x[i]);
+            return 0.0;
+        });
+    }
+
+    const ViscousSystem<D>& system_;
+    double tolerance_;
+    ViscousMatrix<D, double> matrix_;
 };
 
 template <int D>
@@ -246,9 +382,8 @@ ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>
         if (const int b = system.free_body[s]; b >= 0)
             x.V.template segment<n>(n * b) = bodies.twists[s];
 
-    ViscousSolver<D> solver(system);
-    step.report = solver.solve(x, tolerance);
-    step.energy = grid.comm().sum(system.constant) - solver.work_of_rhs(x);
+    step.report = ViscousSolver<D>(system, tolerance).solve(x);
+    step.energy = grid.comm().sum(system.constant) - work_of_rhs(system, x);
     for (std::size_t s = 0; s < bodies.twists.size(); ++s) {
         const auto spin = bodies.twists[s].template tail<spin_size<D>>();
         step.energy += system.free_body[s] >= 0 ? bodies.twists[s].dot(bodies.mass[s] * bodies.twists[s])

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
+#include <utility>
 
 namespace gapflow {
 
@@ -156,13 +158,50 @@ private:
         return face;
     }
 
+    /// Calls f(first face of a row, number of faces) for this rank's rows of faces, planes shared out over threads.
+    template <class F>
+    void for_owned_rows(int axis, F&& f) const
+    {
+        const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
+        for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
+            Index<D> from = low, to = end;
+            from[D - 1] = plane;
+            to[D - 1] = plane + 1;
+            for_each_row<D>(from, to, [&](const Index<D>& row) { f(row, end[0] - low[0]); });
+        });
+    }
+    bool any_cut(int axis, const Index<D>& row, int count) const
+    {
+        const int* cut = &fractions_.cut(axis, row);
+        int largest = -1;
+        for (int i = 0; i < count; ++i)
+            largest = std::max(largest, cut[i]);
+        return largest >= 0;
+    }
+
+    // Whole faces by rows; those that surfaces cut, and those on sides of the domain, one by one.
     void classify()
     {
+        std::vector<std::pair<int, Index<D>>> others;
+        std::mutex mutex;
         for (int axis = 0; axis < D; ++axis)
-            for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
-                const bool simple = fractions_.cut(axis, f) < 0;
-                system_.active(axis, f) = simple ? is_open(axis, f) : examine(axis, f).role == Role::active;
+            for_owned_rows(axis, [&](const Index<D>& row, int count) {
+                const double* open = &coupling_.open(axis, row);
+                std::int8_t* to = &system_.active(axis, row);
+                for (int i = 0; i < count; ++i)
+                    to[i] = open[i] > 1e-12;
+                Index<D> last = row;
+                last[0] += count - 1;
+                const bool cut = any_cut(axis, row, count), side = on_side(axis, row), last_on_side = on_side(axis, last);
+                if (!cut && !side && !last_on_side)
+                    return;
+                const std::lock_guard lock(mutex);
+                for (Index<D> f = row; f[0] <= last[0]; ++f[0])
+                    if (to[f[0] - row[0]] && (fractions_.cut(axis, f) >= 0 || on_side(axis, f)))
+                        others.emplace_back(axis, f);
             });
+        for (const auto& [axis, f] : others)
+            system_.active(axis, f) = examine(axis, f).role == Role::active;
         exchange(grid_, system_.active, 1);
     }
 
@@ -229,23 +268,26 @@ private:
             const double* u = &u_star_(axis, first);
             const int* cut = &fractions_.cut(axis, first);
             double *diagonal = &system_.diagonal(axis, first), *rhs = &system_.rhs(axis, first);
+            double constant = 0;
+            int plain = 0;
+#pragma omp simd reduction(+ : plain, constant)
             for (int i = 0; i < count; ++i) {
-                const long at = begin + i;
-                if (!active[at])
-                    continue;
-                int neighbours = 0;
+                int around = active[begin + i];
                 for (int k = 0; k < D; ++k)
-                    neighbours += active[at - block.stride[k]] + active[at + block.stride[k]];
-                if (cut[i] >= 0 || neighbours < 2 * D) {
-                    Index<D> f = first;
-                    f[0] += i;
-                    special.push_back(f);
-                    continue;
-                }
-                diagonal[i] = full;
-                rhs[i] = system_.cell_mass * u[i];
-                system_.constant += rhs[i] * u[i];
+                    around += active[begin + i - block.stride[k]] + active[begin + i + block.stride[k]];
+                const bool is_plain = around == 2 * D + 1 && cut[i] < 0;
+                diagonal[i] = is_plain ? full : 0.0;
+                rhs[i] = is_plain ? system_.cell_mass * u[i] : 0.0;
+                constant += rhs[i] * u[i];
+                plain += is_plain;
             }
+            system_.constant += constant;
+            if (plain == count)
+                return;
+            Index<D> f = first;
+            for (int i = 0; i < count; ++i, ++f[0])
+                if (active[begin + i] && diagonal[i] == 0)
+                    special.push_back(f);
         });
         for (const Index<D>& f : special)
             add_special_face(axis, f);
@@ -282,6 +324,8 @@ private:
         const Vec<D> x = grid_.face_centre(axis, f);
         const int away = below ? -1 : 1; // from the surface that is next to the point
         rays_.around(x, thin_gap * grid_.dx());
+        if (const int lone = rays_.lone_image(); lone >= 0 && coupling_.solids[rays_.image(lone).solid].wall)
+            return; // a side of the domain, and nothing that faces it
         const WallHit<D> near = rays_.cast(x, -away * unit<D>(k), ray_length * grid_.dx());
         if (near.image < 0)
             return;
@@ -362,8 +406,8 @@ private:
         const Index<D> ones = Index<D>::Ones();
         const Index<D> owned = owned_faces_end(grid_, axis);
         auto is_mine = [&](const Index<D>& f) { return (f.array() >= grid_.low().array()).all() && (f.array() < owned.array()).all(); };
-        for_each_index<D>(grid_.low() - ones, owned + ones, [&](const Index<D>& f) {
-            if (!coupling_.open[axis].block().contains(f) || fractions_.cut(axis, f) < 0)
+        auto add_face = [&](const Index<D>& f) {
+            if (fractions_.cut(axis, f) < 0)
                 return;
             const Face face = examine(axis, f);
             if (face.role != Role::following)
@@ -378,6 +422,13 @@ private:
             }
             if (mine)
                 system_.following.push_back(following);
+        };
+        const int count = owned[0] - grid_.low()[0] + 2;
+        for_each_row<D>(grid_.low() - ones, owned + ones, [&](const Index<D>& row) {
+            if (!any_cut(axis, row, count))
+                return;
+            for (Index<D> f = row; f[0] < row[0] + count; ++f[0])
+                add_face(f);
         });
     }
 

@@ -25,6 +25,8 @@ public:
     double distance(const Vec<D>& x, int* image = nullptr) const;
     /// `direction`: of unit length. A start inside a solid hits it at distance 0.
     WallHit<D> cast(const Vec<D>& x, const Vec<D>& direction, double longest) const;
+    /// The image that is near, if there is only one; else -1.
+    int lone_image() const { return near_.size() == 1 ? near_.front() : -1; }
     const Image<D>& image(int i) const { return clipper_.images()[i]; }
 
 private:
