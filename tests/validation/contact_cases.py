@@ -15,8 +15,8 @@ def track(result, body):
     return [row for row in result["bodies"] if row["body"] == body]
 
 
-def interpolated(file, column, x_name):
-    """Linear in log x."""
+def interpolated(file, column, x_name, singular=lambda x: 0.0):
+    """`singular` and a rest that is linear in log x."""
     rows = sorted(harness.read_table(REFERENCE / file), key=lambda row: row[x_name])
     rows = [row for row in rows if row[x_name] > 0]
 
@@ -25,7 +25,8 @@ def interpolated(file, column, x_name):
         for a, b in zip(rows, rows[1:]):
             if x <= b[x_name]:
                 s = math.log(x / a[x_name]) / math.log(b[x_name] / a[x_name])
-                return a[column] + s * (b[column] - a[column])
+                rest = [row[column] - singular(row[x_name]) for row in (a, b)]
+                return singular(x) + rest[0] + s * (rest[1] - rest[0])
         return rows[-1][column]
     return value
 
@@ -65,7 +66,7 @@ def plates_approach(cells, h0, exit_law):
                        "density": 2.0} for name, side in (("upper", 1), ("lower", -1))],
              "time": {"end": 3 * h0 if h0 < 0.1 else 0.5, "max_step": 0.32 / cells, "cfl": 0.5, "gap_cfl": 8.0 / cells}, "output": {"every": 1.0}}
     result = harness.run(scene)
-    M = interpolated("I4_rectangles_box4.csv", "M_opening", "h")
+    M = interpolated("I4_rectangles_box4.csv", "M_opening", "h", lambda h: 1 / (12 * h))
     states = [(a["y"] - b["y"] - 0.5, a["vy"] - b["vy"]) for a, b in zip(track(result, "upper"), track(result, "lower"))]
     if exit_law == "reversible":
         def law(h):
