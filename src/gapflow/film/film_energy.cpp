@@ -7,9 +7,6 @@ namespace gapflow {
 
 namespace {
 
-// Energy of a pair's films after their transport over that before it, at most.
-constexpr double most_growth = 1.05;
-constexpr double inflow_margin = 1.5; // on what flows in through mouths
 constexpr double head_margin = 1.3;   // of mouths' heads over what the films gave away: steps of a quarter of the gap
 constexpr double thrown_margin = 10;  // of the energy of the heads' own fluxes over that: plates that meet take up to that much
 
@@ -21,7 +18,7 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
                           const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
 {
     struct Sum {
-        double volume = 0, motion = 0, inflow = 0;
+        double motion = 0, inflow = 0, beyond = 0; // beyond: volume of elements where no film was
     };
     std::map<const FilmMemory<D>*, Sum> sums;
     auto for_each_carried = [&](auto&& f) {
@@ -33,13 +30,13 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
                 if (!at_element[at].near)
                     continue;
                 const Vec<D> U = memory[k]->master_velocity(solids[film.pair.master].shape.to_body(e.centroid_master));
-                f(memory[k], e.volume, velocity[at], Vec<D>(U - U.dot(e.normal) * e.normal));
+                f(memory[k], e.volume, at_element[at].beyond, velocity[at], Vec<D>(U - U.dot(e.normal) * e.normal));
             }
         }
     };
-    for_each_carried([&](const FilmMemory<D>* old, double volume, const Vec<D>& u, const Vec<D>& along) {
+    for_each_carried([&](const FilmMemory<D>* old, double volume, bool beyond, const Vec<D>& u, const Vec<D>& along) {
         Sum& sum = sums[old];
-        sum.volume += volume;
+        sum.beyond += beyond ? volume : 0.0;
         sum.motion += volume * (u - along).squaredNorm();
     });
     const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
@@ -48,13 +45,17 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
         if (!old || !at_conduit[r].near)
             continue;
         const PlacedShape<D>& master = solids[network.films[conduits[r].film].pair.master].shape;
-        const double u = conduits[r].outward.dot(at_conduit[r].velocity - old->master_velocity(master.to_body(conduits[r].x)));
-        const double volume = conduits[r].length * conduits[r].h * std::max(-u, 0.0) * dt;
+        const Vec<D> place = master.to_body(conduits[r].x), U = old->master_velocity(place);
+        double u = std::min(conduits[r].outward.dot(at_conduit[r].velocity - U), 0.0);
+        // No faster than what the mouth itself let in: elements that the film's end cuts small may carry ten times that.
+        if (const auto* mouth = old->mouth(place, conduits[r].outward))
+            u = std::max(u, std::min(mouth->flux / mouth->h - mouth->outward.dot(mouth->master_velocity), 0.0));
+        const double volume = conduits[r].length * conduits[r].h * -u * dt;
         sums[old].inflow += std::min(volume, old->volume()) * u * u; // more than fills the film has passed through it
     }
-    for_each_carried([&](const FilmMemory<D>* old, double, Vec<D>& u, const Vec<D>& along) {
+    for_each_carried([&](const FilmMemory<D>* old, double, bool, Vec<D>& u, const Vec<D>& along) {
         const Sum& sum = sums[old];
-        const double most = inflow_margin * sum.inflow + most_growth * old->motion() * std::max(1.0, sum.volume / old->volume());
+        const double most = sum.inflow + old->motion() * (1 + sum.beyond / old->volume());
         if (sum.motion > most)
             u = along + std::sqrt(most / sum.motion) * (u - along);
     });

@@ -11,9 +11,10 @@ namespace gapflow {
 template <int D>
 using GivenAway = std::map<const FilmMemory<D>*, double>;
 
-/// Transport adds little energy to the motion of a pair's film along its master, but for what flows in through its mouths and for the
-/// volume that came with it: scales `velocity` down to that. What else would add energy (traces extrapolated beyond the ends, flux
-/// over a thinner gap) grows several times a step in a throat that is swept fast. `memory`: of each film's pair, or null;
+/// Transport adds no energy to the motion of a pair's film along its master, but what flows in through its mouths (no faster than
+/// these let it in) and what comes with elements where no film was: scales `velocity` down to that. What else would add energy (traces
+/// extrapolated beyond the ends, flux
+/// over a thinner gap, a mesh that changes) grows several times a step in a throat that is swept fast. `memory`: of each film's pair, or null;
 /// `at_element`, `at_conduit`: what the old films carried there. Returns what the films gave away, inflow counted.
 template <int D>
 GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,

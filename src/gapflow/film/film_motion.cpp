@@ -21,6 +21,9 @@ constexpr double memory_reach = 2.0;
 constexpr double same_element = 0.25;
 // Interpolated velocities relative to the master exceed those of the elements around by this factor at most.
 constexpr double surplus_bound = 1.5;
+// Speeds are means over the elements around a vertex, and over no less than the gap's own thickness, or this in dx: what a film does over
+// less is no flow of a film. (Its end cuts elements of a hundredth of a cell, through which next to nothing flows at any speed.)
+constexpr double smallest_patch = 0.25;
 // A mouth carries its flux on, seen from the master, up to this times what the film's speeds there make of its section: where the
 // mouth narrows beside a point of contact, the flux of wider ones would become a jet that nothing drives.
 constexpr double mouth_bound = 2.0;
@@ -154,12 +157,10 @@ void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
         normal_body[e] = rotation_.transpose() * normal_[e];
 
     flux_vertex_.assign(n, Vec<D>::Zero());
-    fastest_.assign(n, 0.0);
+    speed_.assign(n, 0.0);
     std::vector<int> around;
     for (int i = 0; i < n; ++i) {
         around.assign(ring.begin() + first[i], ring.begin() + first[i + 1]);
-        for (int e : around)
-            fastest_[i] = std::max(fastest_[i], flux_[e].norm() / h_mean_[e]);
         if (around.size() < (D == 2 ? 2 : 5)) {
             for (int k = first[i]; k < first[i + 1]; ++k)
                 for (int node : elements_[ring[k]])
@@ -178,8 +179,13 @@ void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
         }
         if (total <= 0) { // idle all around
             flux_vertex_[i] = flux_[around.front()];
+            speed_[i] = flux_[around.front()].norm() / h_mean_[around.front()];
             continue;
         }
+        const double least = h_[i] * std::pow(std::min(h_[i], smallest_patch * dx_), D - 1);
+        for (int e : around)
+            speed_[i] += weight[e] / std::max(total, least) * flux_[e].squaredNorm() / (h_mean_[e] * h_mean_[e]);
+        speed_[i] = std::sqrt(speed_[i]);
         reach = std::max(std::sqrt(reach), 1e-300);
         across.normalize();
         Vec<D> mean = Vec<D>::Zero();
@@ -306,9 +312,7 @@ Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) 
     h += bubble * (h_mean_[place.element] - mean);
     // Where the gap closes to a tip the division would make much of little: no faster than the elements around, nearly.
     Vec<D> relative = flux / std::clamp(h, 0.5 * least, 2 * most);
-    double bound = 0;
-    for (int node : elements_[place.element])
-        bound = std::max(bound, surplus_bound * fastest_[node]);
+    const double bound = surplus_bound * speed_about(place.element);
     if (relative.norm() > bound)
         relative *= bound / relative.norm();
     return master_velocity(x_body) + relative;
@@ -328,6 +332,15 @@ double FilmMemory<D>::at_vertices(std::span<const double> field, const Vec<D>& x
             sum += place.shape[i];
         }
     return value / sum;
+}
+
+template <int D>
+double FilmMemory<D>::speed_about(int element) const
+{
+    double speed = 0;
+    for (int node : elements_[element])
+        speed = std::max(speed, speed_[node]);
+    return speed;
 }
 
 template <int D>
@@ -357,9 +370,7 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     // difference forward in time, which grows; on a changed mesh it would be noise of small cut elements). Not where the element
     // is coarse for its gap: about a point of contact its velocity is noise, and would only gain by this.
     const std::array<int, D>& nodes = elements_[arrival.element];
-    double fastest = idle_[arrival.element] ? std::numeric_limits<double>::infinity() : 0.0;
-    for (int node : nodes)
-        fastest = std::max(fastest, fastest_[node]);
+    const double fastest = idle_[arrival.element] ? std::numeric_limits<double>::infinity() : speed_about(arrival.element);
     const Vec<D>& centroid = centroid_[arrival.element];
     Place middle = arrival;
     middle.shape.fill(1.0 / D);
@@ -370,7 +381,7 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
                                                  : std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
                                                        std::max(0.0, 1 - (x_body - x_foot).norm() / size);
     return {vertex_velocity(x_foot, foot) + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
-            normal_[foot.element], arrival.distance < memory_reach * dx_, fastest};
+            normal_[foot.element], arrival.distance < memory_reach * dx_, arrival.distance > beside_film * dx_, fastest};
 }
 
 template <int D>
@@ -414,7 +425,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
 
     // What the old films carry to the new elements and conduits.
     using Transported = typename FilmMemory<D>::Transported;
-    const Transported unknown{Vec<D>::Zero(), Vec<D>::Zero(), false, 0};
+    const Transported unknown{Vec<D>::Zero(), Vec<D>::Zero(), false, false, 0};
     std::vector<Transported> at_element(network.elements, unknown), at_conduit(conduits.size(), unknown);
     for_each_job(films, [&](int k) {
         if (!memory[k])

@@ -41,7 +41,8 @@ public:
     struct Transported {
         Vec<D> velocity, normal;
         bool near; ///< an old film lies within two cells of the arrival point
-        double fastest; ///< largest |w - U_m| of the old film's elements about the arrival point; infinite where it was idle
+        bool beyond; ///< but not there
+        double fastest; ///< speed about the arrival point, as speed_about(); infinite where the old film was idle
     };
     /// `hint`: an element near it, or -1; on return the one it arrived in.
     Transported transport(const Vec<D>& x_body, double dt, int& hint) const;
@@ -54,6 +55,9 @@ public:
     /// Sums over the elements: volume S, and S |u - P U_m|^2, twice the energy of the motion along the master at density 1.
     double volume() const { return volume_; }
     double motion() const { return motion_; }
+    /// Speed relative to the master about an element: the largest about its vertices, each the root of the mean square over the volume
+    /// around. (Single elements tell little: those that the film's end cuts small may carry ten times the speed of the flow.)
+    double speed_about(int element) const;
     /// Velocity of the master's old rigid motion at a point of its frame (world axes).
     Vec<D> master_velocity(const Vec<D>& x_body) const;
     /// The old mouth that a new one at this place continues; null: none near.
@@ -85,7 +89,7 @@ private:
     std::vector<std::array<int, D>> beyond_; ///< element across the facet opposite each node, -1: none
     std::vector<Vec<D>> centroid_; ///< master's frame
     std::vector<double> radius_;   ///< of elements about their centroids
-    std::vector<double> fastest_;  ///< largest |w - U_m| of the elements around a vertex
+    std::vector<double> speed_;    ///< |w - U_m| about a vertex: root of the mean square over the volume of the elements around
     std::vector<double> h_, h_mean_; ///< thickness at the vertices, mean over the elements
     std::vector<char> coarse_, idle_; ///< elements too large for their gap; those that say nothing of the flow
     std::vector<Vec<D>> w_, normal_; ///< of elements, world axes

@@ -368,7 +368,8 @@ const Contact<D>* ContactSet<D>::crushed(const std::vector<Twist<D>>& twists) co
 {
     double largest = 0;
     for (const Contact<D>& c : contacts_)
-        largest = std::max({largest, std::abs(c.approach), c.gained, std::abs(rate(c.normal, c, twists))});
+        largest = std::max({largest, std::abs(c.approach), c.gained, twists[c.point.a].template head<D>().norm(),
+                            twists[c.point.b].template head<D>().norm()}); // not the rates alone: what slides in contact has none but round-off
     const auto found = std::find_if(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
         return c.closed && rate(c.normal, c, twists) < c.least - crushing * largest;
     });

@@ -98,8 +98,8 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
     project(std::move(u_star), twists(), 0, initial_report_);
     voids_.finish(*coupling_, impulse_.nodes, impulse_.nodes, 0);
     holding_ = false;
-    continue_velocities();
     finish_report(initial_report_, 0);
+    continue_velocities();
     initial_report_.seconds = now() - start;
 }
 
@@ -130,9 +130,9 @@ StepReport Simulation<D>::step(double next_output)
     if (scene_.viscosity > 0)
         remember_projection(V_star, dt);
     time_ = next_output - (time_ + dt) < 1e-12 * next_output ? next_output : time_ + dt;
-    continue_velocities();
     ++steps_;
     finish_report(report, dt);
+    continue_velocities();
     report.seconds = now() - start;
     return report;
 }

@@ -81,8 +81,11 @@ double Simulation<D>::choose_step(double next_output) const
         dt = std::min(dt, 2 * std::numbers::pi / (steps_a_period * std::max(frequency, tiny)));
     }
     const std::vector<Solid<D>>& solids = coupling_->solids;
+    std::map<FilmPair<D>, int> counted; // elements of each pair's films so far, as its memory has them
     for (const Film<D>& film : coupling_->network.films) {
         const FilmMesh<D>& mesh = film.mesh;
+        const int first = counted[film.pair];
+        counted[film.pair] += static_cast<int>(mesh.elements.size());
         const double thickness = scene_.contact_of(solids[mesh.master].name, solids[mesh.other].name).thickness;
         const double least = std::max({thickness, gaps_(mesh.master, mesh.other).floor, smallest_limiting_gap * dx});
         const auto moves_freely = [&](int solid) { return solids[solid].motion == Motion::free; };
@@ -105,16 +108,16 @@ double Simulation<D>::choose_step(double next_output) const
         if (mesh.flat)
             continue;
         const double curvature = std::abs(solids[mesh.master].shape.shape().curvature(0));
+        const FilmMemory<D>& memory = *memories_.at(film.pair);
         for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
             const FilmElement<D>& element = mesh.elements[e];
             if (element.coarse)
                 continue;
-            const Vec<D> U = velocity_at<D>(V[mesh.master], element.centroid_master - solids[mesh.master].centre);
-            const Vec<D> relative = velocity_.film[film.first_element + e] - U + U.dot(element.normal) * element.normal;
             const double h = element.volume / element.measure;
+            const double relative = memory.speed_about(first + static_cast<int>(e));
             if (curvature > 0 && h > smallest_limiting_gap * dx) // thinner, it holds next to nothing
                 dt = std::min(dt, curved_film_cfl * std::max(std::sqrt(2 * h / curvature), least_film_length<D> * dx) /
-                                      std::max(relative.norm(), tiny));
+                                      std::max(relative, tiny));
         }
     }
     if (!(dt > smallest_step * scene_.max_step))
