@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gapflow {
 
@@ -9,6 +10,22 @@ namespace {
 
 constexpr double head_margin = 1.3;   // of mouths' heads over what the films gave away: steps of a quarter of the gap
 constexpr double thrown_margin = 10;  // of the energy of the heads' own fluxes over that: plates that meet take up to that much
+
+// The speed c with sum volume min(speed, c)^2 = most, of (speed squared, volume) whose sum is larger.
+double fastest_within(std::vector<std::pair<double, double>>& parts, double most)
+{
+    std::sort(parts.begin(), parts.end());
+    double slow = 0, fast_volume = 0;
+    for (const auto& [square, volume] : parts)
+        fast_volume += volume;
+    for (const auto& [square, volume] : parts) {
+        if (slow + fast_volume * square >= most)
+            break;
+        slow += square * volume;
+        fast_volume -= volume;
+    }
+    return std::sqrt(std::max(most - slow, 0.0) / fast_volume);
+}
 
 } // namespace
 
@@ -19,6 +36,8 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
 {
     struct Sum {
         double motion = 0, inflow = 0, beyond = 0; // beyond: volume of elements where no film was
+        std::vector<std::pair<double, double>> parts; // speed squared and volume of each element
+        double fastest = std::numeric_limits<double>::infinity();
     };
     std::map<const FilmMemory<D>*, Sum> sums;
     auto for_each_carried = [&](auto&& f) {
@@ -38,6 +57,7 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
         Sum& sum = sums[old];
         sum.beyond += beyond ? volume : 0.0;
         sum.motion += volume * (u - along).squaredNorm();
+        sum.parts.emplace_back((u - along).squaredNorm(), volume);
     });
     const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
     for (std::size_t r = 0; r < conduits.size(); ++r) {
@@ -53,11 +73,14 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
         const double volume = conduits[r].length * conduits[r].h * -u * dt;
         sums[old].inflow += std::min(volume, old->volume()) * u * u; // more than fills the film has passed through it
     }
-    for_each_carried([&](const FilmMemory<D>* old, double, bool, Vec<D>& u, const Vec<D>& along) {
-        const Sum& sum = sums[old];
+    for (auto& [old, sum] : sums) {
         const double most = sum.inflow + old->motion() * (1 + sum.beyond / old->volume());
         if (sum.motion > most)
-            u = along + std::sqrt(most / sum.motion) * (u - along);
+            sum.fastest = fastest_within(sum.parts, most);
+    }
+    for_each_carried([&](const FilmMemory<D>* old, double, bool, Vec<D>& u, const Vec<D>& along) {
+        if (const double speed = (u - along).norm(), fastest = sums[old].fastest; speed > fastest)
+            u = along + fastest / speed * (u - along);
     });
     GivenAway<D> given_away;
     for (const auto& [old, sum] : sums)
