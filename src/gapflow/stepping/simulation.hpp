@@ -165,7 +165,7 @@ private:
     FluidVelocity<D> velocity_;
     /// Faces open by no more than this share hold next to no fluid, and what squeezes through them may be many times as fast as the flow
     /// around: traces and the step size see the flow around, continued, and what they have beyond that stays where it is.
-    static constexpr double sliver = 0.05;
+    static constexpr double sliver = 0.02;
     struct Sliver {
         int axis;
         Index<D> at;
