@@ -14,9 +14,6 @@ namespace {
 
 // Layers of faces that velocities are continued into solids and films.
 constexpr int continued_layers = 4;
-// Faces that are open by no more than this hold next to no fluid, and what squeezes through them may be many times as fast as the flow around:
-// they are continued like those in solids.
-constexpr double sliver = 0.05;
 
 // u at a face centre, ghosts filled.
 template <int D>
@@ -39,6 +36,7 @@ void Simulation<D>::continue_velocities()
     const auto timer = stages_.measure("continuation");
     const Coupling<D>& c = *coupling_;
     FaceField<D, std::int8_t> valid(grid_);
+    slivers_.clear();
     for (int axis = 0; axis < D; ++axis)
         for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
             const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row);
@@ -46,6 +44,10 @@ void Simulation<D>::continue_velocities()
             const int n = owned_faces_end(grid_, axis)[0] - row[0];
             for (int i = 0; i < n; ++i)
                 to[i] = conductance[i] > 0 && open[i] > sliver;
+            Index<D> f = row;
+            for (int i = 0; i < n; ++i, ++f[0])
+                if (conductance[i] > 0 && !to[i])
+                    slivers_.push_back({axis, f, open[i], velocity_.grid(axis, f), 0});
             auto at_side = [&](int place) { return !grid_.periodic(axis) && (place == 0 || place == grid_.cells()[axis]); };
             if (axis == 0) {
                 to[0] |= at_side(row[0]);
@@ -70,6 +72,9 @@ void Simulation<D>::continue_velocities()
     extrapolate(grid_, velocity_.grid, valid, continued_layers);
     fill_velocity_ghosts(grid_, velocity_.grid, side_velocities(time_));
     follow_solids(velocity_.grid, valid);
+    for (Sliver& face : slivers_)
+        face.continued = std::exchange(velocity_.grid(face.axis, face.at), face.own);
+    fill_velocity_ghosts(grid_, velocity_.grid, side_velocities(time_));
 }
 
 // Where a solid has uncovered more of a face, the fresh part starts with the solid's normal velocity:

@@ -98,8 +98,8 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
     project(std::move(u_star), twists(), 0, initial_report_);
     voids_.finish(*coupling_, impulse_.nodes, impulse_.nodes, 0);
     holding_ = false;
-    finish_report(initial_report_, 0);
     continue_velocities();
+    finish_report(initial_report_, 0);
     initial_report_.seconds = now() - start;
 }
 
@@ -130,9 +130,9 @@ StepReport Simulation<D>::step(double next_output)
     if (scene_.viscosity > 0)
         remember_projection(V_star, dt);
     time_ = next_output - (time_ + dt) < 1e-12 * next_output ? next_output : time_ + dt;
+    continue_velocities();
     ++steps_;
     finish_report(report, dt);
-    continue_velocities();
     report.seconds = now() - start;
     return report;
 }
@@ -203,10 +203,20 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     const AdvectionScheme scheme = scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack
                                                                                     : AdvectionScheme::semi_lagrangian;
     const FaceField<D, std::int8_t>* plain = faces_near_jets(flow.conduit);
+    for (const Sliver& face : slivers_)
+        velocity_.grid(face.axis, face.at) = face.continued;
+    fill_velocity_ghosts(grid_, velocity_.grid, sides);
     if (scene_.viscosity > 0)
         advect_with_pressure(u_star.grid, dt, scheme, plain);
     else
         advect<D>(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides, nullptr, plain);
+    for (const Sliver& face : slivers_) {
+        velocity_.grid(face.axis, face.at) = face.own;
+        const double open = std::max(coupling_->open(face.axis, face.at), face.open);
+        const double stays = std::max(0.0, 1 - dt * std::abs(face.own) / grid_.dx());
+        u_star.grid(face.axis, face.at) += stays * face.open / open * (face.own - face.continued);
+    }
+    fill_velocity_ghosts(grid_, velocity_.grid, sides);
     if (any_film_faces_) {
         const auto& cells = coupling_->network.cells.cells;
         auto beside_film = [&](int axis, const Index<D>& f) {

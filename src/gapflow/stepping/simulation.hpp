@@ -164,6 +164,15 @@ private:
     std::unique_ptr<Coupling<D>> coupling_;
     std::shared_ptr<const FaceFractions<D>> old_fractions_; ///< of the step before
     FluidVelocity<D> velocity_;
+    /// Faces open by no more than this share hold next to no fluid, and what squeezes through them may be many times as fast as the flow
+    /// around: traces and the step size see the flow around, continued, and what they have beyond that stays where it is.
+    static constexpr double sliver = 0.02;
+    struct Sliver {
+        int axis;
+        Index<D> at;
+        double open, own, continued;
+    };
+    std::vector<Sliver> slivers_;
     FaceField<D> painted_;                  ///< velocity with films painted in, continued
     FaceField<D, std::int8_t> film_faces_;  ///< faces that take the painted velocity
     bool any_film_faces_ = false;

@@ -53,7 +53,7 @@ double Simulation<D>::choose_step(double next_output) const
             double largest = 0;
 #pragma omp simd reduction(max : largest)
             for (int i = 0; i < n; ++i)
-                largest = std::max(largest, open[i] > 1e-12 ? std::abs(u[i]) : 0.0);
+                largest = std::max(largest, open[i] > sliver ? std::abs(u[i]) : 0.0);
             speed = std::max(speed, largest);
         });
     dt = std::min(dt, scene_.cfl * dx / std::max(grid_.comm().max(speed), tiny));

@@ -174,6 +174,33 @@ TEST(ContactSet, BallSlidesAlongAPeriodicFloor)
     EXPECT_NEAR(budget.energy_grid + budget.energy_film + budget.energy_bodies, work, 0.01 * work);
 }
 
+// Its rates at the wall are round-off, and no measure of whether it can give way.
+TEST(ContactSet, BallSlidesUpAWallThatItHasMet)
+{
+    Scene scene = tank(2);
+    scene.size = {1, 1, 0};
+    scene.cells = {32, 32, 1};
+    scene.max_step = 0.01;
+    scene.contact.friction = 0.3;
+    scene.gap.roughness = 1e-3;
+    BodyScene ball;
+    ball.name = "ball";
+    ball.shape = BodyScene::ShapeKind::ball;
+    ball.radius = 0.09;
+    ball.position = {0.9, 0.3, 0};
+    ball.velocity = {0.3, 0.4, 0};
+    ball.density = 8;
+    scene.bodies = {ball};
+    Simulation<2> simulation(scene, Communicator());
+    double energy = simulation.initial_report().energy_fluid + simulation.initial_report().energy_bodies;
+    while (simulation.time() < 0.12) {
+        const StepReport report = simulation.step(0.12);
+        EXPECT_LT(report.energy_fluid + report.energy_bodies, 1.001 * energy);
+        energy = report.energy_fluid + report.energy_bodies;
+    }
+    EXPECT_NEAR(simulation.bodies()[0].pose.position[0], 1 - 0.09 - 1e-3, 1e-6);
+}
+
 // Boxes that tumble onto each other: the bodies' own laws forecast what holds, sticks and slides.
 TEST(ContactSet, TumblingBoxesTakeFewIterations)
 {
