@@ -117,10 +117,39 @@ private:
             rows_.add_node(conduit.nodes[i], mesh.master, conduit.shape[i] * of_master);
             rows_.add_node(conduit.nodes[i], mesh.other, conduit.shape[i] * of_other);
         }
-        for (const auto& [key, weight] : conduit.cells) {
-            rows_.add_cell(key, mesh.master, -weight * of_master);
-            rows_.add_cell(key, mesh.other, -weight * of_other);
+        const std::vector<double> lean = leaning(conduit, mesh);
+        for (std::size_t k = 0; k < conduit.cells.size(); ++k) {
+            const auto& [key, weight] = conduit.cells[k];
+            rows_.add_cell(key, mesh.master, -(weight + lean[k]) * of_master);
+            rows_.add_cell(key, mesh.other, -(weight - lean[k]) * of_other);
         }
+    }
+
+    // What a wall carries out of a mouth falls linearly towards the other wall, which shows where the mouth is thicker than a cell: what of the
+    // weights goes from the cells beside the other to those beside the master.
+    std::vector<double> leaning(const Conduit<D>& conduit, const FilmMesh<D>& mesh) const
+    {
+        std::vector<double> lean(conduit.cells.size(), 0.0);
+        if (conduit.kind != ConduitKind::smooth || conduit.h <= grid_.dx())
+            return lean;
+        Vec<D> across = Vec<D>::Zero();
+        for (int i = 0; i < D - 1; ++i) {
+            const int node = conduit.nodes[i] - film(conduit.film).first_node;
+            across += conduit.shape[i] * (mesh.y[node] - mesh.x[node]);
+        }
+        double mean = 0;
+        for (std::size_t k = 0; k < lean.size(); ++k) {
+            const auto& [key, weight] = conduit.cells[k];
+            Vec<D> to = grid_.cell_centre(grid_.cell_of_key(key)) - conduit.x;
+            for (int axis = 0; axis < D; ++axis)
+                if (grid_.periodic(axis))
+                    to[axis] -= grid_.size()[axis] * std::round(to[axis] / grid_.size()[axis]);
+            lean[k] = std::clamp(to.dot(across) / across.squaredNorm(), -0.5, 0.5);
+            mean += weight * lean[k];
+        }
+        for (std::size_t k = 0; k < lean.size(); ++k)
+            lean[k] = -2 * conduit.cells[k].second * (lean[k] - mean);
+        return lean;
     }
 
     // Appends the columns of a film's nodes, which know none but each other.

@@ -149,7 +149,7 @@ private:
         if (add_side_conduit(point, end))
             return;
         const Vec<D> y = point.x + sample_distance * dx * point.edge->outward;
-        std::vector<std::pair<long, double>> cells = stencil(y);
+        std::vector<std::pair<long, double>> cells = stencil_across(point, y);
         if (!cells.empty() && is_free(point, y)) {
             add_conduit(point, kind_of_rim(point), std::move(cells), end);
             return;
@@ -240,6 +240,35 @@ private:
         };
         const bool either = goes_on(gaps_.master(point.film)) || goes_on(gaps_.other(point.film));
         return either ? ConduitKind::edge_face : ConduitKind::edge_edge;
+    }
+
+    // A mouth thicker than a cell that goes on as a channel reads and feeds the cells all across it: the mean of stencils, one a cell's
+    // thickness. One in its middle alone would have all of the flow bend to it, and what bends would be dragged along the walls.
+    std::vector<std::pair<long, double>> stencil_across(const RimPoint<D>& point, const Vec<D>& y)
+    {
+        const int count = static_cast<int>(std::ceil(point.h / grid_.dx() - 1e-9));
+        if (count < 2 || kind_of_rim(point) != ConduitKind::smooth)
+            return stencil(y);
+        const FilmMesh<D>& mesh = films_[point.film].mesh;
+        Vec<D> across = Vec<D>::Zero();
+        for (int i = 0; i < D - 1; ++i)
+            across += point.shape[i] * (mesh.y[point.edge->nodes[i]] - mesh.x[point.edge->nodes[i]]);
+        std::vector<std::pair<long, double>> result;
+        int found = 0;
+        for (int k = 0; k < count; ++k) {
+            const auto cells = stencil(Vec<D>(y + ((k + 0.5) / count - 0.5) * across));
+            found += !cells.empty();
+            for (const auto& [key, weight] : cells) {
+                const auto known = std::find_if(result.begin(), result.end(), [&](const auto& entry) { return entry.first == key; });
+                if (known != result.end())
+                    known->second += weight;
+                else
+                    result.emplace_back(key, weight);
+            }
+        }
+        for (auto& entry : result)
+            entry.second /= found;
+        return result;
     }
 
     // Multilinear weights over bulk and mixed cells around y, those connected to the heaviest one through open faces
