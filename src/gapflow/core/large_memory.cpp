@@ -1,6 +1,7 @@
 #include "gapflow/core/large_memory.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -14,7 +15,7 @@ namespace gapflow {
 
 namespace {
 
-constexpr std::size_t huge_page = std::size_t{1} << 21;
+constexpr std::size_t small_page = 4096, huge_page = std::size_t{1} << 21;
 constexpr std::size_t slack = 16; // a sixteenth of the most ever used may be kept on top: a few blocks change size from step to step
 class BlockStore {
 public:
@@ -30,17 +31,18 @@ public:
             kept_.erase(kept);
             return memory;
         }
-        const std::size_t unit = bytes >= 2 * huge_page ? huge_page : 4096, size = (bytes + unit - 1) / unit * unit;
-        void* memory = std::aligned_alloc(unit, size);
-        if (!memory) {
+        // What does not fill a huge page any more stays in small ones: a round number of huge pages would be a tenth more at 128^3 cells.
+        const std::size_t alignment = bytes >= 2 * huge_page ? huge_page : small_page;
+        const std::size_t size = (bytes + small_page - 1) / small_page * small_page;
+        void* memory = nullptr;
+        if (posix_memalign(&memory, alignment, size) != 0) {
             while (!kept_.empty())
                 release(kept_.begin());
-            memory = std::aligned_alloc(unit, size);
+            if (posix_memalign(&memory, alignment, size) != 0)
+                throw std::bad_alloc();
         }
-        if (!memory)
-            throw std::bad_alloc();
 #ifdef __linux__
-        if (unit == huge_page)
+        if (alignment == huge_page)
             madvise(memory, size, MADV_HUGEPAGE); // a wish
 #endif
         size_[memory] = size;

@@ -1,13 +1,13 @@
 #include "gapflow/viscosity/viscous_system.hpp"
 
 #include "gapflow/core/threads.hpp"
-#include "gapflow/viscosity/thin_gap.hpp"
 #include "gapflow/viscosity/wall_rays.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace gapflow {
@@ -55,6 +55,8 @@ public:
             add_lattice(axis);
         for (int axis = 0; axis < D; ++axis)
             add_following_faces(axis);
+        for (const auto& [place, gap] : gaps_)
+            add_gap_drag(place.first, place.second, gap);
         finish_bodies();
         return std::move(system_);
     }
@@ -309,40 +311,116 @@ private:
         for (int k = 0; k < D; ++k)
             for (int end = 0; end < 2; ++end)
                 add_edge(axis, f, at, k, end);
-        for (int k = 0; k < D; ++k)
-            if (k != axis)
-                add_thin_gap(axis, f, at, k, face.share);
+        find_gap_drag(axis, f, at, face.share);
     }
 
-    // Drag of a gap of a few cells across the direction k, at a point next to one of its surfaces.
-    void add_thin_gap(int axis, const Index<D>& f, long at, int k, double share)
+    // The narrow gap around a lattice point. Lengths in dx.
+    struct Gap {
+        std::array<int, 2> image;  ///< near and far
+        std::array<Vec<D>, 2> foot;
+        Vec<D> x, normal;          ///< of the point; unit, from the near surface to the far one
+        double near, width;        ///< distance to the near surface; of the gap
+        double value;              ///< what the point has in plane Poiseuille flow y (h - y) / 2
+        double lacking;            ///< force that the lattice lacks there, of the unit pressure gradient's
+    };
+
+    std::optional<Gap> narrow_gap(const Vec<D>& x)
     {
-        const Index<D> e = step<D>(k);
-        const bool below = system_.active(axis, Index<D>(f - e)), above = system_.active(axis, Index<D>(f + e));
-        if (below && above)
-            return;
-        const Vec<D> x = grid_.face_centre(axis, f);
-        const int away = below ? -1 : 1; // from the surface that is next to the point
         rays_.around(x, thin_gap * grid_.dx());
         if (const int lone = rays_.lone_image(); lone >= 0 && coupling_.solids[rays_.image(lone).solid].wall)
-            return; // a side of the domain, and nothing that faces it
-        const WallHit<D> near = rays_.cast(x, -away * unit<D>(k), ray_length * grid_.dx());
-        if (near.image < 0)
-            return;
-        const WallHit<D> far = rays_.cast(x, away * unit<D>(k), thin_gap * grid_.dx() - near.distance);
+            return {}; // a side of the domain, and nothing that faces it
+        Gap gap;
+        int image = -1;
+        const double phi = rays_.distance(x, &image);
+        if (image < 0 || phi <= least_distance * grid_.dx() || phi > ray_length * grid_.dx())
+            return {};
+        const SurfacePoint<D> wall = rays_.image(image).shape.closest(x);
+        const WallHit<D> far = rays_.cast(x, wall.normal, thin_gap * grid_.dx() - phi);
         if (far.image < 0)
+            return {};
+        const Vec<D> beyond = x + far.distance * wall.normal;
+        if (wall.normal.dot(rays_.image(far.image).shape.closest(beyond).normal) > opposed)
+            return {};
+        gap.image = {image, far.image};
+        gap.foot = {wall.x, beyond};
+        gap.x = x;
+        gap.normal = wall.normal;
+        gap.near = phi / grid_.dx();
+        gap.width = gap.near + far.distance / grid_.dx();
+        gap.value = gap.lacking = 0;
+        return gap;
+    }
+
+    // Mean of y (h - y) / 2 over the part `open` of a face around its centroid: that there, and what the profile's curvature takes.
+    double face_mean(const Gap& gap, int axis, const Vec<D>& centroid, double open) const
+    {
+        const double y = gap.near + gap.normal.dot(centroid - gap.x) / grid_.dx();
+        const double spread = (1 - gap.normal[axis] * gap.normal[axis]) * (D == 2 ? open * open : open) / 12;
+        return 0.5 * y * (gap.width - y) - 0.5 * spread;
+    }
+
+    // The lattice's value in the same flow at a face of the gap.
+    double lattice_value(const Gap& gap, int axis, const Index<D>& f)
+    {
+        const int cut = fractions_.cut(axis, f);
+        if (cut < 0)
+            return face_mean(gap, axis, grid_.face_centre(axis, f), 1.0);
+        const Face face = examine(axis, f);
+        const ClippedFace<D>& part = fractions_.faces[cut];
+        return face_mean(gap, axis, part.open_centroid, part.open) / face.share;
+    }
+
+    // Gaps of a few cells: a point next to a surface, whose second difference is too weak there.
+    void find_gap_drag(int axis, const Index<D>& f, long at, double share)
+    {
+        std::optional<Gap> gap = narrow_gap(grid_.face_centre(axis, f));
+        if (!gap)
             return;
-        const Vec<D> x_near = x - away * near.distance * unit<D>(k), x_far = x + away * far.distance * unit<D>(k);
-        if (rays_.image(near.image).shape.closest(x_near).normal.dot(rays_.image(far.image).shape.closest(x_far).normal) > opposed)
+        gap->value = lattice_value(*gap, axis, f);
+        if (!(gap->value > 0))
             return;
-        const double least = least_distance * grid_.dx(), h = std::max(near.distance, least) + std::max(far.distance, least);
-        const double part = std::max(near.distance, least) / h;
-        ViscousTerm<D> term{axis, at, 0, 1, 0, {rays_.image(near.image).solid, rays_.image(far.image).solid}, {}};
-        term.stiffness = system_.edge * thin_gap_drag(part * h / grid_.dx(), (1 - part) * h / grid_.dx(), share, below || above);
-        term.row[0] = -(1 - part) * row(near.image, axis, x_near);
-        term.row[1] = -part * row(far.image, axis, x_far);
-        if (term.stiffness > 0)
-            add(term);
+        gap->lacking = share * coupling_.open(axis, f);
+        for (int k = 0; k < D; ++k)
+            for (int end = 0; end < 2; ++end) {
+                const int sign = 2 * end - 1;
+                const Index<D> g = f + sign * step<D>(k);
+                if (system_.active(axis, g)) {
+                    gap->lacking -= gap->value - lattice_value(*gap, axis, g);
+                    continue;
+                }
+                rays_.around(gap->x, ray_length * grid_.dx());
+                const WallHit<D> hit = rays_.cast(gap->x, sign * unit<D>(k), ray_length * grid_.dx());
+                if (hit.image >= 0)
+                    gap->lacking -= gap->value / std::max(hit.distance / grid_.dx(), least_distance);
+            }
+        gaps_.try_emplace({axis, at}, *gap);
+    }
+
+    void add_gap_drag(int axis, long at, const Gap& gap)
+    {
+        if (gap.lacking <= 0)
+            return;
+        ViscousTerm<D> term{axis, at, system_.edge * gap.lacking / gap.value, 1, 0, {-1, -1}, {}};
+        const double part = gap.near / gap.width;
+        for (int k = 0; k < 2; ++k) {
+            term.solid[k] = rays_.image(gap.image[k]).solid;
+            term.row[k] = -(k == 0 ? 1 - part : part) * row(gap.image[k], axis, gap.foot[k]);
+        }
+        add(term);
+    }
+
+    // A face that follows a point of a narrow gap: as stiff as its own share of that flow asks for. Returns what it passes on of the
+    // pressure's force to its leader.
+    double stiffen(int axis, const Index<D>& f, const Face& face, const Index<D>& leader, FollowingFace<D>& following)
+    {
+        const std::optional<Gap> gap = narrow_gap(grid_.face_centre(axis, leader));
+        const double open = coupling_.open(axis, f);
+        if (!gap)
+            return 0;
+        const double led = following.share * lattice_value(*gap, axis, leader), own = face_mean(*gap, axis, face.centroid, open);
+        if (own > led * (1 + 1e-6))
+            following.stiffness = std::max(following.stiffness, system_.edge * open / (own - led));
+        return following.share * open;
     }
 
     // The lattice edge from f along k.
@@ -415,7 +493,10 @@ private:
             FollowingFace<D> following{axis, offset(axis, f), -1, mass(axis, f), 0, 0, {-1, -1}, {}};
             const Index<D> leader = leader_of(axis, f, face, following);
             const bool mine = is_mine(f), leads = following.leader >= 0 ? is_mine(leader) : mine;
+            const double passed_on = following.leader >= 0 ? stiffen(axis, f, face, leader, following) : 0.0;
             if (leads) {
+                if (const auto gap = gaps_.find({axis, following.leader}); gap != gaps_.end())
+                    gap->second.lacking += passed_on;
                 ViscousTerm<D> term{axis, following.leader, 0, following.share, u_star_(axis, f), following.solid, following.row};
                 term.stiffness = following.mass * following.stiffness / (following.mass + following.stiffness);
                 add(term);
@@ -582,6 +663,7 @@ private:
     bool rays_ready_ = false;
     std::array<int, 2 * D> wall_;
     CellField<D, std::int8_t> surface_;
+    std::map<std::pair<int, long>, Gap> gaps_; // of lattice points, by axis and offset
     std::map<std::pair<int, int>, TwistMatrix<D>> blocks_;
     Eigen::VectorXd body_rhs_;
     ViscousSystem<D> system_;
