@@ -544,7 +544,8 @@ private:
         return f;
     }
 
-    // No neighbour: a gap narrower than the grid. Drag towards the velocity of a linear profile between its walls, 12 nu / h^2.
+    // No neighbour: a gap narrower than the grid. Drag towards the velocity of a linear profile between its walls, as much as keeps the face's
+    // share of Poiseuille flow.
     void follow_solids(int axis, const Index<D>&, const Vec<D>& x, double area, FollowingFace<D>& following)
     {
         rays_.around(x, ray_length * grid_.dx());
@@ -558,15 +559,17 @@ private:
         const WallHit<D> other = rays_.cast(x, wall.normal, ray_length * grid_.dx());
         following.solid[0] = rays_.image(nearest).solid;
         following.row[0] = row(nearest, axis, wall.x);
-        double h = 2 * phi;
+        double mean = phi * phi / 3; // of y (h - y) / 2 over the face, h = 2 phi
         if (other.image >= 0) {
-            h = phi + other.distance;
+            const double h = phi + other.distance;
+            const double spread = (1 - wall.normal[axis] * wall.normal[axis]) * (D == 2 ? area * area : area) / 12 * grid_.dx() * grid_.dx();
+            mean = std::max(0.5 * phi * other.distance - 0.5 * spread, h * h / 24);
             const double near_share = other.distance / h;
             following.row[0] *= near_share;
             following.solid[1] = rays_.image(other.image).solid;
             following.row[1] = (1 - near_share) * row(other.image, axis, x + other.distance * wall.normal);
         }
-        following.stiffness = 12 * system_.edge * area * grid_.dx() * grid_.dx() / (h * h);
+        following.stiffness = system_.edge * area * grid_.dx() * grid_.dx() / mean;
     }
 
     void share_turning()

@@ -274,5 +274,78 @@ TEST(Viscosity, DragAndSqueezeOfAFilm)
     EXPECT_NEAR(box_over_wall(h, {0, -V, 0}).across / (V / (h * h * h)), 1.0, 0.01);
 }
 
+// Poiseuille flow through a channel of a few cells between two half-spaces, turned against the grid: gradient of the pressure over 12 mu q / h^3.
+double gradient_in_channel(double degrees, int cells, double offset)
+{
+    const double angle = degrees * std::numbers::pi / 180, dx = 1.0 / cells, length = 5;
+    const Vec<2> along(std::cos(angle), std::sin(angle)), across(-std::sin(angle), std::cos(angle)), foot(0, (1 + offset) * dx);
+    Scene scene = closed_box(2, length, 5 * cells);
+    scene.cells[1] = static_cast<int>(std::ceil((length * std::tan(angle) + 1 / std::cos(angle)) * cells)) + 3;
+    scene.size[1] = scene.cells[1] * dx;
+    scene.density = 1e-6;
+    scene.max_step = 2e-7;
+    scene.sides[0].kind = Kind::inflow;
+    scene.sides[0].velocity = {1, 0, 0};
+    scene.sides[1].kind = Kind::open;
+    scene.gap.threshold = 0.3; // no films
+    for (int k = 0; k < 2; ++k) {
+        const Vec<2> place = foot + k * across;
+        BodyScene wall = ball(k ? "upper" : "lower", 0, {place[0], place[1], 0});
+        wall.shape = BodyScene::ShapeKind::half_space;
+        wall.normal = {(1 - 2 * k) * across[0], (1 - 2 * k) * across[1], 0};
+        wall.motion = BodyScene::Motion::fixed;
+        wall.density.reset();
+        scene.bodies.push_back(wall);
+    }
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 30; ++i)
+        simulation.step(1e9);
+    const Grid<2>& grid = simulation.grid();
+    const UnknownVector<2> p = simulation.reduced_pressure();
+    double n = 0, s_sum = 0, p_sum = 0, ss = 0, sp = 0;
+    for_each_index<2>(grid.low(), grid.high(), [&](const Index<2>& c) {
+        const double s = (grid.cell_centre(c) - foot).dot(along), y = (grid.cell_centre(c) - foot).dot(across), middle = 0.5 * length / std::cos(angle);
+        if (y < 0 || y > 1 || std::abs(s - middle) > 0.6 * middle)
+            return;
+        n += 1;
+        s_sum += s;
+        p_sum += p.cells(c);
+        ss += s * s;
+        sp += s * p.cells(c);
+    });
+    return (n * sp - s_sum * p_sum) / (n * ss - s_sum * s_sum) / (-12 / std::cos(angle));
+}
+
+TEST(Viscosity, ChannelsOfAFewCellsAtAnyAngle)
+{
+    for (double degrees : {0.0, 20.0, 33.0})
+        for (int cells : {2, 3, 5})
+            EXPECT_NEAR(gradient_in_channel(degrees, cells, 0.37), 1.0, 0.005) << degrees << " degrees, " << cells << " cells";
+}
+
+// A cylinder of radius 1/2 that turns in one of radius 1, nearly touching it (Wannier): load. At 0.9 no film, at 0.99 a film of up to 2 cells.
+double load_of_turning_cylinder(double eccentricity)
+{
+    Scene scene = closed_box(2, 2.2, 70);
+    const double dx = 2.2 / 70;
+    scene.density = 1e-6;
+    scene.max_step = 2e-8;
+    scene.bodies = {ball("inner", 0.5, {1.1 + 0.41 * dx + 0.5 * eccentricity, 1.1 + 0.23 * dx, 0}), ball("outer", 1.0, {1.1 + 0.41 * dx, 1.1 + 0.23 * dx, 0})};
+    scene.bodies[0].motion = BodyScene::Motion::prescribed;
+    scene.bodies[0].angular_velocity = {2, 0, 0};
+    scene.bodies[1].motion = BodyScene::Motion::fixed;
+    scene.bodies[1].inside_out = true;
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 60; ++i)
+        simulation.step(1e9);
+    return simulation.fluid_wrenches()[0].head<2>().norm();
+}
+
+TEST(Viscosity, TurningCylinderNearItsContainer)
+{
+    EXPECT_NEAR(load_of_turning_cylinder(0.9) / 39.3203945895357, 1.0, 0.02);
+    EXPECT_NEAR(load_of_turning_cylinder(0.99) / 125.603824106705, 1.0, 0.025);
+}
+
 } // namespace
 } // namespace gapflow
