@@ -2,13 +2,14 @@
 //
 //     1/2 rho S |u - u*|^2 + 1/2 rho S beta |u - U_w|^2 + 1/2 mu dt I |[U]_t|^2,   S = int h, I = int 1/h, beta = 12 nu dt I / S,
 //
-// with U_w the mean of the walls' velocities along the film, taken along and at either wall, and [U]_t their difference, both at mid-gap
+// with U_w what the walls' velocities make of the film's (the mean of both along it, and terms of second order in the slope of the walls
+// against each other, see wall_rows), and [U]_t their difference, both at mid-gap
 // (in 3D, where elements are coarser: beta = 12 nu dt S int 1/h^3 / area^2, what one flux through the element loses rather than
 // one velocity; the same where the thickness is constant).
 // So u = kappa (u* - grad p / rho) + theta U_w, kappa = 1/(1 + beta), theta = beta kappa; the bodies' mass gains
 // rho S theta P_w^T P_w + mu dt I [P]^T [P], its right-hand side rho S theta P_w^T u*. Exact without inertia (Reynolds) and
 // without viscosity (Euler). Where the film is slanted against the line along which h is measured, by an angle a (half of that
-// between the walls), the gap across it is h cos a and beta is larger by cos^-3 a.
+// between the walls), beta is larger by cos^-5.8 a: exact flow in a wedge of the angle 2 a to second order.
 // Mouths: the same with rho R h^2 length for rho S, and beta = 12 nu dt / h^2 where the gap goes on, 16 nu dt / (pi h^2 R) at a
 // sharp edge (half of the pressure that Stokes flow takes to leave a slit, 32 mu q / (pi h^2)).
 #pragma once
@@ -25,8 +26,8 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt);
 template <int D>
 double film_conductance(const Coupling<D>& coupling, const Film<D>& film, std::size_t e);
 
-/// Rows of t . U_w in the twists of a film's two walls, for t along the element: each wall counts with its velocity along its own
-/// surface, t_A . U_A and t_B . U_B over the cosine of half the angle between them; the same motion of both gives t . U.
+/// Rows of t . U_w in the twists of a film's two walls, for t along the element: such that the flux that a wall carries along is right to
+/// second order in the angle between the walls, and to first order in the gap's curvature; the same motion of both gives t . U.
 template <int D>
 struct WallRows {
     Twist<D> master, other;

@@ -329,14 +329,14 @@ double load_of_turning_cylinder(double eccentricity)
     Scene scene = closed_box(2, 2.2, 70);
     const double dx = 2.2 / 70;
     scene.density = 1e-6;
-    scene.max_step = 2e-8;
+    scene.max_step = 5e-9;
     scene.bodies = {ball("inner", 0.5, {1.1 + 0.41 * dx + 0.5 * eccentricity, 1.1 + 0.23 * dx, 0}), ball("outer", 1.0, {1.1 + 0.41 * dx, 1.1 + 0.23 * dx, 0})};
     scene.bodies[0].motion = BodyScene::Motion::prescribed;
     scene.bodies[0].angular_velocity = {2, 0, 0};
     scene.bodies[1].motion = BodyScene::Motion::fixed;
     scene.bodies[1].inside_out = true;
     Simulation<2> simulation(scene, Communicator());
-    for (int i = 0; i < 60; ++i)
+    for (int i = 0; i < 80; ++i)
         simulation.step(1e9);
     return simulation.fluid_wrenches()[0].head<2>().norm();
 }
