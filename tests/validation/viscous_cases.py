@@ -8,6 +8,7 @@ from harness import REFERENCE, Row
 
 CYLINDERS = "Viscosity: turning cylinder in a cylinder (Wannier), radius ratio 0.5"
 APPROACH = "Viscosity: cylinder towards a wall, Stokes flow (V2)"
+SPHERE = "Viscosity: sphere near a wall, Stokes flow (V1; along the wall: Goldman, Cox & Brenner 1967)"
 FILMS = "Viscosity: squeeze films (V3) and journal bearing"
 CAVITY = "Viscosity: lid-driven cavity (Ghia, Ghia & Shin 1982)"
 
@@ -89,6 +90,40 @@ def approach(quick):
             yield Row(APPROACH, f"gap {gap:g}, spread over offsets", "≤ 3 %", f"{100 * spread:.2f} %", bool(spread <= 0.03))
 
 
+def sphere_and_wall(gap, axis, offsets, cells, side):
+    """Force over 6 pi mu a U of a sphere of radius 1 above the floor of a box, open above. Nothing has inertia."""
+    n, step = round(side * cells), 2e-6 / cells**2
+    speed = gap # over the run the gap changes by less than 1e-6 of itself, and positions show that
+    velocity = [0.0, 0.0, -speed] if axis == 2 else [speed, 0.0, 0.0]
+    scene = {"domain": {"size": [float(side)] * 3, "cells": [n] * 3, "sides": {"z_high": "open"}},
+             "fluid": {"density": 1e-6, "viscosity": 1.0},
+             "body": [body("sphere", radius=1.0, position=[0.5 * side + offsets[0] / cells, 0.5 * side + offsets[1] / cells, 1 + gap], velocity=velocity)]}
+    last = last_state(scene, 60, step, "sphere")
+    return abs(last["fz" if axis == 2 else "fx"]) / (6 * math.pi * speed)
+
+
+# Goldman, Cox & Brenner, Chem. Eng. Sci. 22 (1967), exact; from 1e-3 on the asymptote 8/15 ln(1/gap) + 0.9588.
+SPHERE_ALONG = {0.1276: 2.1514, 0.0453: 2.6475, 0.005004: 3.7863, 0.001: 8 / 15 * math.log(1e3) + 0.9588, 1e-5: 8 / 15 * math.log(1e5) + 0.9588}
+
+
+def sphere_near_wall(quick):
+    """A box of 4 radii a side; what one of 12 changes at 6 cells a radius is added, but towards the wall at gaps below 0.1, where all of the
+    force is the gap's."""
+    if quick:
+        return
+    table = harness.read_table(REFERENCE / "V1_sphere_stokes.csv")
+    near = [min(table, key=lambda r: abs(math.log(r["gap_over_a"] / gap))) for gap in (0.1, 1e-2, 1e-3, 1e-5)]
+    for axis, cases in ((2, [(row["gap_over_a"], row["lambda_wall_normal"]) for row in near]), (0, list(SPHERE_ALONG.items()))):
+        for gap, exact in cases:
+            gap_alone = axis == 2 and gap < 0.05
+            box = 0.0 if gap_alone else sphere_and_wall(gap, axis, (0.2, 0.4), 6, 12) - sphere_and_wall(gap, axis, (0.2, 0.4), 6, 4)
+            errors = [(sphere_and_wall(gap, axis, offsets, 12, 4) + box) / exact - 1 for offsets in ((0.0, 0.0), (0.37, 0.81))]
+            name = f"{'towards' if axis == 2 else 'along'} the wall, gap {gap:.3g}, 12 cells a radius, corrected by {100 * box / exact:+.1f} %"
+            yield error_row(SPHERE, f"{name}: worst of {len(errors)} offsets", 0.05, max(errors, key=abs))
+            spread = max(errors) - min(errors)
+            yield Row(SPHERE, f"{name}: spread over offsets", "≤ 3 %", f"{100 * spread:.2f} %", bool(spread <= 0.03))
+
+
 def squeezed(shape, h):
     """Coefficient of the squeeze force over the exact one, less one."""
     flat = shape == "strip"
@@ -163,4 +198,4 @@ def cavity(quick):
             yield error_row(CAVITY, f"Re {reynolds}, {n}²: worst of Ghia's both centre lines, of the lid's speed", 0.01, error)
 
 
-ALL = [wannier, approach, squeeze, journal, cavity]
+ALL = [wannier, approach, sphere_near_wall, squeeze, journal, cavity]
