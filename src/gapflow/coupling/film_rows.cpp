@@ -125,12 +125,12 @@ private:
         }
     }
 
-    // What a wall carries out of a mouth falls linearly towards the other wall, which shows where the mouth is thicker than a cell: what of the
+    // What a wall carries out of a mouth falls linearly towards the other wall, which shows where the mouth is thicker than two cells: what of the
     // weights goes from the cells beside the other to those beside the master.
     std::vector<double> leaning(const Conduit<D>& conduit, const FilmMesh<D>& mesh) const
     {
         std::vector<double> lean(conduit.cells.size(), 0.0);
-        if (conduit.kind != ConduitKind::smooth || conduit.h <= grid_.dx())
+        if (conduit.kind != ConduitKind::smooth || conduit.h <= 2 * grid_.dx())
             return lean;
         Vec<D> across = Vec<D>::Zero();
         for (int i = 0; i < D - 1; ++i) {

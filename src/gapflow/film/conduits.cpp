@@ -242,12 +242,12 @@ private:
         return either ? ConduitKind::edge_face : ConduitKind::edge_edge;
     }
 
-    // A mouth thicker than a cell that goes on as a channel reads and feeds the cells all across it: the mean of stencils, one a cell's
+    // A mouth thicker than two cells that goes on as a channel reads and feeds the cells all across it: the mean of stencils, one a cell's
     // thickness. One in its middle alone would have all of the flow bend to it, and what bends would be dragged along the walls.
     std::vector<std::pair<long, double>> stencil_across(const RimPoint<D>& point, const Vec<D>& y)
     {
         const int count = static_cast<int>(std::ceil(point.h / grid_.dx() - 1e-9));
-        if (count < 2 || kind_of_rim(point) != ConduitKind::smooth)
+        if (point.h <= 2 * grid_.dx() || kind_of_rim(point) != ConduitKind::smooth)
             return stencil(y);
         const FilmMesh<D>& mesh = films_[point.film].mesh;
         Vec<D> across = Vec<D>::Zero();
