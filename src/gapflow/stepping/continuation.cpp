@@ -5,6 +5,7 @@
 #include "gapflow/grid/extrapolation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -44,10 +45,13 @@ void Simulation<D>::continue_velocities()
             const int n = owned_faces_end(grid_, axis)[0] - row[0];
             for (int i = 0; i < n; ++i)
                 to[i] = conductance[i] > 0 && open[i] > sliver;
+            int narrow = 0;
+            for (int i = 0; i < n; ++i)
+                narrow += conductance[i] > 0 && open[i] <= sliver;
             Index<D> f = row;
-            for (int i = 0; i < n; ++i, ++f[0])
+            for (int i = 0; i < n && narrow > 0; ++i, ++f[0])
                 if (conductance[i] > 0 && !to[i])
-                    slivers_.push_back({axis, f, open[i], velocity_.grid(axis, f), 0});
+                    slivers_.push_back({axis, f, open[i], velocity_.grid(axis, f), 0, 0});
             auto at_side = [&](int place) { return !grid_.periodic(axis) && (place == 0 || place == grid_.cells()[axis]); };
             if (axis == 0) {
                 to[0] |= at_side(row[0]);
@@ -72,8 +76,13 @@ void Simulation<D>::continue_velocities()
     extrapolate(grid_, velocity_.grid, valid, continued_layers);
     fill_velocity_ghosts(grid_, velocity_.grid, side_velocities(time_));
     follow_solids(velocity_.grid, valid);
-    for (Sliver& face : slivers_)
-        face.continued = std::exchange(velocity_.grid(face.axis, face.at), face.own);
+    for (Sliver& face : slivers_) {
+        face.continued = velocity_.grid(face.axis, face.at);
+        face.around = velocity_at_face(velocity_.grid, face.axis, face.at).norm();
+    }
+    for (const Sliver& face : slivers_)
+        velocity_.grid(face.axis, face.at) = face.own;
+    std::erase_if(slivers_, [](const Sliver& face) { return std::abs(face.own - face.continued) <= face.around; });
     fill_velocity_ghosts(grid_, velocity_.grid, side_velocities(time_));
 }
 

@@ -203,9 +203,11 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     const AdvectionScheme scheme = scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack
                                                                                     : AdvectionScheme::semi_lagrangian;
     const FaceField<D, std::int8_t>* plain = faces_near_jets(flow.conduit);
+    const bool any_slivers = grid_.comm().any(!slivers_.empty());
     for (const Sliver& face : slivers_)
         velocity_.grid(face.axis, face.at) = face.continued;
-    fill_velocity_ghosts(grid_, velocity_.grid, sides);
+    if (any_slivers)
+        fill_velocity_ghosts(grid_, velocity_.grid, sides);
     if (scene_.viscosity > 0)
         advect_with_pressure(u_star.grid, dt, scheme, plain);
     else
@@ -216,7 +218,8 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
         const double stays = std::max(0.0, 1 - dt * std::abs(face.own) / grid_.dx());
         u_star.grid(face.axis, face.at) += stays * face.open / open * (face.own - face.continued);
     }
-    fill_velocity_ghosts(grid_, velocity_.grid, sides);
+    if (any_slivers)
+        fill_velocity_ghosts(grid_, velocity_.grid, sides);
     if (any_film_faces_) {
         const auto& cells = coupling_->network.cells.cells;
         auto beside_film = [&](int axis, const Index<D>& f) {

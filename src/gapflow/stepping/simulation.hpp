@@ -165,12 +165,13 @@ private:
     std::shared_ptr<const FaceFractions<D>> old_fractions_; ///< of the step before
     FluidVelocity<D> velocity_;
     /// Faces open by no more than this share hold next to no fluid, and what squeezes through them may be many times as fast as the flow
-    /// around: traces and the step size see the flow around, continued, and what they have beyond that stays where it is.
+    /// around. Where they differ from that, continued, by more than its speed, traces and the step size see the flow around, and what the
+    /// faces have beyond that stays where it is.
     static constexpr double sliver = 0.02;
     struct Sliver {
         int axis;
         Index<D> at;
-        double open, own, continued;
+        double open, own, continued, around; ///< the latter: the speed of the flow around
     };
     std::vector<Sliver> slivers_;
     FaceField<D> painted_;                  ///< velocity with films painted in, continued
