@@ -8,6 +8,9 @@ namespace gapflow {
 
 namespace {
 
+// Of the cosine of the film's slant in its resistance.
+constexpr double slant_power = 5.8;
+
 // An orthonormal basis of the element's tangent plane.
 template <int D>
 std::array<Vec<D>, D - 1> tangents(const Vec<D>& normal)
@@ -77,6 +80,19 @@ Vec<D> tilt(const FilmElement<D>& e)
     return g / std::max(1.0, g.norm());
 }
 
+// What the part along the film of the way from wall to wall changes by along t: the other wall's length over the master's less 1, times t.
+template <int D>
+Vec<D> widening(const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t)
+{
+    constexpr double largest = 0.3; // where closest points pile up at an edge
+    Vec<D> change = Vec<D>::Zero();
+    for (int i = 0; i < D; ++i)
+        change += e.gradient[i].dot(t) * (mesh.y[e.nodes[i]] - mesh.x[e.nodes[i]]);
+    change -= change.dot(e.normal) * e.normal;
+    const double length = change.norm(), most = largest * t.norm();
+    return length > most ? Vec<D>(most / length * change) : change;
+}
+
 double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double h, double resistance)
 {
     const double scale = viscosity_dt / (density * h * h);
@@ -93,16 +109,22 @@ Drag drag_of(double beta)
 
 } // namespace
 
+// With g the tilt of d, which leads from wall to wall, and D t the change along t of d's part along the film,
+//
+//     r_B = 1/2 (t - 7/6 g (g.t) + 1/6 D t) - 2/5 (g.t) n,     r_A = t - r_B,     U_w.t = r_A.U_A + r_B.U_B
+//
+// (theory 7.2; D t in 2D only). What a common rotation would make of it beside t.U at mid-gap is taken away from both by half.
 template <int D>
 WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t)
 {
-    // With d from wall to wall and g its tilt: 1/2 (t + (g.t) n) . U_A + 1/2 (t - (g.t) n) . U_B + 1/2 (g.t) n . (omega x d), omega
-    // the mean of both.
-    const double turn = tilt(e).dot(t);
+    const Vec<D> g = tilt(e);
+    const Vec<D> bent = D == 2 ? widening(mesh, e, t) : Vec<D>(Vec<D>::Zero());
+    const Vec<D> of_other = 0.5 * (t - 7.0 / 6 * g.dot(t) * g + bent / 6) - 0.4 * g.dot(t) * e.normal, of_master = t - of_other;
     Twist<D> turned = Twist<D>::Zero();
-    turned.template tail<spin_size<D>>() = 0.25 * turn * moment<D>(Vec<D>(e.centroid_other - e.centroid_master), e.normal);
-    return {0.5 * wrench<D>(t + turn * e.normal, e.centroid_master - coupling.solids[mesh.master].centre) + turned,
-            0.5 * wrench<D>(t - turn * e.normal, e.centroid_other - coupling.solids[mesh.other].centre - mesh.shift) + turned};
+    turned.template tail<spin_size<D>>() = -0.5 * (moment<D>(Vec<D>(e.centroid_master - e.centroid), of_master) +
+                                                   moment<D>(Vec<D>(e.centroid_other - e.centroid), of_other));
+    return {wrench<D>(of_master, e.centroid_master - coupling.solids[mesh.master].centre) + turned,
+            wrench<D>(of_other, e.centroid_other - coupling.solids[mesh.other].centre - mesh.shift) + turned};
 }
 
 template <int D>
@@ -119,7 +141,7 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt)
             const int number = static_cast<int>(coupling.element_drag.size());
             const double resistance = D == 3 ? cubic[k] * e.conductance() / (e.measure * e.measure) : e.inverse / e.volume;
             const double beta = 12 * viscosity_dt / rho * resistance;
-            const Drag drag = drag_of(beta / std::pow(slant(e), 3));
+            const Drag drag = drag_of(beta / std::pow(slant(e), slant_power));
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
                 const WallRows<D> rows = wall_rows(coupling, mesh, e, t);
