@@ -1,10 +1,12 @@
 // Fractions of all faces of a block of cells. Only faces within reach of a surface are clipped: a block of cells with half
 // diagonal R is wholly open if phi > R at its centre for every solid, wholly inside a solid if phi < -R for one and the others
 // are nowhere deeper (phi is 1-Lipschitz); else it is halved, down to single cells. Method, section 2.
+#include "gapflow/core/threads.hpp"
 #include "gapflow/grid/face_clipper_data.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace gapflow {
 
@@ -43,17 +45,27 @@ public:
     {
         const ImageBins<D>& bins = data_.bins;
         const Index<D> end = high_ + Index<D>::Ones(); // each cell fills the faces on its low sides
-        for_each_index<D>(bins.bin_of(low_), bins.bin_of(high_) + Index<D>::Ones(), [&](const Index<D>& bin) {
-            const Index<D> first = bins.first_cell(bin);
-            candidates_.clear();
-            if (padding_ > grid_.dx())
-                add_candidates_around(bin);
-            else
-                for (int image : bins.images_in(bin))
-                    if (!data_.wall[image])
-                        candidates_.push_back(image);
-            visit(first.cwiseMax(low_), (first + Index<D>::Constant(bins.width())).cwiseMin(end), 0);
+        const Index<D> first_bin = bins.bin_of(low_), end_bin = bins.bin_of(high_) + Index<D>::Ones();
+        std::vector<Work> works(end_bin[D - 1] - first_bin[D - 1]); // one a plane of bins, put together in their order
+        for_each_plane(0, static_cast<int>(works.size()), [&](int plane) {
+            Index<D> from = first_bin, to = end_bin;
+            from[D - 1] += plane;
+            to[D - 1] = from[D - 1] + 1;
+            Work& work = works[plane];
+            for_each_index<D>(from, to, [&](const Index<D>& bin) {
+                const Index<D> first = bins.first_cell(bin);
+                work.candidates.clear();
+                if (padding_ > grid_.dx())
+                    add_candidates_around(bin, work.candidates);
+                else
+                    for (int image : bins.images_in(bin))
+                        if (!data_.wall[image])
+                            work.candidates.push_back(image);
+                visit(first.cwiseMax(low_), (first + Index<D>::Constant(bins.width())).cwiseMin(end), 0, work);
+            });
         });
+        for (Work& work : works)
+            take(work);
         clip_beyond_periodic_sides();
         list_surface_cells();
         close_sides();
@@ -65,55 +77,77 @@ public:
     }
 
 private:
-    void add_candidates_around(const Index<D>& bin)
+    /// What a part of the flood finds; `cut` of its faces counts from its own first one.
+    struct Work {
+        std::vector<int> candidates; ///< a stack: each level of the recursion adds its own
+        std::vector<double> phi;
+        std::vector<Index<D>> surface_cells;
+        std::vector<ClippedFace<D>> faces;
+        ClippedFace<D> parts;
+    };
+
+    // Appends what it has found.
+    void take(Work& work)
+    {
+        const int before = static_cast<int>(result_.faces.size());
+        for (const Index<D>& cell : work.surface_cells)
+            for (int axis = 0; axis < D; ++axis)
+                if ((cell.array() < faces_end_[axis].array()).all() && result_.cut(axis, cell) >= 0)
+                    result_.cut(axis, cell) += before;
+        surface_cells_.insert(surface_cells_.end(), work.surface_cells.begin(), work.surface_cells.end());
+        result_.faces.insert(result_.faces.end(), std::make_move_iterator(work.faces.begin()), std::make_move_iterator(work.faces.end()));
+        work = {};
+    }
+
+    void add_candidates_around(const Index<D>& bin, std::vector<int>& candidates)
     {
         const Block<D>& all = data_.bins.bins();
         const Index<D> one = Index<D>::Ones();
         for_each_index<D>((bin - one).cwiseMax(all.low), (bin + 2 * one).cwiseMin(all.high), [&](const Index<D>& other) {
             for (int image : data_.bins.images_in(other))
                 if (!data_.wall[image])
-                    candidates_.push_back(image);
+                    candidates.push_back(image);
         });
-        std::sort(candidates_.begin(), candidates_.end());
-        candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+        std::sort(candidates.begin(), candidates.end());
+        candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     }
 
     // Fills the low faces of the cells low..high; the candidates from `begin` on are all that reach them.
-    void visit(const Index<D>& low, const Index<D>& high, std::size_t begin)
+    void visit(const Index<D>& low, const Index<D>& high, std::size_t begin, Work& work)
     {
         if (!(low.array() < high.array()).all())
             return;
-        if (candidates_.size() == begin)
+        if (work.candidates.size() == begin)
             return fill(low, high, 1, -1);
         const Vec<D> extent = (high - low).template cast<double>();
         const Vec<D> centre = grid_.origin() + grid_.dx() * (low.template cast<double>() + 0.5 * extent);
         const double radius = 0.5 * grid_.dx() * extent.norm() + padding_;
-        const std::size_t end = candidates_.size();
+        const std::size_t end = work.candidates.size();
         double smallest = radius;
-        phi_.resize(end);
+        work.phi.resize(end);
         for (std::size_t k = begin; k < end; ++k) {
-            const double phi = data_.images[candidates_[k]].shape.distance(centre);
-            phi_.push_back(phi);
-            candidates_.push_back(candidates_[k]);
+            const double phi = data_.images[work.candidates[k]].shape.distance(centre);
+            work.phi.push_back(phi);
+            work.candidates.push_back(work.candidates[k]);
             smallest = std::min(smallest, phi);
         }
         std::size_t kept = end;
-        for (std::size_t k = end; k < candidates_.size(); ++k)
-            if (phi_[k] <= radius && phi_[k] <= smallest + 2 * radius)
-                candidates_[kept++] = candidates_[k];
-        candidates_.resize(kept);
+        for (std::size_t k = end; k < work.candidates.size(); ++k)
+            if (work.phi[k] <= radius && work.phi[k] <= smallest + 2 * radius)
+                work.candidates[kept++] = work.candidates[k];
+        work.candidates.resize(kept);
         if (kept == end)
             fill(low, high, 1, -1);
         else if (kept == end + 1 && smallest < -radius)
-            fill(low, high, 0, inside(candidates_[end]));
+            fill(low, high, 0, inside(work.candidates[end]));
         else if ((high - low).maxCoeff() == 1)
-            clip_cell(low);
+            clip_cell(low, work);
         else
-            halve(low, high, end);
-        candidates_.resize(end);
+            halve(low, high, end, work);
+        work.candidates.resize(end);
     }
 
-    void halve(const Index<D>& low, const Index<D>& high, std::size_t begin)
+    void halve(const Index<D>& low, const Index<D>& high, std::size_t begin, Work& work)
     {
         const Index<D> middle = (low + high + Index<D>::Ones()).unaryExpr([](int i) { return i >> 1; });
         for (int part = 0; part < 1 << D; ++part) {
@@ -123,7 +157,7 @@ private:
                 from[axis] = upper ? middle[axis] : low[axis];
                 to[axis] = upper ? high[axis] : middle[axis];
             }
-            visit(from, to, begin);
+            visit(from, to, begin, work);
         }
     }
 
@@ -139,15 +173,17 @@ private:
             });
     }
 
-    void clip_cell(const Index<D>& cell)
+    void clip_cell(const Index<D>& cell, Work& work)
     {
-        surface_cells_.push_back(cell);
+        work.surface_cells.push_back(cell);
         for (int axis = 0; axis < D; ++axis) {
             if (!(cell.array() < faces_end_[axis].array()).all())
                 continue;
-            const int whole = data_.clip(axis, cell, parts_);
-            result_.open(axis, cell) = parts_.open;
-            result_.cut(axis, cell) = whole >= 0 ? inside(whole) : parts_.solid.empty() ? -1 : add_entry();
+            const int whole = data_.clip(axis, cell, work.parts);
+            result_.open(axis, cell) = work.parts.open;
+            result_.cut(axis, cell) = whole >= 0 ? inside(whole) : work.parts.solid.empty() ? -1 : static_cast<int>(work.faces.size());
+            if (result_.cut(axis, cell) >= 0)
+                work.faces.push_back(work.parts);
         }
     }
 
@@ -164,11 +200,13 @@ private:
                                             [](const Image<D>& image) { return image.shape.shape().inside_out(); });
         if (!containers)
             return;
+        Work work;
         for_each_index<D>(low_, high_ + Index<D>::Ones(), [&](const Index<D>& cell) {
             for (int axis = 0; axis < D; ++axis)
                 if (grid_.periodic(axis) && (cell[axis] < 0 || cell[axis] >= grid_.cells()[axis]))
-                    return clip_cell(cell);
+                    return clip_cell(cell, work);
         });
+        take(work);
     }
 
     void list_surface_cells()
@@ -240,8 +278,6 @@ private:
     Index<D> low_, high_;                  ///< cells all of whose faces are filled
     std::array<Index<D>, D> faces_end_;    ///< faces normal to an axis: low_ <= f < faces_end_
     double padding_;
-    std::vector<int> candidates_;          ///< a stack: each level of the recursion adds its own
-    std::vector<double> phi_;
     std::vector<Index<D>> surface_cells_;
     ClippedFace<D> parts_;
 };
