@@ -38,10 +38,8 @@ double Scene::held_distance(const std::string& a, const std::string& b) const
 
 double expected_memory(int dimension, double cells)
 {
-    constexpr double least = 50e6;
-    if (dimension == 2)
-        return std::max(least, -14e6 + 211 * cells + 268e3 * std::sqrt(cells));
-    return 33e6 + 287 * cells + 17.1e3 * std::cbrt(cells * cells);
+    constexpr double process = 46e6;
+    return dimension == 2 ? process + 226 * cells : process + 288 * cells + 12.4e3 * std::cbrt(cells * cells);
 }
 
 } // namespace gapflow
