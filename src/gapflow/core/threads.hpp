@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <exception>
 #include <vector>
 
 namespace gapflow {
@@ -57,19 +58,64 @@ void for_each_plane(int low, int high, F&& f)
     });
 }
 
+/// Calls f, on this thread, and g, beside it where there is more than one.
+template <class F, class G>
+void call_both(F&& f, G&& g)
+{
+    if (thread_count() <= 1) {
+        f();
+        g();
+        return;
+    }
+#ifdef _OPENMP
+    std::exception_ptr failures[2];
+    auto keep = [](auto& call, std::exception_ptr& failure) {
+        try {
+            call();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    };
+#pragma omp parallel num_threads(2)
+    {
+        if (omp_get_thread_num() == 0)
+            keep(f, failures[0]);
+        if (omp_get_thread_num() == omp_get_num_threads() - 1)
+            keep(g, failures[1]);
+    }
+    for (const std::exception_ptr& failure : failures)
+        if (failure)
+            std::rethrow_exception(failure);
+#endif
+}
+
+/// f(k) for low <= k < high, one after the other.
+template <class F>
+auto each_plane(int low, int high, F&& f)
+{
+    std::vector<decltype(f(low))> results(std::max(high - low, 0));
+    for_each_plane(low, high, [&](int k) { results[k - low] = f(k); });
+    return results;
+}
+
 /// Sum of f(k) over low <= k < high, added in the order of k.
 template <class F>
 double sum_over_planes(int low, int high, F&& f)
 {
-    std::vector<double> parts(std::max(high - low, 0));
-    for_each_part(high - low, [&](long begin, long end) {
-        for (long k = begin; k < end; ++k)
-            parts[k] = f(low + static_cast<int>(k));
-    });
     double sum = 0;
-    for (double part : parts)
+    for (double part : each_plane(low, high, f))
         sum += part;
     return sum;
+}
+
+/// Largest f(k) >= 0 over low <= k < high.
+template <class F>
+double max_over_planes(int low, int high, F&& f)
+{
+    double largest = 0;
+    for (double part : each_plane(low, high, f))
+        largest = std::max(largest, part);
+    return largest;
 }
 
 } // namespace gapflow

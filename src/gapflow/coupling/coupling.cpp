@@ -17,13 +17,6 @@ namespace {
 // A contact's row that constraints leave less of cannot move its body.
 constexpr double round_off = 1e-12;
 
-template <int D>
-Index<D> with_plane(Index<D> i, int plane)
-{
-    i[D - 1] = plane;
-    return i;
-}
-
 // Kinds of this rank's cells and their ghosts, the faces that the grid sees open, and their conductance a |f| / (rho dx).
 template <int D>
 void fill_grid(Coupling<D>& coupling)
@@ -34,17 +27,15 @@ void fill_grid(Coupling<D>& coupling)
     coupling.kind = CellField<D, std::int8_t>(grid, static_cast<std::int8_t>(CellKind::solid));
     const Index<D> low = grid.low(), high = grid.high();
     const int n = high[0] - low[0];
-    for_each_plane(low[D - 1], high[D - 1], [&](int plane) {
-        for_each_row<D>(with_plane(low, plane), with_plane(high, plane + 1), [&](const Index<D>& row) {
-            std::int8_t* kind = &coupling.kind(row);
-            for (int axis = 0; axis < D; ++axis) {
-                const double* a = &coupling.open(axis, row);
-                const long next = coupling.open[axis].block().stride[axis];
-                for (int i = 0; i < n; ++i)
-                    if (a[i] > 1e-12 || a[i + next] > 1e-12)
-                        kind[i] = static_cast<std::int8_t>(CellKind::bulk);
-            }
-        });
+    for_each_row_on_threads<D>(low, high, [&](const Index<D>& row) {
+        std::int8_t* kind = &coupling.kind(row);
+        for (int axis = 0; axis < D; ++axis) {
+            const double* a = &coupling.open(axis, row);
+            const long next = coupling.open[axis].block().stride[axis];
+            for (int i = 0; i < n; ++i)
+                if (a[i] > 1e-12 || a[i + next] > 1e-12)
+                    kind[i] = static_cast<std::int8_t>(CellKind::bulk);
+        }
     });
     for (const auto& [key, cell] : network.cells.cells) {
         const Index<D> c = grid.cell_of_key(key);
@@ -85,13 +76,11 @@ void fill_grid(Coupling<D>& coupling)
     system.conductance = FaceField<D>(grid, 0.0);
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> end = high + step<D>(axis);
-        for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
-            for_each_row<D>(with_plane(low, plane), with_plane(end, plane + 1), [&](const Index<D>& row) {
-                const double* a = &coupling.open(axis, row);
-                double* to = &system.conductance(axis, row);
-                for (int i = 0; i < end[0] - low[0]; ++i)
-                    to[i] = a[i] > 1e-12 ? a[i] * unit_conductance : 0.0;
-            });
+        for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) {
+            const double* a = &coupling.open(axis, row);
+            double* to = &system.conductance(axis, row);
+            for (int i = 0; i < end[0] - low[0]; ++i)
+                to[i] = a[i] > 1e-12 ? a[i] * unit_conductance : 0.0;
         });
         for (int side = 0; side < 2; ++side) { // the domain's sides: to the pressure beyond an open one, half a cell away
             const int place = side * grid.cells()[axis];
@@ -330,7 +319,7 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
     const double area = grid.face_area();
     squares = sum_over_planes(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
         double sum_of_plane = 0;
-        for_each_row<D>(with_plane(grid.low(), plane), with_plane(grid.high(), plane + 1), [&](const Index<D>& row) {
+        for_each_row_of_plane<D>(grid.low(), grid.high(), plane, [&](const Index<D>& row) {
             std::array<const double*, D> a, v;
             std::array<long, D> next;
             for (int axis = 0; axis < D; ++axis) {
@@ -412,10 +401,7 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
         const bool at_high = !grid.periodic(axis) && grid.high()[axis] == grid.cells()[axis];
         low[axis] += at_low;
         end[axis] -= at_high;
-        for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
-            for_each_row<D>(with_plane(low, plane), with_plane(end, plane + 1),
-                            [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
-        });
+        for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
         for (int side = 0; side < 2; ++side) {
             if (!(side ? at_high : at_low))
                 continue;

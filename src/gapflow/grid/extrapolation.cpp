@@ -8,6 +8,8 @@
 // After one sweep over the grid only the front of the continuation is visited.
 #include "gapflow/grid/extrapolation.hpp"
 
+#include "gapflow/core/threads.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <vector>
@@ -66,30 +68,34 @@ struct Continuation {
     // Normalises `valid`, zeroes u elsewhere and queues the first layer.
     void first_sweep()
     {
-        std::vector<Index<D>> invalid;
         const int n = end[0] - low[0];
-        for_each_row<D>(low, end, [&](const Index<D>& row) {
-            std::int8_t* mark = &valid(row);
-            int holes = 0;
-            for (int i = 0; i < n; ++i) {
-                mark[i] = mark[i] != 0;
-                holes += 1 - mark[i];
-            }
-            if (holes == 0)
-                return;
-            Index<D> f = row;
-            for (int i = 0; i < n; ++i, ++f[0])
-                if (mark[i] == 0) {
-                    u(f) = 0;
-                    invalid.push_back(f);
+        const std::vector<std::vector<Index<D>>> invalid = each_plane(low[D - 1], end[D - 1], [&](int plane) {
+            std::vector<Index<D>> of_plane;
+            for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
+                std::int8_t* mark = &valid(row);
+                int holes = 0;
+                for (int i = 0; i < n; ++i) {
+                    mark[i] = mark[i] != 0;
+                    holes += 1 - mark[i];
                 }
+                if (holes == 0)
+                    return;
+                Index<D> f = row;
+                for (int i = 0; i < n; ++i, ++f[0])
+                    if (mark[i] == 0) {
+                        u(f) = 0;
+                        of_plane.push_back(f);
+                    }
+            });
+            return of_plane;
         });
         exchange(grid, valid, 2);
         exchange(grid, u, 2);
-        for (const Index<D>& f : invalid)
-            for (int axis = 0; axis < D; ++axis)
-                if (valid(f - step<D>(axis)) > 0 || valid(f + step<D>(axis)) > 0)
-                    queue(f);
+        for (const std::vector<Index<D>>& of_plane : invalid)
+            for (const Index<D>& f : of_plane)
+                for (int axis = 0; axis < D; ++axis)
+                    if (valid(f - step<D>(axis)) > 0 || valid(f + step<D>(axis)) > 0)
+                        queue(f);
     }
 
     // Queues the owned neighbours of ghosts that another rank filled in this layer.
@@ -129,9 +135,11 @@ struct Continuation {
 
     void fill_layer(int layer)
     {
-        values.clear();
-        for (const Index<D>& f : candidates)
-            values.push_back(linear_or_mean(f, layer == 1));
+        values.resize(candidates.size());
+        for_each_part(static_cast<long>(candidates.size()), [&](long begin, long past) {
+            for (long i = begin; i < past; ++i)
+                values[i] = linear_or_mean(candidates[i], layer == 1);
+        });
         for (std::size_t n = 0; n < candidates.size(); ++n) {
             u(candidates[n]) = values[n];
             valid(candidates[n]) = static_cast<std::int8_t>(layer + 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/core/large_memory.hpp"
+#include "gapflow/core/threads.hpp"
 #include "gapflow/grid/grid.hpp"
 
 #include <algorithm>
@@ -59,6 +60,22 @@ void for_each_row(const Index<D>& low, const Index<D>& high, F&& f)
     Index<D> end = high;
     end[0] = low[0] + 1;
     for_each_index<D>(low, end, f);
+}
+
+/// The same for the rows whose last index is `plane`.
+template <int D, class F>
+void for_each_row_of_plane(Index<D> low, Index<D> high, int plane, F&& f)
+{
+    low[D - 1] = plane;
+    high[D - 1] = plane + 1;
+    for_each_row<D>(low, high, f);
+}
+
+/// The same for all rows, planes of the last index shared out over threads.
+template <int D, class F>
+void for_each_row_on_threads(const Index<D>& low, const Index<D>& high, F&& f)
+{
+    for_each_plane(low[D - 1], high[D - 1], [&](int plane) { for_each_row_of_plane<D>(low, high, plane, f); });
 }
 
 /// A value a cell, on owned cells and `ghost` layers around them.

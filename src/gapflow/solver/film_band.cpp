@@ -64,19 +64,17 @@ std::vector<long> cells_around_links(const CoupledSystem<D>& system)
 } // namespace
 
 template <int D>
-FilmBand<D>::FilmBand(const CoupledOperator<D>& matrix, const Level<D>& finest) : matrix_(matrix), system_(matrix.system())
+FilmBand<D>::FilmBand(const CoupledOperator<D>& matrix) : matrix_(matrix), system_(matrix.system())
 {
-    if (system_.nodes == 0 && system_.links.empty())
-        return;
-    find_cells(finest);
-    factorise();
-    correction_.setZero(size_);
+    if (system_.nodes > 0 || !system_.links.empty())
+        find_cells();
 }
 
 template <int D>
-void FilmBand<D>::find_cells(const Level<D>& finest)
+void FilmBand<D>::find_cells()
 {
     const Grid<D>& grid = *system_.grid;
+    const Block<D> level = block_of_level<D>(grid.low(), grid.high());
     // Every rank tells of its cells: whether there is an unknown, and the conductances around.
     constexpr int width = 2 * D + 1;
     const std::vector<long> around = cells_around_links(system_);
@@ -102,14 +100,14 @@ void FilmBand<D>::find_cells(const Level<D>& finest)
         const Index<D> c = grid.cell_of_key(keys_[i]);
         const int row = system_.nodes + static_cast<int>(i);
         if (grid.owns(c))
-            owned_.push_back({row, c, finest.block.offset(c)});
+            owned_.push_back({row, c, level.offset(c)});
         for (int side = 0; side < 2 * D; ++side) {
             Index<D> other = c;
             other[side / 2] += side % 2 ? 1 : -1;
             other = grid.wrapped(other);
             if (faces_[i][side] > 0 && grid.in_domain(other) && grid.owns(other) &&
                 !std::binary_search(keys_.begin(), keys_.end(), grid.key(other)))
-                outside_.push_back({finest.block.offset(other), row, faces_[i][side]});
+                outside_.push_back({level.offset(other), row, faces_[i][side]});
         }
     }
     const int first_plane = grid.low()[D - 1], planes = grid.high()[D - 1] - first_plane;
@@ -121,7 +119,7 @@ void FilmBand<D>::find_cells(const Level<D>& finest)
         for (const auto& [key, weight] : system_.links[r].cells) {
             const Index<D> c = grid.cell_of_key(key);
             if (grid.owns(c))
-                link_cells_.push_back({static_cast<int>(r), finest.block.offset(c), weight});
+                link_cells_.push_back({static_cast<int>(r), level.offset(c), weight});
         }
 }
 
@@ -245,6 +243,9 @@ Eigen::SparseMatrix<double> FilmBand<D>::assemble()
 template <int D>
 void FilmBand<D>::factorise()
 {
+    correction_.setZero(size_);
+    if (empty())
+        return;
     Eigen::SparseMatrix<double> matrix = assemble();
     const Eigen::VectorXd diagonal = matrix.diagonal();
     const double alone = std::max(diagonal.maxCoeff(), 1.0); // for a row of zeros

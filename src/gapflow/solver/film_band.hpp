@@ -14,8 +14,10 @@ namespace gapflow {
 template <int D>
 class FilmBand {
 public:
-    /// `finest`: the multigrid's finest level. Collective.
-    FilmBand(const CoupledOperator<D>& matrix, const Level<D>& finest);
+    /// Finds the band; factorise() is to follow. Collective.
+    explicit FilmBand(const CoupledOperator<D>& matrix);
+    /// This rank's alone.
+    void factorise();
 
     bool empty() const { return size_ == 0; }
     int size() const { return size_; }
@@ -66,14 +68,13 @@ private:
         long level_offset;
         double weight;
     };
-    void find_cells(const Level<D>& finest);
+    void find_cells();
     int row_of(long key) const; ///< of a cell; -1 outside the band
     /// Calls f(i, j, value) for the terms that make up the submatrix' lower triangle, and join(i, j) for rows that one of them
     /// ties; `fixed` becomes 1 in rows that something outside the band fixes.
     template <class F, class Join>
     void for_each_term(F&& f, Join&& join, std::vector<char>& fixed) const;
     Eigen::SparseMatrix<double> assemble();
-    void factorise();
 
     const CoupledOperator<D>& matrix_;
     const CoupledSystem<D>& system_;

@@ -54,7 +54,7 @@ long rows_of(const Block<D>& block)
 template <int D>
 void allocate(Level<D>& level, const Communicator& comm)
 {
-    level.block = Block<D>(level.low - Index<D>::Ones(), level.high + Index<D>::Ones());
+    level.block = block_of_level<D>(level.low, level.high);
     const int n = level.high[0] - level.low[0];
     for (int axis = 0; axis < D; ++axis)
         level.conductance[axis] = SharedRows<float>(rows_of(level.block), n + (axis == 0 ? 1 : 0));
@@ -157,7 +157,7 @@ std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& sy
     Level<D> level; // for its numbering alone
     level.low = grid.low();
     level.high = grid.high();
-    level.block = Block<D>(level.low - Index<D>::Ones(), level.high + Index<D>::Ones());
+    level.block = block_of_level<D>(level.low, level.high);
     const long back = level.row_stride(D - 1);
     std::array<SharedRows<double>, D> result;
     std::array<std::vector<std::tuple<long, int, double>>, D> added; // row, place in it, conductance

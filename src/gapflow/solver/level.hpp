@@ -10,6 +10,13 @@
 
 namespace gapflow {
 
+/// What a level of these cells stores: one layer of ghosts around them.
+template <int D>
+Block<D> block_of_level(const Index<D>& low, const Index<D>& high)
+{
+    return Block<D>(low - Index<D>::Ones(), high + Index<D>::Ones());
+}
+
 template <int D>
 struct Level {
     Index<D> cells;                  ///< of the whole level
@@ -18,7 +25,7 @@ struct Level {
     Index<D> unit;                   ///< width of a cell along each axis in cells of the finest level; the last may be narrower
     std::array<bool, D> periodic;
     std::array<int, 2 * D> neighbours;
-    Block<D> block;                  ///< what is stored: one ghost layer around low .. high
+    Block<D> block;                  ///< what is stored: block_of_level(low, high)
     std::array<SharedRows<float>, D> conductance; ///< of each cell's low face, by row_number; on all faces of this rank's cells
     SharedRows<float> inverse_diagonal;           ///< 0: no unknown here
     LargeVector<float> x, b;                       ///< correction, right-hand side

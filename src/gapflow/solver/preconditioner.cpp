@@ -1,5 +1,7 @@
 #include "gapflow/solver/preconditioner.hpp"
 
+#include "gapflow/core/threads.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,13 +31,14 @@ Multigrid<D> multigrid_of(const CoupledOperator<D>& matrix)
 
 template <int D>
 Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bodies, bool ask_lightness)
-    : matrix_(matrix), mode_(bodies), multigrid_(multigrid_of(matrix)), band_(matrix, multigrid_.finest()), bodies_(matrix)
+    : matrix_(matrix), mode_(bodies), band_(matrix), bodies_(matrix)
 {
+    call_both([&] { multigrid_.emplace(multigrid_of(matrix)); }, [&] { band_.factorise(); });
     constants_.emplace(matrix, band_);
     for (const FilmFace<D>& face : matrix.system().film_faces)
         for (const Index<D>& c : {face.face, Index<D>(face.face - step<D>(face.axis))})
             if (matrix.system().grid->owns(c) && matrix.system().component(c) < 0)
-                film_cells_.push_back(multigrid_.finest().block.offset(c));
+                film_cells_.push_back(multigrid_->finest().block.offset(c));
     std::sort(film_cells_.begin(), film_cells_.end());
     film_cells_.erase(std::unique(film_cells_.begin(), film_cells_.end()), film_cells_.end());
     if (matrix.dofs() == 0 || mode_ == BodyMode::never)
@@ -52,12 +55,12 @@ void Preconditioner<D>::cycle(const UnknownVector<D>& r, UnknownVector<D>& z, do
     const double to_level = size > 0 ? 1 / size : 1; // single precision has a range of 1e38
     if (!loaded)
         for_each_piece(grid, [&](const Index<D>& first, int n) { load(first, &r.cells(first), n, to_level); });
-    band_.first(r, to_level, multigrid_.finest());
-    multigrid_.cycle();
+    band_.first(r, to_level, multigrid_->finest());
+    multigrid_->cycle();
     for (long c : film_cells_)
-        multigrid_.finest().x[c] = 0;
-    from_level_ = multigrid_.scale() / to_level;
-    band_.second(from_level_, multigrid_.finest());
+        multigrid_->finest().x[c] = 0;
+    from_level_ = multigrid_->scale() / to_level;
+    band_.second(from_level_, multigrid_->finest());
     z.nodes = band_.node_correction();
 }
 
@@ -65,7 +68,7 @@ template <int D>
 void Preconditioner<D>::fetch(UnknownVector<D>& z) const
 {
     const Grid<D>& grid = *matrix_.system().grid;
-    const Level<D>& level = multigrid_.finest();
+    const Level<D>& level = multigrid_->finest();
     for_each_piece(grid, [&](const Index<D>& first, int n) {
         const float* from = &level.x[level.block.offset(first)];
         double* to = &z.cells(first);
@@ -138,7 +141,7 @@ void Preconditioner<D>::update_bodies()
 template <int D>
 long Preconditioner<D>::bytes() const
 {
-    return multigrid_.bytes() + band_.bytes() + constants_->bytes() + bodies_.bytes();
+    return multigrid_->bytes() + band_.bytes() + constants_->bytes() + bodies_.bytes();
 }
 
 template class Preconditioner<2>;

@@ -25,7 +25,7 @@ public:
     /// Hands n cells of a row of r to the next application.
     void load(const Index<D>& first, const double* r, int n, double to_level)
     {
-        Level<D>& level = multigrid_.finest();
+        Level<D>& level = multigrid_->finest();
         float* to = &level.b[level.block.offset(first)];
         for (int i = 0; i < n; ++i)
             to[i] = static_cast<float>(to_level * r[i]);
@@ -35,7 +35,7 @@ public:
     {
         if (dense_)
             return &z.cells(first);
-        const Level<D>& level = multigrid_.finest();
+        const Level<D>& level = multigrid_->finest();
         const float* from = &level.x[level.block.offset(first)];
         for (int i = 0; i < n; ++i)
             buffer[i] = from_level_ * from[i];
@@ -67,7 +67,7 @@ private:
 
     const CoupledOperator<D>& matrix_;
     BodyMode mode_;
-    Multigrid<D> multigrid_;  ///< its cells include those of films, which it joins as the grid would
+    std::optional<Multigrid<D>> multigrid_; ///< its cells include those of films, which it joins as the grid would
     std::vector<long> film_cells_; ///< offsets in its finest level of cells without unknown that films fill
     FilmBand<D> band_;
     std::optional<ConstantCorrection<D>> constants_;

@@ -38,28 +38,36 @@ void Simulation<D>::continue_velocities()
     const Coupling<D>& c = *coupling_;
     FaceField<D, std::int8_t> valid(grid_);
     slivers_.clear();
-    for (int axis = 0; axis < D; ++axis)
-        for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
-            const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row);
-            std::int8_t* to = &valid(axis, row);
-            const int n = owned_faces_end(grid_, axis)[0] - row[0];
-            for (int i = 0; i < n; ++i)
-                to[i] = conductance[i] > 0 && open[i] > sliver;
-            int narrow = 0;
-            for (int i = 0; i < n; ++i)
-                narrow += conductance[i] > 0 && open[i] <= sliver;
-            Index<D> f = row;
-            for (int i = 0; i < n && narrow > 0; ++i, ++f[0])
-                if (conductance[i] > 0 && !to[i])
-                    slivers_.push_back({axis, f, open[i], velocity_.grid(axis, f), 0, 0});
-            auto at_side = [&](int place) { return !grid_.periodic(axis) && (place == 0 || place == grid_.cells()[axis]); };
-            if (axis == 0) {
-                to[0] |= at_side(row[0]);
-                to[n - 1] |= at_side(row[0] + n - 1);
-            } else if (at_side(row[axis])) {
-                std::fill_n(to, n, std::int8_t{1});
-            }
-        });
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
+        const int n = end[0] - low[0];
+        auto at_side = [&](int place) { return !grid_.periodic(axis) && (place == 0 || place == grid_.cells()[axis]); };
+        auto of_plane = [&](int plane) {
+            std::vector<Sliver> slivers;
+            for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
+                const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row);
+                std::int8_t* to = &valid(axis, row);
+                for (int i = 0; i < n; ++i)
+                    to[i] = conductance[i] > 0 && open[i] > sliver;
+                int narrow = 0;
+                for (int i = 0; i < n; ++i)
+                    narrow += conductance[i] > 0 && open[i] <= sliver;
+                Index<D> f = row;
+                for (int i = 0; i < n && narrow > 0; ++i, ++f[0])
+                    if (conductance[i] > 0 && !to[i])
+                        slivers.push_back({axis, f, open[i], velocity_.grid(axis, f), 0, 0});
+                if (axis == 0) {
+                    to[0] |= at_side(row[0]);
+                    to[n - 1] |= at_side(row[0] + n - 1);
+                } else if (at_side(row[axis])) {
+                    std::fill_n(to, n, std::int8_t{1});
+                }
+            });
+            return slivers;
+        };
+        for (std::vector<Sliver>& slivers : each_plane(low[D - 1], end[D - 1], of_plane))
+            slivers_.insert(slivers_.end(), slivers.begin(), slivers.end());
+    }
 
     memories_ = remember_films<D>(c.network, c.solids, twists(), velocity_.film, velocity_.conduit, grid_.dx(),
                                  voids_.empty_elements(c.network));

@@ -2,6 +2,7 @@
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/body/forces.hpp"
+#include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 
 #include <algorithm>
@@ -115,49 +116,55 @@ Budget<D> Simulation<D>::budget() const
 {
     const Coupling<D>& c = *coupling_;
     const double rho = scene_.density, cell = std::pow(grid_.dx(), D);
+    using Sums = Eigen::Matrix<double, D + spin_size<D> + 1, 1>; // momentum, angular momentum, energy
+    Sums sums = Sums::Zero();
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
+        const int n = end[0] - low[0];
+        auto of_plane = [&](int plane) {
+            Sums sum = Sums::Zero();
+            for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
+                const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row), *u = &velocity_.grid(axis, row);
+                const int* cut = &c.fractions->cut(axis, row);
+                double flow = 0, along = 0, square = 0; // sums of a u, i a u, a u^2
+                int cuts = 0;
+#pragma omp simd reduction(+ : flow, along, square, cuts)
+                for (int i = 0; i < n; ++i) {
+                    const double au = conductance[i] > 0 ? open[i] * u[i] : 0.0;
+                    flow += au;
+                    along += i * au;
+                    square += au * u[i];
+                    cuts += cut[i] >= 0 ? 1 : 0;
+                }
+                const Vec<D> direction = rho * cell * unit<D>(axis);
+                Spin<D> angular = moment<D>(grid_.face_centre(axis, row) - grid_.origin(), Vec<D>(flow * direction)) +
+                                  moment<D>(grid_.dx() * unit<D>(0), Vec<D>(along * direction));
+                Index<D> f = row;
+                for (int i = 0; i < n && cuts > 0; ++i, ++f[0])
+                    if (cut[i] >= 0 && conductance[i] > 0)
+                        angular += moment<D>(c.fractions->faces[cut[i]].open_centroid - grid_.face_centre(axis, f),
+                                             Vec<D>(open[i] * u[i] * direction));
+                sum.template head<D>() += flow * direction;
+                sum.template segment<spin_size<D>>(D) += angular;
+                sum[D + spin_size<D>] += 0.5 * rho * cell * square;
+            });
+            return sum;
+        };
+        for (const Sums& sum : each_plane(low[D - 1], end[D - 1], of_plane))
+            sums += sum;
+    }
+    std::vector<double> of_all_ranks(sums.begin(), sums.end());
+    grid_.comm().sum(of_all_ranks);
+    std::copy(of_all_ranks.begin(), of_all_ranks.end(), sums.begin());
     Budget<D> budget;
-    std::vector<double> sums(D + spin_size<D> + 1, 0.0);
+    budget.momentum = sums.template head<D>();
+    budget.angular_momentum = sums.template segment<spin_size<D>>(D);
+    budget.energy_grid = sums[D + spin_size<D>];
+
     auto add = [&](const Vec<D>& momentum, const Vec<D>& x) {
         budget.momentum += momentum;
         budget.angular_momentum += moment<D>(x - grid_.origin(), momentum);
     };
-    for (int axis = 0; axis < D; ++axis)
-        for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
-            const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row), *u = &velocity_.grid(axis, row);
-            const int* cut = &c.fractions->cut(axis, row);
-            const int n = owned_faces_end(grid_, axis)[0] - row[0];
-            double flow = 0, along = 0, square = 0; // sums of a u, i a u, a u^2
-            int cuts = 0;
-#pragma omp simd reduction(+ : flow, along, square, cuts)
-            for (int i = 0; i < n; ++i) {
-                const double au = conductance[i] > 0 ? open[i] * u[i] : 0.0;
-                flow += au;
-                along += i * au;
-                square += au * u[i];
-                cuts += cut[i] >= 0 ? 1 : 0;
-            }
-            const Vec<D> first = grid_.face_centre(axis, row), momentum = rho * cell * flow * unit<D>(axis);
-            add(momentum, first);
-            budget.angular_momentum += moment<D>(grid_.dx() * unit<D>(0), Vec<D>(rho * cell * along * unit<D>(axis)));
-            budget.energy_grid += 0.5 * rho * cell * square;
-            Index<D> f = row;
-            for (int i = 0; i < n && cuts > 0; ++i, ++f[0])
-                if (cut[i] >= 0 && conductance[i] > 0)
-                    budget.angular_momentum += moment<D>(c.fractions->faces[cut[i]].open_centroid - grid_.face_centre(axis, f),
-                                                         Vec<D>(rho * cell * open[i] * u[i] * unit<D>(axis)));
-        });
-    for (int k = 0; k < D; ++k)
-        sums[k] = budget.momentum[k];
-    for (int k = 0; k < spin_size<D>; ++k)
-        sums[D + k] = budget.angular_momentum[k];
-    sums.back() = budget.energy_grid;
-    grid_.comm().sum(sums);
-    for (int k = 0; k < D; ++k)
-        budget.momentum[k] = sums[k];
-    for (int k = 0; k < spin_size<D>; ++k)
-        budget.angular_momentum[k] = sums[D + k];
-    budget.energy_grid = sums.back();
-
     const std::vector<double> normal = wall_normal_speed<D>(c.network, c.solids, twists());
     for (const Film<D>& film : c.network.films)
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
@@ -221,14 +228,16 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
         }
     }
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
-    for_each_row<D>(grid_.low(), grid_.high(), [&](const Index<D>& row) {
-        const double* value = &rest.cells(row);
+    worst = std::max(worst, max_over_planes(grid_.low()[D - 1], grid_.high()[D - 1], [&](int plane) {
         double largest = 0;
+        for_each_row_of_plane<D>(grid_.low(), grid_.high(), plane, [&](const Index<D>& row) {
+            const double* value = &rest.cells(row);
 #pragma omp simd reduction(max : largest)
-        for (int i = 0; i < grid_.high()[0] - grid_.low()[0]; ++i)
-            largest = std::max(largest, std::abs(value[i]));
-        worst = std::max(worst, largest);
-    });
+            for (int i = 0; i < grid_.high()[0] - grid_.low()[0]; ++i)
+                largest = std::max(largest, std::abs(value[i]));
+        });
+        return largest;
+    }));
     report.divergence_max = grid_.comm().max(worst) / std::pow(grid_.dx(), D);
     if (coupling_->network.mouths.blind_length > 0)
         report.notes.push_back("a film ends where nothing continues it (a blind end); the flow there may be too stiff");

@@ -3,6 +3,7 @@
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/threads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,16 +47,19 @@ double Simulation<D>::choose_step(double next_output) const
     const double dx = grid_.dx(), tiny = std::numeric_limits<double>::min();
     double dt = scene_.max_step;
     double speed = 0;
-    for (int axis = 0; axis < D; ++axis)
-        for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
-            const double *open = &coupling_->open(axis, row), *u = &velocity_.grid(axis, row);
-            const int n = owned_faces_end(grid_, axis)[0] - row[0];
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
+        speed = std::max(speed, max_over_planes(low[D - 1], end[D - 1], [&](int plane) {
             double largest = 0;
+            for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
+                const double *open = &coupling_->open(axis, row), *u = &velocity_.grid(axis, row);
 #pragma omp simd reduction(max : largest)
-            for (int i = 0; i < n; ++i)
-                largest = std::max(largest, open[i] > sliver ? std::abs(u[i]) : 0.0);
-            speed = std::max(speed, largest);
-        });
+                for (int i = 0; i < end[0] - low[0]; ++i)
+                    largest = std::max(largest, open[i] > sliver ? std::abs(u[i]) : 0.0);
+            });
+            return largest;
+        }));
+    }
     dt = std::min(dt, scene_.cfl * dx / std::max(grid_.comm().max(speed), tiny));
 
     const std::vector<Twist<D>> V = twists();

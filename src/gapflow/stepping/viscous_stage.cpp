@@ -97,12 +97,7 @@ void subtract_known_gradient(const Coupling<D>& coupling, const CellField<D>& pr
             for_each_row<D>(first, last, [&](const Index<D>& row) { subtract(row, last[0] - first[0], 1 - side, side); });
             (side ? end : low)[axis] += side ? -1 : 1;
         }
-        for_each_plane(low[D - 1], end[D - 1], [&](int plane) {
-            Index<D> from = low, to = end;
-            from[D - 1] = plane;
-            to[D - 1] = plane + 1;
-            for_each_row<D>(from, to, [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
-        });
+        for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
     }
 }
 
@@ -112,41 +107,32 @@ template <int D>
 void limit_to_inertia(const Grid<D>& grid, const FaceField<D>& u, FaceField<D>& half_way, FaceField<D>& g)
 {
     CellField<D> most(grid);
-    for_each_plane(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
-        Index<D> low = grid.low(), high = grid.high();
-        low[D - 1] = plane;
-        high[D - 1] = plane + 1;
-        for_each_row<D>(low, high, [&](const Index<D>& row) {
-            double* to = &most(row);
-            for (int axis = 0; axis < D; ++axis) {
-                const double *a = &half_way(axis, row), *b = &u(axis, row);
-                const long up = most.block().stride[axis];
-                for (int i = 0; i < high[0] - low[0]; ++i) {
-                    const double below = a[i] - b[i], above = a[i + up] - b[i + up];
-                    to[i] += below * below + above * above;
-                }
+    const int width = grid.high()[0] - grid.low()[0];
+    for_each_row_on_threads<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+        double* to = &most(row);
+        for (int axis = 0; axis < D; ++axis) {
+            const double *a = &half_way(axis, row), *b = &u(axis, row);
+            const long up = most.block().stride[axis];
+            for (int i = 0; i < width; ++i) {
+                const double below = a[i] - b[i], above = a[i + up] - b[i + up];
+                to[i] += below * below + above * above;
             }
-            for (int i = 0; i < high[0] - low[0]; ++i)
-                to[i] = inertial_share * std::sqrt(2 * to[i]);
-        });
+        }
+        for (int i = 0; i < width; ++i)
+            to[i] = inertial_share * std::sqrt(2 * to[i]);
     });
     exchange(grid, most, 1);
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> end = owned_faces_end(grid, axis);
         const long back = most.block().stride[axis];
-        for_each_plane(grid.low()[D - 1], end[D - 1], [&](int plane) {
-            Index<D> low = grid.low(), high = end;
-            low[D - 1] = plane;
-            high[D - 1] = plane + 1;
-            for_each_row<D>(low, high, [&](const Index<D>& row) {
-                const double* m = &most(row);
-                double *change = &g(axis, row), *middle = &half_way(axis, row);
-                for (int i = 0; i < high[0] - low[0]; ++i) {
-                    const double largest = std::max(m[i], m[i - back]);
-                    change[i] = std::clamp(change[i], -largest, largest);
-                    middle[i] += 0.5 * change[i];
-                }
-            });
+        for_each_row_on_threads<D>(grid.low(), end, [&](const Index<D>& row) {
+            const double* m = &most(row);
+            double *change = &g(axis, row), *middle = &half_way(axis, row);
+            for (int i = 0; i < end[0] - grid.low()[0]; ++i) {
+                const double largest = std::max(m[i], m[i - back]);
+                change[i] = std::clamp(change[i], -largest, largest);
+                middle[i] += 0.5 * change[i];
+            }
         });
     }
 }
@@ -202,18 +188,24 @@ void Simulation<D>::add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>
     viscous_.impulse = step.impulses;
 
     double changed = 0; // sum of open fraction times (change of u)^2
-    for (int axis = 0; axis < D; ++axis)
-        for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& row) {
-            const double *after = &u.grid(axis, row), *from = &before(axis, row), *open = &c.open(axis, row);
-            double* to = &u_star.grid(axis, row);
-            for (int i = 0; i < owned_faces_end(grid_, axis)[0] - row[0]; ++i) {
-                const int place = row[axis] + (axis == 0 ? i : 0);
-                const bool on_side = !grid_.periodic(axis) && (place == 0 || place == grid_.cells()[axis]);
-                const double change = after[i] - from[i];
-                to[i] += change;
-                changed += (on_side ? 0.5 : 1.0) * open[i] * change * change;
-            }
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
+        changed += sum_over_planes(low[D - 1], end[D - 1], [&](int plane) {
+            double of_plane = 0;
+            for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
+                const double *after = &u.grid(axis, row), *from = &before(axis, row), *open = &c.open(axis, row);
+                double* to = &u_star.grid(axis, row);
+                for (int i = 0; i < end[0] - low[0]; ++i) {
+                    const int place = row[axis] + (axis == 0 ? i : 0);
+                    const bool on_side = !grid_.periodic(axis) && (place == 0 || place == grid_.cells()[axis]);
+                    const double change = after[i] - from[i];
+                    to[i] += change;
+                    of_plane += (on_side ? 0.5 : 1.0) * open[i] * change * change;
+                }
+            });
+            return of_plane;
         });
+    }
     fill_velocity_ghosts(grid_, u_star.grid, side_velocities(time_ + dt));
     double lost = step.energy - system.cell_mass * grid_.comm().sum(changed);
     for (std::size_t b = 0; b < bodies_.size(); ++b)
