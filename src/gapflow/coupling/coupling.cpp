@@ -1,6 +1,5 @@
 #include "gapflow/coupling/coupling.hpp"
 
-#include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/coupling/film_rows.hpp"
 #include "gapflow/grid/body_flux.hpp"
@@ -308,178 +307,6 @@ std::vector<TwistMatrix<D>> mobilities(const Coupling<D>& coupling)
 }
 
 template <int D>
-void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::vector<Twist<D>>& twists, UnknownVector<D>& out,
-             double* sum_of_squares)
-{
-    const Grid<D>& grid = *coupling.grid;
-    if (out.cells.size() == 0)
-        out.cells = CellField<D>(grid);
-    out.nodes = Eigen::VectorXd::Zero(coupling.system.nodes);
-    double squares = 0;
-    const double area = grid.face_area();
-    squares = sum_over_planes(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
-        double sum_of_plane = 0;
-        for_each_row_of_plane<D>(grid.low(), grid.high(), plane, [&](const Index<D>& row) {
-            std::array<const double*, D> a, v;
-            std::array<long, D> next;
-            for (int axis = 0; axis < D; ++axis) {
-                a[axis] = &coupling.open(axis, row);
-                v[axis] = &u.grid(axis, row);
-                next[axis] = out.cells.block().stride[axis];
-            }
-            const int* component = &coupling.system.component(row);
-            double* to = &out.cells(row);
-            double row_sum = 0;
-#pragma omp simd reduction(+ : row_sum)
-            for (int i = 0; i < grid.high()[0] - grid.low()[0]; ++i) {
-                double sum = 0, size = 0;
-                for (int axis = 0; axis < D; ++axis) {
-                    const double in = a[axis][i] * v[axis][i];
-                    const double go = a[axis][i + next[axis]] * v[axis][i + next[axis]];
-                    sum += go - in;
-                    size += std::abs(go) + std::abs(in);
-                }
-                const bool unknown = component[i] >= 0;
-                to[i] = unknown ? area * sum : 0.0;
-                row_sum += unknown ? area * size * area * size : 0.0;
-            }
-            sum_of_plane += row_sum;
-        });
-        return sum_of_plane;
-    });
-    for (const auto& entry : coupling.cell_flux) {
-        const double value = entry.flux.dot(twists[entry.body]);
-        out.cells(entry.row) += value;
-        squares += value * value;
-    }
-    if (sum_of_squares)
-        squares = grid.comm().sum(squares);
-
-    auto add_node = [&](int node, double value) {
-        out.nodes[node] += value;
-        squares += value * value;
-    };
-    for (const auto& entry : coupling.node_flux)
-        add_node(entry.row, entry.flux.dot(twists[entry.body]));
-    for (const Film<D>& film : coupling.network.films)
-        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
-            const FilmElement<D>& element = film.mesh.elements[e];
-            for (int i = 0; i < D; ++i)
-                add_node(film.first_node + element.nodes[i],
-                         -element.volume * element.gradient[i].dot(u.film[film.first_element + e]));
-        }
-    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        for (int i = 0; i < D - 1; ++i)
-            add_node(conduits[r].nodes[i], conduits[r].shape[i] * u.conduit[r]);
-        for (const auto& [key, weight] : conduits[r].cells)
-            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
-                out.cells(c) -= weight * u.conduit[r];
-    }
-    if (sum_of_squares)
-        *sum_of_squares = squares;
-}
-
-template <int D>
-void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVelocity<D>& u)
-{
-    const Grid<D>& grid = *coupling.grid;
-    const CoupledSystem<D>& system = coupling.system;
-    exchange(grid, p.cells, 1);
-    const double scale = 1 / (coupling.density * grid.dx());
-    for (int axis = 0; axis < D; ++axis) {
-        const long back = p.cells.block().stride[axis];
-        // The pressure beyond an open side is 0, half a cell away: twice the drop.
-        auto subtract = [&](const Index<D>& first, int n, double above, double below) {
-            const double *a = &system.conductance(axis, first), *from = &p.cells(first);
-            double* to = &u.grid(axis, first);
-            for (int i = 0; i < n; ++i)
-                to[i] -= a[i] > 0 ? scale * (above * from[i] - below * from[i - back]) : 0.0;
-        };
-        Index<D> low = grid.low(), end = grid.high() + step<D>(axis);
-        const bool at_low = !grid.periodic(axis) && low[axis] == 0;
-        const bool at_high = !grid.periodic(axis) && grid.high()[axis] == grid.cells()[axis];
-        low[axis] += at_low;
-        end[axis] -= at_high;
-        for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
-        for (int side = 0; side < 2; ++side) {
-            if (!(side ? at_high : at_low))
-                continue;
-            Index<D> first = grid.low(), last = grid.high();
-            first[axis] = side * grid.cells()[axis];
-            last[axis] = first[axis] + 1;
-            for_each_row<D>(first, last, [&](const Index<D>& row) { subtract(row, last[0] - first[0], side ? 0 : 2, side ? 2 : 0); });
-        }
-    }
-    for (const Film<D>& film : coupling.network.films)
-        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
-            const FilmElement<D>& element = film.mesh.elements[e];
-            Vec<D> gradient = Vec<D>::Zero();
-            for (int i = 0; i < D; ++i)
-                gradient += p.nodes[film.first_node + element.nodes[i]] * element.gradient[i];
-            u.film[film.first_element + e] -=
-                film_conductance(coupling, film, e) / element.volume * gradient / coupling.density;
-        }
-    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
-    std::vector<double> drop(conduits.size(), 0.0);
-    for (std::size_t r = 0; r < conduits.size(); ++r)
-        for (const auto& [key, weight] : conduits[r].cells)
-            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
-                drop[r] -= weight * p.cells(c);
-    grid.comm().sum(drop);
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        for (int i = 0; i < D - 1; ++i)
-            drop[r] += conduits[r].shape[i] * p.nodes[conduits[r].nodes[i]];
-        u.conduit[r] += system.links[r].conductance * drop[r];
-    }
-}
-
-template <int D>
-std::vector<Twist<D>> impulses(const Coupling<D>& coupling, const UnknownVector<D>& p)
-{
-    constexpr int n = twist_size<D>;
-    std::vector<double> sums(n * coupling.solids.size(), 0.0);
-    auto add = [&](int solid, const Twist<D>& value) {
-        for (int i = 0; i < n; ++i)
-            sums[n * solid + i] += value[i];
-    };
-    for (const auto& entry : coupling.cell_flux)
-        add(entry.body, p.cells(entry.row) * entry.flux);
-    coupling.grid->comm().sum(sums);
-    for (const auto& entry : coupling.node_flux)
-        add(entry.body, p.nodes[entry.row] * entry.flux);
-    std::vector<Twist<D>> result(coupling.solids.size());
-    for (std::size_t s = 0; s < result.size(); ++s)
-        result[s] = Eigen::Map<const Twist<D>>(&sums[n * s]);
-    return result;
-}
-
-template <int D>
-std::vector<Twist<D>> closure(const Coupling<D>& coupling)
-{
-    UnknownVector<D> ones{CellField<D>(*coupling.grid, 1.0), Eigen::VectorXd::Ones(coupling.system.nodes)};
-    return impulses(coupling, ones);
-}
-
-template <int D>
-double closure_defect(const Coupling<D>& coupling)
-{
-    const Grid<D>& grid = *coupling.grid;
-    const std::vector<Twist<D>> sums = closure(coupling);
-    double worst = 0;
-    for (std::size_t s = 0; s < sums.size(); ++s) {
-        const Bounds<D> bounds = world_bounds(coupling.solids[s].shape);
-        bool inside = !coupling.solids[s].wall && bounds.low.allFinite();
-        for (int axis = 0; axis < D && inside; ++axis)
-            inside = grid.periodic(axis) || (bounds.low[axis] >= grid.origin()[axis] &&
-                                             bounds.high[axis] <= grid.origin()[axis] + grid.size()[axis]);
-        if (inside)
-            worst = std::max(worst, sums[s].template head<D>().cwiseAbs().maxCoeff() / grid.face_area());
-    }
-    return worst;
-}
-
-template <int D>
 std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
                                           const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal,
                                           Eigen::VectorXd& contact_impulse)
@@ -541,12 +368,6 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
                                    const std::set<FilmPair<D>>&);                                                              \
     template void hold_contacts<D>(Coupling<D>&, const std::vector<HeldContact<D>>&, const std::vector<Twist<D>>&);            \
     template std::vector<TwistMatrix<D>> mobilities<D>(const Coupling<D>&);                                                    \
-    template void outflow<D>(const Coupling<D>&, const FluidVelocity<D>&, const std::vector<Twist<D>>&, UnknownVector<D>&,     \
-                             double*);                                                                                         \
-    template void subtract_gradient<D>(const Coupling<D>&, UnknownVector<D>&, FluidVelocity<D>&);                              \
-    template std::vector<Twist<D>> impulses<D>(const Coupling<D>&, const UnknownVector<D>&);                                   \
-    template double closure_defect<D>(const Coupling<D>&);                                                                     \
-    template std::vector<Twist<D>> closure<D>(const Coupling<D>&);                                                             \
     template std::vector<Twist<D>> intermediate_twists<D>(const Coupling<D>&, const std::vector<TwistMatrix<D>>&,              \
                                                           const std::vector<Twist<D>>&, const std::vector<double>&,            \
                                                           Eigen::VectorXd&);                                                   \

@@ -1,33 +1,15 @@
-// Advection of face velocities on the MAC grid, and the velocities beyond the domain's sides that its traces read.
+// Advection of face velocities on the MAC grid.
 #pragma once
 
 #include "gapflow/grid/face_fractions.hpp"
 #include "gapflow/grid/field.hpp"
+#include "gapflow/stepping/velocity_ghosts.hpp"
 
-#include <array>
 #include <cstdint>
 
 namespace gapflow {
 
 enum class AdvectionScheme { semi_lagrangian, maccormack };
-
-/// Velocity of the domain's sides, at 2 * axis + end: of walls (the normal component is 0 unless the wall moves; the others count
-/// only where fluid sticks to walls) and of inflow. Unused on open and periodic sides.
-template <int D>
-struct BoundaryVelocity {
-    std::array<Vec<D>, 2 * D> velocity;
-    bool no_slip = false; ///< fluid sticks to walls
-
-    BoundaryVelocity() { velocity.fill(Vec<D>::Zero()); }
-};
-
-/// Sets the normal velocity on walls and inflow sides and fills all ghosts:
-///   wall              normal component odd about the wall's velocity, tangential components even (no slip: odd too);
-///   inflow            the given velocity;
-///   open              constant;
-///   other ranks and periodic sides: exchanged. Collective.
-template <int D>
-void fill_velocity_ghosts(const Grid<D>& grid, FaceField<D>& u, const BoundaryVelocity<D>& sides);
 
 /// result = `carried` after a time dt in the flow u, on owned faces; ghosts of result are left as they are.
 ///
