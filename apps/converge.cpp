@@ -301,6 +301,7 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
         write_atomically(scene.output_directory + "/converge.csv", convergence_csv(all));
         write_atomically(scene.output_directory + "/converge.json", convergence_json(all));
         std::fputs(convergence_text(all).c_str(), stdout);
+        std::fflush(stdout); // before what goes to the log, where both go to one file
         log.info(fmt::format("files: {0}/converge.csv, {0}/converge.json", scene.output_directory));
     });
     return 0;
