@@ -1,0 +1,52 @@
+// The grid's faces near films, other ranks' too.
+#pragma once
+
+#include "gapflow/film/key_map.hpp"
+#include "gapflow/grid/face_fractions.hpp"
+
+#include <deque>
+#include <span>
+
+namespace gapflow {
+
+/// The grid's faces as films see them: any face of the domain, the same on every rank. Indices may lie outside the domain along
+/// periodic axes.
+template <int D>
+class FaceCache {
+public:
+    /// `fractions`: of this rank's faces; other ranks' are clipped when first asked for. All arguments must outlive it.
+    FaceCache(const Grid<D>& grid, const FaceClipper<D>& clipper, std::span<const Solid<D>> solids,
+              const FaceFractions<D>& fractions)
+        : grid_(&grid), clipper_(&clipper), solids_(solids), fractions_(&fractions)
+    {
+    }
+
+    double open(int axis, const Index<D>& f) const;
+    /// Parts in solids, at the index stored (see displacement()). May be none for a face that lies wholly in one solid and
+    /// whose cells do too.
+    std::span<const SolidPart<D>> parts(int axis, const Index<D>& f) const;
+    /// Centroid of the open part, next to the index asked for.
+    Vec<D> open_centroid(int axis, const Index<D>& f) const;
+    /// A point that stands for the open part, next to the index asked for: the centroid, where that lies in no solid and the
+    /// solids are too thick to divide a face, else that of the open piece that holds the face's deepest point.
+    Vec<D> open_point(int axis, const Index<D>& f) const;
+    /// Displacement of the index asked for from the one that is stored.
+    Vec<D> displacement(const Index<D>& f) const;
+    long key(int axis, const Index<D>& f) const;
+    const Grid<D>& grid() const { return *grid_; }
+
+private:
+    bool mine(int axis, const Index<D>& stored) const;
+    const ClippedFace<D>& clipped(int axis, const Index<D>& stored) const;
+    bool centroid_stands(std::span<const SolidPart<D>> parts, const Vec<D>& centroid) const;
+
+    const Grid<D>* grid_;
+    const FaceClipper<D>* clipper_;
+    std::span<const Solid<D>> solids_;
+    const FaceFractions<D>* fractions_;
+    mutable KeyMap<int> numbers_;                ///< of other ranks' faces in faces_
+    mutable std::deque<ClippedFace<D>> faces_;
+    mutable KeyMap<Vec<D>> open_points_;
+};
+
+} // namespace gapflow

@@ -1,0 +1,389 @@
+#include "gapflow/film/film_memory.hpp"
+
+#include "gapflow/film/edge_table.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gapflow {
+
+namespace {
+
+constexpr int longest_walk = 100; // elements: a walk that is longer may go round in circles
+// An old film within this many cells of a new element's arrival point is its past.
+constexpr double memory_reach = 2.0;
+// A new element is an old one if its centroid lies within this part of the old one's size from it.
+constexpr double same_element = 0.25;
+// Interpolated velocities relative to the master exceed those of the elements around by this factor at most.
+constexpr double surplus_bound = 1.5;
+// Speeds are means over the elements around a vertex, and over no less than the gap's own thickness, or this in dx: what a film does over
+// less is no flow of a film. (Its end cuts elements of a hundredth of a cell, through which next to nothing flows at any speed.)
+constexpr double smallest_patch = 0.25;
+// A mouth continues an old one within this many cells.
+constexpr double mouth_reach = 2.0;
+// In dx: a point further from a film is not of it. Shape functions less than `at_vertex` are round-off.
+constexpr double beside_film = 0.05;
+constexpr double at_vertex = 1e-6;
+// Films of up to this many elements are searched without bins.
+constexpr int few_elements = 256;
+
+// Barycentric coordinates of x in the plane of a simplex, and the distance from x to the (closed) simplex.
+template <int D>
+double to_simplex(const std::array<Vec<D>, D>& v, const Vec<D>& x, std::array<double, D>& shape)
+{
+    if constexpr (D == 2) {
+        const Vec<2> t = v[1] - v[0];
+        const double s = (x - v[0]).dot(t) / t.squaredNorm();
+        shape = {1 - s, s};
+        return (x - v[0] - std::clamp(s, 0.0, 1.0) * t).norm();
+    } else {
+        const Vec<3> a = v[1] - v[0], b = v[2] - v[0], r = x - v[0];
+        const double aa = a.dot(a), ab = a.dot(b), bb = b.dot(b), ra = r.dot(a), rb = r.dot(b);
+        const double det = aa * bb - ab * ab;
+        const double s = (bb * ra - ab * rb) / det, t = (aa * rb - ab * ra) / det;
+        shape = {1 - s - t, s, t};
+        if (s >= 0 && t >= 0 && s + t <= 1)
+            return (r - s * a - t * b).norm();
+        double best = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < 3; ++i) {
+            const Vec<3>& p = v[i];
+            const Vec<3> e = v[(i + 1) % 3] - p;
+            best = std::min(best, (x - p - std::clamp((x - p).dot(e) / e.squaredNorm(), 0.0, 1.0) * e).norm());
+        }
+        return best;
+    }
+}
+
+} // namespace
+
+template <int D>
+FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
+                          const std::vector<Vec<D>>& w, const std::vector<char>& idle, double dx)
+    : dx_(dx), rotation_(master.shape.rotation()), centre_body_(master.shape.to_body(master.centre)), twist_(master_twist)
+{
+    std::vector<double> weight;
+    for (const Film<D>* film : films) {
+        const int first = static_cast<int>(x_.size());
+        for (const Vec<D>& x : film->mesh.x)
+            x_.push_back(master.shape.to_body(x));
+        h_.insert(h_.end(), film->mesh.h.begin(), film->mesh.h.end());
+        for (std::size_t e = 0; e < film->mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = film->mesh.elements[e];
+            std::array<int, D> nodes = element.nodes;
+            Vec<D> centroid = Vec<D>::Zero();
+            for (int& node : nodes) {
+                node += first;
+                centroid += x_[node] / D;
+            }
+            elements_.push_back(nodes);
+            centroid_.push_back(centroid);
+            w_.push_back(w[film->first_element + e]);
+            normal_.push_back(element.normal);
+            idle_.push_back(!idle.empty() && idle[film->first_element + e]);
+            weight.push_back(idle_.back() ? 0.0 : element.volume);
+            h_mean_.push_back(element.volume / element.measure);
+            coarse_.push_back(element.coarse);
+            const Vec<D> relative = w_.back() - master_velocity(centroid);
+            flux_.push_back(h_mean_.back() * relative);
+            volume_ += element.volume;
+            motion_ += element.volume * tangential<D>(relative, element.normal).squaredNorm();
+        }
+    }
+    radius_.assign(elements_.size(), 0.0);
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+        for (int node : elements_[e])
+            radius_[e] = std::max(radius_[e], (x_[node] - centroid_[e]).norm());
+    if (elements() > few_elements)
+        for (int e = 0; e < elements(); ++e)
+            bins_[bin_key(bin(centroid_[e]))].push_back(e);
+    join_elements();
+    fit_vertices(weight);
+}
+
+template <int D>
+void FilmMemory<D>::join_elements()
+{
+    EdgeTable first; // facets (2D: nodes) -> D * element + node opposite
+    first.reset(2 * elements_.size());
+    beyond_.assign(elements_.size(), {});
+    for (int e = 0; e < elements(); ++e)
+        for (int i = 0; i < D; ++i) {
+            beyond_[e][i] = -1;
+            int& facet = first.insert(elements_[e][(i + 1) % D], elements_[e][(i + D - 1) % D]);
+            if (facet < 0) {
+                facet = D * e + i;
+            } else {
+                beyond_[e][i] = facet / D;
+                beyond_[facet / D][facet % D] = e;
+            }
+        }
+}
+
+// Vertex values: linear fit a + b . t to the fluxes of the elements around the vertex (two rings where one is too few), t from
+// the vertex in the tangent plane. With weights of sum 1, a = sum w f (1 - (t - <t>) . C^-1 <t>), C the covariance of t.
+template <int D>
+void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
+{
+    const int n = static_cast<int>(x_.size());
+    std::vector<int> first(n + 1, 0);
+    for (const auto& nodes : elements_)
+        for (int node : nodes)
+            ++first[node + 1];
+    for (int i = 0; i < n; ++i)
+        first[i + 1] += first[i];
+    std::vector<int> ring(first[n]), next(first.begin(), first.end() - 1);
+    for (int e = 0; e < elements(); ++e)
+        for (int node : elements_[e])
+            ring[next[node]++] = e;
+    std::vector<Vec<D>> normal_body(elements_.size());
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+        normal_body[e] = rotation_.transpose() * normal_[e];
+
+    flux_vertex_.assign(n, Vec<D>::Zero());
+    speed_.assign(n, 0.0);
+    std::vector<int> around;
+    for (int i = 0; i < n; ++i) {
+        around.assign(ring.begin() + first[i], ring.begin() + first[i + 1]);
+        if (around.size() < (D == 2 ? 2 : 5)) {
+            for (int k = first[i]; k < first[i + 1]; ++k)
+                for (int node : elements_[ring[k]])
+                    around.insert(around.end(), ring.begin() + first[node], ring.begin() + first[node + 1]);
+            std::sort(around.begin(), around.end());
+            around.erase(std::unique(around.begin(), around.end()), around.end());
+        }
+        if (around.empty())
+            continue;
+        double reach = 0, total = 0;
+        Vec<D> across = Vec<D>::Zero(); // mean normal, master's frame
+        for (int e : around) {
+            reach = std::max(reach, (centroid_[e] - x_[i]).squaredNorm());
+            total += weight[e];
+            across += weight[e] * normal_body[e];
+        }
+        if (total <= 0) { // idle all around
+            flux_vertex_[i] = flux_[around.front()];
+            speed_[i] = flux_[around.front()].norm() / h_mean_[around.front()];
+            continue;
+        }
+        const double least = h_[i] * std::pow(std::min(h_[i], smallest_patch * dx_), D - 1);
+        for (int e : around)
+            speed_[i] += weight[e] / std::max(total, least) * flux_[e].squaredNorm() / (h_mean_[e] * h_mean_[e]);
+        speed_[i] = std::sqrt(speed_[i]);
+        reach = std::max(std::sqrt(reach), 1e-300);
+        across.normalize();
+        Vec<D> mean = Vec<D>::Zero();
+        Mat<D> covariance = Mat<D>::Zero();
+        for (int e : around) {
+            const Vec<D> t = tangential<D>(centroid_[e] - x_[i], across) / reach;
+            mean += weight[e] / total * t;
+            covariance += weight[e] / total * t * t.transpose();
+        }
+        covariance -= mean * mean.transpose();
+        // Slopes across the surface are 0, and so are those of a lone element.
+        covariance += across * across.transpose();
+        covariance.diagonal().array() += 1e-8;
+        const Vec<D> slope = covariance.inverse() * mean;
+        for (int e : around) {
+            const Vec<D> t = tangential<D>(centroid_[e] - x_[i], across) / reach;
+            flux_vertex_[i] += weight[e] / total * (1 - (t - mean).dot(slope)) * flux_[e];
+        }
+        if (!flux_vertex_[i].allFinite())
+            flux_vertex_[i] = flux_[around.front()];
+    }
+}
+
+template <int D>
+Index<D> FilmMemory<D>::bin(const Vec<D>& x_body) const
+{
+    return (x_body / dx_).array().floor().template cast<int>();
+}
+
+template <int D>
+long FilmMemory<D>::bin_key(const Index<D>& bin) const
+{
+    long key = 0;
+    for (int axis = 0; axis < D; ++axis)
+        key = key * 2000003L + bin[axis] + 1000001L;
+    return key;
+}
+
+template <int D>
+typename FilmMemory<D>::Place FilmMemory<D>::place_in(int element, const Vec<D>& x_body) const
+{
+    Place place{element, {}, 0};
+    std::array<Vec<D>, D> v;
+    for (int i = 0; i < D; ++i)
+        v[i] = x_[elements_[element][i]];
+    place.distance = to_simplex<D>(v, x_body, place.shape);
+    return place;
+}
+
+// From element to element towards x, across the facet that x lies furthest beyond. Element -1: x lies beyond the film's end.
+template <int D>
+typename FilmMemory<D>::Place FilmMemory<D>::walk(const Vec<D>& x_body, int start) const
+{
+    Place place = place_in(start, x_body);
+    for (int step = 0; step < longest_walk; ++step) {
+        const int i = static_cast<int>(std::min_element(place.shape.begin(), place.shape.end()) - place.shape.begin());
+        if (place.shape[i] >= 0)
+            return place;
+        const int next = beyond_[place.element][i];
+        if (next < 0)
+            break;
+        place = place_in(next, x_body);
+    }
+    place.element = -1;
+    return place;
+}
+
+// The element nearest to x; where a walk from the hint ends inside one close to x, that.
+template <int D>
+typename FilmMemory<D>::Place FilmMemory<D>::locate(const Vec<D>& x_body, int hint) const
+{
+    Place best{-1, {}, std::numeric_limits<double>::infinity()};
+    if (hint >= 0) {
+        const Place place = walk(x_body, hint);
+        if (place.element >= 0 && place.distance < 0.5 * radius_[place.element])
+            return place;
+        best = place_in(hint, x_body);
+    }
+    auto consider = [&](int e) {
+        const double least = best.distance + radius_[e];
+        if ((x_body - centroid_[e]).squaredNorm() >= least * least)
+            return;
+        if (const Place place = place_in(e, x_body); place.distance < best.distance)
+            best = place;
+    };
+    if (bins_.empty()) {
+        for (int e = 0; e < elements(); ++e)
+            consider(e);
+        return best;
+    }
+    for (int reach = 1; reach <= 3; ++reach) {
+        for_each_index<D>(Index<D>::Constant(-reach), Index<D>::Constant(reach + 1), [&](const Index<D>& d) {
+            if (const std::vector<int>* in_bin = bins_.find(bin_key(Index<D>(bin(x_body) + d))))
+                for (int e : *in_bin)
+                    consider(e);
+        });
+        if (best.distance < (reach - 0.5) * dx_)
+            return best;
+    }
+    if (best.element < 0)
+        for (int e = 0; e < elements(); ++e)
+            consider(e);
+    return best;
+}
+
+template <int D>
+Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) const
+{
+    // Beyond the film the flux goes on linearly over one element's length; the thickness too, within a factor of two. Inside, the
+    // thickness is quadratic: from the vertices and the element's mean (a bubble c sum lambda_i lambda_j of mean 1).
+    Vec<D> flux = Vec<D>::Zero();
+    double h = 0, mean = 0, bubble = 0, least = std::numeric_limits<double>::infinity(), most = 0;
+    for (int i = 0; i < D; ++i) {
+        const int node = elements_[place.element][i];
+        const double share = std::clamp(place.shape[i], -1.0, 2.0);
+        flux += share * flux_vertex_[node];
+        h += share * h_[node];
+        mean += h_[node] / D;
+        for (int j = 0; j < i; ++j)
+            bubble += (D == 2 ? 6 : 4) * std::clamp(place.shape[i], 0.0, 1.0) * std::clamp(place.shape[j], 0.0, 1.0);
+        least = std::min(least, h_[node]);
+        most = std::max(most, h_[node]);
+    }
+    h += bubble * (h_mean_[place.element] - mean);
+    // Where the gap closes to a tip the division would make much of little: no faster than the elements around, nearly.
+    Vec<D> relative = flux / std::clamp(h, 0.5 * least, 2 * most);
+    const double bound = surplus_bound * speed_about(place.element);
+    if (relative.norm() > bound)
+        relative *= bound / relative.norm();
+    return master_velocity(x_body) + relative;
+}
+
+template <int D>
+double FilmMemory<D>::at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const
+{
+    const Place place = locate(x_body, hint);
+    hint = place.element;
+    if (place.element < 0 || place.distance > beside_film * dx_)
+        return 0;
+    double value = 0, sum = 0;
+    for (int i = 0; i < D; ++i)
+        if (place.shape[i] > at_vertex) {
+            value += place.shape[i] * field[elements_[place.element][i]];
+            sum += place.shape[i];
+        }
+    return value / sum;
+}
+
+template <int D>
+double FilmMemory<D>::speed_about(int element) const
+{
+    double speed = 0;
+    for (int node : elements_[element])
+        speed = std::max(speed, speed_[node]);
+    return speed;
+}
+
+template <int D>
+Vec<D> FilmMemory<D>::master_velocity(const Vec<D>& x_body) const
+{
+    return velocity_at<D>(twist_, rotation_ * (x_body - centre_body_));
+}
+
+template <int D>
+typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_body, double dt, int& hint) const
+{
+    const Place arrival = locate(x_body, hint);
+    hint = arrival.element;
+    auto relative = [&](const Vec<D>& x, const Place& place) { // along the film, seen from the master, in its frame
+        const Vec<D> v = vertex_velocity(x, place) - master_velocity(x);
+        return Vec<D>(rotation_.transpose() * tangential<D>(v, normal_[place.element]));
+    };
+    Place foot = arrival;
+    Vec<D> x_foot = x_body;
+    if (dt > 0) {
+        const Vec<D> middle = x_body - 0.5 * dt * relative(x_body, arrival);
+        x_foot = x_body - dt * relative(middle, locate(middle, hint));
+        foot = locate(x_foot, hint);
+    }
+    // What the old element has beyond its vertex values is kept where the new element is the old one and as far as the foot is
+    // still in it: no diffusion at rest, and elsewhere that of linear interpolation (kept whole, the scheme would be a centred
+    // difference forward in time, which grows; on a changed mesh it would be noise of small cut elements). Not where the element
+    // is coarse for its gap: about a point of contact its velocity is noise, and would only gain by this.
+    const std::array<int, D>& nodes = elements_[arrival.element];
+    const double fastest = idle_[arrival.element] ? std::numeric_limits<double>::infinity() : speed_about(arrival.element);
+    const Vec<D>& centroid = centroid_[arrival.element];
+    Place middle = arrival;
+    middle.shape.fill(1.0 / D);
+    double size = 0;
+    for (int i = 0; i < D; ++i)
+        size = std::max(size, (x_[nodes[i]] - x_[nodes[(i + 1) % D]]).norm());
+    const double same = coarse_[arrival.element] ? 0.0
+                                                 : std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
+                                                       std::max(0.0, 1 - (x_body - x_foot).norm() / size);
+    return {vertex_velocity(x_foot, foot) + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
+            normal_[foot.element], arrival.distance < memory_reach * dx_, arrival.distance > beside_film * dx_, fastest};
+}
+
+template <int D>
+const typename FilmMemory<D>::Mouth* FilmMemory<D>::mouth(const Vec<D>& x_body, const Vec<D>& outward) const
+{
+    const Mouth* best = nullptr;
+    double nearest = mouth_reach * dx_;
+    for (const Mouth& m : mouths)
+        if (m.outward.dot(outward) > 0.5 && (m.place - x_body).norm() < nearest) {
+            nearest = (m.place - x_body).norm();
+            best = &m;
+        }
+    return best;
+}
+
+template class FilmMemory<2>;
+template class FilmMemory<3>;
+
+} // namespace gapflow

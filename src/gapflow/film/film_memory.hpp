@@ -1,0 +1,95 @@
+// What the films of a pair carried in the last step, as a field on the master's surface that can be traced back along.
+#pragma once
+
+#include "gapflow/film/conduits.hpp"
+
+#include <span>
+#include <vector>
+
+namespace gapflow {
+
+/// The part of v normal to the unit vector n.
+template <int D>
+Vec<D> tangential(const Vec<D>& v, const Vec<D>& n)
+{
+    return v - v.dot(n) * n;
+}
+
+/// The films of one pair of solids after a step.
+template <int D>
+class FilmMemory {
+public:
+    struct Mouth {
+        Vec<D> place;            ///< in the master's frame
+        Vec<D> outward;          ///< world axes, at the time
+        double h, flux;          ///< thickness and absolute flux out of the film, per length of rim
+        Vec<D> master_velocity;  ///< world, of the master there
+        ConduitKind kind;
+    };
+
+    /// `films`: the pieces of this pair; `w`: one world vector an element of all films of the network. Where `idle` (one an
+    /// element of the network, or none) an element says nothing of the velocity around it.
+    FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
+               const std::vector<Vec<D>>& w, const std::vector<char>& idle, double dx);
+
+    /// Velocity (world axes) transported to a point of the master's frame over dt, with the old normal at its foot.
+    struct Transported {
+        Vec<D> velocity, normal;
+        bool near; ///< an old film lies within two cells of the arrival point
+        bool beyond; ///< but not there
+        double fastest; ///< speed about the arrival point, as speed_about(); infinite where the old film was idle
+    };
+    /// `hint`: an element near it, or -1; on return the one it arrived in.
+    Transported transport(const Vec<D>& x_body, double dt, int& hint) const;
+    /// Old velocity at a point of the master's frame, extrapolated linearly beyond the film, and the film's normal there.
+    Transported at(const Vec<D>& x_body, int& hint) const { return transport(x_body, 0.0, hint); }
+    /// A field given at the vertices, linear over the elements, at a point of the master's frame; 0 where no film was. `hint` as
+    /// above.
+    double at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const;
+    int elements() const { return static_cast<int>(elements_.size()); }
+    /// Sums over the elements: volume S, and S |u - P U_m|^2, twice the energy of the motion along the master at density 1.
+    double volume() const { return volume_; }
+    double motion() const { return motion_; }
+    /// Speed relative to the master about an element: the largest about its vertices, each the root of the mean square over the volume
+    /// around. (Single elements tell little: those that the film's end cuts small may carry ten times the speed of the flow.)
+    double speed_about(int element) const;
+    /// Velocity of the master's old rigid motion at a point of its frame (world axes).
+    Vec<D> master_velocity(const Vec<D>& x_body) const;
+    /// The old mouth that a new one at this place continues; null: none near.
+    const Mouth* mouth(const Vec<D>& x_body, const Vec<D>& outward) const;
+
+    std::vector<Mouth> mouths;
+
+private:
+    struct Place {
+        int element;
+        std::array<double, D> shape; ///< barycentric, may lie outside 0..1
+        double distance;
+    };
+    Place place_in(int element, const Vec<D>& x_body) const;
+    Place locate(const Vec<D>& x_body, int hint) const;
+    Place walk(const Vec<D>& x_body, int start) const;
+    void join_elements();
+    Vec<D> vertex_velocity(const Vec<D>& x_body, const Place& place) const;
+    void fit_vertices(const std::vector<double>& weight);
+    Index<D> bin(const Vec<D>& x_body) const;
+    long bin_key(const Index<D>& bin) const;
+
+    double dx_, volume_ = 0, motion_ = 0;
+    Mat<D> rotation_;       ///< of the master, at the time
+    Vec<D> centre_body_;    ///< the master's reference point in its frame
+    Twist<D> twist_;
+    std::vector<Vec<D>> x_; ///< vertices on the master, its frame
+    std::vector<std::array<int, D>> elements_;
+    std::vector<std::array<int, D>> beyond_; ///< element across the facet opposite each node, -1: none
+    std::vector<Vec<D>> centroid_; ///< master's frame
+    std::vector<double> radius_;   ///< of elements about their centroids
+    std::vector<double> speed_;    ///< |w - U_m| about a vertex: root of the mean square over the volume of the elements around
+    std::vector<double> h_, h_mean_; ///< thickness at the vertices, mean over the elements
+    std::vector<char> coarse_, idle_; ///< elements too large for their gap; those that say nothing of the flow
+    std::vector<Vec<D>> w_, normal_; ///< of elements, world axes
+    std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
+    KeyMap<std::vector<int>> bins_;
+};
+
+} // namespace gapflow
