@@ -303,22 +303,6 @@ void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& con
 }
 
 template <int D>
-std::vector<TwistMatrix<D>> mobilities(const Coupling<D>& coupling)
-{
-    constexpr int n = twist_size<D>;
-    std::vector<TwistMatrix<D>> mobility(coupling.solids.size(), TwistMatrix<D>::Zero());
-    for (std::size_t s = 0; s < mobility.size(); ++s) {
-        const int b = coupling.free_body[s];
-        if (b < 0)
-            continue;
-        const TwistMatrix<D> mass = Eigen::MatrixXd(coupling.system.mass.block(n * b, n * b, n, n));
-        const TwistMatrix<D>& admissible = coupling.solids[s].admissible;
-        mobility[s] = admissible.transpose() * mass.inverse() * admissible;
-    }
-    return mobility;
-}
-
-template <int D>
 void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::vector<Twist<D>>& twists, UnknownVector<D>& out,
              double* sum_of_squares)
 {
@@ -554,7 +538,6 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
                                    const CouplingOptions&, const std::function<GapSettings(int, int)>&,                        \
                                    const std::set<FilmPair<D>>&);                                                              \
     template void hold_contacts<D>(Coupling<D>&, const std::vector<HeldContact<D>>&, const std::vector<Twist<D>>&);            \
-    template std::vector<TwistMatrix<D>> mobilities<D>(const Coupling<D>&);                                                    \
     template void outflow<D>(const Coupling<D>&, const FluidVelocity<D>&, const std::vector<Twist<D>>&, UnknownVector<D>&,     \
                              double*);                                                                                         \
     template void subtract_gradient<D>(const Coupling<D>&, UnknownVector<D>&, FluidVelocity<D>&);                              \

@@ -242,7 +242,7 @@ TEST(ContactLaw, BlockSticksOrSlides)
     for (double push : {0.2, 0.4}) { // against a bound of 0.5 over the weight of 1 and mass of 2: 0.25 of speed
         const std::vector<Twist<2>> free_motion{Twist<2>(push, -0.5, 0), Twist<2>::Zero()};
         const ContactForecast<2> forecast =
-            forecast_contacts<2>(contacts, none, free_motion, {mobility, TwistMatrix<2>::Zero()}, 1e-12);
+            forecast_contacts<2>(contacts, none, free_motion, {{mobility, TwistMatrix<2>::Zero()}, {}}, 1e-12);
         double normal = 0, tangential = 0;
         for (const ContactImpulse<2>& impulse : forecast.impulses) {
             EXPECT_GE(impulse.normal, 0);
