@@ -291,22 +291,6 @@ void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& con
 }
 
 template <int D>
-std::vector<TwistMatrix<D>> mobilities(const Coupling<D>& coupling)
-{
-    constexpr int n = twist_size<D>;
-    std::vector<TwistMatrix<D>> mobility(coupling.solids.size(), TwistMatrix<D>::Zero());
-    for (std::size_t s = 0; s < mobility.size(); ++s) {
-        const int b = coupling.free_body[s];
-        if (b < 0)
-            continue;
-        const TwistMatrix<D> mass = Eigen::MatrixXd(coupling.system.mass.block(n * b, n * b, n, n));
-        const TwistMatrix<D>& admissible = coupling.solids[s].admissible;
-        mobility[s] = admissible.transpose() * mass.inverse() * admissible;
-    }
-    return mobility;
-}
-
-template <int D>
 std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
                                           const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal,
                                           Eigen::VectorXd& contact_impulse)
@@ -367,7 +351,6 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
                                    const CouplingOptions&, const std::function<GapSettings(int, int)>&,                        \
                                    const std::set<FilmPair<D>>&);                                                              \
     template void hold_contacts<D>(Coupling<D>&, const std::vector<HeldContact<D>>&, const std::vector<Twist<D>>&);            \
-    template std::vector<TwistMatrix<D>> mobilities<D>(const Coupling<D>&);                                                    \
     template std::vector<Twist<D>> intermediate_twists<D>(const Coupling<D>&, const std::vector<TwistMatrix<D>>&,              \
                                                           const std::vector<Twist<D>>&, const std::vector<double>&,            \
                                                           Eigen::VectorXd&);                                                   \

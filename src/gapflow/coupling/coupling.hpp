@@ -128,10 +128,6 @@ struct HeldContact {
 template <int D>
 void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& contacts, const std::vector<Twist<D>>& twists);
 
-/// M^-1 of every solid by itself, in its admissible directions and without contacts; 0 of those that are not free.
-template <int D>
-std::vector<TwistMatrix<D>> mobilities(const Coupling<D>& coupling);
-
 /// Twists of the free bodies before the solve: V* = M^-1 (M_body V_body + sum rho S N^T (w_n* - N V_prescribed)), admissible
 /// and with held contacts at their speeds; others as given. `contact_impulse` becomes that of the held contacts.
 template <int D>

@@ -5,41 +5,94 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace gapflow {
 
 namespace {
 
-constexpr int most_sweeps = 2000;
+constexpr int most_sweeps = 10000;
 constexpr double round_off = 1e-14; // of the largest change of a speed
 
-// One row of C with what an impulse along it does to its two bodies.
+template <int D>
+using PairTwist = Eigen::Matrix<double, 2 * twist_size<D>, 1>;
+
+// How much of its contact's force a bound of friction follows in a sweep: all of it soon settles nearly everything, but a bound that
+// follows at once can chase its contact's force round and round.
+double relaxation_in(int sweep)
+{
+    return sweep < 50 ? 1.0 : sweep < 500 ? 0.3 : 0.1;
+}
+
+// A film in the sweeps. Without contacts it and its two bodies answer an impulse w with V = R w, R = (1 + M^-1 F)^-1 M^-1.
+template <int D>
+struct FilmBlock {
+    int a, b;
+    PairMatrix<D> inertia;  // F
+    PairMatrix<D> mobility; // M^-1 of the two
+    PairMatrix<D> response; // R
+    PairMatrix<D> relax;    // (1 + F M^-1)^-1
+    PairTwist<D> impulse = PairTwist<D>::Zero();
+};
+
+// One row of C with what an impulse along it does to its two bodies, and to the film between them.
 template <int D>
 struct Row {
     const RelativeRow<D>* row;
     Twist<D> response_a, response_b;
     double mobility;
+    PairTwist<D> film;
 };
 
 template <int D>
 class Sweeps {
 public:
-    Sweeps(const std::vector<Contact<D>>& contacts, const std::vector<TwistMatrix<D>>& mobility, ContactForecast<D>& result)
-        : contacts_(contacts), mobility_(mobility), result_(result)
+    Sweeps(const std::vector<Contact<D>>& contacts, const NearInertia<D>& inertia, ContactForecast<D>& result)
+        : contacts_(contacts), mobility_(inertia.mobility), result_(result), start_(result.twists)
     {
+        constexpr int n = twist_size<D>;
+        std::map<std::pair<int, int>, int> block_of;
+        for (const FilmInertia<D>& film : inertia.films) {
+            FilmBlock<D> block{film.a, film.b, film.matrix, PairMatrix<D>::Zero(), {}, {}};
+            block.mobility.template topLeftCorner<n, n>() = mobility_[film.a];
+            block.mobility.template bottomRightCorner<n, n>() = mobility_[film.b];
+            block.relax = (PairMatrix<D>::Identity() + block.inertia * block.mobility).inverse();
+            block.response = block.mobility * block.relax;
+            block_of[{film.a, film.b}] = static_cast<int>(films_.size());
+            films_.push_back(block);
+        }
         for (const Contact<D>& c : contacts) {
-            normal_.push_back(make_row(c, c.normal));
+            const auto found = block_of.find(std::minmax(c.point.a, c.point.b));
+            film_of_.push_back(found == block_of.end() ? -1 : found->second);
+            normal_.push_back(make_row(c, c.normal, film_of_.back()));
             if (c.friction > 0)
                 for (const RelativeRow<D>& t : c.tangents)
-                    tangent_.push_back(make_row(c, t));
+                    tangent_.push_back(make_row(c, t, film_of_.back()));
             else
                 tangent_.resize(tangent_.size() + D - 1);
             rebounds_.push_back(c.closed && c.target > c.least);
+            bound_.push_back(std::max(result_.impulses[bound_.size()].normal, 0.0));
         }
     }
 
+    int films() const { return static_cast<int>(films_.size()); }
+
+    /// Brings one film's impulse to what its bodies' twists make of it. Largest change of a speed.
+    double settle_film(int f)
+    {
+        constexpr int n = twist_size<D>;
+        FilmBlock<D>& film = films_[f];
+        PairTwist<D> change;
+        change << result_.twists[film.a] - start_[film.a], result_.twists[film.b] - start_[film.b];
+        const PairTwist<D> more = -film.relax * (film.impulse + film.inertia * change), moved = film.mobility * more;
+        film.impulse += more;
+        result_.twists[film.a] += moved.template head<n>();
+        result_.twists[film.b] += moved.template tail<n>();
+        return std::max(moved.template head<D>().norm(), moved.template segment<D>(n).norm());
+    }
+
     /// Brings one contact to its law, the others as they are. Largest change of a speed.
-    double settle(int i)
+    double settle(int i, double relaxation)
     {
         const Contact<D>& c = contacts_[i];
         ContactImpulse<D>& impulse = result_.impulses[i];
@@ -48,7 +101,7 @@ public:
             return 0;
         const double bound = rebounds_[i] ? c.target : c.least;
         const double normal = std::max(0.0, impulse.normal + (bound - speed(c, n)) / n.mobility);
-        double largest = push(c, n, normal - impulse.normal);
+        double largest = push(i, n, normal - impulse.normal);
         impulse.normal = normal;
         if (normal == 0)
             rebounds_[i] = false;
@@ -62,22 +115,36 @@ public:
             mobility += t[k].mobility;
         if (mobility <= 0)
             return largest;
+        const double lag = normal - bound_[i];
+        bound_[i] += relaxation * lag;
+        largest = std::max(largest, (1 - relaxation) * c.friction * std::abs(lag) * mobility);
         Vec<D - 1> pull = impulse.tangential;
         for (int k = 0; k < D - 1; ++k)
             pull[k] -= speed(c, t[k]) / mobility;
-        const double most = c.friction * normal;
-        if (pull.norm() > most)
+        const double most = c.friction * bound_[i];
+        impulse.slides = pull.norm() > most;
+        if (impulse.slides)
             pull *= most / pull.norm();
         for (int k = 0; k < D - 1; ++k)
-            largest = std::max(largest, push(c, t[k], pull[k] - impulse.tangential[k]));
+            largest = std::max(largest, push(i, t[k], pull[k] - impulse.tangential[k]));
         impulse.tangential = pull;
         return largest;
     }
 
 private:
-    Row<D> make_row(const Contact<D>& c, const RelativeRow<D>& row) const
+    Row<D> make_row(const Contact<D>& c, const RelativeRow<D>& row, int f) const
     {
-        Row<D> made{&row, mobility_[c.point.a] * row.a, mobility_[c.point.b] * row.b, 0};
+        constexpr int n = twist_size<D>;
+        Row<D> made{&row, mobility_[c.point.a] * row.a, mobility_[c.point.b] * row.b, 0, PairTwist<D>::Zero()};
+        if (f >= 0) {
+            const bool in_order = c.point.a == films_[f].a;
+            PairTwist<D> push;
+            push << (in_order ? row.a : row.b), (in_order ? row.b : row.a);
+            const PairTwist<D> answer = films_[f].response * push;
+            made.response_a = in_order ? answer.template head<n>() : answer.template tail<n>();
+            made.response_b = in_order ? answer.template tail<n>() : answer.template head<n>();
+            made.film = -films_[f].inertia * answer;
+        }
         made.mobility = row.a.dot(made.response_a) + row.b.dot(made.response_b);
         return made;
     }
@@ -87,10 +154,13 @@ private:
         return r.row->a.dot(result_.twists[c.point.a]) + r.row->b.dot(result_.twists[c.point.b]);
     }
 
-    double push(const Contact<D>& c, const Row<D>& r, double impulse)
+    double push(int i, const Row<D>& r, double impulse)
     {
         if (impulse == 0)
             return 0;
+        const Contact<D>& c = contacts_[i];
+        if (film_of_[i] >= 0)
+            films_[film_of_[i]].impulse += impulse * r.film;
         result_.twists[c.point.a] += impulse * r.response_a;
         result_.twists[c.point.b] += impulse * r.response_b;
         return std::abs(impulse) * r.mobility;
@@ -99,7 +169,11 @@ private:
     const std::vector<Contact<D>>& contacts_;
     const std::vector<TwistMatrix<D>>& mobility_;
     ContactForecast<D>& result_;
+    const std::vector<Twist<D>> start_;
+    std::vector<FilmBlock<D>> films_;
+    std::vector<int> film_of_; ///< of every contact, -1: none
     std::vector<Row<D>> normal_, tangent_;
+    std::vector<double> bound_; ///< normal impulse that a contact's friction goes by
     std::vector<char> rebounds_;
 };
 
@@ -107,17 +181,19 @@ private:
 
 template <int D>
 ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
-                                     const std::vector<Twist<D>>& twists, const std::vector<TwistMatrix<D>>& mobility,
-                                     double accuracy)
+                                     const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, double accuracy)
 {
     ContactForecast<D> result{given, twists};
-    Sweeps<D> sweeps(contacts, mobility, result);
+    Sweeps<D> sweeps(contacts, inertia, result);
     const int n = static_cast<int>(contacts.size());
     double fastest = 0;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         double largest = 0;
+        const double relaxation = relaxation_in(sweep);
         for (int i = 0; i < n; ++i)
-            largest = std::max(largest, sweeps.settle(sweep % 2 == 0 ? i : n - 1 - i));
+            largest = std::max(largest, sweeps.settle(sweep % 2 == 0 ? i : n - 1 - i, relaxation));
+        for (int f = 0; f < sweeps.films() && largest > 0; ++f)
+            largest = std::max(largest, sweeps.settle_film(sweep % 2 == 0 ? f : sweeps.films() - 1 - f));
         if (largest < std::max(accuracy, round_off * fastest))
             break;
         fastest = std::max(fastest, largest);
@@ -127,7 +203,7 @@ ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, co
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                              \
     template ContactForecast<D> forecast_contacts<D>(const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&, \
-                                                     const std::vector<Twist<D>>&, const std::vector<TwistMatrix<D>>&, double);
+                                                     const std::vector<Twist<D>>&, const NearInertia<D>&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

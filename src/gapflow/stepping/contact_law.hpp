@@ -1,12 +1,13 @@
 // The laws of contact among rigid bodies alone (method, section 7):
 //
 //     0 <= lambda  |  c V - least >= 0,        |lambda_t| <= mu lambda, against the slip,
-//     V = V_0 + M^-1 C^T (lambda - lambda_0)
+//     V = V_0 + A^-1 C^T (lambda - lambda_0)
 //
-// around twists V_0 that impulses lambda_0 gave. The fluid answers a change of impulses too, so this is a forecast; where it
-// changes nothing, V_0 and lambda_0 obey the laws.
+// around twists V_0 that impulses lambda_0 gave. A: the bodies' inertia and that of the films between them (NearInertia). The rest of
+// the fluid answers a change of impulses too, so this is a forecast; where it changes nothing, V_0 and lambda_0 obey the laws.
 #pragma once
 
+#include "gapflow/coupling/film_inertia.hpp"
 #include "gapflow/stepping/contact_set.hpp"
 
 #include <vector>
@@ -17,6 +18,7 @@ template <int D>
 struct ContactImpulse {
     double normal = 0;
     Vec<D - 1> tangential = Vec<D - 1>::Zero();
+    bool slides = false; ///< friction is at its bound; of a forecast only
 };
 
 /// What the laws ask.
@@ -26,11 +28,9 @@ struct ContactForecast {
     std::vector<Twist<D>> twists; ///< V
 };
 
-/// `given`: lambda_0, one a contact; `mobility`: M^-1 of every solid in its admissible directions, 0 where it does not yield.
-/// Speeds are found to `accuracy`, absolute.
+/// `given`: lambda_0, one a contact. Speeds are found to `accuracy`, absolute.
 template <int D>
 ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
-                                     const std::vector<Twist<D>>& twists, const std::vector<TwistMatrix<D>>& mobility,
-                                     double accuracy);
+                                     const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, double accuracy);
 
 } // namespace gapflow

@@ -27,8 +27,8 @@ constexpr double resting = 2.0;
 constexpr double smooth = 0.05;
 // Rounds after which contacts change one at a time.
 constexpr int rounds_at_once = 15;
-constexpr double friction_accuracy = 1e-3; // of the friction's bound
-constexpr double slide_margin = 1e-9;      // the same: pulls this close to it slide
+constexpr double friction_accuracy = 1e-3; // of the largest bound of friction on the body
+constexpr double least_relaxation = 0.3;   // of sliding pulls
 constexpr double forecast_accuracy = 1e-2; // of what is asked of the speeds
 constexpr double crushing = 1e-2;          // of the largest speed about: held contacts that close faster cannot be held
 
@@ -154,6 +154,7 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
             contact.closed = contact.was_closed = known->closed;
             contact.slides = known->slides;
             contact.pull = known->slides ? known->tangential : Vec<D - 1>::Zero();
+            contact.tangential = contact.pull; // found again after bodies were pushed apart, it is still known
             contact.slip = known->slip;
         }
         contact.point = std::move(point);
@@ -221,9 +222,12 @@ bool ContactSet<D>::push_apart(std::vector<RigidBody<D>>& bodies) const
 }
 
 template <int D>
-void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt)
+void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt, double last_dt)
 {
+    relaxation_ = 1;
     for (Contact<D>& c : contacts_) {
+        if (last_dt > 0)
+            c.pull *= dt / last_dt;
         c.approach = rate(c.normal, c, before);
         c.gained = std::abs(rate(c.normal, c, forced) - c.approach);
         c.least = -std::max(c.point.distance - c.hold, 0.0) / dt;
@@ -298,10 +302,11 @@ void ContactSet<D>::take_impulses(const Eigen::VectorXd& impulses)
 }
 
 template <int D>
-bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses,
-                           const std::vector<TwistMatrix<D>>& mobility, double accuracy, int round)
+ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses,
+                                    const NearInertia<D>& inertia, double accuracy, int round)
 {
     take_impulses(impulses);
+    const std::vector<TwistMatrix<D>>& mobility = inertia.mobility;
     std::vector<ContactImpulse<D>> given;
     double largest_speed = 0, largest_impulse = 0;
     for (const Contact<D>& c : contacts_) {
@@ -310,7 +315,7 @@ bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::Vec
         largest_impulse = std::max(largest_impulse, std::abs(c.impulse));
     }
     const double speed = accuracy * largest_speed, impulse = accuracy * largest_impulse; // that count as nothing
-    const ContactForecast<D> forecast = forecast_contacts<D>(contacts_, given, twists, mobility, forecast_accuracy * speed);
+    const ContactForecast<D> forecast = forecast_contacts<D>(contacts_, given, twists, inertia, forecast_accuracy * speed);
 
     // Wrong is a contact that closes too fast, and one at which the forecast's impulses move the bodies. (Impulses alone do not
     // tell: redundant contacts may share theirs in many ways.) In units of what is allowed.
@@ -320,6 +325,15 @@ bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::Vec
     auto yield_of = [&](std::size_t i, const RelativeRow<D>& row) {
         return row.a.dot(mobility[contacts_[i].point.a] * row.a) + row.b.dot(mobility[contacts_[i].point.b] * row.b);
     };
+    // Friction is right to a part of what friction may do to the body, not of what it may do at the contact: the least of many.
+    std::vector<double> friction(mobility.size(), 0.0);
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+        for (int solid : {contacts_[i].point.a, contacts_[i].point.b})
+            friction[solid] = std::max(friction[solid], friction_accuracy * contacts_[i].friction * forecast.impulses[i].normal);
+    auto friction_at = [&](const Contact<D>& c) {
+        const int a = c.point.a, b = c.point.b;
+        return mobility[a].isZero(0) ? friction[b] : mobility[b].isZero(0) ? friction[a] : std::min(friction[a], friction[b]);
+    };
     auto wrong = [&](std::size_t i) {
         const Contact<D>& c = contacts_[i];
         if (!c.closed)
@@ -327,8 +341,7 @@ bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::Vec
         double most = change(i, c.normal) / (speed + impulse * yield_of(i, c.normal));
         if (c.friction > 0)
             for (const RelativeRow<D>& t : c.tangents)
-                most = std::max(most, change(i, t) / ((impulse + friction_accuracy * c.friction * forecast.impulses[i].normal) *
-                                                      yield_of(i, t)));
+                most = std::max(most, change(i, t) / ((impulse + friction_at(c)) * yield_of(i, t)));
         return most;
     };
     std::size_t worst = 0;
@@ -346,21 +359,48 @@ bool ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::Vec
                 contacts_[i].impulse = forecast.impulses[i].normal;
                 contacts_[i].tangential = forecast.impulses[i].tangential;
             }
-        return false;
+        return ContactChange::none;
     }
+    ContactChange changed = ContactChange::pulls;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const ContactImpulse<D>& next = forecast.impulses[i];
+        if (contacts_[i].closed != (next.normal > 0) || contacts_[i].slides != (contacts_[i].solved && next.normal > 0 && next.slides))
+            changed = ContactChange::states;
+    }
+    // The forecast knows the bulk's answer only nearly, and pulls can swing about their values for long: dynamic relaxation (Irons & Tuck,
+    // Int. J. Numer. Methods Eng. 1, 1969).
+    double turn = 0, square = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Contact<D>& c = contacts_[i];
+        const Vec<D - 1> lack = forecast.impulses[i].tangential - c.pull;
+        if (changed == ContactChange::states || round >= rounds_at_once || !c.closed || !c.slides) {
+            c.lack.setZero();
+            continue;
+        }
+        if (!c.lack.isZero(0)) {
+            const double scale = 1 / (impulse + friction_at(c));
+            turn += scale * scale * c.lack.dot(lack - c.lack);
+            square += scale * scale * (lack - c.lack).squaredNorm();
+        }
+        c.lack = lack;
+    }
+    relaxation_ = square > 0 ? std::clamp(-relaxation_ * turn / square, least_relaxation, 1.0) : 1.0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         if (round >= rounds_at_once && i != worst)
             continue;
         Contact<D>& c = contacts_[i];
         const ContactImpulse<D>& next = forecast.impulses[i];
         c.closed = next.normal > 0;
-        c.slides = c.solved && c.closed && c.friction > 0 && next.tangential.norm() > (1 - slide_margin) * c.friction * next.normal;
-        c.pull = c.slides ? next.tangential : Vec<D - 1>(Vec<D - 1>::Zero());
+        c.slides = c.solved && c.closed && c.friction > 0 && next.slides;
+        if (changed == ContactChange::pulls && c.slides)
+            c.pull += relaxation_ * (next.tangential - c.pull);
+        else
+            c.pull = c.slides ? next.tangential : Vec<D - 1>(Vec<D - 1>::Zero());
         c.slip = 0;
         for (const RelativeRow<D>& t : c.tangents)
             c.slip = std::hypot(c.slip, rate(t, c, forecast.twists));
     }
-    return true;
+    return changed;
 }
 
 template <int D>

@@ -10,6 +10,7 @@
 #include "gapflow/body/rigid_body.hpp"
 #include "gapflow/core/state_archive.hpp"
 #include "gapflow/coupling/coupling.hpp"
+#include "gapflow/coupling/film_inertia.hpp"
 #include "gapflow/scene/scene.hpp"
 
 #include <array>
@@ -33,11 +34,15 @@ struct Contact {
     bool solved = false;                ///< some solve of the step held it; before, a forecast leaves out the fluid's part: it sticks
     bool slides = false;
     Vec<D - 1> pull = Vec<D - 1>::Zero(); ///< friction impulse on a along the tangents while it slides
+    Vec<D - 1> lack = Vec<D - 1>::Zero(); ///< what the last round of the step would have added to `pull`; 0: did not slide before
     double slip = 0;                    ///< speed at which it slides
     double impulse = 0;                 ///< normal, on a, over the step
     Vec<D - 1> tangential = Vec<D - 1>::Zero(); ///< friction impulse on a
     Vec<D> mark = Vec<D>::Zero();       ///< place on a in a's frame, to know the contact again
 };
+
+/// What a solve makes of the contacts: `pulls`: those that hold, stick and slide are the same, but sliding friction is not.
+enum class ContactChange { none, pulls, states };
 
 template <int D>
 class ContactSet {
@@ -50,8 +55,9 @@ public:
     void find(const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists, double dt);
     /// Takes overlaps out by moving free bodies, without a change of momentum. True if anything moved.
     bool push_apart(std::vector<RigidBody<D>>& bodies) const;
-    /// What each contact asks of the step: `before`: twists at its start; `forced`: with the explicit forces of the step.
-    void prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt);
+    /// What each contact asks of the step: `before`: twists at its start; `forced`: with the explicit forces of the step. Sliding pulls of the
+    /// last step, of length `last_dt`, are taken on.
+    void prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt, double last_dt);
     /// Whether these contacts, as they are, would not do with the twists expected at the step's end: then they are to be found
     /// by rough solves first.
     bool likely_to_change(const std::vector<Twist<D>>& expected) const;
@@ -59,10 +65,8 @@ public:
     std::vector<HeldContact<D>> held() const;
     /// Impulses of sliding friction on every solid, about its centre.
     std::vector<Twist<D>> sliding_impulses(std::size_t solids) const;
-    /// Takes the twists and the impulses of held() that a solve gave. True if contacts must change and the solve be repeated.
-    /// `mobility`: as for forecast_contacts().
-    bool update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const std::vector<TwistMatrix<D>>& mobility,
-                double accuracy, int round);
+    /// Takes the twists and the impulses of held() that a solve gave. Unless nothing changes the solve must be repeated.
+    ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia, double accuracy, int round);
 
     /// A contact that holds and yet closes: its solids are driven into each other, and neither can give way. Null: none.
     const Contact<D>* crushed(const std::vector<Twist<D>>& twists) const;
@@ -88,6 +92,7 @@ private:
     std::vector<std::string> names_;
     std::vector<ContactFeatures<D>> features_;
     std::vector<Contact<D>> contacts_;
+    double relaxation_ = 1; ///< of the pulls in the step's last round
 };
 
 } // namespace gapflow

@@ -20,10 +20,13 @@ namespace gapflow {
 namespace {
 
 // While contacts change, their solves go to this relative residual only; and so many times at most.
-constexpr double rough_tolerance = 1e-4;
+constexpr std::array<double, 3> rough_tolerances = {1e-2, 1e-4, 1e-6};
 // Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
 constexpr double settled_tolerance = 0.1;
 constexpr int most_rounds = 60;
+constexpr int most_pushes = 10; // that take out the overlaps of a step
+// Of the fluid that a body displaces: what it adds to its inertia where contacts are forecast. In a crowd; found by trial.
+constexpr double bulk_share = 2;
 constexpr std::size_t many_points = 1000000; // of films: what they leave behind in small pieces is worth collecting
 constexpr int few_iterations = 12; // of a solve without a correction for bodies: the next one asks no more for their lightness
 // Voids change all at once in the first rounds, then one at a time.
@@ -149,13 +152,14 @@ void Simulation<D>::move_bodies(double dt)
     }
 }
 
-// Contacts of the new configuration. Overlaps that the motion left are taken out first.
+// Contacts of the new configuration. Overlaps that the motion left are taken out first: again where pushed bodies meet others, or turn
+// so far that what was found of their contacts no longer holds.
 template <int D>
 void Simulation<D>::find_contacts(double dt)
 {
     const auto timer = stages_.measure("contact");
     contacts_.find(make_solids<D>(bodies_, walls_), twists(), dt);
-    if (contacts_.push_apart(bodies_))
+    for (int pass = 0; pass < most_pushes && contacts_.push_apart(bodies_); ++pass)
         contacts_.find(make_solids<D>(bodies_, walls_), twists(), dt);
 }
 
@@ -333,10 +337,13 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
     options.ask_lightness = light_bodies_;
     const bool contacts = dt > 0 && !contacts_.empty();
-    std::vector<TwistMatrix<D>> mobility;
+    NearInertia<D> inertia;
     if (contacts) {
-        contacts_.prepare(twists(), forced, dt);
-        mobility = mobilities(*coupling_);
+        contacts_.prepare(twists(), forced, dt, last_dt_);
+        std::vector<TwistMatrix<D>> mass = masses();
+        for (std::size_t b = 0; b < bodies_.size(); ++b)
+            mass[b] *= 1 + bulk_share * scene_.density * std::abs(bodies_[b].volume) / bodies_[b].mass;
+        inertia = near_inertia(*coupling_, mass, voids_.is_void());
     }
     impulse_.cells.fill(0); // a guess would keep errors of the solver from step to step: symmetric scenes would tell
     impulse_.nodes.setZero(coupling_->system.nodes);
@@ -353,7 +360,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     Eigen::VectorXd contact_impulse, held_impulse;
     UnknownVector<D> rhs;
     double squares = 0;
-    bool settled = !sets; // whether the sets were right once, to the rough tolerance
+    std::size_t level = sets ? 0 : rough_tolerances.size(); // rough tolerances to which the sets were right
     bool changed = true;  // whether the sets are others than those of the last solve
     const bool expect_none = !voids && !(contacts && contacts_.likely_to_change(predicted_twists(dt)));
     for (int round = 0;; ++round) {
@@ -388,9 +395,9 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
                 solver_seconds += solver->setup_seconds();
             }
         }
-        const bool exact = settled || (round == 0 && expect_none);
+        const bool exact = level == rough_tolerances.size() || (round == 0 && expect_none);
         const bool holds = voids || coupling_->system.contact.rows() > 0;
-        const double tolerance = !exact  ? std::max(options.tolerance, rough_tolerance)
+        const double tolerance = !exact  ? std::max(options.tolerance, rough_tolerances[level])
                                  : holds ? settled_tolerance * options.tolerance
                                          : options.tolerance;
         const SolveReport solve = solver->solve(impulse_, rhs, 1e-13 * std::sqrt(squares), tolerance);
@@ -410,7 +417,8 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             break;
         // A contact whose impulse is next to nothing may flip for ever: what counts as nothing grows with the rounds.
         const double accuracy = std::max(10 * tolerance, 1e-6 * std::exp2(round - 20));
-        changed = contacts && contacts_.update(V, contact_impulse, mobility, accuracy, round);
+        const ContactChange change = contacts ? contacts_.update(V, contact_impulse, inertia, accuracy, round) : ContactChange::none;
+        changed = change != ContactChange::none;
         if (wet) {
             new_voids = update_voids(*wet, u_star, V, dt, 10 * tolerance, round, changed);
             changed = changed || new_voids;
@@ -422,7 +430,10 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         }
         if (exact && !changed)
             break;
-        settled = settled || !changed || round > most_rounds / 2; // the fluid's balance holds whatever contacts do
+        if (round > most_rounds / 2)
+            level = rough_tolerances.size(); // the fluid's balance holds whatever contacts do
+        else if (!exact && !new_voids && change != ContactChange::states)
+            ++level; // pulls settle on the way
     }
     if (const Contact<D>* c = contacts ? contacts_.crushed(V) : nullptr)
         throw ComputationError("prescribed motion drives '" + coupling_->solids[c->point.a].name + "' and '" +

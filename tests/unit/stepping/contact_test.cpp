@@ -1,5 +1,6 @@
 // Contact inside the coupled solve: rest, impact, friction, stacks.
 #include "gapflow/stepping/contact_law.hpp"
+#include "gapflow/stepping/setup.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -145,6 +146,28 @@ TEST(ContactSet, OverlapIsTakenOutWithoutMomentum)
     EXPECT_LT(bodies[0].twist.norm(), 1e-12);
 }
 
+// What is pushed out of one body must not be left in the next, though that was out of reach at first.
+TEST(ContactSet, OverlapIsTakenOutThroughABody)
+{
+    Scene scene = tank(2);
+    scene.gravity = {};
+    const double dx = 1.0 / 16;
+    for (const double x : {0.6, 1.0 - 0.09 * dx, 1.4 - 0.06 * dx}) {
+        BodyScene ball;
+        ball.name = "ball" + std::to_string(scene.bodies.size());
+        ball.radius = 0.2;
+        ball.position = {x, 0.5, 0};
+        ball.density = 2;
+        scene.bodies.push_back(ball);
+    }
+    Simulation<2> simulation(scene, Communicator());
+    simulation.step(scene.end);
+    const auto& bodies = simulation.bodies();
+    for (int i = 0; i < 2; ++i)
+        EXPECT_GT(bodies[i + 1].pose.position[0] - bodies[i].pose.position[0], 0.4 - 1e-5 * dx);
+    EXPECT_NEAR(bodies[0].pose.position[0] + bodies[1].pose.position[0] + bodies[2].pose.position[0], 3.0 - 0.15 * dx, 1e-12);
+}
+
 // A ball pushed along a floor that it rests on gains what the push does. The floor is one solid however many periods wide: the
 // ball and it have one film.
 TEST(ContactSet, BallSlidesAlongAPeriodicFloor)
@@ -242,7 +265,7 @@ TEST(ContactLaw, BlockSticksOrSlides)
     for (double push : {0.2, 0.4}) { // against a bound of 0.5 over the weight of 1 and mass of 2: 0.25 of speed
         const std::vector<Twist<2>> free_motion{Twist<2>(push, -0.5, 0), Twist<2>::Zero()};
         const ContactForecast<2> forecast =
-            forecast_contacts<2>(contacts, none, free_motion, {mobility, TwistMatrix<2>::Zero()}, 1e-12);
+            forecast_contacts<2>(contacts, none, free_motion, {{mobility, TwistMatrix<2>::Zero()}, {}}, 1e-12);
         double normal = 0, tangential = 0;
         for (const ContactImpulse<2>& impulse : forecast.impulses) {
             EXPECT_GE(impulse.normal, 0);
@@ -256,6 +279,53 @@ TEST(ContactLaw, BlockSticksOrSlides)
         EXPECT_NEAR(forecast.twists[0][1], 0, 1e-9);
         EXPECT_NEAR(forecast.twists[0][2], 0, 1e-9);
     }
+}
+
+// The same block, held to the floor by an impulse that no contact may have, lets go as slowly as the film below lets it.
+TEST(ContactLaw, FilmHoldsBackWhatLetsGo)
+{
+    NearInertia<2> inertia;
+    inertia.mobility = {Eigen::Vector3d(0.5, 0.5, 4).asDiagonal(), TwistMatrix<2>::Zero()};
+    Contact<2> contact;
+    contact.point.a = 0;
+    contact.point.b = 1;
+    contact.normal = {Twist<2>(0, 1, 0), Twist<2>::Zero()};
+    const std::vector<Contact<2>> contacts(1, contact);
+    std::vector<ContactImpulse<2>> given(1);
+    given[0].normal = -1;
+    for (double film : {0.0, 18.0}) {
+        inertia.films = {{0, 1, PairMatrix<2>::Zero()}};
+        inertia.films[0].matrix(1, 1) = film;
+        const ContactForecast<2> forecast =
+            forecast_contacts<2>(contacts, given, std::vector<Twist<2>>(2, Twist<2>::Zero()), inertia, 1e-12);
+        EXPECT_EQ(forecast.impulses[0].normal, 0);
+        EXPECT_NEAR(forecast.twists[0][1], 1 / (2 + film), 1e-9);
+    }
+}
+
+// Between flat faces of length L, h apart, ideal flow weighs rho L^3 / (12 h) against squeezing and rho L^5 / (720 h) against turning.
+TEST(NearInertia, OfAFlatFilm)
+{
+    Scene scene = tank(2);
+    const double L = 0.6, h = 0.003;
+    scene.bodies = {box("box", {L, 0.3, 0}, {0.97, 0.15 + h, 0})};
+    const Grid<2> grid = make_grid<2>(scene, Communicator());
+    const DomainWalls<2> walls = make_walls<2>(scene);
+    std::vector<RigidBody<2>> bodies = make_bodies<2>(scene);
+    const auto solids = make_solids<2>(bodies, walls);
+    const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
+    const Coupling<2> coupling = couple<2>(grid, solids, mass, {1.0, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
+    const NearInertia<2> inertia = near_inertia(coupling, mass, {});
+    ASSERT_EQ(inertia.films.size(), 1u);
+    EXPECT_EQ(inertia.films[0].a, 0);
+    const PairMatrix<2>& film = inertia.films[0].matrix;
+    EXPECT_NEAR(film(1, 1), L * L * L / (12 * h), 0.1 * film(1, 1)); // the ways out weigh too
+    EXPECT_NEAR(film(2, 2), std::pow(L, 5) / (720 * h), 0.1 * film(2, 2));
+    EXPECT_LT((film - film.transpose()).norm(), 1e-9 * film.norm());
+    EXPECT_NEAR(inertia.mobility[0](1, 1), 1, 1e-12);
+    // Voids carry nothing: without its nodes the film weighs what its fluid does.
+    const NearInertia<2> dry = near_inertia(coupling, mass, std::vector<char>(coupling.system.nodes, 1));
+    EXPECT_LT(dry.films[0].matrix(1, 1), L * h);
 }
 
 } // namespace
