@@ -274,6 +274,23 @@ TEST(Viscosity, DragAndSqueezeOfAFilm)
     EXPECT_NEAR(box_over_wall(h, {0, -V, 0}).across / (V / (h * h * h)), 1.0, 0.01);
 }
 
+// A ball of 5 cells a radius that is pressed towards a wall, 1e-5 of its radius away: the pressure is in a spot of sqrt(2 R h) = R / 220.
+TEST(Viscosity, BallSqueezesAThinFilm)
+{
+    const double gap = 1e-5, speed = 1e-5;
+    Scene scene = closed_box(3, 3.0, 15);
+    scene.density = 1e-6;
+    scene.max_step = 1e-7;
+    scene.sides[5].kind = Kind::open;
+    scene.bodies = {ball("ball", 1.0, {1.51, 1.53, 1 + gap})};
+    scene.bodies[0].motion = BodyScene::Motion::prescribed;
+    scene.bodies[0].velocity = {0, 0, -speed};
+    Simulation<3> simulation(scene, Communicator());
+    for (int i = 0; i < 10; ++i)
+        simulation.step(1e9);
+    EXPECT_NEAR(simulation.fluid_wrenches()[0][2] / (6 * std::numbers::pi * speed), 100003.3, 0.03 * 100003.3); // Brenner 1961
+}
+
 // Poiseuille flow through a channel of a few cells between two half-spaces, turned against the grid: gradient of the pressure over 12 mu q / h^3.
 double gradient_in_channel(double degrees, int cells, double offset)
 {
