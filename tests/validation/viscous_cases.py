@@ -123,14 +123,17 @@ SPHERE_ALONG = {0.1276: 2.1514, 0.0453: 2.6475, 0.005004: 3.7863, 1e-5: 8 / 15 *
 
 def sphere_near_wall(quick):
     """A box of 4 radii a side at 12 cells a radius. Along the wall its sides double the force: what a box of 12 changes is added as measured at 6
-    cells a radius, and what one of 20 changes at 3 cells and one gap. Towards the wall at gaps below 0.1 all of the force is the gap's."""
+    cells a radius, and what one without end does, from boxes of 12 and 20 at 3 cells and one gap (the share of the sides falls with the third
+    power of the box's size). Towards the wall at gaps below 0.1 all of the force is the gap's."""
     if quick:
         return
     table = harness.read_table(REFERENCE / "V1_sphere_stokes.csv")
     near = [min(table, key=lambda r: abs(math.log(r["gap_over_a"] / gap))) for gap in (0.1, 1e-2, 1e-3, 1e-4, 1e-5)]
     place = (0.2, 0.4)
     for axis, cases in ((2, [(row["gap_over_a"], row["lambda_wall_normal"]) for row in near]), (0, list(SPHERE_ALONG.items()))):
-        far = sphere_and_wall(0.0453, 0, place, 3, 20, 120) - sphere_and_wall(0.0453, 0, place, 3, 12, 120) if axis == 0 else 0.0
+        far = 0.0
+        if axis == 0:
+            far = (sphere_and_wall(0.0453, 0, place, 3, 20, 120) - sphere_and_wall(0.0453, 0, place, 3, 12, 120)) / (1 - (12 / 20)**3)
         for gap, exact in cases:
             gap_alone = axis == 2 and gap < 0.05
             box = 0.0 if gap_alone else sphere_and_wall(gap, axis, place, 6, 12, 120) - sphere_and_wall(gap, axis, place, 6, 4) + far
