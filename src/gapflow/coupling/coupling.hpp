@@ -8,6 +8,7 @@
 #include "gapflow/film/conduits.hpp"
 #include "gapflow/grid/face_fractions.hpp"
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -37,6 +38,12 @@ struct NormalInertia {
 /// mean U_w of the two walls' velocities along the film; kappa + theta = 1.
 struct Drag {
     double kappa = 1, theta = 0;
+    double wet = 1; ///< share of the gap that holds fluid: the rest is a void
+};
+
+/// Share of the gap's thickness that holds fluid, of every film element and conduit; empty: all of it.
+struct WetShares {
+    std::vector<double> elements, conduits;
 };
 
 /// What drag adds to the bodies' mass: 1/2 mass (row_master . V + row_other . V - speed)^2.
@@ -86,11 +93,12 @@ struct CouplingOptions {
     double viscosity_dt = 0;       ///< dynamic viscosity times the step's length
 };
 
-/// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). Collective.
+/// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). `wet` is asked once,
+/// when films are known and nothing else of the coupling is. Collective.
 template <int D>
 Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
                    const CouplingOptions& options, const std::function<GapSettings(int, int)>& gap,
-                   const std::set<FilmPair<D>>& alive);
+                   const std::set<FilmPair<D>>& alive, const std::function<WetShares(const Coupling<D>&)>& wet = {});
 
 /// out = D u + K V of every unknown: what flows out of its volume when the fluid moves with u and the solids with their
 /// twists. `sum_of_magnitudes` (if not null) receives the sum over rows of the squares of the terms' magnitudes.

@@ -115,7 +115,7 @@ Drag drag_of(double beta)
 //
 // (theory 7.2; D t in 2D only). What a common rotation would make of it beside t.U at mid-gap is taken away from both by half.
 template <int D>
-WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t)
+WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t, double wet)
 {
     const Vec<D> g = tilt(e);
     const Vec<D> bent = D == 2 ? widening(mesh, e, t) : Vec<D>(Vec<D>::Zero());
@@ -123,12 +123,17 @@ WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, cons
     Twist<D> turned = Twist<D>::Zero();
     turned.template tail<spin_size<D>>() = -0.5 * (moment<D>(Vec<D>(e.centroid_master - e.centroid), of_master) +
                                                    moment<D>(Vec<D>(e.centroid_other - e.centroid), of_other));
-    return {wrench<D>(of_master, e.centroid_master - coupling.solids[mesh.master].centre) + turned,
-            wrench<D>(of_other, e.centroid_other - coupling.solids[mesh.other].centre - mesh.shift) + turned};
+    const Vec<D> &centre = coupling.solids[mesh.master].centre, other_centre = coupling.solids[mesh.other].centre + mesh.shift;
+    WallRows<D> rows{wrench<D>(of_master, e.centroid_master - centre) + turned, wrench<D>(of_other, e.centroid_other - other_centre) + turned};
+    Twist<D> about_master = rows.other;
+    about_master.template tail<spin_size<D>>() += moment<D>(Vec<D>(other_centre - centre), of_other);
+    rows.master += (1 - wet) * about_master;
+    rows.other *= wet;
+    return rows;
 }
 
 template <int D>
-void find_drag(Coupling<D>& coupling, double viscosity_dt)
+void find_drag(Coupling<D>& coupling, double viscosity_dt, const WetShares& wet)
 {
     const double rho = coupling.density;
     for (const Film<D>& film : coupling.network.films) {
@@ -141,14 +146,15 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt)
             const int number = static_cast<int>(coupling.element_drag.size());
             const double resistance = D == 3 ? cubic[k] * e.conductance() / (e.measure * e.measure) : e.inverse / e.volume;
             const double beta = 12 * viscosity_dt / rho * resistance;
-            const Drag drag = drag_of(beta / std::pow(slant(e), slant_power));
+            Drag drag = drag_of(beta / std::pow(slant(e), slant_power));
+            drag.wet = wet.elements.empty() ? 1.0 : wet.elements[number];
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
-                const WallRows<D> rows = wall_rows(coupling, mesh, e, t);
-                coupling.drag_inertia.push_back({{mesh.master, mesh.other, rows.master, rows.other, rho * e.volume * drag.theta},
+                const WallRows<D> rows = wall_rows(coupling, mesh, e, t, drag.wet);
+                coupling.drag_inertia.push_back({{mesh.master, mesh.other, rows.master, rows.other, drag.wet * rho * e.volume * drag.theta},
                                                  number, -1, t});
                 coupling.drag_inertia.push_back({{mesh.master, mesh.other, wrench<D>(t, e.centroid - centre),
-                                                  -wrench<D>(t, e.centroid - other), viscosity_dt * e.inverse}});
+                                                  -wrench<D>(t, e.centroid - other), drag.wet * viscosity_dt * e.inverse}});
             }
         }
     }
@@ -156,12 +162,13 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt)
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& c = conduits[r];
         const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
-        const Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance));
+        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance));
+        drag.wet = wet.conduits.empty() ? 1.0 : wet.conduits[r];
         coupling.conduit_drag.push_back(drag);
         coupling.drag_inertia.push_back(
-            {{mesh.master, mesh.other, 0.5 * wrench<D>(c.outward, c.x - coupling.solids[mesh.master].centre),
-              0.5 * wrench<D>(c.outward, c.x - coupling.solids[mesh.other].centre - mesh.shift),
-              rho * c.resistance * c.h * c.h * c.length * drag.theta},
+            {{mesh.master, mesh.other, (1 - 0.5 * drag.wet) * wrench<D>(c.outward, c.x - coupling.solids[mesh.master].centre),
+              0.5 * drag.wet * wrench<D>(c.outward, c.x - coupling.solids[mesh.other].centre - mesh.shift),
+              drag.wet * rho * c.resistance * c.h * c.h * c.length * drag.theta},
              -1, static_cast<int>(r)});
     }
 }
@@ -191,12 +198,12 @@ void start_drag(Coupling<D>& coupling, FluidVelocity<D>& u_star)
 
 namespace {
 
-// Mean of the velocities of a film's two walls at mid-gap.
+// Mean of the velocities of a film's two walls at mid-gap; of the share 1 - `wet` of the gap, a void, the master's.
 template <int D>
-Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twists, const Vec<D>& x)
+Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twists, const Vec<D>& x, double wet)
 {
-    return 0.5 * (velocity_at<D>(twists[mesh.master], x - coupling.solids[mesh.master].centre) +
-                  velocity_at<D>(twists[mesh.other], x - coupling.solids[mesh.other].centre - mesh.shift));
+    return (1 - 0.5 * wet) * velocity_at<D>(twists[mesh.master], x - coupling.solids[mesh.master].centre) +
+           0.5 * wet * velocity_at<D>(twists[mesh.other], x - coupling.solids[mesh.other].centre - mesh.shift);
 }
 
 } // namespace
@@ -207,8 +214,8 @@ double entrained_flux(const Coupling<D>& coupling, std::size_t conduit, const st
     if (coupling.conduit_drag.empty())
         return 0;
     const Conduit<D>& c = coupling.network.mouths.conduits[conduit];
-    return coupling.conduit_drag[conduit].theta * c.length * c.h *
-           c.outward.dot(mean_velocity(coupling, coupling.network.films[c.film].mesh, twists, c.x));
+    const Drag& drag = coupling.conduit_drag[conduit];
+    return drag.theta * c.length * c.h * c.outward.dot(mean_velocity(coupling, coupling.network.films[c.film].mesh, twists, c.x, drag.wet));
 }
 
 template <int D>
@@ -219,10 +226,11 @@ void add_entrainment(const Coupling<D>& coupling, const std::vector<Twist<D>>& t
     for (const Film<D>& film : coupling.network.films)
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
             const FilmElement<D>& element = film.mesh.elements[e];
+            const Drag& drag = coupling.element_drag[film.first_element + e];
             for (const Vec<D>& t : tangents<D>(element.normal)) {
-                const WallRows<D> rows = wall_rows(coupling, film.mesh, element, t);
+                const WallRows<D> rows = wall_rows(coupling, film.mesh, element, t, drag.wet);
                 const double U = rows.master.dot(twists[film.mesh.master]) + rows.other.dot(twists[film.mesh.other]);
-                u.film[film.first_element + e] += share * coupling.element_drag[film.first_element + e].theta * U * t;
+                u.film[film.first_element + e] += share * drag.theta * U * t;
             }
         }
     for (std::size_t r = 0; r < u.conduit.size(); ++r)
@@ -265,8 +273,8 @@ std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vect
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void find_drag<D>(Coupling<D>&, double);                                                                          \
-    template WallRows<D> wall_rows<D>(const Coupling<D>&, const FilmMesh<D>&, const FilmElement<D>&, const Vec<D>&);           \
+    template void find_drag<D>(Coupling<D>&, double, const WetShares&);                                                        \
+    template WallRows<D> wall_rows<D>(const Coupling<D>&, const FilmMesh<D>&, const FilmElement<D>&, const Vec<D>&, double);   \
     template double film_conductance<D>(const Coupling<D>&, const Film<D>&, std::size_t);                                      \
     template double entrained_flux<D>(const Coupling<D>&, std::size_t, const std::vector<Twist<D>>&);                          \
     template void start_drag<D>(Coupling<D>&, FluidVelocity<D>&);                                                              \

@@ -10,6 +10,8 @@
 // rho S theta P_w^T P_w + mu dt I [P]^T [P], its right-hand side rho S theta P_w^T u*. Exact without inertia (Reynolds) and
 // without viscosity (Euler). Where the film is slanted against the line along which h is measured, by an angle a (half of that
 // between the walls), beta is larger by cos^-5.8 a: exact flow in a wedge of the angle 2 a to second order.
+// Where a part of the gap is a void (its share 1 - s), s times as much fluid is dragged along: U_m + s (U_w - U_m) replaces U_w, U_m being
+// the master's velocity, and s S and s I replace S and I in what the bodies feel.
 // Mouths: the same with rho R h^2 length for rho S, and beta = 12 nu dt / h^2 where the gap goes on, 16 nu dt / (pi h^2 R) at a
 // sharp edge (half of the pressure that Stokes flow takes to leave a slit, 32 mu q / (pi h^2)).
 #pragma once
@@ -20,20 +22,21 @@ namespace gapflow {
 
 /// Fills the coupling's element_drag, conduit_drag and drag_inertia, for viscosity_dt = mu dt > 0. Before assemble_films().
 template <int D>
-void find_drag(Coupling<D>& coupling, double viscosity_dt);
+void find_drag(Coupling<D>& coupling, double viscosity_dt, const WetShares& wet = {});
 
 /// Times grad p / rho . grad N: flux of an element's pressure. `e`: number in its film.
 template <int D>
 double film_conductance(const Coupling<D>& coupling, const Film<D>& film, std::size_t e);
 
 /// Rows of t . U_w in the twists of a film's two walls, for t along the element: such that the flux that a wall carries along is right to
-/// second order in the angle between the walls, and to first order in the gap's curvature; the same motion of both gives t . U.
+/// second order in the angle between the walls, and to first order in the gap's curvature; the same motion of both gives t . U. Of the
+/// share 1 - `wet` of the gap, a void, the master's.
 template <int D>
 struct WallRows {
     Twist<D> master, other;
 };
 template <int D>
-WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t);
+WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t, double wet);
 
 /// Takes the speeds of drag_inertia from u*, then makes kappa u* of it: what outflow() wants.
 template <int D>

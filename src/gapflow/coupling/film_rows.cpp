@@ -98,21 +98,21 @@ private:
     void add_entrainment(const Film<D>& f, const FilmElement<D>& e)
     {
         const FilmMesh<D>& mesh = f.mesh;
-        const double theta = coupling_.element_drag[f.first_element + (&e - mesh.elements.data())].theta;
+        const Drag& drag = coupling_.element_drag[f.first_element + (&e - mesh.elements.data())];
         for (int i = 0; i < D; ++i) {
-            const WallRows<D> rows = wall_rows<D>(coupling_, mesh, e, -theta * e.volume * e.gradient[i]);
+            const WallRows<D> rows = wall_rows<D>(coupling_, mesh, e, -drag.theta * e.volume * e.gradient[i], drag.wet);
             rows_.add_node(f.first_node + e.nodes[i], mesh.master, rows.master);
             rows_.add_node(f.first_node + e.nodes[i], mesh.other, rows.other);
         }
     }
 
     // The same in a mouth: theta length h nu . U_w leaves the film, with both walls' velocities at mid-gap.
-    void add_entrainment(const Conduit<D>& conduit, double theta)
+    void add_entrainment(const Conduit<D>& conduit, const Drag& drag)
     {
         const FilmMesh<D>& mesh = film(conduit.film).mesh;
-        const Vec<D> flux = 0.5 * theta * conduit.length * conduit.h * conduit.outward;
-        const Twist<D> of_master = wrench<D>(flux, conduit.x - centre(mesh.master));
-        const Twist<D> of_other = wrench<D>(flux, conduit.x - other_centre(mesh));
+        const Vec<D> flux = drag.theta * conduit.length * conduit.h * conduit.outward;
+        const Twist<D> of_master = (1 - 0.5 * drag.wet) * wrench<D>(flux, conduit.x - centre(mesh.master));
+        const Twist<D> of_other = 0.5 * drag.wet * wrench<D>(flux, conduit.x - other_centre(mesh));
         for (int i = 0; i < D - 1; ++i) {
             rows_.add_node(conduit.nodes[i], mesh.master, conduit.shape[i] * of_master);
             rows_.add_node(conduit.nodes[i], mesh.other, conduit.shape[i] * of_other);
@@ -407,7 +407,7 @@ private:
                 link.conductance = 0;
             if (!coupling_.conduit_drag.empty()) {
                 link.conductance *= coupling_.conduit_drag[links.size()].kappa;
-                add_entrainment(conduit, coupling_.conduit_drag[links.size()].theta);
+                add_entrainment(conduit, coupling_.conduit_drag[links.size()]);
             }
             for (int i = 0; i < D - 1; ++i) {
                 link.nodes.emplace_back(conduit.nodes[i], conduit.shape[i]);

@@ -301,13 +301,13 @@ std::optional<std::vector<FilmMesh<D>>> films_at_scale(const GapSurface<D>& base
 } // namespace
 
 template <int D>
-FilmMeshOptions coupling_sizes()
+FilmMeshOptions coupling_sizes(bool viscous)
 {
     FilmMeshOptions options;
     if (D == 3) {
         options.largest_curved = 1;
         options.curved = 0.4;
-        options.smallest = 1. / 16;
+        options.smallest = viscous ? 1e-4 : 1. / 16;
         options.straddle_smooth = 1;
         options.kink = 0.06;
         options.spacing = 0.5;
@@ -358,8 +358,8 @@ void take_skin_off(FilmMesh<D>& mesh, double skin)
 
 template void take_skin_off<2>(FilmMesh<2>&, double);
 template void take_skin_off<3>(FilmMesh<3>&, double);
-template FilmMeshOptions coupling_sizes<2>();
-template FilmMeshOptions coupling_sizes<3>();
+template FilmMeshOptions coupling_sizes<2>(bool);
+template FilmMeshOptions coupling_sizes<3>(bool);
 template std::vector<FilmMesh<2>> film_meshes(const PlacedShape<2>&, const PlacedShape<2>&,
                                               const std::function<double(const Vec<2>&, const Vec<2>&)>&, const FilmMeshOptions&,
                                               const SurfaceMesh<2>*);

@@ -102,9 +102,10 @@ struct FilmMeshOptions {
 };
 
 /// Sizes for the coupled system. In 3D coarser than the defaults where surfaces are curved: in twelve cases of ball on ball and
-/// ball on wall added masses stay within 0.15 % of those with elements of a quarter of the size.
+/// ball on wall added masses stay within 0.15 % of those with elements of a quarter of the size. Inertia feels the thinnest part of a
+/// gap by its logarithm only; in `viscous` fluid nearly all of the pressure is there, and elements get as small as sqrt(2 R h) asks for.
 template <int D>
-FilmMeshOptions coupling_sizes();
+FilmMeshOptions coupling_sizes(bool viscous);
 
 /// All films of `other` on `master` (empty if none). `third(x, n)` is the distance to the nearest
 /// solid that is neither and competes with the other for the surface point x with normal n.

@@ -243,7 +243,7 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
     }
     for_each_job(static_cast<int>(jobs.size()), [&](int k) {
         Job& job = jobs[k];
-        FilmMeshOptions options = coupling_sizes<D>();
+        FilmMeshOptions options = coupling_sizes<D>(job.gap.viscous);
         options.dx = grid.dx();
         options.threshold = job.threshold;
         options.floor = job.gap.floor;

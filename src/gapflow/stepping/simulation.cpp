@@ -179,16 +179,20 @@ void Simulation<D>::rebuild()
         if (points > many_points)
             return_freed_memory();
     }
-    build_coupling();
-    voids_.find(*coupling_, holding_ ? nullptr : &memories_);
+    build_coupling([this](const Coupling<D>& films) {
+        voids_.find(films, holding_ ? nullptr : &memories_);
+        if (scene_.viscosity > 0)
+            voids_.find_wet_shares(films, twists());
+        return voids_.wet_shares();
+    });
 }
 
 template <int D>
-void Simulation<D>::build_coupling()
+void Simulation<D>::build_coupling(const std::function<WetShares(const Coupling<D>&)>& wet)
 {
     coupling_ = std::make_unique<Coupling<D>>(couple<D>(grid_, make_solids<D>(bodies_, walls_), masses(),
                                                         {scene_.density, fraction_mode(scene_), &stages_, scene_.viscosity * dt_},
-                                                        gaps_, alive_));
+                                                        gaps_, alive_, wet));
 }
 
 // Stages 2 and 4: the fluid's velocities carried to the new configuration.

@@ -122,7 +122,7 @@ private:
     void move_bodies(double dt);
     void find_contacts(double dt);
     void rebuild();
-    void build_coupling();
+    void build_coupling(const std::function<WetShares(const Coupling<D>&)>& wet);
     FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale);
     void flood(FilmFlow<D>& flow, double dt);
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);

@@ -79,7 +79,7 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const St
     if (acceleration_.size() != walls_.solids.size() + bodies_.size())
         throw StateError("it has other walls than the scene");
     holding_ = steps_ == 0;
-    build_coupling();
+    build_coupling([this](const Coupling<D>&) { return voids_.wet_shares(); });
     holding_ = false;
     const FilmNetwork<D>& network = coupling_->network;
     if (static_cast<int>(velocity_.film.size()) != network.elements || velocity_.film_normal.size() != velocity_.film.size() ||

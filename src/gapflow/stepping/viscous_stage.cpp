@@ -207,7 +207,12 @@ void Simulation<D>::add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>
         });
     }
     fill_velocity_ghosts(grid_, u_star.grid, side_velocities(time_ + dt));
-    double lost = step.energy - system.cell_mass * grid_.comm().sum(changed);
+    double held = 0;
+    for (const HeldMass& face : system.beside_walls) {
+        const double change = u.grid[face.axis].data()[face.at] - before[face.axis].data()[face.at];
+        held += face.mass * change * change;
+    }
+    double lost = step.energy - grid_.comm().sum(system.cell_mass * changed - held);
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         if (bodies_[b].motion == Motion::free) {
             const Twist<D> change = step.twists[b] - bodies.twists[b];

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace gapflow {
 
@@ -107,7 +108,8 @@ void VoidSet<D>::start(const Coupling<D>& coupling)
     }
 }
 
-// The depth of the voids is linear over the old film; what a pair has of them is kept.
+// The depth of the voids is linear over the old film; what a pair has of them is kept, but for what its master has carried along to where
+// the film has ended: the bulk there has no voids.
 template <int D>
 void VoidSet<D>::carry(const Coupling<D>& coupling, const FilmMemories<D>& memories)
 {
@@ -116,6 +118,17 @@ void VoidSet<D>::carry(const Coupling<D>& coupling, const FilmMemories<D>& memor
         int nearest = -1; ///< node nearest to the old film's deepest void: where all goes if no node lies in one
     };
     std::map<FilmPair<D>, Sum> sums;
+    std::set<FilmPair<D>> seen;
+    for (const Film<D>& film : coupling.network.films) {
+        const auto old = memory_.find(film.pair);
+        if (old == memory_.end() || !seen.insert(film.pair).second)
+            continue;
+        const PlacedShape<D>&master = coupling.solids[film.pair.master].shape, other = coupling.solids[film.pair.other].shape.shifted(film.mesh.shift);
+        for (std::size_t i = 0; i < old->second.places.size(); ++i)
+            if (old->second.volumes[i] > 0 && other.closest(master.to_world(old->second.places[i])).distance > film.threshold)
+                old->second.volume -= old->second.volumes[i];
+        old->second.volume = std::max(0.0, old->second.volume);
+    }
     for (const Film<D>& film : coupling.network.films) {
         const auto old = memory_.find(film.pair);
         const auto place = memories.find(film.pair);
@@ -246,6 +259,8 @@ void VoidSet<D>::finish(const Coupling<D>& coupling, const Eigen::VectorXd& p, c
             const std::size_t node = film.first_node + i;
             memory.depth.push_back(depth(static_cast<int>(node)));
             memory.pressure.push_back(dt > 0 ? p[static_cast<long>(node)] / dt : last_pressure_[node]);
+            memory.places.push_back(coupling.solids[film.pair.master].shape.to_body(film.mesh.x[i]));
+            memory.volumes.push_back(volume_[node]);
             memory.volume += volume_[node];
             if (memory.depth.back() > deepest) {
                 deepest = memory.depth.back();
@@ -269,6 +284,44 @@ std::vector<char> VoidSet<D>::empty_elements(const FilmNetwork<D>& network) cons
 }
 
 template <int D>
+void VoidSet<D>::find_wet_shares(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists)
+{
+    wet_ = {};
+    if (!any_)
+        return;
+    const FilmNetwork<D>& network = coupling.network;
+    std::vector<double> share(network.nodes, 1.0);
+    for (const Film<D>& film : network.films)
+        for (std::size_t i = 0; i < film.mesh.h.size(); ++i)
+            if (const std::size_t node = film.first_node + i; volume_[node] > 0)
+                share[node] = std::max(0.0, 1 - depth(static_cast<int>(node)) / (film.mesh.h[i] + film.mesh.skin));
+    // How fast the film's fluid passes the master.
+    auto passes = [&](const FilmMesh<D>& mesh, const Vec<D>& x) {
+        return Vec<D>(0.5 * (velocity_at<D>(twists[mesh.other], x - coupling.solids[mesh.other].centre - mesh.shift) -
+                             velocity_at<D>(twists[mesh.master], x - coupling.solids[mesh.master].centre)));
+    };
+    for (const Film<D>& film : network.films)
+        for (const FilmElement<D>& e : film.mesh.elements) {
+            const Vec<D> u = passes(film.mesh, e.centroid);
+            double sum = 0, weights = 0, mean = 0;
+            for (int i = 0; i < D; ++i) {
+                const double of_node = share[film.first_node + e.nodes[i]], upstream = std::max(0.0, -e.gradient[i].dot(u));
+                sum += upstream * of_node;
+                weights += upstream;
+                mean += of_node / D;
+            }
+            wet_.elements.push_back(weights > 0 ? sum / weights : mean);
+        }
+    for (const Conduit<D>& conduit : network.mouths.conduits) {
+        double of_nodes = 0;
+        for (int i = 0; i < D - 1; ++i)
+            of_nodes += conduit.shape[i] * share[conduit.nodes[i]];
+        const bool out = conduit.outward.dot(passes(network.films[conduit.film].mesh, conduit.x)) >= 0;
+        wet_.conduits.push_back(out ? of_nodes : 1.0);
+    }
+}
+
+template <int D>
 void VoidSet<D>::list_state(StateArchive& archive)
 {
     archive.group("voids", [&] {
@@ -282,11 +335,15 @@ void VoidSet<D>::list_state(StateArchive& archive)
         archive("drained", drained_);
         archive("shut", shut_);
         archive("lost", lost_);
+        archive("wet_elements", wet_.elements);
+        archive("wet_conduits", wet_.conduits);
         std::vector<std::pair<FilmPair<D>, Memory>> pairs(memory_.begin(), memory_.end());
         archive.each("pairs", pairs, [](StateArchive& list, auto& entry) {
             gapflow::list_state(list, entry.first);
             list("depth", entry.second.depth);
             list("pressure", entry.second.pressure);
+            list("places", entry.second.places);
+            list("volumes", entry.second.volumes);
             list("volume", entry.second.volume);
             list("deepest", entry.second.deepest);
         });

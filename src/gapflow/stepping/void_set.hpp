@@ -68,6 +68,10 @@ public:
     double depth(int node) const { return area_[node] > 0 ? volume_[node] / area_[node] : 0.0; }
     /// Elements without any node that is wet.
     std::vector<char> empty_elements(const FilmNetwork<D>& network) const;
+    /// Share of their gaps that fluid fills, upstream of every element and mouth as both walls' motion carries fluid along; as find() left it,
+    /// until the next step's. `twists`: of all solids.
+    void find_wet_shares(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists);
+    const WetShares& wet_shares() const { return wet_; }
     /// Void volume that find() had to drop because its film is gone, summed over the run.
     double lost() const { return lost_; }
     /// The voids at the end of the last step.
@@ -77,7 +81,9 @@ private:
     /// A pair's film at the end of a step, at the vertices of its FilmMemory.
     struct Memory {
         std::vector<double> depth, pressure; ///< void volume over area; reduced pressure
-        double volume = 0;
+        std::vector<Vec<D>> places;          ///< of the vertices, in the master's frame
+        std::vector<double> volumes;
+        double volume = 0;                   ///< their sum
         Vec<D> deepest = Vec<D>::Zero(); ///< place of the deepest void in the master's frame
     };
     VoidLaw law(int a, int b) const;
@@ -96,6 +102,7 @@ private:
     std::vector<int> flips_;     ///< of the mouths, in this step
     std::map<FilmPair<D>, Memory> memory_;
     double lost_ = 0;
+    WetShares wet_;
 };
 
 /// The pairs' laws, from the scene.

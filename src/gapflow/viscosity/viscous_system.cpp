@@ -128,6 +128,22 @@ private:
         return system_.cell_mass * coupling_.open(axis, f) * (on_side(axis, f) ? 0.5 : 1.0);
     }
 
+    // Share of a face's inertia that counts next to walls of the domain, half a cell from it: of its part at either wall, the third of a
+    // cell that the wall holds moves with the wall, and the wall bears what the pressure does to it. Plane Poiseuille flow is then exact.
+    double share_beside_walls(int axis, const Index<D>& f) const
+    {
+        double share = 1;
+        for (int k = 0; k < D; ++k) {
+            if (k == axis || grid_.periodic(k))
+                continue;
+            int walls = 0;
+            for (int end = 0; end < 2; ++end)
+                walls += f[k] == end * (grid_.cells()[k] - 1) && grid_.side(k, end) == SideKind::wall;
+            share *= 1 - walls / 3.0;
+        }
+        return share;
+    }
+
     // What a cut face is to the lattice. Any face of this rank or of the ghost layer: the same on all ranks.
     Face examine(int axis, const Index<D>& f)
     {
@@ -300,7 +316,11 @@ private:
     {
         const long at = offset(axis, f);
         const Face face = examine(axis, f);
-        ViscousTerm<D> inertia{axis, at, mass(axis, f), face.share, u_star_(axis, f), {-1, -1}, {}};
+        const bool has_gap = find_gap_drag(axis, f, at, face.share);
+        const double whole_mass = mass(axis, f), counts = has_gap ? 1.0 : share_beside_walls(axis, f);
+        if (counts < 1)
+            system_.beside_walls.push_back({axis, at, (1 - counts) * whole_mass});
+        ViscousTerm<D> inertia{axis, at, counts * whole_mass, face.share, u_star_(axis, f), {-1, -1}, {}};
         if (face.share != 1) {
             inertia.solid[0] = rays_.image(face.image).solid;
             inertia.row[0] = (1 - face.share) * row(face.image, axis, face.foot);
@@ -311,7 +331,6 @@ private:
         for (int k = 0; k < D; ++k)
             for (int end = 0; end < 2; ++end)
                 add_edge(axis, f, at, k, end);
-        find_gap_drag(axis, f, at, face.share);
     }
 
     // The narrow gap around a lattice point. Lengths in dx.
@@ -370,15 +389,15 @@ private:
         return face_mean(gap, axis, part.open_centroid, part.open) / face.share;
     }
 
-    // Gaps of a few cells: a point next to a surface, whose second difference is too weak there.
-    void find_gap_drag(int axis, const Index<D>& f, long at, double share)
+    // Gaps of a few cells: a point next to a surface, whose second difference is too weak there. Returns whether there is one.
+    bool find_gap_drag(int axis, const Index<D>& f, long at, double share)
     {
         std::optional<Gap> gap = narrow_gap(grid_.face_centre(axis, f));
         if (!gap)
-            return;
+            return false;
         gap->value = lattice_value(*gap, axis, f);
         if (!(gap->value > 0))
-            return;
+            return false;
         gap->lacking = share * coupling_.open(axis, f);
         for (int k = 0; k < D; ++k)
             for (int end = 0; end < 2; ++end) {
@@ -394,6 +413,7 @@ private:
                     gap->lacking -= gap->value / std::max(hit.distance / grid_.dx(), least_distance);
             }
         gaps_.try_emplace({axis, at}, *gap);
+        return true;
     }
 
     void add_gap_drag(int axis, long at, const Gap& gap)

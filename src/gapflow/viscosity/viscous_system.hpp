@@ -56,6 +56,13 @@ struct FollowingFace {
     std::array<Twist<D>, 2> row;
 };
 
+/// A face beside a wall of the domain, and what of its mass moves with the wall.
+struct HeldMass {
+    int axis;
+    long at;
+    double mass;
+};
+
 template <int D>
 struct ViscousSystem {
     const Grid<D>* grid = nullptr;
@@ -71,6 +78,7 @@ struct ViscousSystem {
     std::vector<ViscousTerm<D>> terms;    ///< those with a solid
     std::vector<CutFace<D>> cut;
     std::vector<FollowingFace<D>> following;
+    std::vector<HeldMass> beside_walls;
     std::vector<int> free_body;           ///< number of each solid among the free bodies, -1: none
     std::vector<TwistMatrix<D>> admissible; ///< of the free bodies
     Eigen::SparseMatrix<double> body_matrix; ///< of the twists: masses, and what the terms and rotation add; the same on all ranks

@@ -61,6 +61,31 @@ TEST(Viscosity, CouetteFlow3D)
     check_couette<3>();
 }
 
+// Channel between two walls of the domain, `cells` apart: gradient of the pressure half-way over -12 mu q / h^3.
+double gradient_between_walls(int cells)
+{
+    Scene scene = closed_box(2, 4.0, 4 * cells);
+    scene.size[1] = 1;
+    scene.cells[1] = cells;
+    scene.density = 1e-6;
+    scene.max_step = 2e-7;
+    scene.sides[0].kind = Kind::inflow;
+    scene.sides[0].velocity = {1, 0, 0};
+    scene.sides[1].kind = Kind::open;
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 80; ++i)
+        simulation.step(1e9);
+    const UnknownVector<2> p = simulation.reduced_pressure();
+    const Index<2> middle = 2 * cells * step<2>(0) + cells / 2 * step<2>(1);
+    return (p.cells(middle) - p.cells(Index<2>(middle - step<2>(0)))) * cells / -12;
+}
+
+TEST(Viscosity, PoiseuilleFlowBetweenWalls)
+{
+    for (int cells : {2, 3, 8})
+        EXPECT_NEAR(gradient_between_walls(cells), 1.0, 2e-4) << cells << " cells";
+}
+
 // Torque of a cylinder of radius 1/2 that turns in a fixed one of radius 1, over 4 pi mu omega a^2 b^2 / (b^2 - a^2).
 struct Torques {
     double inner, outer;
@@ -272,6 +297,23 @@ TEST(Viscosity, DragAndSqueezeOfAFilm)
     const double h = 1e-3, V = 1e-3;
     EXPECT_NEAR(box_over_wall(h, {V, 0, 0}).along / (-V / h), 1.0, 0.02);
     EXPECT_NEAR(box_over_wall(h, {0, -V, 0}).across / (V / (h * h * h)), 1.0, 0.01);
+}
+
+// A ball of 5 cells a radius that is pressed towards a wall, 1e-5 of its radius away: the pressure is in a spot of sqrt(2 R h) = R / 220.
+TEST(Viscosity, BallSqueezesAThinFilm)
+{
+    const double gap = 1e-5, speed = 1e-5;
+    Scene scene = closed_box(3, 3.0, 15);
+    scene.density = 1e-6;
+    scene.max_step = 1e-7;
+    scene.sides[5].kind = Kind::open;
+    scene.bodies = {ball("ball", 1.0, {1.51, 1.53, 1 + gap})};
+    scene.bodies[0].motion = BodyScene::Motion::prescribed;
+    scene.bodies[0].velocity = {0, 0, -speed};
+    Simulation<3> simulation(scene, Communicator());
+    for (int i = 0; i < 10; ++i)
+        simulation.step(1e9);
+    EXPECT_NEAR(simulation.fluid_wrenches()[0][2] / (6 * std::numbers::pi * speed), 100003.3, 0.03 * 100003.3); // Brenner 1961
 }
 
 // Poiseuille flow through a channel of a few cells between two half-spaces, turned against the grid: gradient of the pressure over 12 mu q / h^3.
