@@ -11,8 +11,15 @@ namespace {
 // Energy that transport adds at most, where the flux is not quite that of the volume balance: by this for each element that the flow
 // crosses, and no more than that. (By the step alone, the noise of the small steps about a point of contact would grow.)
 constexpr double growth_on_the_way = 0.25, most_growth = 0.05;
-constexpr double head_margin = 1.3;   // of mouths' heads over what the films gave away: steps of a quarter of the gap
 constexpr double thrown_margin = 10;  // of the energy of the heads' own fluxes over that: plates that meet take up to that much
+
+// Of mouths' heads over what the films gave away in a step that takes the part r of their thickness: at the rate of its start 3 r of the flow's
+// energy leave. The transport, to feet 1 - r + r^2/2 of the way to the mouth by the midpoint rule, takes less of it.
+double head_margin(double r)
+{
+    const double foot = 1 - r + 0.5 * r * r;
+    return r > 1e-6 ? 3 * r / (1 - (1 - r) * foot * foot) : 1.0;
+}
 
 // The speed c with sum volume min(speed, c)^2 = most, of (speed squared, volume) whose sum is larger.
 double fastest_within(std::vector<std::pair<double, double>>& parts, double most)
@@ -38,7 +45,7 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
                           const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
 {
     struct Sum {
-        double area = 0, motion = 0, inflow = 0, beyond = 0; // beyond: volume of elements where no film was
+        double area = 0, volume = 0, motion = 0, inflow = 0, beyond = 0; // beyond: volume of elements where no film was
         std::vector<std::pair<double, double>> parts; // speed squared and volume of each element
         double fastest = std::numeric_limits<double>::infinity();
     };
@@ -59,6 +66,7 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
     for_each_carried([&](const FilmMemory<D>* old, const FilmElement<D>& e, bool beyond, const Vec<D>& u, const Vec<D>& along) {
         Sum& sum = sums[old];
         sum.area += e.measure;
+        sum.volume += e.volume;
         sum.beyond += beyond ? e.volume : 0.0;
         sum.motion += e.volume * (u - along).squaredNorm();
         sum.parts.emplace_back((u - along).squaredNorm(), e.volume);
@@ -90,7 +98,8 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
     });
     GivenAway<D> given_away;
     for (const auto& [old, sum] : sums)
-        given_away[old] = std::max(old->motion() + sum.inflow - sum.motion, 0.0);
+        given_away[old] = {std::max(old->motion() + sum.inflow - sum.motion, 0.0),
+                           std::max(1 - sum.volume / sum.area / (old->volume() / old->area()), 0.0)};
     return given_away;
 }
 
@@ -98,7 +107,7 @@ template <int D>
 void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
                const GivenAway<D>& given_away, const std::vector<double>& head, std::vector<double>& flux)
 {
-    GivenAway<D> asked, thrown; // twice the work of the whole heads over the density, and the energy of their own fluxes
+    std::map<const FilmMemory<D>*, double> asked, thrown; // twice the work of the whole heads over the density, and the energy of their own fluxes
     const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         if (head[r] == 0)
@@ -115,7 +124,7 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
             continue;
         const FilmMemory<D>* old = memory[conduits[r].film];
         const auto known = given_away.find(old);
-        const double most = known != given_away.end() ? head_margin * known->second : 0.0;
+        const double most = known != given_away.end() ? head_margin(known->second.closing) * known->second.energy : 0.0;
         double share = asked[old] > most ? most / asked[old] : 1.0;
         if (share * share * thrown[old] > thrown_margin * most)
             share = std::sqrt(thrown_margin * most / thrown[old]);

@@ -88,6 +88,7 @@ FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, 
             coarse_.push_back(element.coarse);
             const Vec<D> relative = w_.back() - master_velocity(centroid);
             flux_.push_back(h_mean_.back() * relative);
+            area_ += element.measure;
             volume_ += element.volume;
             motion_ += element.volume * tangential<D>(relative, element.normal).squaredNorm();
         }

@@ -47,7 +47,8 @@ public:
     /// above.
     double at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const;
     int elements() const { return static_cast<int>(elements_.size()); }
-    /// Sums over the elements: volume S, and S |u - P U_m|^2, twice the energy of the motion along the master at density 1.
+    /// Sums over the elements: area, volume S, and S |u - P U_m|^2, twice the energy of the motion along the master at density 1.
+    double area() const { return area_; }
     double volume() const { return volume_; }
     double motion() const { return motion_; }
     /// Speed relative to the master about an element: the largest about its vertices, each the root of the mean square over the volume
@@ -75,7 +76,7 @@ private:
     Index<D> bin(const Vec<D>& x_body) const;
     long bin_key(const Index<D>& bin) const;
 
-    double dx_, volume_ = 0, motion_ = 0;
+    double dx_, area_ = 0, volume_ = 0, motion_ = 0;
     Mat<D> rotation_;       ///< of the master, at the time
     Vec<D> centre_body_;    ///< the master's reference point in its frame
     Twist<D> twist_;
