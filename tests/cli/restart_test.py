@@ -318,11 +318,10 @@ class Restart(unittest.TestCase):
         content = path.read_bytes()
         # The attribute: its name, padded, then type, space and the number.
         name = content.index(b"format_version\0")
-        number = content.index((1).to_bytes(8, "little"), name + 16)
-        candidates = [number]
-        while number >= 0 and len(candidates) < 8:
-            number = content.find((1).to_bytes(8, "little"), number + 1)
-            candidates.append(number)
+        current = (2).to_bytes(8, "little")
+        candidates = [content.index(current, name + 16)]
+        while candidates[-1] >= 0 and len(candidates) < 8:
+            candidates.append(content.find(current, candidates[-1] + 1))
         for at in filter(lambda at: at > 0, candidates):
             path.write_bytes(content[:at] + (7).to_bytes(8, "little") + content[at + 8:])
             message = self.run_to_end("old", "--resume", "out/checkpoint.h5", status=2)
