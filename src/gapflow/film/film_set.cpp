@@ -245,13 +245,18 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
         Job& job = jobs[k];
         FilmMeshOptions options = coupling_sizes<D>(job.gap.viscous);
         options.dx = grid.dx();
-        options.threshold = job.threshold;
         options.floor = job.gap.floor;
         options.origin.template head<D>() = grid.origin();
-        const ThirdBodies<D> thirds(grid, solids, clipper, job.pair, options.threshold);
-        const auto third = [&](const Vec<D>& x, const Vec<D>& n) { return thirds.distance(x, n); };
-        job.meshes = film_meshes<D>(solids[job.pair.master].shape, other_shape(grid, solids, job.pair), third, options,
-                                    &*base[job.pair.master]);
+        auto lay_out = [&](double threshold) {
+            options.threshold = job.threshold = threshold;
+            const ThirdBodies<D> thirds(grid, solids, clipper, job.pair, threshold);
+            const auto third = [&](const Vec<D>& x, const Vec<D>& n) { return thirds.distance(x, n); };
+            job.meshes = film_meshes<D>(solids[job.pair.master].shape, other_shape(grid, solids, job.pair), third, options,
+                                        &*base[job.pair.master]);
+        };
+        lay_out(job.threshold);
+        if (job.gap.lasting && job.threshold == job.gap.threshold && !job.meshes.empty())
+            lay_out(hysteresis * job.gap.threshold);
     });
     std::vector<Film<D>> films;
     for (Job& job : jobs)

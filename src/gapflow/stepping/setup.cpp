@@ -210,6 +210,7 @@ std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std:
         const GapScene& gap = scene.gap_of(names[a], names[b]);
         GapSettings settings;
         settings.film = gap.film;
+        settings.lasting = moving;
         settings.viscous = scene.viscosity > 0;
         const double automatic = flat[a] && flat[b] ? flat_threshold : moving ? moving_curved_threshold : curved_threshold;
         settings.threshold = gap.threshold.value_or(automatic) * dx;

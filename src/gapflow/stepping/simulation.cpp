@@ -72,7 +72,7 @@ Simulation<D>::Simulation(Unprepared, const Scene& scene, const Communicator& co
     film_faces_ = FaceField<D, std::int8_t>(grid_);
     impulse_.cells = CellField<D>(grid_);
     if (scene_.viscosity > 0) {
-        viscous_.pressure = viscous_.known = CellField<D>(grid_);
+        past_.pressure = past_.known = CellField<D>(grid_);
         viscous_.force.assign(bodies_.size(), Twist<D>::Zero());
     }
 }
@@ -116,16 +116,22 @@ StepReport Simulation<D>::step(double next_output)
     StepReport report;
     last_dt_ = dt_;
     const double dt = dt_ = choose_step(next_output);
+    recall_pressure();
+    std::vector<Vec<D>> centres;
+    for (const RigidBody<D>& body : bodies_)
+        centres.push_back(body.centre());
     move_bodies(dt);
     find_contacts(dt);
     rebuild();
     if (voids_.lost() > 0)
         report.notes.push_back("a gap with a void in it opened beyond its film (gap.threshold): the void is gone at once");
     std::vector<double> conduit_scale;
-    FluidVelocity<D> u_star = advect_all(dt, conduit_scale);
+    FaceField<D> change;
+    FluidVelocity<D> u_star = advect_all(dt, conduit_scale, change);
     for (std::size_t r = 0; r < conduit_scale.size(); ++r)
         coupling_->system.links[r].conductance *= conduit_scale[r];
-    std::vector<Twist<D>> V_star = forced_twists(dt);
+    std::vector<Twist<D>> V_star = forced_twists(dt, change, centres);
+    change = {};
     if (scene_.viscosity > 0)
         add_viscosity(u_star, V_star, dt, report);
     start_drag(*coupling_, u_star);
@@ -195,9 +201,30 @@ void Simulation<D>::build_coupling(const std::function<WetShares(const Coupling<
                                                         gaps_, alive_, wet));
 }
 
+// The bulk's pressure at the end of the last step; none where bodies met: what stopped them does not go on. With viscosity the projection
+// before has left it (remember_projection).
+template <int D>
+void Simulation<D>::recall_pressure()
+{
+    if (scene_.viscosity > 0)
+        return;
+    past_.pressure = past_.known = CellField<D>(grid_);
+    bool impact = last_dt_ == 0;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        impact = impact || contacts_.impact_on(static_cast<int>(b));
+    if (impact)
+        return;
+    for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
+        if (coupling_->system.component(c) >= 0) {
+            past_.known(c) = 1;
+            past_.pressure(c) = impulse_.cells(c) / last_dt_;
+        }
+    });
+}
+
 // Stages 2 and 4: the fluid's velocities carried to the new configuration.
 template <int D>
-FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& conduit_scale)
+FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& conduit_scale, FaceField<D>& change)
 {
     const auto timer = stages_.measure("advection");
     FluidVelocity<D> u_star;
@@ -216,10 +243,19 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
         velocity_.grid(face.axis, face.at) = face.continued;
     if (any_slivers)
         fill_velocity_ghosts(grid_, velocity_.grid, sides);
-    if (scene_.viscosity > 0)
-        advect_with_pressure(u_star.grid, dt, scheme, plain);
-    else
-        advect<D>(grid_, u_star.grid, velocity_.grid, velocity_.grid, dt, scheme, sides, nullptr, plain);
+    continue_pressure(*coupling_, past_);
+    change = velocity_change(*coupling_, past_, dt);
+    {
+        FaceField<D> middle(grid_);
+        advect<D>(grid_, middle, velocity_.grid, velocity_.grid, 0.5 * dt, AdvectionScheme::semi_lagrangian, sides);
+        fill_velocity_ghosts(grid_, middle, sides);
+        limit_to_inertia(grid_, velocity_.grid, middle, change);
+        fill_velocity_ghosts(grid_, change, {});
+        fill_velocity_ghosts(grid_, middle, sides);
+        advect<D>(grid_, u_star.grid, middle, velocity_.grid, dt, scheme, sides, nullptr, plain, &change);
+    }
+    if (scene_.viscosity <= 0)
+        past_ = {};
     for (const Sliver& face : slivers_) {
         velocity_.grid(face.axis, face.at) = face.own;
         const double open = std::max(coupling_->open(face.axis, face.at), face.open);
@@ -308,14 +344,18 @@ const FaceField<D, std::int8_t>* Simulation<D>::faces_near_jets(const std::vecto
     return &near_jets_;
 }
 
-// Stage 5: twists of free bodies after all forces but the fluid's, of others as given.
+// Stage 5: twists of free bodies after all forces but the fluid's, and what the last pressure does on their way; of others as given.
+// `change`: what it does to the fluid's velocity; `centres`: of the bodies before they moved.
 template <int D>
-std::vector<Twist<D>> Simulation<D>::forced_twists(double dt) const
+std::vector<Twist<D>> Simulation<D>::forced_twists(double dt, const FaceField<D>& change, std::vector<Vec<D>> centres) const
 {
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        centres[b] = bodies_[b].centre() - centres[b];
+    const std::vector<Twist<D>> swept = swept_impulses(grid_, scene_.density, change, *old_fractions_, *coupling_->fractions, centres);
     std::vector<Twist<D>> V = twists();
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         if (bodies_[b].motion == Motion::free)
-            V[b] = forced_twist<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density, dt);
+            V[b] = forced_twist<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density, dt) + impulse_response(bodies_[b], swept[b], dt);
     return V;
 }
 

@@ -11,6 +11,7 @@
 #include "gapflow/solver/solver.hpp"
 #include "gapflow/stepping/advection.hpp"
 #include "gapflow/stepping/contact_set.hpp"
+#include "gapflow/stepping/past_pressure.hpp"
 #include "gapflow/stepping/setup.hpp"
 #include "gapflow/stepping/void_set.hpp"
 
@@ -60,8 +61,6 @@ struct Budget {
 /// What the bulk's viscous step takes from the projection before it; unused without viscosity.
 template <int D>
 struct ViscousMemory {
-    CellField<D> pressure;            ///< reduced pressure, per time, that the next step starts from
-    CellField<D> known;               ///< 1 where there is one
     std::vector<Twist<D>> force;      ///< of the projection on every body: pressure, films, contacts
     std::vector<Twist<D>> impulse;    ///< of the viscous traction on every solid, this step
     CellField<D> divergence;          ///< outflow of the cells after the viscous step
@@ -123,12 +122,12 @@ private:
     void find_contacts(double dt);
     void rebuild();
     void build_coupling(const std::function<WetShares(const Coupling<D>&)>& wet);
-    FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale);
+    void recall_pressure();
+    FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale, FaceField<D>& change);
     void flood(FilmFlow<D>& flow, double dt);
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
-    std::vector<Twist<D>> forced_twists(double dt) const;
+    std::vector<Twist<D>> forced_twists(double dt, const FaceField<D>& change, std::vector<Vec<D>> centres) const;
     std::vector<Twist<D>> predicted_twists(double dt) const;
-    void advect_with_pressure(FaceField<D>& u_star, double dt, AdvectionScheme scheme, const FaceField<D, std::int8_t>* plain);
     void add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>>& V_star, double dt, StepReport& report);
     void remember_projection(const std::vector<Twist<D>>& V_star, double dt);
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
@@ -182,6 +181,7 @@ private:
     bool light_bodies_ = true;              ///< the next solver asks whether bodies are so light that they need correction
     ContactSet<D> contacts_;                ///< of the last step
     VoidSet<D> voids_;
+    PastPressure<D> past_;                  ///< without viscosity only from a step's start to its advection
     ViscousMemory<D> viscous_;
     Eigen::VectorXd node_outflow_;          ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
     FilmMemories<D> memories_;

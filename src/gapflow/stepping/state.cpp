@@ -54,8 +54,8 @@ void Simulation<D>::list_state(StateArchive& archive)
     archive("conduit_flux", velocity_.conduit);
     if (scene_.viscosity > 0)
         archive.group("viscosity", [&] {
-            list_field(archive, "pressure", grid_, viscous_.pressure);
-            list_field(archive, "known", grid_, viscous_.known);
+            list_field(archive, "pressure", grid_, past_.pressure);
+            list_field(archive, "known", grid_, past_.known);
             archive("force", viscous_.force);
         });
 }

@@ -1,0 +1,208 @@
+#include "gapflow/stepping/past_pressure.hpp"
+
+#include "gapflow/core/threads.hpp"
+#include "gapflow/grid/extrapolation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// So many times dt |u . grad u| of the pressure's change count.
+constexpr double inertial_share = 2;
+// Velocities' changes are continued so many faces into solids.
+constexpr int carried_layers = 4;
+
+// The part of a face that lies in a solid, and its lever about the solid's centre; `other` tells the same face at another time. Faces
+// without an entry lie in no solid, or wholly in one: in what fills most of the other.
+template <int D>
+SolidPart<D> part_in(const FaceFractions<D>& fractions, int axis, const Index<D>& face, const SolidPart<D>& other)
+{
+    if (const int cut = fractions.cut(axis, face); cut >= 0) {
+        for (const SolidPart<D>& part : fractions.faces[cut].solid)
+            if (part.solid == other.solid)
+                return part;
+    } else if (fractions.open(axis, face) == 0 && other.fraction > 0.5) {
+        SolidPart<D> whole = other;
+        whole.fraction = 1;
+        return whole;
+    }
+    SolidPart<D> none = other;
+    none.fraction = 0;
+    return none;
+}
+
+} // namespace
+
+template <int D>
+void continue_pressure(const Coupling<D>& coupling, PastPressure<D>& past)
+{
+    CellField<D>&pressure = past.pressure, &known = past.known;
+    const Grid<D>& grid = *coupling.grid;
+    for (int layer = 0; layer < 2; ++layer) {
+        exchange(grid, pressure, 1);
+        exchange(grid, known, 1);
+        std::vector<std::pair<Index<D>, double>> found;
+        for (const Index<D>& c : coupling.fractions->surface_cells) {
+            if (coupling.system.component(c) < 0 || known(c) > 0)
+                continue;
+            double sum = 0;
+            int count = 0;
+            for (int side = 0; side < 2 * D; ++side) {
+                const Index<D> g = c + (2 * (side % 2) - 1) * step<D>(side / 2);
+                if (known(g) > 0) {
+                    sum += pressure(g);
+                    ++count;
+                }
+            }
+            if (count > 0)
+                found.emplace_back(c, sum / count);
+        }
+        for (const auto& [c, value] : found) {
+            pressure(c) = value;
+            known(c) = 1;
+        }
+    }
+    exchange(grid, pressure, 1);
+    exchange(grid, known, 1);
+}
+
+template <int D>
+void subtract_known_gradient(const Coupling<D>& coupling, const PastPressure<D>& past, double dt, FaceField<D>& u,
+                             FaceField<D, std::int8_t>* changed)
+{
+    const CellField<D>&pressure = past.pressure, &known = past.known;
+    const Grid<D>& grid = *coupling.grid;
+    const double scale = dt / (coupling.density * grid.dx());
+    for (int axis = 0; axis < D; ++axis) {
+        const long back = pressure.block().stride[axis];
+        // n faces of a row from `first` on, with cells of the domain above and below them (`above`, `below`: 1, or 0 on a side).
+        auto subtract = [&](const Index<D>& first, int n, double above, double below) {
+            const double *a = &coupling.system.conductance(axis, first), *p = &pressure(first), *k = &known(first);
+            double* to = &u(axis, first);
+            const double up = scale * above * (2 - below), down = scale * below * (2 - above);
+            for (int i = 0; i < n; ++i) {
+                const double counts = a[i] > 0 ? 1.0 : 0.0, above_known = 1 + above * (k[i] - 1), below_known = 1 + below * (k[i - back] - 1);
+                to[i] -= counts * above_known * below_known * (up * p[i] - down * p[i - back]);
+            }
+            if (!changed)
+                return;
+            std::int8_t* marks = &(*changed)(axis, first);
+            for (int i = 0; i < n; ++i)
+                marks[i] = a[i] > 0 && (above == 0 || k[i] > 0) && (below == 0 || k[i - back] > 0);
+        };
+        Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
+        for (int side = 0; side < 2; ++side) {
+            Index<D> first = low, last = end;
+            const int place = side * grid.cells()[axis];
+            if (grid.periodic(axis) || (side ? end[axis] - 1 : low[axis]) != place)
+                continue;
+            first[axis] = place;
+            last[axis] = place + 1;
+            for_each_row<D>(first, last, [&](const Index<D>& row) { subtract(row, last[0] - first[0], 1 - side, side); });
+            (side ? end : low)[axis] += side ? -1 : 1;
+        }
+        for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
+    }
+}
+
+template <int D>
+FaceField<D> velocity_change(const Coupling<D>& coupling, const PastPressure<D>& past, double dt)
+{
+    FaceField<D> change(*coupling.grid);
+    FaceField<D, std::int8_t> valid(*coupling.grid);
+    subtract_known_gradient(coupling, past, dt, change, &valid);
+    extrapolate(*coupling.grid, change, valid, carried_layers);
+    return change;
+}
+
+template <int D>
+void limit_to_inertia(const Grid<D>& grid, const FaceField<D>& u, FaceField<D>& half_way, FaceField<D>& g)
+{
+    CellField<D> most(grid);
+    const int width = grid.high()[0] - grid.low()[0];
+    for_each_row_on_threads<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+        double* to = &most(row);
+        for (int axis = 0; axis < D; ++axis) {
+            const double *a = &half_way(axis, row), *b = &u(axis, row);
+            const long up = most.block().stride[axis];
+            for (int i = 0; i < width; ++i) {
+                const double below = a[i] - b[i], above = a[i + up] - b[i + up];
+                to[i] += below * below + above * above;
+            }
+        }
+        for (int i = 0; i < width; ++i)
+            to[i] = inertial_share * std::sqrt(2 * to[i]);
+    });
+    exchange(grid, most, 1);
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> end = owned_faces_end(grid, axis);
+        const long back = most.block().stride[axis];
+        for_each_row_on_threads<D>(grid.low(), end, [&](const Index<D>& row) {
+            const double* m = &most(row);
+            double *change = &g(axis, row), *middle = &half_way(axis, row);
+            for (int i = 0; i < end[0] - grid.low()[0]; ++i) {
+                const double largest = std::max(m[i], m[i - back]);
+                change[i] = std::clamp(change[i], -largest, largest);
+                middle[i] += 0.5 * change[i];
+            }
+        });
+    }
+}
+
+
+template <int D>
+std::vector<Twist<D>> swept_impulses(const Grid<D>& grid, double density, const FaceField<D>& change, const FaceFractions<D>& before,
+                                     const FaceFractions<D>& after, const std::vector<Vec<D>>& moved)
+{
+    constexpr int n = twist_size<D>;
+    std::vector<double> sums(n * moved.size(), 0.0);
+    const double scale = 0.5 * density * std::pow(grid.dx(), D);
+    for (int axis = 0; axis < D; ++axis)
+        for_each_row<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& row) {
+            const int *old_cut = &before.cut(axis, row), *new_cut = &after.cut(axis, row);
+            for (int i = 0; i < owned_faces_end(grid, axis)[0] - grid.low()[0]; ++i) {
+                if (old_cut[i] < 0 && new_cut[i] < 0)
+                    continue;
+                const Index<D> face = row + i * step<D>(0);
+                const double g = scale * change(axis, face);
+                auto add = [&](const SolidPart<D>& old_part, const SolidPart<D>& new_part) {
+                    const int solid = old_part.solid;
+                    const Twist<D> sum = wrench<D>(old_part.fraction * g * unit<D>(axis), old_part.arm - moved[solid]) -
+                                         wrench<D>(new_part.fraction * g * unit<D>(axis), new_part.arm);
+                    for (int k = 0; k < n; ++k)
+                        sums[n * solid + k] += sum[k];
+                };
+                if (old_cut[i] >= 0)
+                    for (const SolidPart<D>& part : before.faces[old_cut[i]].solid)
+                        if (part.solid < static_cast<int>(moved.size()))
+                            add(part, part_in(after, axis, face, part));
+                if (new_cut[i] >= 0)
+                    for (const SolidPart<D>& part : after.faces[new_cut[i]].solid)
+                        if (part.solid < static_cast<int>(moved.size()) &&
+                            (old_cut[i] < 0 || part_in(before, axis, face, part).fraction == 0))
+                            add(part_in(before, axis, face, part), part);
+            }
+        });
+    grid.comm().sum(sums);
+    std::vector<Twist<D>> result(moved.size());
+    for (std::size_t s = 0; s < moved.size(); ++s)
+        result[s] = Eigen::Map<const Twist<D>>(&sums[n * s]);
+    return result;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void continue_pressure<D>(const Coupling<D>&, PastPressure<D>&);                                                  \
+    template void subtract_known_gradient<D>(const Coupling<D>&, const PastPressure<D>&, double, FaceField<D>&,                 \
+                                             FaceField<D, std::int8_t>*);                                                      \
+    template FaceField<D> velocity_change<D>(const Coupling<D>&, const PastPressure<D>&, double);                              \
+    template void limit_to_inertia<D>(const Grid<D>&, const FaceField<D>&, FaceField<D>&, FaceField<D>&);                      \
+    template std::vector<Twist<D>> swept_impulses<D>(const Grid<D>&, double, const FaceField<D>&, const FaceFractions<D>&,     \
+                                                     const FaceFractions<D>&, const std::vector<Vec<D>>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
