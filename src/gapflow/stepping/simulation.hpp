@@ -166,7 +166,7 @@ private:
     /// Faces open by no more than this share hold next to no fluid, and what squeezes through them may be many times as fast as the flow
     /// around. Where they differ from that, continued, by more than its speed, traces and the step size see the flow around, and what the
     /// faces have beyond that stays where it is.
-    static constexpr double sliver = 0.02;
+    static constexpr double sliver = 0.25;
     struct Sliver {
         int axis;
         Index<D> at;
