@@ -10,8 +10,9 @@ namespace gapflow {
 
 namespace {
 
-// A mouth carries its flux on, seen from the master, up to this times what the film's speeds there make of its section: where the
-// mouth narrows beside a point of contact, the flux of wider ones would become a jet that nothing drives.
+// A mouth thinner than its film carries its flux on, seen from the master, up to this times what the film's speeds there make of its
+// section: where it narrows beside a point of contact, the flux of wider ones would become a jet that nothing drives. (Wide mouths keep
+// theirs: each step would take it away and each solve give it back, and the energy of that would grow.)
 constexpr double mouth_bound = 2.0;
 // Mouths thinner than this times their film's mean thickness lie beside a point of contact, and their outflow's head adds no more than
 // their own flux; much thinner ones have none.
@@ -119,7 +120,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                 const double flux =
                     conduit.length * (old->flux + (conduit.h * conduit.outward - old->h * old->outward).dot(old->master_velocity));
                 const double with_master = section * conduit.outward.dot(U), most = mouth_bound * section * at_conduit[r].fastest;
-                q = with_master + std::clamp(flux - with_master, -most, most);
+                q = conduit.h < mean_thickness[conduit.film] ? with_master + std::clamp(flux - with_master, -most, most) : flux;
             }
             const MouthLaw mouth = law(film.pair.master, film.pair.other);
             const bool sharp = conduit.kind != ConduitKind::smooth && conduit.kind != ConduitKind::inflow;
