@@ -12,6 +12,8 @@ namespace {
 
 // Open fractions below this do not count.
 constexpr double negligible_opening = 1e-12;
+// In dx: what lies this close to a plane of the grid lies on it, as for fractions.
+constexpr double on_plane = 1e-6;
 
 // Sum of open fractions below which a mixed cell gets its faces to other mixed cells back.
 constexpr double strangled_aperture = 0.25;
@@ -91,14 +93,15 @@ struct Classifier {
     const Grid<D>& grid;
     FilmCells<D>& result;
 
-    // Of a cell of the domain.
+    // Of a cell of the domain; a little inside it: where a film ends on a plane of the grid the round-off of its bodies' positions must
+    // not tell which cells are film.
     OpenPoints<D> open_points(const Index<D>& cell) const
     {
         OpenPoints<D> open;
         for (int axis = 0; axis < D; ++axis)
             for (int end = 0; end < 2; ++end)
                 if (const Index<D> face = cell + end * step<D>(axis); faces.open(axis, face) > negligible_opening)
-                    open.points[open.size++] = faces.open_point(axis, face);
+                    open.points[open.size++] = faces.open_point(axis, face) + (1 - 2 * end) * on_plane * grid.dx() * unit<D>(axis);
         return open;
     }
 

@@ -109,6 +109,9 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
 {
     std::map<const FilmMemory<D>*, double> asked, thrown; // twice the work of the whole heads over the density, and the energy of their own fluxes
     const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
+    std::map<const FilmMemory<D>*, double> section; // of all mouths
+    for (const Conduit<D>& c : conduits)
+        section[memory[c.film]] += c.length * c.h;
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         if (head[r] == 0)
             continue;
@@ -117,7 +120,8 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
         const Vec<D> U = old->master_velocity(solids[network.films[c.film].pair.master].shape.to_body(c.x));
         const double q = flux[r] - c.length * c.h * c.outward.dot(U);
         asked[old] += c.resistance / c.length * 2 * q * head[r];
-        thrown[old] += c.resistance / c.length * head[r] * head[r];
+        const double film = old->area() / (3 * section[old]); // inertance of the film behind, its length over 3 h
+        thrown[old] += c.resistance / c.length * head[r] * head[r] * c.resistance / (c.resistance + film);
     }
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         if (head[r] == 0)

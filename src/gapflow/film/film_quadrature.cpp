@@ -19,6 +19,9 @@ template <int D>
 constexpr int most_for_ratio = D == 2 ? 8 : 1; ///< ... as long as an element needs no more divisions along an edge
 constexpr int most_for_inverse = 6;            ///< the same for the integral of 1/h alone (3D)
 constexpr int most_divisions = 64;
+// A corner of an element within this of a plane of the grid, in dx, counts as on it, as it does for fractions: a film that ends there would
+// touch the cells beyond or not by the round-off of its bodies' positions.
+constexpr double on_plane = 1e-6;
 
 template <int D>
 using Barycentric = std::array<double, D>;
@@ -54,7 +57,7 @@ void divide(const std::array<Vec<2>, 2>& y, int divisions, const FilmMeshOptions
         cuts.push_back(double(i) / divisions);
     for (int axis = 0; axis < 2; ++axis) {
         const double a = (y[0][axis] - o.origin[axis]) / o.dx, b = (y[1][axis] - o.origin[axis]) / o.dx;
-        for (double k = std::floor(std::min(a, b)) + 1; k < std::max(a, b); ++k)
+        for (double k = std::floor(std::min(a, b) + on_plane) + 1; k < std::max(a, b) - on_plane; ++k)
             cuts.push_back((k - a) / (b - a));
     }
     std::sort(cuts.begin(), cuts.end());
@@ -85,7 +88,7 @@ void slice(const Polygon& whole, const Vec<3>& height, std::vector<Polygon>& sli
         high = std::max(high, height.dot(whole.corners[i]));
     }
     Polygon rest = whole;
-    for (double k = std::floor(low + 1e-9) + 1; k < high - 1e-9 && rest.n > 2; ++k) {
+    for (double k = std::floor(low + on_plane) + 1; k < high - on_plane && rest.n > 2; ++k) {
         Polygon below, above;
         for (int i = 0; i < rest.n; ++i) {
             const Vec<3>&a = rest.corners[i], &b = rest.corners[(i + 1) % rest.n];
@@ -124,7 +127,7 @@ void divide(const std::array<Vec<3>, 3>& y, int q, const FilmMeshOptions& o, std
         }
     for (int axis = 0; axis < 3; ++axis) {
         const Vec<3> height = (Vec<3>(y[0][axis], y[1][axis], y[2][axis]).array() - o.origin[axis]) / o.dx;
-        if (std::floor(height.minCoeff() + 1e-9) + 1 >= height.maxCoeff() - 1e-9)
+        if (std::floor(height.minCoeff() + on_plane) + 1 >= height.maxCoeff() - on_plane)
             continue;
         slices.clear();
         for (const Polygon& p : polygons)

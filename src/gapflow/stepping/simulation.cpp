@@ -334,11 +334,12 @@ const FaceField<D, std::int8_t>* Simulation<D>::faces_near_jets(const std::vecto
             if (std::abs(weight) < least_weight)
                 continue;
             const Index<D> c = grid_.cell_of_key(key);
-            for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 2), [&](const Index<D>& f) {
-                for (int axis = 0; axis < D; ++axis)
-                    if (near_jets_[axis].block().contains(f))
-                        near_jets_(axis, f) = 1;
-            });
+            for (int axis = 0; axis < D; ++axis)
+                for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 1) + gapflow::step<D>(axis),
+                                  [&](const Index<D>& f) {
+                                      if (near_jets_[axis].block().contains(f))
+                                          near_jets_(axis, f) = 1;
+                                  });
         }
     }
     return &near_jets_;
