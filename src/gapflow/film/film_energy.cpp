@@ -11,14 +11,18 @@ namespace {
 // Energy that transport adds at most, where the flux is not quite that of the volume balance: by this for each element that the flow
 // crosses, and no more than that. (By the step alone, the noise of the small steps about a point of contact would grow.)
 constexpr double growth_on_the_way = 0.25, most_growth = 0.05;
+constexpr double discretised = 1.01; // what a film's elements are off by
 constexpr double thrown_margin = 10;  // of the energy of the heads' own fluxes over that: plates that meet take up to that much
 
-// Of mouths' heads over what the films gave away in a step that takes the part r of their thickness: at the rate of its start 3 r of the flow's
-// energy leave. The transport, to feet 1 - r + r^2/2 of the way to the mouth by the midpoint rule, takes less of it.
-double head_margin(double r)
+// Of mouths' heads over what the films gave away in a step that takes the part r of their thickness. Second order: heads of the step's middle
+// take 3 r (1 + r/2) of the flow's energy (plates that nothing but the film stops), and transport, with feet 1 - r of the way to the mouth and
+// half of the pressure where the fluid comes from, takes less of it. Else: 3 r, at the rate of the step's start, and feet by the midpoint rule.
+double head_margin(double r, bool second_order)
 {
-    const double foot = 1 - r + 0.5 * r * r;
-    return r > 1e-6 ? 3 * r / (1 - (1 - r) * foot * foot) : 1.0;
+    if (!(r > 1e-6))
+        return 1;
+    const double carried = second_order ? 1 - r - 0.5 * r * r : 1 - r + 0.5 * r * r;
+    return (second_order ? discretised * 3 * r * (1 + 0.5 * r) : 3 * r) / (1 - (1 - r) * carried * carried);
 }
 
 // The speed c with sum volume min(speed, c)^2 = most, of (speed squared, volume) whose sum is larger.
@@ -128,7 +132,7 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
             continue;
         const FilmMemory<D>* old = memory[conduits[r].film];
         const auto known = given_away.find(old);
-        const double most = known != given_away.end() ? head_margin(known->second.closing) * known->second.energy : 0.0;
+        const double most = known != given_away.end() ? head_margin(known->second.closing, old->second_order()) * known->second.energy : 0.0;
         double share = asked[old] > most ? most / asked[old] : 1.0;
         if (share * share * thrown[old] > thrown_margin * most)
             share = std::sqrt(thrown_margin * most / thrown[old]);

@@ -19,6 +19,8 @@ constexpr double memory_reach = 2.0;
 constexpr double same_element = 0.25;
 // Interpolated velocities relative to the master exceed those of the elements around by this factor at most.
 constexpr double surplus_bound = 1.5;
+// The pressure adds no more than this part of the speed around to a velocity in half a step.
+constexpr double most_push = 0.5;
 // Speeds are means over the elements around a vertex, and over no less than the gap's own thickness, or this in dx: what a film does over
 // less is no flow of a film. (Its end cuts elements of a hundredth of a cell, through which next to nothing flows at any speed.)
 constexpr double smallest_patch = 0.25;
@@ -61,7 +63,7 @@ double to_simplex(const std::array<Vec<D>, D>& v, const Vec<D>& x, std::array<do
 
 template <int D>
 FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
-                          const std::vector<Vec<D>>& w, const std::vector<char>& idle, double dx)
+                          const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& push, const std::vector<char>& idle, double dx)
     : dx_(dx), rotation_(master.shape.rotation()), centre_body_(master.shape.to_body(master.centre)), twist_(master_twist)
 {
     std::vector<double> weight;
@@ -82,6 +84,8 @@ FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, 
             centroid_.push_back(centroid);
             w_.push_back(w[film->first_element + e]);
             normal_.push_back(element.normal);
+            if (!push.empty())
+                push_.push_back(push[film->first_element + e]);
             idle_.push_back(!idle.empty() && idle[film->first_element + e]);
             weight.push_back(idle_.back() ? 0.0 : element.volume);
             h_mean_.push_back(element.volume / element.measure);
@@ -144,6 +148,7 @@ void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
         normal_body[e] = rotation_.transpose() * normal_[e];
 
     flux_vertex_.assign(n, Vec<D>::Zero());
+    push_vertex_.assign(push_.empty() ? 0 : n, Vec<D>::Zero());
     speed_.assign(n, 0.0);
     std::vector<int> around;
     for (int i = 0; i < n; ++i) {
@@ -189,7 +194,10 @@ void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
         const Vec<D> slope = covariance.inverse() * mean;
         for (int e : around) {
             const Vec<D> t = tangential<D>(centroid_[e] - x_[i], across) / reach;
-            flux_vertex_[i] += weight[e] / total * (1 - (t - mean).dot(slope)) * flux_[e];
+            const double share = weight[e] / total * (1 - (t - mean).dot(slope));
+            flux_vertex_[i] += share * flux_[e];
+            if (!push_.empty())
+                push_vertex_[i] += share * push_[e];
         }
         if (!flux_vertex_[i].allFinite())
             flux_vertex_[i] = flux_[around.front()];
@@ -305,6 +313,37 @@ Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) 
     return master_velocity(x_body) + relative;
 }
 
+// What the pressure adds to the velocity in half of dt, no more than half of the speed around.
+template <int D>
+Vec<D> FilmMemory<D>::half_push(const Place& place, double dt) const
+{
+    if (!second_order() || idle_[place.element] || coarse_[place.element])
+        return Vec<D>::Zero();
+    // Continuous from element to element, and beyond the film's end what it is there: in which element a point lies may be a matter of
+    // round-off.
+    Vec<D> change = Vec<D>::Zero();
+    double sum = 0, speed = 0;
+    for (int i = 0; i < D; ++i) {
+        const double share = std::max(place.shape[i], 0.0);
+        change += 0.5 * dt * share * push_vertex_[elements_[place.element][i]];
+        speed += share * speed_[elements_[place.element][i]];
+        sum += share;
+    }
+    const double bound = most_push * speed, length = change.norm();
+    return (length > bound ? bound / length : 1.0) / sum * change;
+}
+
+template <int D>
+Vec<D> FilmMemory<D>::half_way(const Vec<D>& x_body, double dt, int& hint) const
+{
+    const Place arrival = locate(x_body, hint);
+    hint = arrival.element;
+    const Vec<D> along = tangential<D>(vertex_velocity(x_body, arrival) - master_velocity(x_body), normal_[arrival.element]);
+    const Vec<D> x_foot = x_body - 0.5 * dt * (rotation_.transpose() * along);
+    const Place foot = locate(x_foot, hint);
+    return vertex_velocity(x_foot, foot) + half_push(foot, dt);
+}
+
 template <int D>
 double FilmMemory<D>::at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const
 {
@@ -347,10 +386,19 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     };
     Place foot = arrival;
     Vec<D> x_foot = x_body;
+    Vec<D> pushed = Vec<D>::Zero(); // on the way, beyond what the pressure does where it arrives
     if (dt > 0) {
-        const Vec<D> middle = x_body - 0.5 * dt * relative(x_body, arrival);
-        x_foot = x_body - dt * relative(middle, locate(middle, hint));
+        const Vec<D> x_middle = x_body - 0.5 * dt * relative(x_body, arrival);
+        const Place middle = locate(x_middle, hint);
+        Vec<D> on_the_way = relative(x_middle, middle);
+        if (second_order()) { // as half of the step makes it
+            const Vec<D> x_before = x_middle - 0.5 * dt * on_the_way;
+            const Place before = locate(x_before, hint);
+            on_the_way = relative(x_before, before) + rotation_.transpose() * tangential<D>(half_push(before, dt), normal_[before.element]);
+        }
+        x_foot = x_body - dt * on_the_way;
         foot = locate(x_foot, hint);
+        pushed = half_push(foot, dt) - half_push(arrival, dt);
     }
     // What the old element has beyond its vertex values is kept where the new element is the old one and as far as the foot is
     // still in it: no diffusion at rest, and elsewhere that of linear interpolation (kept whole, the scheme would be a centred
@@ -367,7 +415,7 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     const double same = coarse_[arrival.element] ? 0.0
                                                  : std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
                                                        std::max(0.0, 1 - (x_body - x_foot).norm() / size);
-    return {vertex_velocity(x_foot, foot) + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
+    return {vertex_velocity(x_foot, foot) + pushed + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
             normal_[foot.element], arrival.distance < memory_reach * dx_, arrival.distance > beside_film * dx_, fastest};
 }
 

@@ -28,9 +28,10 @@ public:
     };
 
     /// `films`: the pieces of this pair; `w`: one world vector an element of all films of the network. Where `idle` (one an
-    /// element of the network, or none) an element says nothing of the velocity around it.
+    /// element of the network, or none) an element says nothing of the velocity around it. `push`: acceleration by the pressure, one an
+    /// element of the network, or none.
     FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
-               const std::vector<Vec<D>>& w, const std::vector<char>& idle, double dx);
+               const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& push, const std::vector<char>& idle, double dx);
 
     /// Velocity (world axes) transported to a point of the master's frame over dt, with the old normal at its foot.
     struct Transported {
@@ -43,6 +44,10 @@ public:
     Transported transport(const Vec<D>& x_body, double dt, int& hint) const;
     /// Old velocity at a point of the master's frame, extrapolated linearly beyond the film, and the film's normal there.
     Transported at(const Vec<D>& x_body, int& hint) const { return transport(x_body, 0.0, hint); }
+    /// Whether transport is of second order in time: the pressure's acceleration is known.
+    bool second_order() const { return !push_.empty(); }
+    /// Velocity there (world axes) after half of dt; second order only.
+    Vec<D> half_way(const Vec<D>& x_body, double dt, int& hint) const;
     /// A field given at the vertices, linear over the elements, at a point of the master's frame; 0 where no film was. `hint` as
     /// above.
     double at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const;
@@ -72,6 +77,7 @@ private:
     Place walk(const Vec<D>& x_body, int start) const;
     void join_elements();
     Vec<D> vertex_velocity(const Vec<D>& x_body, const Place& place) const;
+    Vec<D> half_push(const Place& place, double dt) const;
     void fit_vertices(const std::vector<double>& weight);
     Index<D> bin(const Vec<D>& x_body) const;
     long bin_key(const Index<D>& bin) const;
@@ -90,6 +96,7 @@ private:
     std::vector<char> coarse_, idle_; ///< elements too large for their gap; those that say nothing of the flow
     std::vector<Vec<D>> w_, normal_; ///< of elements, world axes
     std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
+    std::vector<Vec<D>> push_, push_vertex_; ///< acceleration by the pressure, of elements and vertices, world axes; or none
     KeyMap<std::vector<int>> bins_;
 };
 

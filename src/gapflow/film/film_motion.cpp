@@ -113,7 +113,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
         if (at_conduit[r].near) {
             const Vec<D> place = solids[film.pair.master].shape.to_body(conduit.x);
             const Vec<D> w = at_conduit[r].velocity, U = memory[conduit.film]->master_velocity(place);
-            const double u = conduit.outward.dot(w - U); // out of the film, seen from the master
+            double u = conduit.outward.dot(w - U); // out of the film, seen from the master
             const auto* old = memory[conduit.film]->mouth(place, conduit.outward);
             q = section * conduit.outward.dot(w);
             if (old) {
@@ -129,6 +129,9 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                 scale = 1 / (1 + dt * k * -u / (2 * conduit.resistance * conduit.h));
                 q = scale * q + (1 - scale) * section * conduit.outward.dot(U);
             } else if (sharp && !mouth.jet) {
+                int hint = -1;
+                if (memory[conduit.film]->second_order())
+                    u = std::max(conduit.outward.dot(memory[conduit.film]->half_way(place, dt, hint) - U), 0.0);
                 const double thickness = conduit.h / mean_thickness[conduit.film];
                 const double open = std::min(1.0, thickness / blocked_mouth);
                 head[r] = open * open * conduit.length * dt * 0.5 * u * u / conduit.resistance;
@@ -148,7 +151,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
 template <int D>
 FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<Twist<D>>& twists,
                                const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx,
-                               const std::vector<char>& idle)
+                               const std::vector<char>& idle, const std::vector<Vec<D>>& push)
 {
     std::vector<Vec<D>> w = u;
     const std::vector<double> normal_speed = wall_normal_speed<D>(network, solids, twists);
@@ -170,7 +173,7 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
     std::vector<std::shared_ptr<FilmMemory<D>>> memories(list.size());
     for_each_job(static_cast<int>(list.size()), [&](int k) {
         const int master = list[k].first->master;
-        memories[k] = std::make_shared<FilmMemory<D>>(solids[master], twists[master], *list[k].second, w, idle, dx);
+        memories[k] = std::make_shared<FilmMemory<D>>(solids[master], twists[master], *list[k].second, w, push, idle, dx);
     });
     for (std::size_t r = 0; r < conduit.size(); ++r) {
         const Conduit<D>& c = network.mouths.conduits[r];
@@ -190,7 +193,8 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
                                          const std::vector<Twist<D>>&, const VelocitySampler<D>&,                              \
                                          const std::function<MouthLaw(int, int)>&, double);                                    \
     template FilmMemories<D> remember_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<Twist<D>>&, \
-                                               const std::vector<Vec<D>>&, const std::vector<double>&, double, const std::vector<char>&); \
+                                               const std::vector<Vec<D>>&, const std::vector<double>&, double, const std::vector<char>&, \
+                                               const std::vector<Vec<D>>&);                                                  \
     template std::vector<double> wall_normal_speed<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                        \
                                                       const std::vector<Twist<D>>&);
 GAPFLOW_INSTANTIATE(2)

@@ -50,12 +50,12 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
                          const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
                          const std::function<MouthLaw(int, int)>& law, double dt);
 
-/// Remembers the films after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}; `idle`: as in
+/// Remembers the films after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}; `idle`, `push`: as in
 /// FilmMemory.
 template <int D>
 FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<Twist<D>>& twists,
                                const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx,
-                               const std::vector<char>& idle = {});
+                               const std::vector<char>& idle = {}, const std::vector<Vec<D>>& push = {});
 
 /// Mean of the two walls' velocities at mid-gap, normal part: n . 1/2 (U_A + U_B), one an element.
 template <int D>

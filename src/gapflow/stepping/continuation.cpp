@@ -70,7 +70,7 @@ void Simulation<D>::continue_velocities()
     }
 
     memories_ = remember_films<D>(c.network, c.solids, twists(), velocity_.film, velocity_.conduit, grid_.dx(),
-                                 voids_.empty_elements(c.network));
+                                 voids_.empty_elements(c.network), film_push_);
     film_faces_ = FaceField<D, std::int8_t>(grid_);
     any_film_faces_ = !c.network.films.empty();
     if (any_film_faces_) {

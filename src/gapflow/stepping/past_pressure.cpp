@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gapflow {
 
@@ -15,23 +16,13 @@ constexpr double inertial_share = 2;
 // Velocities' changes are continued so many faces into solids.
 constexpr int carried_layers = 4;
 
-// The part of a face that lies in a solid, and its lever about the solid's centre; `other` tells the same face at another time. Faces
-// without an entry lie in no solid, or wholly in one: in what fills most of the other.
+// The solid that has most of a face: a face without an entry that is closed lies wholly in one.
 template <int D>
-SolidPart<D> part_in(const FaceFractions<D>& fractions, int axis, const Index<D>& face, const SolidPart<D>& other)
+int fills(const ClippedFace<D>& face)
 {
-    if (const int cut = fractions.cut(axis, face); cut >= 0) {
-        for (const SolidPart<D>& part : fractions.faces[cut].solid)
-            if (part.solid == other.solid)
-                return part;
-    } else if (fractions.open(axis, face) == 0 && other.fraction > 0.5) {
-        SolidPart<D> whole = other;
-        whole.fraction = 1;
-        return whole;
-    }
-    SolidPart<D> none = other;
-    none.fraction = 0;
-    return none;
+    const auto most = std::max_element(face.solid.begin(), face.solid.end(),
+                                       [](const SolidPart<D>& a, const SolidPart<D>& b) { return a.fraction < b.fraction; });
+    return most == face.solid.end() ? std::numeric_limits<int>::max() : most->solid;
 }
 
 } // namespace
@@ -154,42 +145,41 @@ void limit_to_inertia(const Grid<D>& grid, const FaceField<D>& u, FaceField<D>& 
 
 
 template <int D>
-std::vector<Twist<D>> swept_impulses(const Grid<D>& grid, double density, const FaceField<D>& change, const FaceFractions<D>& before,
-                                     const FaceFractions<D>& after, const std::vector<Vec<D>>& moved)
+std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const FaceField<D>& change, const FaceFractions<D>& before,
+                                   const FaceFractions<D>& after, std::size_t bodies)
 {
-    constexpr int n = twist_size<D>;
-    std::vector<double> sums(n * moved.size(), 0.0);
+    std::vector<double> sums(D * bodies, 0.0);
     const double scale = 0.5 * density * std::pow(grid.dx(), D);
-    for (int axis = 0; axis < D; ++axis)
+    for (int axis = 0; axis < D; ++axis) {
+        const int width = owned_faces_end(grid, axis)[0] - grid.low()[0];
         for_each_row<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& row) {
             const int *old_cut = &before.cut(axis, row), *new_cut = &after.cut(axis, row);
-            for (int i = 0; i < owned_faces_end(grid, axis)[0] - grid.low()[0]; ++i) {
+            Index<D> face = row;
+            for (int i = 0; i < width; ++i, ++face[0]) {
                 if (old_cut[i] < 0 && new_cut[i] < 0)
                     continue;
-                const Index<D> face = row + i * step<D>(0);
                 const double g = scale * change(axis, face);
-                auto add = [&](const SolidPart<D>& old_part, const SolidPart<D>& new_part) {
-                    const int solid = old_part.solid;
-                    const Twist<D> sum = wrench<D>(old_part.fraction * g * unit<D>(axis), old_part.arm - moved[solid]) -
-                                         wrench<D>(new_part.fraction * g * unit<D>(axis), new_part.arm);
-                    for (int k = 0; k < n; ++k)
-                        sums[n * solid + k] += sum[k];
+                auto add = [&](int solid, double fraction) {
+                    if (solid < static_cast<int>(bodies))
+                        sums[D * solid + axis] += fraction * g;
                 };
                 if (old_cut[i] >= 0)
                     for (const SolidPart<D>& part : before.faces[old_cut[i]].solid)
-                        if (part.solid < static_cast<int>(moved.size()))
-                            add(part, part_in(after, axis, face, part));
+                        add(part.solid, part.fraction);
+                else if (before.open(axis, face) == 0)
+                    add(fills(after.faces[new_cut[i]]), 1);
                 if (new_cut[i] >= 0)
                     for (const SolidPart<D>& part : after.faces[new_cut[i]].solid)
-                        if (part.solid < static_cast<int>(moved.size()) &&
-                            (old_cut[i] < 0 || part_in(before, axis, face, part).fraction == 0))
-                            add(part_in(before, axis, face, part), part);
+                        add(part.solid, -part.fraction);
+                else if (after.open(axis, face) == 0)
+                    add(fills(before.faces[old_cut[i]]), -1);
             }
         });
+    }
     grid.comm().sum(sums);
-    std::vector<Twist<D>> result(moved.size());
-    for (std::size_t s = 0; s < moved.size(); ++s)
-        result[s] = Eigen::Map<const Twist<D>>(&sums[n * s]);
+    std::vector<Vec<D>> result(bodies);
+    for (std::size_t b = 0; b < bodies; ++b)
+        result[b] = Eigen::Map<const Vec<D>>(&sums[D * b]);
     return result;
 }
 
@@ -199,8 +189,8 @@ std::vector<Twist<D>> swept_impulses(const Grid<D>& grid, double density, const 
                                              FaceField<D, std::int8_t>*);                                                      \
     template FaceField<D> velocity_change<D>(const Coupling<D>&, const PastPressure<D>&, double);                              \
     template void limit_to_inertia<D>(const Grid<D>&, const FaceField<D>&, FaceField<D>&, FaceField<D>&);                      \
-    template std::vector<Twist<D>> swept_impulses<D>(const Grid<D>&, double, const FaceField<D>&, const FaceFractions<D>&,     \
-                                                     const FaceFractions<D>&, const std::vector<Vec<D>>&);
+    template std::vector<Vec<D>> swept_impulses<D>(const Grid<D>&, double, const FaceField<D>&, const FaceFractions<D>&,       \
+                                                   const FaceFractions<D>&, std::size_t);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

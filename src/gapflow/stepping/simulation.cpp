@@ -7,6 +7,7 @@
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/film/film_vorticity.hpp"
 #include "gapflow/grid/interpolation.hpp"
+#include "gapflow/stepping/film_turn.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/placement.hpp"
 
@@ -117,9 +118,7 @@ StepReport Simulation<D>::step(double next_output)
     last_dt_ = dt_;
     const double dt = dt_ = choose_step(next_output);
     recall_pressure();
-    std::vector<Vec<D>> centres;
-    for (const RigidBody<D>& body : bodies_)
-        centres.push_back(body.centre());
+    turning_ = scene_.viscosity == 0 ? turning_films<D>(*coupling_, twists(), acceleration_, mouth_laws_) : std::set<FilmPair<D>>();
     move_bodies(dt);
     find_contacts(dt);
     rebuild();
@@ -130,7 +129,7 @@ StepReport Simulation<D>::step(double next_output)
     FluidVelocity<D> u_star = advect_all(dt, conduit_scale, change);
     for (std::size_t r = 0; r < conduit_scale.size(); ++r)
         coupling_->system.links[r].conductance *= conduit_scale[r];
-    std::vector<Twist<D>> V_star = forced_twists(dt, change, centres);
+    std::vector<Twist<D>> V_star = forced_twists(dt, change);
     change = {};
     if (scene_.viscosity > 0)
         add_viscosity(u_star, V_star, dt, report);
@@ -201,6 +200,14 @@ void Simulation<D>::build_coupling(const std::function<WetShares(const Coupling<
                                                         gaps_, alive_, wet));
 }
 
+// Whether a contact or a film that turned changed the body's motion in the last step at once: then the change is no acceleration that goes on.
+template <int D>
+bool Simulation<D>::met_something(int body) const
+{
+    return contacts_.impact_on(body) ||
+           std::any_of(turning_.begin(), turning_.end(), [&](const FilmPair<D>& pair) { return pair.master == body || pair.other == body; });
+}
+
 // The bulk's pressure at the end of the last step; none where bodies met: what stopped them does not go on. With viscosity the projection
 // before has left it (remember_projection).
 template <int D>
@@ -211,7 +218,7 @@ void Simulation<D>::recall_pressure()
     past_.pressure = past_.known = CellField<D>(grid_);
     bool impact = last_dt_ == 0;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
-        impact = impact || contacts_.impact_on(static_cast<int>(b));
+        impact = impact || met_something(static_cast<int>(b));
     if (impact)
         return;
     for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
@@ -232,6 +239,7 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted_twists(dt),
                                        [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
     damp_vorticity(coupling_->network, grid_.dx(), flow.velocity);
+    turn_films<D>(coupling_->network, coupling_->solids, memories_, turning_, predicted_twists(dt), flow);
     if (voids_.any())
         flood(flow, dt);
     const BoundaryVelocity<D> sides = side_velocities(time_);
@@ -346,17 +354,20 @@ const FaceField<D, std::int8_t>* Simulation<D>::faces_near_jets(const std::vecto
 }
 
 // Stage 5: twists of free bodies after all forces but the fluid's, and what the last pressure does on their way; of others as given.
-// `change`: what it does to the fluid's velocity; `centres`: of the bodies before they moved.
+// `change`: what it does to the fluid's velocity. (A hinged body's pressure turns it about its hinge: left out.)
 template <int D>
-std::vector<Twist<D>> Simulation<D>::forced_twists(double dt, const FaceField<D>& change, std::vector<Vec<D>> centres) const
+std::vector<Twist<D>> Simulation<D>::forced_twists(double dt, const FaceField<D>& change) const
 {
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        centres[b] = bodies_[b].centre() - centres[b];
-    const std::vector<Twist<D>> swept = swept_impulses(grid_, scene_.density, change, *old_fractions_, *coupling_->fractions, centres);
+    const std::vector<Vec<D>> swept =
+        swept_impulses(grid_, scene_.density, change, *old_fractions_, *coupling_->fractions, bodies_.size());
     std::vector<Twist<D>> V = twists();
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        if (bodies_[b].motion == Motion::free)
-            V[b] = forced_twist<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density, dt) + impulse_response(bodies_[b], swept[b], dt);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (bodies_[b].motion != Motion::free)
+            continue;
+        V[b] = forced_twist<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density, dt);
+        if (!bodies_[b].hinge)
+            V[b] += impulse_response(bodies_[b], wrench<D>(swept[b], Vec<D>(Vec<D>::Zero())), dt);
+    }
     return V;
 }
 
@@ -489,20 +500,30 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         wet.reset();
         voids_.finish(*coupling_, impulse_.nodes, node_outflow_, dt);
     }
+    film_push_.clear();
+    if (D == 2 && scene_.viscosity == 0 && dt > 0)
+        for (const Vec<D>& u : u_star.film)
+            film_push_.push_back(-u / dt);
     velocity_ = std::move(u_star);
     subtract_gradient(*coupling_, impulse_, velocity_);
+    for (std::size_t e = 0; e < film_push_.size(); ++e)
+        film_push_[e] += velocity_.film[e] / dt;
     add_entrainment(*coupling_, V, 1, velocity_);
     if (voids) {
         const std::vector<char> is_empty = voids_.empty_elements(coupling_->network);
         rest_in_voids<D>(*coupling_, is_empty, V, velocity_.film);
         follow_front<D>(*coupling_, was_empty, is_empty, voids_.is_void(), V, velocity_);
     }
+    bool met = false; // what stopped bodies does not go on
     for (std::size_t b = 0; b < bodies_.size() && dt > 0; ++b) {
-        const bool impact = contacts_.impact_on(static_cast<int>(b));
+        const bool impact = met_something(static_cast<int>(b));
+        met = met || impact;
         acceleration_[b] = impact ? Twist<D>(Twist<D>::Zero()) : Twist<D>((V[b] - bodies_[b].twist) / dt);
         if (bodies_[b].motion == Motion::free)
             finish_step(bodies_[b], V[b], dt, !impact);
     }
+    if (met)
+        film_push_.clear();
     std::vector<Twist<D>> impulse = impulses(*coupling_, impulse_);
     if (!coupling_->drag_inertia.empty()) {
         const std::vector<Twist<D>> shear = drag_impulses(*coupling_, V);

@@ -123,10 +123,11 @@ private:
     void rebuild();
     void build_coupling(const std::function<WetShares(const Coupling<D>&)>& wet);
     void recall_pressure();
+    bool met_something(int body) const;
     FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale, FaceField<D>& change);
     void flood(FilmFlow<D>& flow, double dt);
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
-    std::vector<Twist<D>> forced_twists(double dt, const FaceField<D>& change, std::vector<Vec<D>> centres) const;
+    std::vector<Twist<D>> forced_twists(double dt, const FaceField<D>& change) const;
     std::vector<Twist<D>> predicted_twists(double dt) const;
     void add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>>& V_star, double dt, StepReport& report);
     void remember_projection(const std::vector<Twist<D>>& V_star, double dt);
@@ -184,7 +185,9 @@ private:
     PastPressure<D> past_;                  ///< without viscosity only from a step's start to its advection
     ViscousMemory<D> viscous_;
     Eigen::VectorXd node_outflow_;          ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
+    std::vector<Vec<D>> film_push_;         ///< acceleration of the films' elements by the pressure, without viscosity; none after impacts
     FilmMemories<D> memories_;
+    std::set<FilmPair<D>> turning_;         ///< pairs whose films turn in this step, or turned in the last one
     std::set<FilmPair<D>> alive_;           ///< pairs with films before the coupling was built
     std::vector<Twist<D>> acceleration_;    ///< of all solids, over the last step
     std::vector<Twist<D>> wrenches_;

@@ -43,6 +43,7 @@ void Simulation<D>::list_state(StateArchive& archive)
     contacts_.list_state(archive);
     voids_.list_state(archive);
     list_pairs(archive, "films_before", alive_);
+    list_pairs(archive, "films_turned", turning_);
     list_field(archive, "velocity", grid_, velocity_.grid);
     list_field(archive, "pressure_impulse", grid_, impulse_.cells);
     archive.group("films", [&] {
@@ -50,6 +51,7 @@ void Simulation<D>::list_state(StateArchive& archive)
         archive("outflow", node_outflow_);
         archive("velocity", velocity_.film);
         archive("normal_speed", velocity_.film_normal);
+        archive("push", film_push_);
     });
     archive("conduit_flux", velocity_.conduit);
     if (scene_.viscosity > 0)

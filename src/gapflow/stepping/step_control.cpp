@@ -4,6 +4,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/stepping/film_turn.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace gapflow {
 
 namespace {
 
-// Smallest thickness that limits the step, in dx.
-constexpr double smallest_limiting_gap = 1e-4;
 // Films between curved surfaces: dt <= this * sqrt(2 R h) / |u - P U_m|, the length not less than so many dx: in 3D, unlike in 2D, the
 // velocity is singular about a point of contact, and films' transport is stable there without following it.
 constexpr double curved_film_cfl = 0.1;

@@ -1,0 +1,111 @@
+#include "gapflow/stepping/film_turn.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace gapflow {
+
+namespace {
+
+// With the speed v and slowed down by a, a gap never closes if gap a > v^2 / 2; plates in ideal flow have just that, what meets at a point or
+// an edge tends to 0. Between the two:
+constexpr double stopping = 0.25;
+
+/// Of a pair's films.
+struct Gap {
+    double area = 0, volume = 0;
+    double opening = 0, acceleration = 0; ///< mean rates
+    bool flat = true;
+    double thickness() const { return volume / area; }
+};
+
+} // namespace
+
+template <int D>
+std::set<FilmPair<D>> turning_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists,
+                                    const std::vector<Twist<D>>& acceleration, const std::function<MouthLaw(int, int)>& law)
+{
+    std::map<FilmPair<D>, Gap> gaps;
+    for (const Film<D>& film : coupling.network.films) {
+        const FilmMesh<D>& mesh = film.mesh;
+        Gap& gap = gaps[film.pair];
+        gap.flat = gap.flat && mesh.flat;
+        for (const FilmPoint<D>& q : mesh.points) {
+            auto rate = [&](const std::vector<Twist<D>>& twist) {
+                return q.other_normal.dot(velocity_at<D>(twist[mesh.master], q.x - coupling.solids[mesh.master].centre) -
+                                          velocity_at<D>(twist[mesh.other], q.y - coupling.solids[mesh.other].centre - mesh.shift));
+            };
+            gap.area += q.weight;
+            gap.volume += q.weight * q.h;
+            gap.opening += q.weight * rate(twists);
+            gap.acceleration += q.weight * rate(acceleration);
+        }
+    }
+    std::set<FilmPair<D>> turning;
+    for (auto& [pair, gap] : gaps) {
+        gap.opening /= gap.area;
+        gap.acceleration /= gap.area;
+        if (gap.flat && gap.thickness() < smallest_limiting_gap * coupling.grid->dx() && gap.opening < 0 &&
+            gap.thickness() * gap.acceleration > stopping * gap.opening * gap.opening && !law(pair.master, pair.other).jet)
+            turning.insert(pair);
+    }
+    return turning;
+}
+
+template <int D>
+void turn_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
+                const std::set<FilmPair<D>>& turning, const std::vector<Twist<D>>& twists, FilmFlow<D>& flow)
+{
+    if (turning.empty())
+        return;
+    std::map<FilmPair<D>, Gap> gaps;
+    for (const Film<D>& film : network.films)
+        for (const FilmElement<D>& e : film.mesh.elements) {
+            gaps[film.pair].area += e.measure;
+            gaps[film.pair].volume += e.volume;
+        }
+    // The walls' mean velocity.
+    auto carried = [&](const Film<D>& film, const Vec<D>& x) {
+        const int a = film.pair.master, b = film.pair.other;
+        return Vec<D>(0.5 * (velocity_at<D>(twists[a], x - solids[a].centre) + velocity_at<D>(twists[b], x - solids[b].centre - film.mesh.shift)));
+    };
+    for (const Film<D>& film : network.films) {
+        const auto old = memories.find(film.pair);
+        if (!turning.contains(film.pair) || old == memories.end())
+            continue;
+        // Speeds in the film go like gap^(-1/2), its fluxes like gap^(1/2).
+        const double thinner = std::sqrt(gaps[film.pair].thickness() * old->second->area() / old->second->volume());
+        int hint = -1;
+        for (std::size_t i = 0; i < film.mesh.elements.size(); ++i) {
+            const FilmElement<D>& e = film.mesh.elements[i];
+            const Vec<D> U = carried(film, e.centroid);
+            const Vec<D> w = old->second->at(solids[film.pair.master].shape.to_body(e.centroid_master), hint).velocity;
+            flow.velocity[film.first_element + i] = tangential<D>(U - (w - U) / thinner, e.normal);
+        }
+    }
+    for (std::size_t r = 0; r < network.mouths.conduits.size(); ++r) {
+        const Conduit<D>& conduit = network.mouths.conduits[r];
+        const Film<D>& film = network.films[conduit.film];
+        const auto old = memories.find(film.pair);
+        if (!turning.contains(film.pair) || old == memories.end())
+            continue;
+        const auto* mouth = old->second->mouth(solids[film.pair.master].shape.to_body(conduit.x), conduit.outward);
+        if (!mouth)
+            continue;
+        const double thinner = std::sqrt(gaps[film.pair].thickness() * old->second->area() / old->second->volume());
+        const double along = conduit.outward.dot(carried(film, conduit.x));
+        flow.conduit[r] = conduit.length * (conduit.h * along - thinner * (mouth->flux - mouth->h * along));
+        flow.conduit_scale[r] = 1;
+    }
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::set<FilmPair<D>> turning_films<D>(const Coupling<D>&, const std::vector<Twist<D>>&, const std::vector<Twist<D>>&, \
+                                                    const std::function<MouthLaw(int, int)>&);                                 \
+    template void turn_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmMemories<D>&, const std::set<FilmPair<D>>&, \
+                                const std::vector<Twist<D>>&, FilmFlow<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
