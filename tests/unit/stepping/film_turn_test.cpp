@@ -1,0 +1,81 @@
+// Plates that approach each other in ideal flow: the film stops them, and they part as they came.
+#include "gapflow/stepping/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gapflow {
+namespace {
+
+constexpr double start = 0.02;
+
+Scene plates(int cells)
+{
+    Scene scene;
+    scene.size = {4, 4, 0};
+    scene.cells = {cells, cells, 1};
+    scene.initial = Scene::Initial::potential;
+    scene.max_step = 0.32 / cells;
+    scene.gap_cfl = 4.0 / cells;
+    for (int side : {1, -1}) {
+        BodyScene plate;
+        plate.name = side > 0 ? "upper" : "lower";
+        plate.shape = BodyScene::ShapeKind::box;
+        plate.size = {1, 0.5, 0};
+        plate.position = {2, 2 + side * (0.25 + start / 2), 0};
+        plate.velocity = {0, -0.5 * side, 0};
+        plate.density = 2;
+        scene.bodies.push_back(plate);
+    }
+    return scene;
+}
+
+struct Gap {
+    double thickness, rate, turning;
+};
+
+Gap gap(const Simulation<2>& simulation)
+{
+    const auto &upper = simulation.bodies()[0], &lower = simulation.bodies()[1];
+    return {upper.pose.position[1] - lower.pose.position[1] - 0.5, upper.twist[1] - lower.twist[1],
+            std::max(std::abs(upper.twist[2]), std::abs(lower.twist[2]))};
+}
+
+TEST(FilmTurn, PlatesPartAsTheyCame)
+{
+    Simulation<2> simulation(plates(64), Communicator());
+    double thinnest = 1, impulse = 0, speed = 0;
+    for (Gap before = gap(simulation); simulation.time() < 0.2 && speed == 0;) {
+        simulation.step(0.2);
+        const Gap now = gap(simulation);
+        thinnest = std::min(thinnest, now.thickness);
+        for (const GapState& state : simulation.gaps())
+            impulse += state.contact_impulse;
+        if (now.rate < 0) {
+            EXPECT_LT(now.turning, 1e-6) << "at " << now.thickness; // the scene is symmetric
+        }
+        if (now.thickness > start)
+            speed = before.rate + (start - before.thickness) / (now.thickness - before.thickness) * (now.rate - before.rate);
+        before = now;
+    }
+    EXPECT_GT(thinnest, 0);
+    EXPECT_LT(thinnest, 1e-4 * 4 / 64);
+    EXPECT_EQ(impulse, 0);
+    EXPECT_NEAR(speed, 1, 0.1); // 0.94
+}
+
+// What leaves as a jet gives nothing back: the plates stay together.
+TEST(FilmTurn, NotWithJets)
+{
+    Scene scene = plates(64);
+    scene.gap.exit = GapScene::Exit::jet;
+    Simulation<2> simulation(scene, Communicator());
+    while (simulation.time() < 0.1)
+        simulation.step(0.1);
+    EXPECT_LT(gap(simulation).thickness, start);
+    EXPECT_LE(gap(simulation).rate, 0);
+}
+
+} // namespace
+} // namespace gapflow
