@@ -64,7 +64,7 @@ def plates_approach(cells, h0, exit_law, **changes):
     scene = {"domain": {"size": [4.0, 4.0], "cells": [cells, cells]}, "fluid": {"initial": "potential"}, "gap": {"exit": exit_law},
              "body": [{"name": name, "shape": "box", "size": [1.0, 0.5], "position": [2.0, 2.0 + side * (0.25 + h0 / 2)], "velocity": [0.0, -0.5 * side],
                        "density": 2.0} for name, side in (("upper", 1), ("lower", -1))],
-             "time": {"end": 3 * h0 if h0 < 0.1 else 0.5, "max_step": 0.32 / cells, "cfl": 0.5, "gap_cfl": 8.0 / cells}, "output": {"every": 1.0}}
+             "time": {"end": 5 * h0 if h0 < 0.1 else 0.5, "max_step": 0.32 / cells, "cfl": 0.5, "gap_cfl": 8.0 / cells}, "output": {"every": 1.0}}
     for table, keys in changes.items():
         scene[table] = scene.get(table, {}) | keys
     result = harness.run(scene)

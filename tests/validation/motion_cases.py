@@ -302,6 +302,24 @@ def energy_cases(quick):
                       growth <= 1e-3)
 
 
+def coasting_cases(quick):
+    """A disk that coasts through ideal fluid: energy lost, and how much of that is the step's."""
+    section = "A disk coasts through ideal fluid (d'Alembert)"
+    for cells in (64,) if quick else (64, 128, 256):
+        lost = []
+        for refine in (1, 4):
+            step = 1.28 / cells / refine
+            scene = {"domain": {"size": [4.0, 4.0], "cells": [cells, cells]}, "fluid": {"initial": "potential"},
+                     "body": [{"name": "disk", "shape": "ball", "radius": 0.4, "density": 2.0, "position": [1.6, 1.97], "velocity": [1.0, 0.0]}],
+                     "time": {"end": 0.5, "max_step": step, "cfl": 0.5 / refine}, "output": {"every": 0.5}}
+            steps = harness.run(scene)["steps"]
+            energy = [s["energy_fluid"] + s["energy_bodies"] for s in steps]
+            lost.append(100 * (1 - energy[-1] / energy[0]))
+        limit = 80 / cells
+        yield Row(section, f"{cells}²: energy lost until t = 0.5, steps as above, a fourth of them", f"≤ {limit:.2g} %", f"{lost[0]:.2f} %, {lost[1]:.2f} %",
+                  max(lost) <= limit)
+
+
 # ---- the same run in other words ----------------------------------------------------------------------------------------------
 
 def three_bodies(cells=48):
@@ -508,5 +526,5 @@ def contact_cases(quick):
         yield Row(section, name + ": steps", f"<= 4 x {allowed:.0f}", f"{count:.0f}", count <= 4 * allowed)
 
 
-ALL = [plates_cases, cylinders_cases, still_cases, common_cases, energy_cases, order_cases, symmetry_cases, rank_cases, example_cases, drive_cases,
+ALL = [plates_cases, cylinders_cases, still_cases, common_cases, energy_cases, coasting_cases, order_cases, symmetry_cases, rank_cases, example_cases, drive_cases,
        contact_cases]

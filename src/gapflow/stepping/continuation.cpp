@@ -37,6 +37,7 @@ void Simulation<D>::continue_velocities()
     const auto timer = stages_.measure("continuation");
     const Coupling<D>& c = *coupling_;
     FaceField<D, std::int8_t> valid(grid_);
+    const double widest = sliver();
     slivers_.clear();
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
@@ -48,10 +49,10 @@ void Simulation<D>::continue_velocities()
                 const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row);
                 std::int8_t* to = &valid(axis, row);
                 for (int i = 0; i < n; ++i)
-                    to[i] = conductance[i] > 0 && open[i] > sliver;
+                    to[i] = conductance[i] > 0 && open[i] > widest;
                 int narrow = 0;
                 for (int i = 0; i < n; ++i)
-                    narrow += conductance[i] > 0 && open[i] <= sliver;
+                    narrow += conductance[i] > 0 && open[i] <= widest;
                 Index<D> f = row;
                 for (int i = 0; i < n && narrow > 0; ++i, ++f[0])
                     if (conductance[i] > 0 && !to[i])

@@ -10,6 +10,8 @@ namespace {
 // With the speed v and slowed down by a, a gap never closes if gap a > v^2 / 2; plates in ideal flow have just that, what meets at a point or
 // an edge tends to 0. Between the two:
 constexpr double stopping = 0.25;
+// Films thinner than this times their floor are those of contact.
+constexpr double in_contact = 2;
 
 /// Of a pair's films.
 struct Gap {
@@ -23,7 +25,8 @@ struct Gap {
 
 template <int D>
 std::set<FilmPair<D>> turning_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists,
-                                    const std::vector<Twist<D>>& acceleration, const std::function<MouthLaw(int, int)>& law)
+                                    const std::vector<Twist<D>>& acceleration, const std::function<GapSettings(int, int)>& settings,
+                                    const std::function<MouthLaw(int, int)>& law)
 {
     std::map<FilmPair<D>, Gap> gaps;
     for (const Film<D>& film : coupling.network.films) {
@@ -45,7 +48,8 @@ std::set<FilmPair<D>> turning_films(const Coupling<D>& coupling, const std::vect
     for (auto& [pair, gap] : gaps) {
         gap.opening /= gap.area;
         gap.acceleration /= gap.area;
-        if (gap.flat && gap.thickness() < smallest_limiting_gap * coupling.grid->dx() && gap.opening < 0 &&
+        if (gap.flat && gap.thickness() < smallest_limiting_gap * coupling.grid->dx() &&
+            gap.thickness() > in_contact * settings(pair.master, pair.other).floor && gap.opening < 0 &&
             gap.thickness() * gap.acceleration > stopping * gap.opening * gap.opening && !law(pair.master, pair.other).jet)
             turning.insert(pair);
     }
@@ -101,6 +105,7 @@ void turn_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::set<FilmPair<D>> turning_films<D>(const Coupling<D>&, const std::vector<Twist<D>>&, const std::vector<Twist<D>>&, \
+                                                    const std::function<GapSettings(int, int)>&,                               \
                                                     const std::function<MouthLaw(int, int)>&);                                 \
     template void turn_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmMemories<D>&, const std::set<FilmPair<D>>&, \
                                 const std::vector<Twist<D>>&, FilmFlow<D>&);

@@ -118,7 +118,7 @@ StepReport Simulation<D>::step(double next_output)
     last_dt_ = dt_;
     const double dt = dt_ = choose_step(next_output);
     recall_pressure();
-    turning_ = scene_.viscosity == 0 ? turning_films<D>(*coupling_, twists(), acceleration_, mouth_laws_) : std::set<FilmPair<D>>();
+    turning_ = scene_.viscosity == 0 ? turning_films<D>(*coupling_, twists(), acceleration_, gaps_, mouth_laws_) : std::set<FilmPair<D>>();
     move_bodies(dt);
     find_contacts(dt);
     rebuild();

@@ -164,10 +164,10 @@ private:
     std::unique_ptr<Coupling<D>> coupling_;
     std::shared_ptr<const FaceFractions<D>> old_fractions_; ///< of the step before
     FluidVelocity<D> velocity_;
-    /// Faces open by no more than this share hold next to no fluid, and what squeezes through them may be many times as fast as the flow
+    /// Faces open by no more than this share hold little fluid, and what squeezes through them may be many times as fast as the flow
     /// around. Where they differ from that, continued, by more than its speed, traces and the step size see the flow around, and what the
-    /// faces have beyond that stays where it is.
-    static constexpr double sliver = 0.25;
+    /// faces have beyond that stays where it is. Without viscosity a mouth that regains its outflow's head feeds a jet through wider ones.
+    double sliver() const { return scene_.viscosity > 0 ? 0.02 : 0.25; }
     struct Sliver {
         int axis;
         Index<D> at;

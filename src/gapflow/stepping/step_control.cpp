@@ -46,6 +46,7 @@ double Simulation<D>::choose_step(double next_output) const
     const double dx = grid_.dx(), tiny = std::numeric_limits<double>::min();
     double dt = scene_.max_step;
     double speed = 0;
+    const double narrow = sliver();
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
         speed = std::max(speed, max_over_planes(low[D - 1], end[D - 1], [&](int plane) {
@@ -54,7 +55,7 @@ double Simulation<D>::choose_step(double next_output) const
                 const double *open = &coupling_->open(axis, row), *u = &velocity_.grid(axis, row);
 #pragma omp simd reduction(max : largest)
                 for (int i = 0; i < end[0] - low[0]; ++i)
-                    largest = std::max(largest, open[i] > sliver ? std::abs(u[i]) : 0.0);
+                    largest = std::max(largest, open[i] > narrow ? std::abs(u[i]) : 0.0);
             });
             return largest;
         }));
