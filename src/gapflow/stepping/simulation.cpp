@@ -500,14 +500,12 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         wet.reset();
         voids_.finish(*coupling_, impulse_.nodes, node_outflow_, dt);
     }
-    film_push_.clear();
+    std::vector<Vec<D>> without_push;
     if (D == 2 && scene_.viscosity == 0 && dt > 0)
-        for (const Vec<D>& u : u_star.film)
-            film_push_.push_back(-u / dt);
+        without_push = u_star.film;
     velocity_ = std::move(u_star);
     subtract_gradient(*coupling_, impulse_, velocity_);
-    for (std::size_t e = 0; e < film_push_.size(); ++e)
-        film_push_[e] += velocity_.film[e] / dt;
+    remember_push(without_push, dt);
     add_entrainment(*coupling_, V, 1, velocity_);
     if (voids) {
         const std::vector<char> is_empty = voids_.empty_elements(coupling_->network);
@@ -522,8 +520,10 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         if (bodies_[b].motion == Motion::free)
             finish_step(bodies_[b], V[b], dt, !impact);
     }
-    if (met)
+    if (met) {
         film_push_.clear();
+        last_push_.clear();
+    }
     std::vector<Twist<D>> impulse = impulses(*coupling_, impulse_);
     if (!coupling_->drag_inertia.empty()) {
         const std::vector<Twist<D>> shear = drag_impulses(*coupling_, V);
@@ -539,6 +539,22 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             wrenches_[b] += impulse[b] / dt;
     }
     stages_.add("projection", now() - start - solver_seconds);
+}
+
+// What the pressure accelerates the films' elements by at the end of the step. The step itself tells of its middle; where the mesh stays,
+// between flat walls, so did the step before.
+template <int D>
+void Simulation<D>::remember_push(const std::vector<Vec<D>>& without, double dt)
+{
+    std::vector<Vec<D>> push;
+    for (std::size_t e = 0; e < without.size(); ++e)
+        push.push_back((velocity_.film[e] - without[e]) / dt);
+    const std::vector<Film<D>>& films = coupling_->network.films;
+    film_push_ = push;
+    if (push.size() == last_push_.size() && std::all_of(films.begin(), films.end(), [](const Film<D>& film) { return film.mesh.flat; }))
+        for (std::size_t e = 0; e < push.size(); ++e)
+            film_push_[e] += dt / (dt + last_dt_) * (push[e] - last_push_[e]);
+    last_push_ = std::move(push);
 }
 
 // The voids as the active set has them leave the system, and shut mouths carry only what moves with their masters.

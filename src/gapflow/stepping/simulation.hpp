@@ -136,6 +136,7 @@ private:
                     FluidVelocity<D>& u_star);
     bool update_voids(const WetSystem<D>& wet, const FluidVelocity<D>& u_star, const std::vector<Twist<D>>& V, double dt,
                       double accuracy, int round, bool contacts_changed);
+    void remember_push(const std::vector<Vec<D>>& without, double dt);
     void continue_velocities();
     void paint_films(FaceField<D, std::int8_t>& valid);
     void share_uncovered_faces(FaceField<D>& u_star) const;
@@ -185,7 +186,8 @@ private:
     PastPressure<D> past_;                  ///< without viscosity only from a step's start to its advection
     ViscousMemory<D> viscous_;
     Eigen::VectorXd node_outflow_;          ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
-    std::vector<Vec<D>> film_push_;         ///< acceleration of the films' elements by the pressure, without viscosity; none after impacts
+    std::vector<Vec<D>> film_push_;         ///< acceleration of the films' elements by the pressure, 2D without viscosity; none after impacts
+    std::vector<Vec<D>> last_push_;         ///< its mean over the last step
     FilmMemories<D> memories_;
     std::set<FilmPair<D>> turning_;         ///< pairs whose films turn in this step, or turned in the last one
     std::set<FilmPair<D>> alive_;           ///< pairs with films before the coupling was built

@@ -52,6 +52,7 @@ void Simulation<D>::list_state(StateArchive& archive)
         archive("velocity", velocity_.film);
         archive("normal_speed", velocity_.film_normal);
         archive("push", film_push_);
+        archive("last_push", last_push_);
     });
     archive("conduit_flux", velocity_.conduit);
     if (scene_.viscosity > 0)
