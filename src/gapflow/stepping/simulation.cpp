@@ -200,35 +200,6 @@ void Simulation<D>::build_coupling(const std::function<WetShares(const Coupling<
                                                         gaps_, alive_, wet));
 }
 
-// Whether a contact or a film that turned changed the body's motion in the last step at once: then the change is no acceleration that goes on.
-template <int D>
-bool Simulation<D>::met_something(int body) const
-{
-    return contacts_.impact_on(body) ||
-           std::any_of(turning_.begin(), turning_.end(), [&](const FilmPair<D>& pair) { return pair.master == body || pair.other == body; });
-}
-
-// The bulk's pressure at the end of the last step; none where bodies met: what stopped them does not go on. With viscosity the projection
-// before has left it (remember_projection).
-template <int D>
-void Simulation<D>::recall_pressure()
-{
-    if (scene_.viscosity > 0)
-        return;
-    past_.pressure = past_.known = CellField<D>(grid_);
-    bool impact = last_dt_ == 0;
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        impact = impact || met_something(static_cast<int>(b));
-    if (impact)
-        return;
-    for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
-        if (coupling_->system.component(c) >= 0) {
-            past_.known(c) = 1;
-            past_.pressure(c) = impulse_.cells(c) / last_dt_;
-        }
-    });
-}
-
 // Stages 2 and 4: the fluid's velocities carried to the new configuration.
 template <int D>
 FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& conduit_scale, FaceField<D>& change)
@@ -243,27 +214,13 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     if (voids_.any())
         flood(flow, dt);
     const BoundaryVelocity<D> sides = side_velocities(time_);
-    const AdvectionScheme scheme = scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack
-                                                                                    : AdvectionScheme::semi_lagrangian;
     const FaceField<D, std::int8_t>* plain = faces_near_jets(flow.conduit);
     const bool any_slivers = grid_.comm().any(!slivers_.empty());
     for (const Sliver& face : slivers_)
         velocity_.grid(face.axis, face.at) = face.continued;
     if (any_slivers)
         fill_velocity_ghosts(grid_, velocity_.grid, sides);
-    continue_pressure(*coupling_, past_);
-    change = velocity_change(*coupling_, past_, dt);
-    {
-        FaceField<D> middle(grid_);
-        advect<D>(grid_, middle, velocity_.grid, velocity_.grid, 0.5 * dt, AdvectionScheme::semi_lagrangian, sides);
-        fill_velocity_ghosts(grid_, middle, sides);
-        limit_to_inertia(grid_, velocity_.grid, middle, change);
-        fill_velocity_ghosts(grid_, change, {});
-        fill_velocity_ghosts(grid_, middle, sides);
-        advect<D>(grid_, u_star.grid, middle, velocity_.grid, dt, scheme, sides, nullptr, plain, &change);
-    }
-    if (scene_.viscosity <= 0)
-        past_ = {};
+    change = advect_bulk(u_star.grid, dt, plain);
     for (const Sliver& face : slivers_) {
         velocity_.grid(face.axis, face.at) = face.own;
         const double open = std::max(coupling_->open(face.axis, face.at), face.open);
@@ -351,24 +308,6 @@ const FaceField<D, std::int8_t>* Simulation<D>::faces_near_jets(const std::vecto
         }
     }
     return &near_jets_;
-}
-
-// Stage 5: twists of free bodies after all forces but the fluid's, and what the last pressure does on their way; of others as given.
-// `change`: what it does to the fluid's velocity. (A hinged body's pressure turns it about its hinge: left out.)
-template <int D>
-std::vector<Twist<D>> Simulation<D>::forced_twists(double dt, const FaceField<D>& change) const
-{
-    const std::vector<Vec<D>> swept =
-        swept_impulses(grid_, scene_.density, change, *old_fractions_, *coupling_->fractions, bodies_.size());
-    std::vector<Twist<D>> V = twists();
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        if (bodies_[b].motion != Motion::free)
-            continue;
-        V[b] = forced_twist<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density, dt);
-        if (!bodies_[b].hinge)
-            V[b] += impulse_response(bodies_[b], wrench<D>(swept[b], Vec<D>(Vec<D>::Zero())), dt);
-    }
-    return V;
 }
 
 // Twists of the end of the step if the accelerations of the last one go on.
@@ -539,22 +478,6 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             wrenches_[b] += impulse[b] / dt;
     }
     stages_.add("projection", now() - start - solver_seconds);
-}
-
-// What the pressure accelerates the films' elements by at the end of the step. The step itself tells of its middle; where the mesh stays,
-// between flat walls, so did the step before.
-template <int D>
-void Simulation<D>::remember_push(const std::vector<Vec<D>>& without, double dt)
-{
-    std::vector<Vec<D>> push;
-    for (std::size_t e = 0; e < without.size(); ++e)
-        push.push_back((velocity_.film[e] - without[e]) / dt);
-    const std::vector<Film<D>>& films = coupling_->network.films;
-    film_push_ = push;
-    if (push.size() == last_push_.size() && std::all_of(films.begin(), films.end(), [](const Film<D>& film) { return film.mesh.flat; }))
-        for (std::size_t e = 0; e < push.size(); ++e)
-            film_push_[e] += dt / (dt + last_dt_) * (push[e] - last_push_[e]);
-    last_push_ = std::move(push);
 }
 
 // The voids as the active set has them leave the system, and shut mouths carry only what moves with their masters.

@@ -124,6 +124,7 @@ private:
     void build_coupling(const std::function<WetShares(const Coupling<D>&)>& wet);
     void recall_pressure();
     bool met_something(int body) const;
+    FaceField<D> advect_bulk(FaceField<D>& u_star, double dt, const FaceField<D, std::int8_t>* plain);
     FluidVelocity<D> advect_all(double dt, std::vector<double>& conduit_scale, FaceField<D>& change);
     void flood(FilmFlow<D>& flow, double dt);
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
