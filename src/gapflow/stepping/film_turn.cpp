@@ -1,5 +1,6 @@
 #include "gapflow/stepping/film_turn.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -12,14 +13,24 @@ namespace {
 constexpr double stopping = 0.25;
 // Films thinner than this times their floor are those of contact.
 constexpr double in_contact = 2;
+// Plates whose gap is nowhere thicker than this times its mean are parallel enough.
+constexpr double parallel = 1.5;
+// A film gets thinner by no more than this in a step; what was lost of it otherwise is no measure of its speed.
+constexpr double thinnest = 0.5;
 
 /// Of a pair's films.
 struct Gap {
-    double area = 0, volume = 0;
+    double area = 0, volume = 0, thickest = 0;
     double opening = 0, acceleration = 0; ///< mean rates
     bool flat = true;
     double thickness() const { return volume / area; }
 };
+
+template <int D>
+double thinning(const Gap& now, const FilmMemory<D>& before)
+{
+    return std::sqrt(std::clamp(now.thickness() * before.area() / before.volume(), thinnest, 1.0));
+}
 
 } // namespace
 
@@ -40,6 +51,7 @@ std::set<FilmPair<D>> turning_films(const Coupling<D>& coupling, const std::vect
             };
             gap.area += q.weight;
             gap.volume += q.weight * q.h;
+            gap.thickest = std::max(gap.thickest, q.h);
             gap.opening += q.weight * rate(twists);
             gap.acceleration += q.weight * rate(acceleration);
         }
@@ -49,7 +61,7 @@ std::set<FilmPair<D>> turning_films(const Coupling<D>& coupling, const std::vect
         gap.opening /= gap.area;
         gap.acceleration /= gap.area;
         if (gap.flat && gap.thickness() < smallest_limiting_gap * coupling.grid->dx() &&
-            gap.thickness() > in_contact * settings(pair.master, pair.other).floor && gap.opening < 0 &&
+            gap.thickness() > in_contact * settings(pair.master, pair.other).floor && gap.thickest < parallel * gap.thickness() && gap.opening < 0 &&
             gap.thickness() * gap.acceleration > stopping * gap.opening * gap.opening && !law(pair.master, pair.other).jet)
             turning.insert(pair);
     }
@@ -78,7 +90,7 @@ void turn_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
         if (!turning.contains(film.pair) || old == memories.end())
             continue;
         // Speeds in the film go like gap^(-1/2), its fluxes like gap^(1/2).
-        const double thinner = std::sqrt(gaps[film.pair].thickness() * old->second->area() / old->second->volume());
+        const double thinner = thinning(gaps[film.pair], *old->second);
         int hint = -1;
         for (std::size_t i = 0; i < film.mesh.elements.size(); ++i) {
             const FilmElement<D>& e = film.mesh.elements[i];
@@ -96,7 +108,7 @@ void turn_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
         const auto* mouth = old->second->mouth(solids[film.pair.master].shape.to_body(conduit.x), conduit.outward);
         if (!mouth)
             continue;
-        const double thinner = std::sqrt(gaps[film.pair].thickness() * old->second->area() / old->second->volume());
+        const double thinner = thinning(gaps[film.pair], *old->second);
         const double along = conduit.outward.dot(carried(film, conduit.x));
         flow.conduit[r] = conduit.length * (conduit.h * along - thinner * (mouth->flux - mouth->h * along));
         flow.conduit_scale[r] = 1;

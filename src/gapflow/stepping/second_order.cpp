@@ -77,17 +77,16 @@ std::vector<Twist<D>> Simulation<D>::forced_twists(double dt, const FaceField<D>
     return V;
 }
 
-// What the pressure accelerates the films' elements by at the end of the step. The step itself tells of its middle; where the mesh stays,
-// between flat walls, so did the step before.
+// What the pressure accelerates the films' elements by at the end of the step. The step itself tells of its middle, and, where the mesh
+// stays, so did the step before.
 template <int D>
 void Simulation<D>::remember_push(const std::vector<Vec<D>>& without, double dt)
 {
     std::vector<Vec<D>> push;
     for (std::size_t e = 0; e < without.size(); ++e)
         push.push_back((velocity_.film[e] - without[e]) / dt);
-    const std::vector<Film<D>>& films = coupling_->network.films;
     film_push_ = push;
-    if (push.size() == last_push_.size() && std::all_of(films.begin(), films.end(), [](const Film<D>& film) { return film.mesh.flat; }))
+    if (push.size() == last_push_.size())
         for (std::size_t e = 0; e < push.size(); ++e)
             film_push_[e] += dt / (dt + last_dt_) * (push[e] - last_push_[e]);
     last_push_ = std::move(push);

@@ -440,7 +440,9 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         voids_.finish(*coupling_, impulse_.nodes, node_outflow_, dt);
     }
     std::vector<Vec<D>> without_push;
-    if (D == 2 && scene_.viscosity == 0 && dt > 0)
+    const std::vector<Film<D>>& films = coupling_->network.films;
+    const bool flat = std::all_of(films.begin(), films.end(), [](const Film<D>& film) { return film.mesh.flat; });
+    if (D == 2 && flat && scene_.viscosity == 0 && dt > 0) // about points of contact it would make films grow
         without_push = u_star.film;
     velocity_ = std::move(u_star);
     subtract_gradient(*coupling_, impulse_, velocity_);

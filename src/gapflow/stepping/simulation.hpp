@@ -187,7 +187,7 @@ private:
     PastPressure<D> past_;                  ///< without viscosity only from a step's start to its advection
     ViscousMemory<D> viscous_;
     Eigen::VectorXd node_outflow_;          ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
-    std::vector<Vec<D>> film_push_;         ///< acceleration of the films' elements by the pressure, 2D without viscosity; none after impacts
+    std::vector<Vec<D>> film_push_;         ///< acceleration of the films' elements by the pressure, flat ones in 2D without viscosity; none after impacts
     std::vector<Vec<D>> last_push_;         ///< its mean over the last step
     FilmMemories<D> memories_;
     std::set<FilmPair<D>> turning_;         ///< pairs whose films turn in this step, or turned in the last one
