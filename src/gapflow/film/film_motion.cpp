@@ -82,11 +82,16 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
     auto next = from_grid.begin();
 
     FilmFlow<D> flow;
+    std::vector<double> turned; // of an element's normal speed: what flowed along the film where it came from
     const std::vector<double> normal_speed = wall_normal_speed<D>(network, solids, predicted);
-    for (const Film<D>& film : network.films)
-        for (const FilmElement<D>& e : film.mesh.elements) {
+    const auto master_velocity = [&](int film, const FilmElement<D>& e) {
+        return memory[film]->master_velocity(solids[network.films[film].pair.master].shape.to_body(e.centroid_master));
+    };
+    for (int k = 0; k < films; ++k)
+        for (const FilmElement<D>& e : network.films[k].mesh.elements) {
             const Transported& old = at_element[flow.velocity.size()];
             Vec<D> w = old.near ? old.velocity : *next++;
+            turned.push_back(old.near ? tangential<D>(w - master_velocity(k, e), old.normal).dot(e.normal) : 0.0);
             const Vec<D> n_bar = old.near ? Vec<D>(e.normal + old.normal) : e.normal;
             const double across = n_bar.dot(e.normal);
             flow.normal.push_back(w.dot(e.normal));
@@ -95,6 +100,16 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
             flow.velocity.push_back(tangential<D>(w, e.normal));
         }
     const auto given_away = limit_motion(network, solids, memory, at_element, at_conduit, dt, flow.velocity);
+    // Round a corner what flowed along the film meets its walls: no faster than what is left along it.
+    for (int k = 0; k < films; ++k)
+        for (std::size_t i = 0; i < network.films[k].mesh.elements.size(); ++i) {
+            const std::size_t at = network.films[k].first_element + i;
+            if (turned[at] == 0)
+                continue;
+            const FilmElement<D>& e = network.films[k].mesh.elements[i];
+            const double speed = tangential<D>(flow.velocity[at] - master_velocity(k, e), e.normal).norm();
+            flow.normal[at] += std::clamp(turned[at], -speed, speed) - turned[at];
+        }
     std::vector<double> mean_thickness;
     for (const Film<D>& film : network.films) {
         double volume = 0, measure = 0;
