@@ -25,8 +25,8 @@ struct FluidVelocity {
     std::vector<double> conduit;      ///< flux out of the film through every conduit, absolute
 };
 
-/// The film's fluid moves with the mean of its two walls normal to the gap: a mass (rho S) on the row
-/// n . 1/2 (U_A + U_B) of their twists.
+/// The film's fluid moves with the mean of its two walls normal to the gap: a mass (rho S) on the rows of their twists that
+/// normal_rows gives.
 template <int D>
 struct NormalInertia {
     int master, other;           ///< solids

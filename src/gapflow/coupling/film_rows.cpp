@@ -2,6 +2,7 @@
 
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/film/film_cells.hpp"
+#include "gapflow/film/film_motion.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -82,10 +83,8 @@ private:
                 for (int i = 0; i < D; ++i)
                     rows_.add_node(f.first_node + e.nodes[i], mesh.master,
                                    e.volume * wrench<D>(e.gradient[i], e.centroid - centre(mesh.master)));
-                coupling_.normal_inertia.push_back({mesh.master, mesh.other,
-                                                    0.5 * wrench<D>(e.normal, e.centroid - centre(mesh.master)),
-                                                    0.5 * wrench<D>(e.normal, e.centroid - other_centre(mesh)),
-                                                    coupling_.density * e.volume});
+                const NormalRows<D> normal = normal_rows<D>(mesh, e, coupling_.solids);
+                coupling_.normal_inertia.push_back({mesh.master, mesh.other, normal.master, normal.other, coupling_.density * e.volume});
                 if (!coupling_.element_drag.empty())
                     add_entrainment(f, e);
             }

@@ -17,20 +17,33 @@ constexpr double mouth_bound = 2.0;
 // Mouths thinner than this times their film's mean thickness lie beside a point of contact, and their outflow's head adds no more than
 // their own flux; much thinner ones have none.
 constexpr double thin_mouth = 0.5, blocked_mouth = 0.1;
+// Between a film and its wall; wedges that open further have no film.
+constexpr double least_cosine = 0.5;
 
 } // namespace
+
+template <int D>
+NormalRows<D> normal_rows(const FilmMesh<D>& mesh, const FilmElement<D>& e, std::span<const Solid<D>> solids)
+{
+    const Vec<D>& centre = solids[mesh.master].centre;
+    const Vec<D> other_centre = solids[mesh.other].centre + mesh.shift;
+    const double across = e.normal.dot(e.other_normal);
+    const bool wedge = across > least_cosine;
+    const Vec<D> normal = wedge ? Vec<D>(e.other_normal / (2 * across)) : Vec<D>(0.5 * e.normal);
+    const Vec<D>& place = wedge ? e.other_place : e.centroid;
+    return {wrench<D>(e.normal, e.centroid - centre) - wrench<D>(normal, place - centre), wrench<D>(normal, place - other_centre)};
+}
 
 template <int D>
 std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
                                       const std::vector<Twist<D>>& twists)
 {
     std::vector<double> speed;
-    for (const Film<D>& film : network.films) {
-        const FilmMesh<D>& mesh = film.mesh;
-        for (const FilmElement<D>& e : mesh.elements)
-            speed.push_back(0.5 * e.normal.dot(velocity_at<D>(twists[mesh.master], e.centroid - solids[mesh.master].centre) +
-                                               velocity_at<D>(twists[mesh.other], e.centroid - solids[mesh.other].centre - mesh.shift)));
-    }
+    for (const Film<D>& film : network.films)
+        for (const FilmElement<D>& e : film.mesh.elements) {
+            const NormalRows<D> rows = normal_rows<D>(film.mesh, e, solids);
+            speed.push_back(rows.master.dot(twists[film.mesh.master]) + rows.other.dot(twists[film.mesh.other]));
+        }
     return speed;
 }
 
@@ -204,6 +217,7 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template NormalRows<D> normal_rows<D>(const FilmMesh<D>&, const FilmElement<D>&, std::span<const Solid<D>>);               \
     template FilmFlow<D> advect_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmMemories<D>&,             \
                                          const std::vector<Twist<D>>&, const VelocitySampler<D>&,                              \
                                          const std::function<MouthLaw(int, int)>&, double);                                    \

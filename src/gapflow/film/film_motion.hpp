@@ -57,7 +57,17 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
                                const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx,
                                const std::vector<char>& idle = {}, const std::vector<Vec<D>>& push = {});
 
-/// Mean of the two walls' velocities at mid-gap, normal part: n . 1/2 (U_A + U_B), one an element.
+/// Speed normal to the gap of an element's fluid: row . twist, master's and other's together. Walls that are parallel give it the mean of
+/// their velocities at mid-gap, n . 1/2 (U_A + U_B). Else the other gives what it moves along its own normal, over twice the cosine between
+/// that and n (a ball that turns about its centre gives none), and the master the rest of n . U where both move as one.
+template <int D>
+struct NormalRows {
+    Twist<D> master, other;
+};
+template <int D>
+NormalRows<D> normal_rows(const FilmMesh<D>& mesh, const FilmElement<D>& element, std::span<const Solid<D>> solids);
+
+/// That speed, one an element.
 template <int D>
 std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
                                       const std::vector<Twist<D>>& twists);
