@@ -4,6 +4,7 @@ A module of cases has ALL, a list of generators of Row that take `quick`: the fe
 """
 import csv
 import json
+import math
 import os
 import subprocess
 import tempfile
@@ -103,6 +104,17 @@ def unit_figures(program, test):
     if len(tests) != 1:
         raise RuntimeError(f"{executable} has no test {test}")
     return tests[0], "failures" not in tests[0]
+
+
+def volume(body, dimension):
+    """Of a body of a scene (2D: area)."""
+    if body["shape"] == "box":
+        return math.prod(body["size"])
+    r, length = body["radius"], body.get("length", 0)
+    if dimension == 2:
+        return math.pi * r**2 + (2 * r * length if body["shape"] == "capsule" else 0)
+    round_part = 4 / 3 * math.pi * r**3 if body["shape"] in ("ball", "capsule") else 0
+    return round_part + math.pi * r**2 * length
 
 
 def read_table(path):

@@ -180,12 +180,6 @@ def still_scene(dimension):
             "time": {"end": 1.0, "max_step": 0.01}, "solver": SOLVER, "output": {"every": 1.0}}
 
 
-def volume(body, dimension):
-    if body["shape"] == "box":
-        return math.prod(body["size"])
-    return math.pi * body["radius"] ** 2 if dimension == 2 else 4 / 3 * math.pi * body["radius"] ** 3
-
-
 def still_cases(quick):
     section = "Still fluid under gravity"
     for dimension in (2, 3):
@@ -199,7 +193,7 @@ def still_cases(quick):
         yield Row(section, name + ": speeds of bodies, root mean square of the fluid's", "<= 1e-10", f"{speed:.1e}", speed <= 1e-10)
         error = 0
         for body in scene["body"]:
-            weight = 9.81 * volume(body, dimension)
+            weight = 9.81 * harness.volume(body, dimension)
             for r in bodies:
                 if r["body"] == body["name"]:
                     force = vector(r, ("fx", "fy", "fz"))

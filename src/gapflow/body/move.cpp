@@ -9,6 +9,8 @@
 
 #include "gapflow/core/error.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -88,8 +90,19 @@ Twist<D> predicted_twist(const RigidBody<D>& body, double time, double dt)
     return twist_after(body, impulse);
 }
 
+template <int D>
+double lasting_part(const RigidBody<D>& body, const Twist<D>& acceleration, const Twist<D>& before, double least)
+{
+    const TwistMatrix<D> mass = mass_matrix(body) / body.mass;
+    const auto size = [&](const Twist<D>& a) { return std::sqrt(a.dot(mass * a)); };
+    const double now = size(acceleration), most = std::max(2 * size(before), least);
+    return now > most ? most / now : 1.0;
+}
+
 template void move<2>(RigidBody<2>&, double, double);
 template void move<3>(RigidBody<3>&, double, double);
+template double lasting_part<2>(const RigidBody<2>&, const Twist<2>&, const Twist<2>&, double);
+template double lasting_part<3>(const RigidBody<3>&, const Twist<3>&, const Twist<3>&, double);
 template Twist<2> predicted_twist<2>(const RigidBody<2>&, double, double);
 template Twist<3> predicted_twist<3>(const RigidBody<3>&, double, double);
 

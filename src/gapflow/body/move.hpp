@@ -16,4 +16,10 @@ void move(RigidBody<D>& body, double time, double dt);
 template <int D>
 Twist<D> predicted_twist(const RigidBody<D>& body, double time, double dt);
 
+/// The part of a body's acceleration over a step that goes on although others met in the step: an impact reaches all bodies in the fluid at
+/// once, and what it does to them is over. The whole where it is no more than twice `before`, the step before's, or `least` (a
+/// length over time squared), in the mean over the body's mass.
+template <int D>
+double lasting_part(const RigidBody<D>& body, const Twist<D>& acceleration, const Twist<D>& before, double least);
+
 } // namespace gapflow

@@ -122,9 +122,9 @@ Twist<D> twist_after(const RigidBody<D>& body, const Twist<D>& impulse);
 template <int D>
 void set_initial_twist(RigidBody<D>& body, const Twist<D>& twist);
 /// Takes the twist at the end of a step of length dt, with L = I omega at the present pose, and keeps the change over the
-/// step as acceleration. After an impact (`smooth` false) the acceleration is 0.
+/// step as acceleration: the part of it that goes on (after an impact none).
 template <int D>
-void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, bool smooth = true);
+void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, double goes_on = 1);
 
 /// The body as grid and film see it. Refers to the body's shape.
 template <int D>

@@ -11,6 +11,7 @@ namespace {
 // Energy that transport adds at most, where the flux is not quite that of the volume balance: by this for each element that the flow
 // crosses, and no more than that. (By the step alone, the noise of the small steps about a point of contact would grow.)
 constexpr double growth_on_the_way = 0.25, most_growth = 0.05;
+constexpr double most_opening = 1.5;  // of a mouth in a step
 constexpr double discretised = 1.01; // what a film's elements are off by
 constexpr double thrown_margin = 10;  // of the energy of the heads' own fluxes over that: plates that meet take up to that much
 
@@ -50,6 +51,7 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
 {
     struct Sum {
         double area = 0, volume = 0, motion = 0, inflow = 0, beyond = 0; // beyond: volume of elements where no film was
+        double slowness = 0; // sum of area / thickness
         std::vector<std::pair<double, double>> parts; // speed squared and volume of each element
         double fastest = std::numeric_limits<double>::infinity();
     };
@@ -71,11 +73,15 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
         Sum& sum = sums[old];
         sum.area += e.measure;
         sum.volume += e.volume;
+        sum.slowness += e.measure * e.measure / e.volume;
         sum.beyond += beyond ? e.volume : 0.0;
         sum.motion += e.volume * (u - along).squaredNorm();
         sum.parts.emplace_back((u - along).squaredNorm(), e.volume);
     });
     const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
+    std::map<const FilmMemory<D>*, double> rim; // length of all mouths
+    for (const Conduit<D>& c : conduits)
+        rim[memory[c.film]] += c.length;
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const FilmMemory<D>* old = memory[conduits[r].film];
         if (!old || !at_conduit[r].near)
@@ -83,11 +89,16 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
         const PlacedShape<D>& master = solids[network.films[conduits[r].film].pair.master].shape;
         const Vec<D> place = master.to_body(conduits[r].x), U = old->master_velocity(place);
         double u = std::min(conduits[r].outward.dot(at_conduit[r].velocity - U), 0.0);
-        // No faster than what the mouth itself let in: elements that the film's end cuts small may carry ten times that.
-        if (const auto* mouth = old->mouth(place, conduits[r].outward))
-            u = std::max(u, std::min(mouth->flux / mouth->h - mouth->outward.dot(mouth->master_velocity), 0.0));
+        // No faster than what the mouth itself let in: elements that the film's end cuts small may carry ten times that, and a mouth that opens
+        // where a corner touched any speed.
+        if (const auto* mouth = old->mouth(place, conduits[r].outward)) {
+            const double h = std::max(mouth->h, conduits[r].h / most_opening);
+            u = std::max(u, std::min((mouth->flux - mouth->h * mouth->outward.dot(mouth->master_velocity)) / h, 0.0));
+        }
         const double volume = conduits[r].length * conduits[r].h * -u * dt;
-        sums[old].inflow += std::min(volume, old->volume()) * u * u; // more than fills the film has passed through it
+        // More than fills the film has passed through it; and in the film the flux goes on, not the speed.
+        const double flux = u * conduits[r].h, share = std::min(1.0, 2 * conduits[r].length / rim[old]);
+        sums[old].inflow += std::min(std::min(volume, old->volume()) * u * u, flux * flux * share * sums[old].slowness);
     }
     for (auto& [old, sum] : sums) {
         const double size = std::pow(sum.area / static_cast<double>(sum.parts.size()), 1.0 / (D - 1));

@@ -1,5 +1,5 @@
 // Active set around the coupled solve: the bodies' laws of contact, with the fluid's answer as it was, forecast which contacts hold,
-// stick and slide; all change at once while that settles, else the worst alone.
+// stick and slide; all change at once while that settles, the worst alone once they would go round in circles.
 #include "gapflow/stepping/contact_set.hpp"
 
 #include "gapflow/body/move.hpp"
@@ -25,7 +25,7 @@ constexpr double same_place = 0.5;
 constexpr double resting = 2.0;
 // A contact whose opening rate changes by less than this times what the forces add leaves its bodies' motion smooth.
 constexpr double smooth = 0.05;
-// Rounds after which contacts change one at a time.
+// Rounds after which contacts change one at a time; or as soon as they would be again what they were in an exact solve before.
 constexpr int rounds_at_once = 15;
 constexpr double friction_accuracy = 1e-3; // of the largest bound of friction on the body
 constexpr double least_relaxation = 0.3;   // of sliding pulls
@@ -225,6 +225,8 @@ template <int D>
 void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt, double last_dt)
 {
     relaxation_ = 1;
+    seen_.clear();
+    seen_exact_ = one_at_a_time_ = false;
     for (Contact<D>& c : contacts_) {
         if (last_dt > 0)
             c.pull *= dt / last_dt;
@@ -301,9 +303,23 @@ void ContactSet<D>::take_impulses(const Eigen::VectorXd& impulses)
     }
 }
 
+// Remembers the states of the solve just made, and tells whether an earlier one was made with those that are to be next.
+template <int D>
+bool ContactSet<D>::repeats(const States& next, bool exact)
+{
+    if (exact != seen_exact_)
+        seen_.clear();
+    seen_exact_ = exact;
+    States now;
+    for (const Contact<D>& c : contacts_)
+        now.push_back(static_cast<char>(c.closed + (c.closed && c.slides)));
+    seen_.insert(std::move(now));
+    return seen_.contains(next);
+}
+
 template <int D>
 ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses,
-                                    const NearInertia<D>& inertia, double accuracy, int round)
+                                    const NearInertia<D>& inertia, double accuracy, bool exact, int round)
 {
     take_impulses(impulses);
     const std::vector<TwistMatrix<D>>& mobility = inertia.mobility;
@@ -362,18 +378,26 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
         return ContactChange::none;
     }
     ContactChange changed = ContactChange::pulls;
+    States next_states;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const ContactImpulse<D>& next = forecast.impulses[i];
-        if (contacts_[i].closed != (next.normal > 0) || contacts_[i].slides != (contacts_[i].solved && next.normal > 0 && next.slides))
+        const bool closed = next.normal > 0, slides = contacts_[i].solved && closed && next.slides;
+        next_states.push_back(static_cast<char>(closed + slides));
+        if (contacts_[i].closed != closed || contacts_[i].slides != slides)
             changed = ContactChange::states;
     }
+    if (changed == ContactChange::states && repeats(next_states, exact)) {
+        changed = ContactChange::repeats;
+        one_at_a_time_ = one_at_a_time_ || exact;
+    }
+    const bool at_once = round < rounds_at_once && !one_at_a_time_;
     // The forecast knows the bulk's answer only nearly, and pulls can swing about their values for long: dynamic relaxation (Irons & Tuck,
     // Int. J. Numer. Methods Eng. 1, 1969).
     double turn = 0, square = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         Contact<D>& c = contacts_[i];
         const Vec<D - 1> lack = forecast.impulses[i].tangential - c.pull;
-        if (changed == ContactChange::states || round >= rounds_at_once || !c.closed || !c.slides) {
+        if (changed != ContactChange::pulls || !at_once || !c.closed || !c.slides) {
             c.lack.setZero();
             continue;
         }
@@ -386,7 +410,7 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
     }
     relaxation_ = square > 0 ? std::clamp(-relaxation_ * turn / square, least_relaxation, 1.0) : 1.0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        if (round >= rounds_at_once && i != worst)
+        if (!at_once && i != worst)
             continue;
         Contact<D>& c = contacts_[i];
         const ContactImpulse<D>& next = forecast.impulses[i];

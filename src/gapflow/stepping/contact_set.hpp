@@ -15,6 +15,7 @@
 
 #include <array>
 #include <string>
+#include <set>
 #include <vector>
 
 namespace gapflow {
@@ -41,8 +42,9 @@ struct Contact {
     Vec<D> mark = Vec<D>::Zero();       ///< place on a in a's frame, to know the contact again
 };
 
-/// What a solve makes of the contacts: `pulls`: those that hold, stick and slide are the same, but sliding friction is not.
-enum class ContactChange { none, pulls, states };
+/// What a solve makes of the contacts: `pulls`: those that hold, stick and slide are the same, but sliding friction is not; `repeats`: others
+/// do, as they did in an earlier round.
+enum class ContactChange { none, pulls, states, repeats };
 
 template <int D>
 class ContactSet {
@@ -65,8 +67,10 @@ public:
     std::vector<HeldContact<D>> held() const;
     /// Impulses of sliding friction on every solid, about its centre.
     std::vector<Twist<D>> sliding_impulses(std::size_t solids) const;
-    /// Takes the twists and the impulses of held() that a solve gave. Unless nothing changes the solve must be repeated.
-    ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia, double accuracy, int round);
+    /// Takes the twists and the impulses of held() that a solve gave, to full tolerance if `exact`. Unless nothing changes the solve must be
+    /// repeated.
+    ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia, double accuracy, bool exact,
+                         int round);
 
     /// A contact that holds and yet closes: its solids are driven into each other, and neither can give way. Null: none.
     const Contact<D>* crushed(const std::vector<Twist<D>>& twists) const;
@@ -85,6 +89,8 @@ private:
     };
     PairLaw law(int a, int b) const;
     void take_impulses(const Eigen::VectorXd& impulses);
+    using States = std::vector<char>; ///< of each contact: open, sticks, slides
+    bool repeats(const States& next, bool exact);
 
     const Scene* scene_ = nullptr;
     double dx_ = 0;
@@ -93,6 +99,9 @@ private:
     std::vector<ContactFeatures<D>> features_;
     std::vector<Contact<D>> contacts_;
     double relaxation_ = 1; ///< of the pulls in the step's last round
+    std::set<States> seen_; ///< that solves of this step were made with, the exact ones once there are such
+    bool seen_exact_ = false;
+    bool one_at_a_time_ = false;
 };
 
 } // namespace gapflow

@@ -25,6 +25,7 @@ constexpr std::array<double, 3> rough_tolerances = {1e-2, 1e-4, 1e-6};
 // Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
 constexpr double settled_tolerance = 0.1;
 constexpr int most_rounds = 60;
+constexpr double longest_extrapolation = 2; // of an acceleration, in steps like the last one
 constexpr int most_pushes = 10; // that take out the overlaps of a step
 // Of the fluid that a body displaces: what it adds to its inertia where contacts are forecast. In a crowd; found by trial.
 constexpr double bulk_share = 2;
@@ -145,12 +146,15 @@ StepReport Simulation<D>::step(double next_output)
     return report;
 }
 
-// Stage 3: V^n + 1/2 dt (V^n - V^{n-1}) / dt^{n-1}.
+// Stage 3: V^n + 1/2 dt (V^n - V^{n-1}) / dt^{n-1}. What a much shorter step says of the acceleration is not to be carried that far.
 template <int D>
 void Simulation<D>::move_bodies(double dt)
 {
     const auto timer = stages_.measure("bodies");
+    const double known = last_dt_ > 0 ? std::min(1.0, longest_extrapolation * last_dt_ / dt) : 1.0;
     for (RigidBody<D>& body : bodies_) {
+        body.acceleration *= known;
+        body.angular_momentum_rate *= known;
         if (body.motion == Motion::prescribed)
             body.twist = predicted_twist(body, time_, dt);
         move(body, time_, dt);
@@ -310,6 +314,28 @@ const FaceField<D, std::int8_t>* Simulation<D>::faces_near_jets(const std::vecto
     return &near_jets_;
 }
 
+// Twists of the end of the step, and what goes on of their change.
+template <int D>
+void Simulation<D>::finish_bodies(const std::vector<Twist<D>>& V, double dt)
+{
+    std::vector<char> met(bodies_.size());
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        met[b] = met_something(static_cast<int>(b));
+    const bool any_met = std::find(met.begin(), met.end(), 1) != met.end();
+    const double gravity = to_vec<D>(scene_.gravity).norm();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const Twist<D> change = (V[b] - bodies_[b].twist) / dt;
+        const double goes_on = met[b] ? 0.0 : any_met ? lasting_part(bodies_[b], change, acceleration_[b], gravity) : 1.0;
+        acceleration_[b] = goes_on * change;
+        if (bodies_[b].motion == Motion::free)
+            finish_step(bodies_[b], V[b], dt, goes_on);
+    }
+    if (any_met) {
+        film_push_.clear();
+        last_push_.clear();
+    }
+}
+
 // Twists of the end of the step if the accelerations of the last one go on.
 template <int D>
 std::vector<Twist<D>> Simulation<D>::predicted_twists(double dt) const
@@ -357,6 +383,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     double squares = 0;
     std::size_t level = sets ? 0 : rough_tolerances.size(); // rough tolerances to which the sets were right
     bool changed = true;  // whether the sets are others than those of the last solve
+    int circles = 0;      // how often they came round to what they were, in exact solves
     const bool expect_none = !voids && !(contacts && contacts_.likely_to_change(predicted_twists(dt)));
     for (int round = 0;; ++round) {
         if (changed) {
@@ -410,10 +437,11 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         add_pressure_impulse(*coupling_, impulse_, V, contact_impulse);
         if (!sets)
             break;
-        // A contact whose impulse is next to nothing may flip for ever: what counts as nothing grows with the rounds.
-        const double accuracy = std::max(10 * tolerance, 1e-6 * std::exp2(round - 20));
-        const ContactChange change = contacts ? contacts_.update(V, contact_impulse, inertia, accuracy, round) : ContactChange::none;
+        // A contact whose impulse is next to nothing may flip for ever: what counts as nothing grows with the rounds, and as they repeat.
+        const double accuracy = std::max({10 * tolerance, 1e-6 * std::exp2(round - 20), circles > 0 ? 1e-6 * std::exp2(circles - 1) : 0.0});
+        const ContactChange change = contacts ? contacts_.update(V, contact_impulse, inertia, accuracy, exact, round) : ContactChange::none;
         changed = change != ContactChange::none;
+        circles += exact && change == ContactChange::repeats;
         if (wet) {
             new_voids = update_voids(*wet, u_star, V, dt, 10 * tolerance, round, changed);
             changed = changed || new_voids;
@@ -453,18 +481,8 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         rest_in_voids<D>(*coupling_, is_empty, V, velocity_.film);
         follow_front<D>(*coupling_, was_empty, is_empty, voids_.is_void(), V, velocity_);
     }
-    bool met = false; // what stopped bodies does not go on
-    for (std::size_t b = 0; b < bodies_.size() && dt > 0; ++b) {
-        const bool impact = met_something(static_cast<int>(b));
-        met = met || impact;
-        acceleration_[b] = impact ? Twist<D>(Twist<D>::Zero()) : Twist<D>((V[b] - bodies_[b].twist) / dt);
-        if (bodies_[b].motion == Motion::free)
-            finish_step(bodies_[b], V[b], dt, !impact);
-    }
-    if (met) {
-        film_push_.clear();
-        last_push_.clear();
-    }
+    if (dt > 0)
+        finish_bodies(V, dt);
     std::vector<Twist<D>> impulse = impulses(*coupling_, impulse_);
     if (!coupling_->drag_inertia.empty()) {
         const std::vector<Twist<D>> shear = drag_impulses(*coupling_, V);

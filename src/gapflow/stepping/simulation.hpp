@@ -129,6 +129,7 @@ private:
     void flood(FilmFlow<D>& flow, double dt);
     const FaceField<D, std::int8_t>* faces_near_jets(const std::vector<double>& flux);
     std::vector<Twist<D>> forced_twists(double dt, const FaceField<D>& change) const;
+    void finish_bodies(const std::vector<Twist<D>>& V, double dt);
     std::vector<Twist<D>> predicted_twists(double dt) const;
     void add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>>& V_star, double dt, StepReport& report);
     void remember_projection(const std::vector<Twist<D>>& V_star, double dt);

@@ -120,8 +120,25 @@ TEST(RigidBody, UniformAccelerationIsFollowedExactlyAfterTheFirstStep)
     EXPECT_NEAR(body.pose.rotation.angle(), 0.1 * t + 0.25 * t * t - 0.5 * lost, 1e-14);
     EXPECT_NEAR((predicted_twist(body, t, dt) - body.twist - dt * Twist<2>(1, -2, 0.5)).norm(), 0, 1e-14);
 
-    finish_step(body, Twist<2>(Twist<2>::Zero()), dt, false);
+    finish_step(body, Twist<2>(Twist<2>::Zero()), dt, 0.0);
     EXPECT_EQ(predicted_twist(body, t, dt), Twist<2>(Twist<2>::Zero()));
+    finish_step(body, Twist<2>(1, 0, 0), dt, 0.25);
+    EXPECT_NEAR((predicted_twist(body, t, dt) - Twist<2>(1.25, 0, 0)).norm(), 0, 1e-14);
+}
+
+// Of what an impact of others does to a body: no more than twice the acceleration before, or the least one given.
+TEST(RigidBody, WhatAnImpactElsewhereDoesIsNoAccelerationThatGoesOn)
+{
+    RigidBody<2> body;
+    body.mass = 3;
+    body.inertia(0, 0) = 0.75; // 0.25 a mass
+    const Twist<2> before(0.3, 0.4, 0), none = Twist<2>::Zero();
+    EXPECT_DOUBLE_EQ(lasting_part<2>(body, Twist<2>(0.6, 0.7, 0.4), before, 0), 1);
+    EXPECT_DOUBLE_EQ(lasting_part<2>(body, Twist<2>(0, 100, 0), before, 0), 0.01);
+    EXPECT_DOUBLE_EQ(lasting_part<2>(body, Twist<2>(0, 0, 200), before, 0), 0.01);
+    EXPECT_DOUBLE_EQ(lasting_part<2>(body, Twist<2>(0, 100, 0), none, 10), 0.1);
+    EXPECT_DOUBLE_EQ(lasting_part<2>(body, Twist<2>(0, 100, 0), none, 0), 0);
+    EXPECT_DOUBLE_EQ(lasting_part<2>(body, none, none, 0), 1);
 }
 
 TEST(RigidBody, MassFromDensityOrGiven)

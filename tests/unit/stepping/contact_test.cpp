@@ -213,6 +213,37 @@ TEST(ContactSet, RollingOverACornerGainsNoEnergy)
 
 // A ball pushed along a floor that it rests on gains what the push does. The floor is one solid however many periods wide: the
 // ball and it have one film.
+// A ball meets the wall in a step of a thousandth of the others, and the shock goes through the whole tank. The other bodies
+// move on with their new velocities, not with a shock's acceleration over a common step (then one went a cell in a step from rest).
+TEST(ContactSet, AnImpactElsewhereThrowsNoBody)
+{
+    Scene scene = tank(2);
+    scene.gravity = {};
+    scene.sides[3].kind = SideScene::Kind::wall;
+    scene.initial = Scene::Initial::potential;
+    BodyScene ball = box("ball", {}, {0.65, 0.62, 0}), ram = box("ram", {}, {0.22, 0.45, 0});
+    ball.shape = ram.shape = BodyScene::ShapeKind::ball;
+    ball.radius = ram.radius = 0.2;
+    ram.density = 8;
+    ram.velocity = {-1, 0, 0};
+    scene.bodies = {ram, ball};
+    Simulation<2> simulation(scene, Communicator());
+    bool met = false;
+    double shortest = 1;
+    for (int step = 0; step < 300 && simulation.time() < 0.3; ++step) {
+        const RigidBody<2> before = simulation.bodies()[1];
+        const StepReport report = simulation.step(scene.end);
+        const RigidBody<2>& after = simulation.bodies()[1];
+        shortest = std::min(shortest, report.dt);
+        for (const GapState& gap : simulation.gaps())
+            met = met || gap.contact_impulse > 0;
+        const double speed = std::max(before.twist.head<2>().norm(), after.twist.head<2>().norm());
+        EXPECT_LE((after.pose.position - before.pose.position).norm(), 1.5 * report.dt * speed + 1e-3 * simulation.grid().dx());
+    }
+    EXPECT_TRUE(met);
+    EXPECT_LT(shortest, 1e-4);
+}
+
 TEST(ContactSet, BallSlidesAlongAPeriodicFloor)
 {
     Scene scene = tank(3);
