@@ -33,30 +33,41 @@ def interpolated(file, column, x_name, singular=lambda x: 0.0):
 
 # ---- collisions ---------------------------------------------------------------------------------------------------------------
 
-def cylinders_collide(cells_a_radius, refine=1):
-    """[(h, speed of closing over the exact one)] of two cylinders of radius 1 and density 2 that meet from gap 0.3."""
-    n = 8 * cells_a_radius
-    scene = {"domain": {"size": [8.0, 8.0], "cells": [n, n]}, "fluid": {"initial": "potential"},
-             "body": [{"name": name, "shape": "ball", "radius": 1.0, "position": [4.0 + side * 1.15, 4.0], "velocity": [-0.5 * side, 0.0], "density": 2.0}
-                      for name, side in (("right", 1), ("left", -1))],
-             "time": {"end": 0.45, "max_step": 0.16 / cells_a_radius / refine, "gap_cfl": 0.25 / refine}, "output": {"every": 0.45}}
+def collide(dimension, cells_a_radius):
+    """[(h, speed of closing over the exact one)] of two cylinders or balls of radius 1 and density 2 that meet from gap 0.3, and the steps."""
+    side = 8 if dimension == 2 else 10
+    middle, n = [side / 2] * dimension, side * cells_a_radius
+    scene = {"domain": {"size": [float(side)] * dimension, "cells": [n] * dimension}, "fluid": {"initial": "potential"},
+             "body": [{"name": name, "shape": "ball", "radius": 1.0, "position": [middle[0] + at * 1.15] + middle[1:],
+                       "velocity": [-0.5 * at] + [0.0] * (dimension - 1), "density": 2.0} for name, at in (("right", 1), ("left", -1))],
+             "time": {"end": 0.45, "max_step": 0.16 / cells_a_radius, "gap_cfl": 0.25}, "output": {"every": 0.45}}
     result = harness.run(scene)
-    M, mass = interpolated("I2b_two_cylinders_box8.csv", "M_opening_box8", "gap"), 2 * math.pi
+    if dimension == 2:
+        mass = 2 * math.pi
+        M = interpolated("I2b_two_cylinders_box8.csv", "M_opening_box8", "gap")
+    else:  # each ball has its own added mass, that beside the plane of symmetry
+        mass, displaced = 2 * 4 / 3 * math.pi, 4 / 3 * math.pi
+        beside_a_wall = interpolated("I3_sphere_wall.csv", "C_normal", "gap_over_R")
+
+        def M(gap):
+            return displaced / 2 * beside_a_wall(gap / 2)
     energy = mass / 2 + M(0.3)
     rows = []
     for a, b in zip(track(result, "right"), track(result, "left")):
         h, speed = a["x"] - b["x"] - 2, b["vx"] - a["vx"]
-        if h > 1e-4:
-            rows.append((h, speed / math.sqrt(energy / (mass / 2 + M(h)))))
+        if h < 1e-4:
+            break
+        rows.append((h, speed / math.sqrt(energy / (mass / 2 + M(h)))))
     return rows, len(result["steps"]) - 1
 
 
 def head_on(quick):
-    for cells in (8, 16) if quick else (8, 16, 24):
-        rows, steps = cylinders_collide(cells)
+    for dimension, cells in ((2, 8), (2, 16)) if quick else ((2, 8), (2, 16), (2, 24), (3, 6), (3, 8)):
+        rows, steps = collide(dimension, cells)
         error = max(abs(ratio - 1) for _, ratio in rows)
-        yield Row(SECTION, f"two cylinders meet head-on from gap 0.3, {cells} cells a radius, to h = {min(h for h, _ in rows):.1g}, {steps} steps",
-                  "≤ 3 % in ḣ" if cells >= 16 else "", f"{100 * error:.2f} %", cells < 16 or error <= 0.03)
+        judged = cells >= (16 if dimension == 2 else 8)
+        yield Row(SECTION, f"two {'cylinders' if dimension == 2 else 'balls'} meet head-on from gap 0.3, {cells} cells a radius, to h = {min(h for h, _ in rows):.1g}, {steps} steps",
+                  "≤ 3 % in ḣ" if judged else "", f"{100 * error:.2f} %", not judged or error <= 0.03)
 
 
 def plates_approach(cells, h0, exit_law, **changes):
