@@ -177,13 +177,13 @@ void set_initial_twist(RigidBody<D>& body, const Twist<D>& twist)
 }
 
 template <int D>
-void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, double goes_on)
+void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, double lasting)
 {
     const Vec<D> V = body.twist.template head<D>();
     const Spin<D> L = body.angular_momentum;
     set_initial_twist(body, twist_next);
-    body.acceleration = goes_on * (body.twist.template head<D>() - V) / dt;
-    body.angular_momentum_rate = goes_on * (body.angular_momentum - L) / dt;
+    body.acceleration = lasting * (body.twist.template head<D>() - V) / dt;
+    body.angular_momentum_rate = lasting * (body.angular_momentum - L) / dt;
 }
 
 template <int D>
@@ -210,7 +210,7 @@ Solid<D> solid_of(const RigidBody<D>& body)
     template Twist<D> explicit_wrench<D>(const RigidBody<D>&, const Vec<D>&, double);                                          \
     template Twist<D> twist_after<D>(const RigidBody<D>&, const Twist<D>&);                                                    \
     template void set_initial_twist<D>(RigidBody<D>&, const Twist<D>&);                                                        \
-    template void finish_step<D>(RigidBody<D>&, const Twist<D>&, double, double);                                                \
+    template void finish_step<D>(RigidBody<D>&, const Twist<D>&, double, double);                                              \
     template Solid<D> solid_of<D>(const RigidBody<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -51,7 +51,7 @@ struct RigidBody {
     Twist<D> twist = Twist<D>::Zero();
     /// L: kept from step to step, so that free tumbling conserves it; inertia(R) omega = L in the components that move.
     Spin<D> angular_momentum = Spin<D>::Zero();
-    Vec<D> acceleration = Vec<D>::Zero();         ///< over the last step; 0 at the start and after an impact
+    Vec<D> acceleration = Vec<D>::Zero();         ///< over the last step, as far as it goes on; 0 at the start and after an impact
     Spin<D> angular_momentum_rate = Spin<D>::Zero(); ///< likewise
 
     Vec<D> force = Vec<D>::Zero();                ///< constant external force at the centre of mass
@@ -122,9 +122,9 @@ Twist<D> twist_after(const RigidBody<D>& body, const Twist<D>& impulse);
 template <int D>
 void set_initial_twist(RigidBody<D>& body, const Twist<D>& twist);
 /// Takes the twist at the end of a step of length dt, with L = I omega at the present pose, and keeps the change over the
-/// step as acceleration: the part of it that goes on (after an impact none).
+/// step as acceleration: `lasting` of it, the part that goes on (after an impact none).
 template <int D>
-void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, double goes_on = 1);
+void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, double lasting = 1);
 
 /// The body as grid and film see it. Refers to the body's shape.
 template <int D>

@@ -12,6 +12,7 @@ namespace {
 // crosses, and no more than that. (By the step alone, the noise of the small steps about a point of contact would grow.)
 constexpr double growth_on_the_way = 0.25, most_growth = 0.05;
 constexpr double most_opening = 1.5;  // of a mouth in a step
+constexpr double behind = 2;          // what lies behind a mouth, in shares of the film by its length of the rim
 constexpr double discretised = 1.01; // what a film's elements are off by
 constexpr double thrown_margin = 10;  // of the energy of the heads' own fluxes over that: plates that meet take up to that much
 
@@ -97,7 +98,7 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
         }
         const double volume = conduits[r].length * conduits[r].h * -u * dt;
         // More than fills the film has passed through it; and in the film the flux goes on, not the speed.
-        const double flux = u * conduits[r].h, share = std::min(1.0, 2 * conduits[r].length / rim[old]);
+        const double flux = u * conduits[r].h, share = std::min(1.0, behind * conduits[r].length / rim[old]);
         sums[old].inflow += std::min(std::min(volume, old->volume()) * u * u, flux * flux * share * sums[old].slowness);
     }
     for (auto& [old, sum] : sums) {

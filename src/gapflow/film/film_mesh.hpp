@@ -35,8 +35,8 @@ struct FilmElement {
     Vec<D> centroid;        ///< at mid-gap
     Vec<D> centroid_master; ///< on the master
     Vec<D> centroid_other;  ///< on the other
-    Vec<D> other_normal;    ///< of the other, into it; mean over the element's points, as is other_place, where they are
-    Vec<D> other_place;
+    Vec<D> into_other;      ///< unit normal into the other, mean over the element's points
+    Vec<D> place_on_other;  ///< their mean place on the other
     double measure;         ///< area (2D: length) at mid-gap
     double volume;          ///< S = int h
     double inverse;         ///< I = int 1/h, exact for h linear over each quadrature point's piece

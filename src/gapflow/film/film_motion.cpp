@@ -17,7 +17,7 @@ constexpr double mouth_bound = 2.0;
 // Mouths thinner than this times their film's mean thickness lie beside a point of contact, and their outflow's head adds no more than
 // their own flux; much thinner ones have none.
 constexpr double thin_mouth = 0.5, blocked_mouth = 0.1;
-// Between a film and its wall; wedges that open further have no film.
+// Of the angle between an element's normal and the other's, which is 30 degrees at most where there is a film; else its mean normal says nothing.
 constexpr double least_cosine = 0.5;
 
 } // namespace
@@ -27,10 +27,10 @@ NormalRows<D> normal_rows(const FilmMesh<D>& mesh, const FilmElement<D>& e, std:
 {
     const Vec<D>& centre = solids[mesh.master].centre;
     const Vec<D> other_centre = solids[mesh.other].centre + mesh.shift;
-    const double across = e.normal.dot(e.other_normal);
-    const bool wedge = across > least_cosine;
-    const Vec<D> normal = wedge ? Vec<D>(e.other_normal / (2 * across)) : Vec<D>(0.5 * e.normal);
-    const Vec<D>& place = wedge ? e.other_place : e.centroid;
+    const double across = e.normal.dot(e.into_other);
+    const bool known = across > least_cosine;
+    const Vec<D> normal = known ? Vec<D>(e.into_other / (2 * across)) : Vec<D>(0.5 * e.normal);
+    const Vec<D>& place = known ? e.place_on_other : e.centroid;
     return {wrench<D>(e.normal, e.centroid - centre) - wrench<D>(normal, place - centre), wrench<D>(normal, place - other_centre)};
 }
 

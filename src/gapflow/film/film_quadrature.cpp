@@ -215,7 +215,7 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
     };
     const Vec<D> area = area_vector<D>(y);
     element.volume = element.inverse = 0;
-    element.other_normal = element.other_place = Vec<D>::Zero();
+    element.into_other = element.place_on_other = Vec<D>::Zero();
     for (const Piece<D>& piece : pieces) {
         FilmPoint<D>& p = film.points.emplace_back();
         p.element = e;
@@ -231,12 +231,12 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
                 element.inverse += 0.5 * p.weight * mean_inverse(p.h, end.h);
             }
         element.volume += p.weight * p.h;
-        element.other_normal -= piece.fraction * p.other_normal;
-        element.other_place += piece.fraction * p.y;
+        element.into_other -= piece.fraction * p.other_normal;
+        element.place_on_other += piece.fraction * p.y;
         if (D == 3 && for_inverse == divisions)
             element.inverse += p.weight / p.h;
     }
-    element.other_normal.normalize();
+    element.into_other.normalize();
     if (D == 3 && pieces.size() == 1)
         element.volume = element.measure * (0.75 * film.points.back().h + 0.25 * (h[0] + h[1] + h[D - 1]) / 3);
     if constexpr (D == 3)

@@ -67,6 +67,13 @@ bool resists_turning(const Contact<D>& c)
     return D == 3 && c.closed && c.slides && c.pull.squaredNorm() > 0;
 }
 
+// Open, sticks, slides.
+template <int D>
+char state_of(const Contact<D>& c)
+{
+    return static_cast<char>(c.closed + (c.closed && c.slides));
+}
+
 template <int D>
 Vec<D - 1> across_pull(const Contact<D>& c)
 {
@@ -237,7 +244,7 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
         c.target = impact ? -c.restitution * c.approach : c.least;
         // What rests near its place may drift within it: only what closes in this step is held.
         if (c.closed && c.point.distance - c.hold > cushion * dx_)
-            c.closed = false;
+            c.closed = c.slides = false;
     }
 }
 
@@ -312,7 +319,7 @@ bool ContactSet<D>::repeats(const States& next, bool exact)
     seen_exact_ = exact;
     States now;
     for (const Contact<D>& c : contacts_)
-        now.push_back(static_cast<char>(c.closed + (c.closed && c.slides)));
+        now.push_back(state_of(c));
     seen_.insert(std::move(now));
     return seen_.contains(next);
 }
@@ -377,20 +384,22 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
             }
         return ContactChange::none;
     }
+    bool at_once = round < rounds_at_once && !one_at_a_time_;
     ContactChange changed = ContactChange::pulls;
     States next_states;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const Contact<D>& c = contacts_[i];
         const ContactImpulse<D>& next = forecast.impulses[i];
-        const bool closed = next.normal > 0, slides = contacts_[i].solved && closed && next.slides;
-        next_states.push_back(static_cast<char>(closed + slides));
-        if (contacts_[i].closed != closed || contacts_[i].slides != slides)
+        const bool closed = next.normal > 0, slides = c.solved && closed && c.friction > 0 && next.slides;
+        if (c.closed != closed || c.slides != slides)
             changed = ContactChange::states;
+        next_states.push_back(at_once || i == worst ? static_cast<char>(closed + slides) : state_of(c));
     }
     if (changed == ContactChange::states && repeats(next_states, exact)) {
         changed = ContactChange::repeats;
         one_at_a_time_ = one_at_a_time_ || exact;
     }
-    const bool at_once = round < rounds_at_once && !one_at_a_time_;
+    at_once = round < rounds_at_once && (!one_at_a_time_ || changed == ContactChange::pulls);
     // The forecast knows the bulk's answer only nearly, and pulls can swing about their values for long: dynamic relaxation (Irons & Tuck,
     // Int. J. Numer. Methods Eng. 1, 1969).
     double turn = 0, square = 0;

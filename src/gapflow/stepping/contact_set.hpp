@@ -14,8 +14,8 @@
 #include "gapflow/scene/scene.hpp"
 
 #include <array>
-#include <string>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace gapflow {
@@ -72,6 +72,9 @@ public:
     ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia, double accuracy, bool exact,
                          int round);
 
+    /// Solves before this no longer tell of what comes round again: voids changed.
+    void forget_rounds() { seen_.clear(); }
+
     /// A contact that holds and yet closes: its solids are driven into each other, and neither can give way. Null: none.
     const Contact<D>* crushed(const std::vector<Twist<D>>& twists) const;
 
@@ -99,7 +102,7 @@ private:
     std::vector<ContactFeatures<D>> features_;
     std::vector<Contact<D>> contacts_;
     double relaxation_ = 1; ///< of the pulls in the step's last round
-    std::set<States> seen_; ///< that solves of this step were made with, the exact ones once there are such
+    std::set<States> seen_; ///< that the step's last solves were made with, as far as all were rough or all exact
     bool seen_exact_ = false;
     bool one_at_a_time_ = false;
 };

@@ -161,7 +161,7 @@ void Simulation<D>::follow_solids(FaceField<D>& u, const FaceField<D, std::int8_
     fill_velocity_ghosts(grid_, u, side_velocities(time_));
 }
 
-// Faces of film cells get the film's velocity: along it the film's own, across it the walls' mean.
+// Faces of film cells get the film's velocity: along it the film's own, across it what the walls give it.
 template <int D>
 void Simulation<D>::paint_films(FaceField<D, std::int8_t>& valid)
 {

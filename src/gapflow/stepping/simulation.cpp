@@ -151,10 +151,10 @@ template <int D>
 void Simulation<D>::move_bodies(double dt)
 {
     const auto timer = stages_.measure("bodies");
-    const double known = last_dt_ > 0 ? std::min(1.0, longest_extrapolation * last_dt_ / dt) : 1.0;
+    const double carried_on = last_dt_ > 0 ? std::min(1.0, longest_extrapolation * last_dt_ / dt) : 1.0;
     for (RigidBody<D>& body : bodies_) {
-        body.acceleration *= known;
-        body.angular_momentum_rate *= known;
+        body.acceleration *= carried_on;
+        body.angular_momentum_rate *= carried_on;
         if (body.motion == Motion::prescribed)
             body.twist = predicted_twist(body, time_, dt);
         move(body, time_, dt);
@@ -322,13 +322,18 @@ void Simulation<D>::finish_bodies(const std::vector<Twist<D>>& V, double dt)
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         met[b] = met_something(static_cast<int>(b));
     const bool any_met = std::find(met.begin(), met.end(), 1) != met.end();
-    const double gravity = to_vec<D>(scene_.gravity).norm();
+    const Vec<D> gravity = to_vec<D>(scene_.gravity);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const Twist<D> change = (V[b] - bodies_[b].twist) / dt;
-        const double goes_on = met[b] ? 0.0 : any_met ? lasting_part(bodies_[b], change, acceleration_[b], gravity) : 1.0;
-        acceleration_[b] = goes_on * change;
-        if (bodies_[b].motion == Motion::free)
-            finish_step(bodies_[b], V[b], dt, goes_on);
+        RigidBody<D>& body = bodies_[b];
+        const Twist<D> change = (V[b] - body.twist) / dt;
+        double lasting = met[b] ? 0.0 : 1.0;
+        if (any_met && !met[b] && body.motion == Motion::free) {
+            const Twist<D> forced = (forced_twist<D>(body, gravity, scene_.density, dt) - body.twist) / dt;
+            lasting = lasting_part(body, change, acceleration_[b], std::max(gravity.norm(), forced.template head<D>().norm()));
+        }
+        acceleration_[b] = lasting * change;
+        if (body.motion == Motion::free)
+            finish_step(body, V[b], dt, lasting);
     }
     if (any_met) {
         film_push_.clear();
@@ -445,6 +450,8 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         if (wet) {
             new_voids = update_voids(*wet, u_star, V, dt, 10 * tolerance, round, changed);
             changed = changed || new_voids;
+            if (new_voids)
+                contacts_.forget_rounds();
         }
         if (round == most_rounds) {
             report.notes.push_back(std::string(voids ? "contacts and voids" : "contacts") + " did not settle within " +

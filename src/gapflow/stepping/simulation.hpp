@@ -193,7 +193,7 @@ private:
     FilmMemories<D> memories_;
     std::set<FilmPair<D>> turning_;         ///< pairs whose films turn in this step, or turned in the last one
     std::set<FilmPair<D>> alive_;           ///< pairs with films before the coupling was built
-    std::vector<Twist<D>> acceleration_;    ///< of all solids, over the last step
+    std::vector<Twist<D>> acceleration_;    ///< of all solids, over the last step, as far as it goes on
     std::vector<Twist<D>> wrenches_;
     StepReport initial_report_;
     StageTimers stages_;

@@ -211,8 +211,6 @@ TEST(ContactSet, RollingOverACornerGainsNoEnergy)
     EXPECT_LT(energy(), start);
 }
 
-// A ball pushed along a floor that it rests on gains what the push does. The floor is one solid however many periods wide: the
-// ball and it have one film.
 // A ball meets the wall in a step of a thousandth of the others, and the shock goes through the whole tank. The other bodies
 // move on with their new velocities, not with a shock's acceleration over a common step (then one went a cell in a step from rest).
 TEST(ContactSet, AnImpactElsewhereThrowsNoBody)
@@ -244,6 +242,8 @@ TEST(ContactSet, AnImpactElsewhereThrowsNoBody)
     EXPECT_LT(shortest, 1e-4);
 }
 
+// A ball pushed along a floor that it rests on gains what the push does. The floor is one solid however many periods wide: the
+// ball and it have one film.
 TEST(ContactSet, BallSlidesAlongAPeriodicFloor)
 {
     Scene scene = tank(3);
