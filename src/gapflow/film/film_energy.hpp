@@ -16,8 +16,8 @@ template <int D>
 using GivenAway = std::map<const FilmMemory<D>*, GivenAwayOf>;
 
 /// Transport adds next to no energy to the motion of a pair's film along its master, but what flows in through its mouths (no faster than
-/// these let it in, and in the film with their flux) and what comes with elements where no film was: cuts the largest speeds of `velocity` down to that. What else would
-/// add energy (traces extrapolated beyond the ends, flux over a thinner gap, a mesh that changes) grows several times a step in a throat
+/// these let it in, and in the film with their flux) and what comes with elements where no film was: cuts the largest speeds of
+/// `velocity` down to that. What else would add energy (traces extrapolated beyond the ends, flux over a thinner gap, a mesh that changes) grows several times a step in a throat
 /// that is swept fast, and is fastest where it is wrong. `memory`: of each film's pair, or null;
 /// `at_element`, `at_conduit`: what the old films carried there. Returns what the films gave away, inflow counted.
 template <int D>

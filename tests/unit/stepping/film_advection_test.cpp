@@ -1,5 +1,7 @@
 // Advection of the film's velocity on a curved film of varying thickness: a swirl in the narrow annulus between two circles, the
 // inner one off centre. The film fills the gap; everything is at rest but its fluid.
+#include "coupled_scene.hpp"
+
 #include "gapflow/solver/solver.hpp"
 #include "gapflow/stepping/setup.hpp"
 
@@ -21,15 +23,8 @@ double thickness(double angle)
     return outer - x.norm();
 }
 
-struct Annulus {
-    explicit Annulus(int cells) : scene(make_scene(cells)), grid(make_grid<2>(scene, Communicator())), bodies(make_bodies<2>(scene)), walls(make_walls<2>(scene))
-    {
-        const auto solids = make_solids<2>(bodies, walls);
-        const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
-        coupling = couple<2>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
-        rest.assign(solids.size(), Twist<2>::Zero());
-        centre = solids[0].centre;
-    }
+struct Annulus : CoupledScene {
+    explicit Annulus(int cells) : CoupledScene(make_scene(cells)), centre(coupling.solids[0].centre) {}
     static Scene make_scene(int cells)
     {
         Scene scene;
@@ -50,7 +45,6 @@ struct Annulus {
         scene.bodies = {inner, outer};
         return scene;
     }
-    const Film<2>& film() const { return coupling.network.films.front(); }
     double angle(const FilmElement<2>& e) const
     {
         const Vec<2> x = e.centroid_master - centre;
@@ -75,12 +69,6 @@ struct Annulus {
             .velocity;
     }
 
-    Scene scene;
-    Grid<2> grid;
-    std::vector<RigidBody<2>> bodies;
-    DomainWalls<2> walls;
-    Coupling<2> coupling;
-    std::vector<Twist<2>> rest;
     Vec<2> centre;
 };
 

@@ -1,6 +1,5 @@
 // Motion normal to the gap of a film between a box and a ball beside one of its corners.
-#include "gapflow/solver/solver.hpp"
-#include "gapflow/stepping/setup.hpp"
+#include "coupled_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +10,9 @@ namespace {
 
 constexpr double ball_radius = 0.3;
 
-struct BoxAndBall {
+struct BoxAndBall : CoupledScene {
     /// The ball's centre lies at `angle` (radians) about the box's corner (1, 1), 0.01 more than its radius away.
-    explicit BoxAndBall(double angle) : scene(make_scene(angle)), grid(make_grid<2>(scene, Communicator())), bodies(make_bodies<2>(scene)), walls(make_walls<2>(scene))
-    {
-        const auto solids = make_solids<2>(bodies, walls);
-        const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
-        coupling = couple<2>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
-        rest.assign(solids.size(), Twist<2>::Zero());
-    }
+    explicit BoxAndBall(double angle) : CoupledScene(make_scene(angle)) {}
     static Scene make_scene(double angle)
     {
         Scene scene;
@@ -40,15 +33,7 @@ struct BoxAndBall {
         scene.bodies = {box, ball};
         return scene;
     }
-    const Film<2>& film() const { return coupling.network.films.front(); }
     bool ball_is_other() const { return coupling.solids[film().pair.other].name == "ball"; }
-
-    Scene scene;
-    Grid<2> grid;
-    std::vector<RigidBody<2>> bodies;
-    DomainWalls<2> walls;
-    Coupling<2> coupling;
-    std::vector<Twist<2>> rest;
 };
 
 TEST(FilmNormal, CommonMotionIsThatOfTheMiddleAndABallThatTurnsGivesNone)
