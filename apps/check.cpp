@@ -84,8 +84,9 @@ int check_command(const Scene& scene)
         std::printf("cells     %s = %.0f, spacing %.6g\n", count_text(scene).c_str(), cells, scene.size[0] / scene.cells[0]);
         std::printf("memory    about %.3g MiB\n", expected_memory(scene.dimension, cells) / 1048576.0);
         std::printf("bodies    %zu, of which %td move\n", scene.bodies.size(), moving);
-        std::printf("gaps      model %s, threshold %s\n", scene.gap.film ? "film" : "none",
-                    scene.gap.threshold ? (number_text(*scene.gap.threshold) + " cells").c_str() : "auto");
+        std::printf("gaps      model %s, threshold %s, roughness %s\n", scene.gap.film ? "film" : "none",
+                    scene.gap.threshold ? (number_text(*scene.gap.threshold) + " cells").c_str() : "auto",
+                    roughness_text(scene).c_str());
     }
     if (scene.dimension == 2)
         print_gaps<2>(scene, comm);

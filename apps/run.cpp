@@ -77,7 +77,8 @@ void summarise(const Simulation<D>& simulation, const Logger& log, double smalle
                              body.twist.template head<D>().norm()));
     }
     if (std::isfinite(smallest_gap))
-        log.info(fmt::format("smallest gap: {:.4g} ({:.3g} cells)", smallest_gap, smallest_gap / dx));
+        log.info(fmt::format("smallest gap: {:.4g} ({:.3g} cells); roughness {}", smallest_gap, smallest_gap / dx,
+                             roughness_text(simulation.scene())));
     std::string stages;
     for (const auto& [name, stage] : simulation.stages().stages())
         stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, stage.seconds);

@@ -71,12 +71,12 @@ class GridOptions:
 @dataclass(kw_only=True, slots=True)
 class Gap:
     """Defaults for the gaps of all pairs: model ("film" or "none"), threshold (cells, or "auto"), contact ("wet" or "dry"),
-    roughness (length), entrance_loss, exit ("auto", "reversible" or "jet")."""
+    roughness (length, or "auto"), entrance_loss, exit ("auto", "reversible" or "jet")."""
 
     model: Literal["film", "none"] | None = None
     threshold: float | Literal["auto"] | None = None
     contact: Literal["wet", "dry"] | None = None
-    roughness: float | None = None
+    roughness: float | Literal["auto"] | None = None
     entrance_loss: float | None = None
     exit: Literal["auto", "reversible", "jet"] | None = None
 
@@ -98,7 +98,7 @@ class Pair:
     model: Literal["film", "none"] | None = None
     threshold: float | Literal["auto"] | None = None
     contact: Literal["wet", "dry"] | None = None
-    roughness: float | None = None
+    roughness: float | Literal["auto"] | None = None
     entrance_loss: float | None = None
     exit: Literal["auto", "reversible", "jet"] | None = None
     restitution: float | None = None

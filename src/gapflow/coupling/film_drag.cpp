@@ -99,8 +99,14 @@ double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double 
     return kind == ConduitKind::edge_edge || kind == ConduitKind::edge_face ? 16 * scale / (std::numbers::pi * resistance) : 12 * scale;
 }
 
-Drag drag_of(double beta)
+// Where viscosity holds the fluid of a film back more than this, the film's rows are of the order of what rounding leaves of a cell's: the
+// film is shut. In conductances of a cell's face, kappa h / dx.
+constexpr double least_conductance = 1e-18;
+
+// `h_over_dx`: of the element or mouth.
+Drag drag_of(double beta, double h_over_dx)
 {
+    beta = std::min(beta, h_over_dx / least_conductance);
     Drag drag;
     drag.kappa = 1 / (1 + beta);
     drag.theta = beta * drag.kappa;
@@ -146,7 +152,7 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const WetShares& wet)
             const int number = static_cast<int>(coupling.element_drag.size());
             const double resistance = D == 3 ? cubic[k] * e.conductance() / (e.measure * e.measure) : e.inverse / e.volume;
             const double beta = 12 * viscosity_dt / rho * resistance;
-            Drag drag = drag_of(beta / std::pow(slant(e), slant_power));
+            Drag drag = drag_of(beta / std::pow(slant(e), slant_power), e.volume / (e.measure * coupling.grid->dx()));
             drag.wet = wet.elements.empty() ? 1.0 : wet.elements[number];
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
@@ -162,7 +168,7 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const WetShares& wet)
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& c = conduits[r];
         const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
-        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance));
+        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance), c.h / coupling.grid->dx());
         drag.wet = wet.conduits.empty() ? 1.0 : wet.conduits[r];
         coupling.conduit_drag.push_back(drag);
         coupling.drag_inertia.push_back(

@@ -9,9 +9,9 @@ namespace gapflow {
 
 namespace {
 
-/// [gap] and [contact] have defaults, a pair keeps what it does not give.
+/// [gap] and [contact] have defaults, a pair keeps what it does not give. `automatic`: the roughness that "auto" stands for.
 void read_settings(const Values& v, const std::string& gap_table, const std::string& contact_table, bool defaults,
-                   GapScene& gap, ContactScene& contact)
+                   double automatic, GapScene& gap, ContactScene& contact)
 {
     const auto wanted = [&](const std::string& name) { return defaults || v.given(name); };
     const std::string& g = gap_table;
@@ -21,8 +21,12 @@ void read_settings(const Values& v, const std::string& gap_table, const std::str
         gap.threshold = threshold->numeric() ? std::optional(threshold->number) : std::nullopt;
     if (wanted(g + "contact"))
         gap.contact = v.choice<GapScene::Contact>(g + "contact");
-    if (wanted(g + "roughness"))
-        gap.roughness = v.number(g + "roughness");
+    if (wanted(g + "roughness")) {
+        const Node* roughness = v.given(g + "roughness");
+        gap.automatic_roughness = !roughness || !roughness->numeric();
+        if (!gap.automatic_roughness)
+            gap.roughness = roughness->number;
+    }
     if (wanted(g + "entrance_loss"))
         gap.entrance_loss = v.number(g + "entrance_loss");
     if (wanted(g + "exit"))
@@ -35,6 +39,8 @@ void read_settings(const Values& v, const std::string& gap_table, const std::str
         contact.friction = v.number(c + "friction");
     if (wanted(c + "thickness"))
         contact.thickness = v.number(c + "thickness");
+    if (gap.automatic_roughness) // surfaces that are to come closer than that may
+        gap.roughness = contact.thickness > 0 ? std::min(automatic, contact.thickness) : automatic;
 }
 
 /// Dry contact and cavitation know the absolute pressure; `name`: the key that asks for them.
@@ -68,7 +74,7 @@ std::vector<std::string> partners(const Scene& scene)
     return names;
 }
 
-void read_pair(const Values& v, Scene& scene)
+void read_pair(const Values& v, double automatic, Scene& scene)
 {
     PairScene pair;
     const std::vector<std::string> names = v.texts("bodies"), known = partners(scene);
@@ -91,7 +97,7 @@ void read_pair(const Values& v, Scene& scene)
             v.refuse("bodies", "an earlier [[pair]] has the same two names", "put the keys of both into one [[pair]]");
     pair.gap = scene.gap;
     pair.contact = scene.contact;
-    read_settings(v, "", "", false, pair.gap, pair.contact);
+    read_settings(v, "", "", false, automatic, pair.gap, pair.contact);
     if (v.given("contact") || v.given("model"))
         check_dry(v, "", pair.gap, scene);
     scene.pairs.push_back(pair);
@@ -99,9 +105,11 @@ void read_pair(const Values& v, Scene& scene)
 
 } // namespace
 
-void read_gaps(const Values& v, const std::vector<KeyInfo>& keys, Scene& scene)
+void read_gaps(const Values& v, const std::vector<KeyInfo>& keys, Purpose purpose, Scene& scene)
 {
-    read_settings(v, "gap.", "contact.", true, scene.gap, scene.contact);
+    const bool at_rest = purpose == Purpose::added_mass || (purpose == Purpose::check && scene.end == 0);
+    const double automatic = at_rest ? 0.0 : automatic_roughness * scene.size[0] / scene.cells[0];
+    read_settings(v, "gap.", "contact.", true, automatic, scene.gap, scene.contact);
     check_dry(v, "gap.", scene.gap, scene);
     if (scene.vapour_pressure)
         check_level(v, "fluid.vapour_pressure", scene);
@@ -109,7 +117,7 @@ void read_gaps(const Values& v, const std::vector<KeyInfo>& keys, Scene& scene)
     for (std::size_t i = 0; pairs && i < pairs->items.size(); ++i)
         read_pair(Values(pairs->items[i], "pair.", shown_prefix(pairs->items[i], "pair", static_cast<int>(i) + 1), keys,
                          scene.dimension),
-                  scene);
+                  automatic, scene);
 }
 
 } // namespace gapflow

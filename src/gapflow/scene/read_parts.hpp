@@ -13,7 +13,7 @@ void read_domain(const Values& values, Scene& scene);
 void read_bodies(const Node& document, const std::vector<KeyInfo>& keys, bool moves, Scene& scene);
 
 /// [gap], [contact] and all [[pair]]; needs sides and bodies already read.
-void read_gaps(const Values& values, const std::vector<KeyInfo>& keys, Scene& scene);
+void read_gaps(const Values& values, const std::vector<KeyInfo>& keys, Purpose purpose, Scene& scene);
 
 /// A path from the scene, relative to the scene's folder.
 std::string resolved_path(const Scene& scene, const std::string& path);

@@ -110,7 +110,7 @@ Scene scene_of(Node document, const std::string& file, const Overrides& override
     const bool moves = purpose == Purpose::run || (purpose == Purpose::check && scene.end > 0);
     read_bodies(document, keys, moves, scene);
     check_way_out(values, scene);
-    read_gaps(values, keys, scene);
+    read_gaps(values, keys, purpose, scene);
     scene.tolerance = values.number("solver.tolerance");
     scene.backend = values.choice<Scene::Backend>("solver.backend");
     read_output(values, scene);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace gapflow {
 
@@ -34,6 +35,14 @@ const ContactScene& Scene::contact_of(const std::string& a, const std::string& b
 double Scene::held_distance(const std::string& a, const std::string& b) const
 {
     return std::max(contact_of(a, b).thickness, gap_of(a, b).roughness);
+}
+
+std::string roughness_text(const Scene& scene)
+{
+    char text[100];
+    std::snprintf(text, sizeof text, "%.4g (%.3g cells%s)", scene.gap.roughness, scene.gap.roughness * scene.cells[0] / scene.size[0],
+                  scene.gap.automatic_roughness ? ", auto" : "");
+    return text;
 }
 
 double expected_memory(int dimension, double cells)

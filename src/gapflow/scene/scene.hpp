@@ -33,7 +33,8 @@ struct GapScene {
     bool film = true;                  ///< gap.model = "film" (else "none")
     std::optional<double> threshold;   ///< h_c in cells; empty: automatic
     Contact contact = Contact::wet;
-    double roughness = 0.0;
+    double roughness = 0.0;            ///< length; of "auto" what it stands for
+    bool automatic_roughness = false;  ///< gap.roughness = "auto"
     double entrance_loss = 0.0;
     Exit exit = Exit::automatic;
 };
@@ -158,6 +159,10 @@ std::vector<double> value_at(const TimeTable& table, double time);
 /// Slopes of a table at a time: of the segment that starts at or holds it; 0 beyond its ends.
 std::vector<double> derivative_at(const TimeTable& table, double time);
 
+/// gap.roughness = "auto" in runs, in cells: a film of this thickness answers as one of no thickness does, within the accuracy of the
+/// grid, and steps and solves stay far from what double precision cannot resolve (theory, "Roughness").
+inline constexpr double automatic_roughness = 0.005;
+
 /// What a reader shall check beyond the file's own sense.
 enum class Purpose { run, added_mass, check };
 
@@ -168,6 +173,9 @@ double expected_memory(int dimension, double cells);
 /// Reads and validates a scene. `overrides` are dotted keys and TOML values as given to --set.
 /// Throws InputError that names file, line, key, value, range and remedy.
 Scene read_scene(const std::string& file, const std::vector<std::pair<std::string, std::string>>& overrides, Purpose purpose);
+
+/// The default roughness of gaps for people: its length, in cells, and whether it is the automatic one.
+std::string roughness_text(const Scene& scene);
 
 /// The resolved scene as JSON text under the scene file's key names (goes into run.json).
 std::string scene_as_json(const Scene& scene);

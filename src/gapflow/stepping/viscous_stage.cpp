@@ -106,8 +106,19 @@ void Simulation<D>::remember_projection(const std::vector<Twist<D>>& V_star, dou
         past_.known(c) = has_pressure;
         past_.pressure(c) = has_pressure ? impulse_.cells(c) / dt - share * viscous_.divergence(c) : 0.0;
     });
-    if (impact) // what stopped the bodies does not go on
+    if (impact) { // what stopped the bodies does not go on
         std::fill(viscous_.force.begin(), viscous_.force.end(), Twist<D>(Twist<D>::Zero()));
+        return;
+    }
+    // Bodies feel the pressure that the fluid starts from.
+    UnknownVector<D> rotational{CellField<D>(grid_), Eigen::VectorXd::Zero(coupling_->system.nodes)};
+    for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
+        rotational.cells(c) = past_.known(c) > 0 ? -share * viscous_.divergence(c) : 0.0;
+    });
+    const std::vector<Twist<D>> on_bodies = impulses(*coupling_, rotational);
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (bodies_[b].motion == Motion::free)
+            viscous_.force[b] += on_bodies[b];
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
