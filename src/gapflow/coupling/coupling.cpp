@@ -241,7 +241,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     timer.emplace(timers.stage("films"));
     const WetShares shares = wet ? wet(coupling) : WetShares{};
     if (options.viscosity_dt > 0)
-        find_drag(coupling, options.viscosity_dt, shares);
+        find_drag(coupling, options.viscosity_dt, mass, shares);
     assemble_films(coupling, rows);
     timer.emplace(timers.stage("system"));
     fill_flux(coupling, std::move(rows));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gapflow {
@@ -99,19 +100,55 @@ double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double 
     return kind == ConduitKind::edge_edge || kind == ConduitKind::edge_face ? 16 * scale / (std::numbers::pi * resistance) : 12 * scale;
 }
 
-// Where viscosity holds the fluid of a film back more than this, the film's rows are of the order of what rounding leaves of a cell's: the
-// film is shut. In conductances of a cell's face, kappa h / dx.
+// A film is shut where viscosity makes it heavier than this many times the lighter of the bodies that it lies between, one that it could
+// stop: whatever acts on that one, it moves by less than 1e-10 of what it would alone. What the film's pressure and the body's inertia
+// answer beyond that is lost in the rounding of their difference (box on a floor, dry balls: theory 7.2).
+constexpr double heaviest_film = 1e10;
+// And where it conducts less than this share of what a cell's face does.
 constexpr double least_conductance = 1e-18;
 
-// `h_over_dx`: of the element or mouth.
-Drag drag_of(double beta, double h_over_dx)
+Drag drag_of(double beta, double most)
 {
-    beta = std::min(beta, h_over_dx / least_conductance);
+    beta = std::min(beta, most);
     Drag drag;
     drag.kappa = 1 / (1 + beta);
     drag.theta = beta * drag.kappa;
     return drag;
 }
+
+// Where a film is shut: the largest beta of its elements and mouths. A wall that closes with unit speed drives the flux s through a place the
+// distance s from the film's thinnest point at most, which weighs (inertance) s^2 / kappa.
+template <int D>
+struct Shut {
+    double mass = std::numeric_limits<double>::infinity(); ///< of the lighter body that moves freely
+    double section = 0;                                    ///< of that body at most
+    Vec<D> thinnest;
+    double dx;
+
+    Shut(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<TwistMatrix<D>>& masses) : dx(coupling.grid->dx())
+    {
+        for (int solid : {mesh.master, mesh.other})
+            if (coupling.solids[solid].motion == Motion::free) {
+                mass = std::min(mass, masses[solid](0, 0));
+                section = std::max(section, std::pow(2 * bounding_radius<D>(world_bounds(coupling.solids[solid].shape)), D - 1));
+            }
+        const auto thickness = [](const FilmElement<D>& e) { return e.volume / e.measure; };
+        const auto least = std::min_element(mesh.elements.begin(), mesh.elements.end(), [&](const auto& a, const auto& b) { return thickness(a) < thickness(b); });
+        thinnest = least == mesh.elements.end() ? Vec<D>(Vec<D>::Zero()) : least->centroid;
+    }
+
+    /// A mouth may be all that drains a pocket, into which a body drives as much as its own section sweeps.
+    double mouth_beta(double inertance, double h) const
+    {
+        return std::min(h / (least_conductance * dx), std::max(heaviest_film * mass / (inertance * section * section), 1.0));
+    }
+    /// `inertance`: of the place, without viscosity, mass over squared flux.
+    double beta(double inertance, const Vec<D>& x, double h) const
+    {
+        const double conducts = h / (least_conductance * dx), reach = std::max((x - thinnest).squaredNorm(), 1e-6 * dx * dx);
+        return std::min(conducts, std::max(heaviest_film * mass / (inertance * reach), 1.0));
+    }
+};
 
 } // namespace
 
@@ -139,20 +176,22 @@ WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, cons
 }
 
 template <int D>
-void find_drag(Coupling<D>& coupling, double viscosity_dt, const WetShares& wet)
+void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<TwistMatrix<D>>& mass, const WetShares& wet)
 {
     const double rho = coupling.density;
+    std::vector<Shut<D>> shuts;
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const Vec<D>& centre = coupling.solids[mesh.master].centre;
         const Vec<D> other = coupling.solids[mesh.other].centre + mesh.shift;
+        const Shut<D>& shut = shuts.emplace_back(coupling, mesh, mass);
         const std::vector<double> cubic = D == 3 ? cubic_integrals(mesh) : std::vector<double>();
         for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
             const FilmElement<D>& e = mesh.elements[k];
             const int number = static_cast<int>(coupling.element_drag.size());
             const double resistance = D == 3 ? cubic[k] * e.conductance() / (e.measure * e.measure) : e.inverse / e.volume;
             const double beta = 12 * viscosity_dt / rho * resistance;
-            Drag drag = drag_of(beta / std::pow(slant(e), slant_power), e.volume / (e.measure * coupling.grid->dx()));
+            Drag drag = drag_of(beta / std::pow(slant(e), slant_power), shut.beta(rho * e.measure * e.measure / e.conductance(), e.centroid, e.volume / e.measure));
             drag.wet = wet.elements.empty() ? 1.0 : wet.elements[number];
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
@@ -168,7 +207,7 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const WetShares& wet)
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& c = conduits[r];
         const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
-        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance), c.h / coupling.grid->dx());
+        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance), shuts[c.film].mouth_beta(rho * c.resistance / c.length, c.h));
         drag.wet = wet.conduits.empty() ? 1.0 : wet.conduits[r];
         coupling.conduit_drag.push_back(drag);
         coupling.drag_inertia.push_back(
@@ -279,7 +318,7 @@ std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vect
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void find_drag<D>(Coupling<D>&, double, const WetShares&);                                                        \
+    template void find_drag<D>(Coupling<D>&, double, const std::vector<TwistMatrix<D>>&, const WetShares&);                                                        \
     template WallRows<D> wall_rows<D>(const Coupling<D>&, const FilmMesh<D>&, const FilmElement<D>&, const Vec<D>&, double);   \
     template double film_conductance<D>(const Coupling<D>&, const Film<D>&, std::size_t);                                      \
     template double entrained_flux<D>(const Coupling<D>&, std::size_t, const std::vector<Twist<D>>&);                          \

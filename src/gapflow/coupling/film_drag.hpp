@@ -20,9 +20,9 @@
 
 namespace gapflow {
 
-/// Fills the coupling's element_drag, conduit_drag and drag_inertia, for viscosity_dt = mu dt > 0. Before assemble_films().
+/// Fills the coupling's element_drag, conduit_drag and drag_inertia, for viscosity_dt = mu dt > 0; `mass`: of the solids, as for couple(). Before assemble_films().
 template <int D>
-void find_drag(Coupling<D>& coupling, double viscosity_dt, const WetShares& wet = {});
+void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<TwistMatrix<D>>& mass, const WetShares& wet = {});
 
 /// Times grad p / rho . grad N: flux of an element's pressure. `e`: number in its film.
 template <int D>

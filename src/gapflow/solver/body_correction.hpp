@@ -25,7 +25,8 @@ public:
     double lightness(const Inverse& inverse) const;
     /// Computes the columns, dofs applications of B. They are kept if they need no more than `bytes_per_cell`. False, and
     /// nothing changed, if round-off outweighs the mass of very light bodies. Collective.
-    bool set_up(const Inverse& inverse, double bytes_per_cell);
+    /// `banded`: this rank's cells in which B answers to films.
+    bool set_up(const Inverse& inverse, double bytes_per_cell, std::vector<Index<D>> banded = {});
     bool ready() const { return ready_; }
     /// Takes the system's masses and contacts anew.
     void update();
@@ -44,7 +45,7 @@ private:
     const CoupledOperator<D>& matrix_;
     bool ready_ = false, kept_ = false;
     std::vector<Column> columns_;
-    std::vector<Index<D>> exact_cells_; ///< cells of links, on this rank: their entries of the columns are doubles
+    std::vector<Index<D>> exact_cells_; ///< of links and the films' band, on this rank: their entries of the columns are doubles
     Eigen::MatrixXd added_; ///< K^T B K
     Eigen::LLT<Eigen::MatrixXd> capacitance_;
 };

@@ -127,7 +127,10 @@ bool Preconditioner<D>::wants_bodies(double remaining) const
 template <int D>
 void Preconditioner<D>::add_bodies()
 {
-    if (!bodies_.set_up(inverse(), column_bytes))
+    std::vector<Index<D>> banded;
+    for (const auto& entry : band_.owned())
+        banded.push_back(entry.cell);
+    if (!bodies_.set_up(inverse(), column_bytes, std::move(banded)))
         mode_ = BodyMode::never;
 }
 
