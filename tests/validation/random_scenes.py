@@ -8,7 +8,7 @@ Scenes are made in random_scene_kinds.py and follow from their number alone: 0 t
 
 Energy is that of fluid, bodies and springs and what reduced weight (m - rho V) g and constant forces can still give. In a closed tank it
 may only fall: it must not rise above its start by more than 2 % of the largest kinetic energy so far. (That counts at least as a twentieth of
-the run's largest: the first step, which starts with no acceleration known, is of first order.) Overlaps at the start may lift bodies when they
+the run's largest, and as what weight gives over a quarter of a cell: the first step, which knows no acceleration yet, is of first order.) Overlaps at the start may lift bodies when they
 are taken out, by a cell and a half. Open sides do work too: there kinetic energy must stay below three times what start, weight, forces
 and prescribed motion give.
 """
@@ -36,6 +36,7 @@ from harness import Row
 SECTION = "Random scenes of touching bodies"
 STEPS, LIMIT = kinds.STEPS, 120    # steps, seconds
 ENERGY, DRIVEN = 0.02, 3.0         # of the largest kinetic energy; of what drives
+LEAST = 0.25                       # cells: what weight gives over this way is the least energy that counts as large
 COLLAPSED, CRAWLING = 1e-3, 1e-3   # of the median step; the median step of max_step
 SLOW = 10                          # times the median of the kind
 
@@ -85,7 +86,7 @@ class Energies:
         dimension, axes = tank.dimension, "xyz"[:tank.dimension]
         entries = {body.name: (body.keys, body.shape.volume) for body in tank.bodies}
         potential, springs = defaultdict(float), defaultdict(float)
-        self.lift = self.start = 0.0
+        self.lift = self.start = self.least = 0.0
         self.driven = tank.carried
         for name, (keys, volume) in entries.items():
             mass, fluid = keys.get("density", tank.rho) * volume, tank.rho * volume
@@ -95,6 +96,7 @@ class Energies:
                 self.start += 0.5 * (mass + 2 * fluid) * (float(velocity @ velocity) + spin**2)
             if keys.get("motion", "free") == "free":
                 pull = (mass - fluid) * tank.gravity + np.array(keys.get("force", [0.0] * dimension))
+                self.least += LEAST * tank.dx * float(np.linalg.norm(pull))
                 if tank.kind == "overlapping":
                     self.lift += 1.5 * tank.dx * float(np.linalg.norm(pull))
                 for row in bodies:
@@ -107,7 +109,7 @@ class Energies:
         self.whole = np.array([row["energy_fluid"] + row["energy_bodies"] + potential[row["step"]] for row in steps])
         self.kinetic = np.array([row["energy_fluid"] + row["energy_bodies"] - springs[row["step"]] for row in steps])
         work = [potential[numbers[0]] + springs[numbers[0]] - potential[n] for n in numbers]
-        self.driven += 2 * self.start + np.maximum.accumulate(np.maximum(work, 0.0))
+        self.driven += 2 * self.start + self.least + np.maximum.accumulate(np.maximum(work, 0.0))
 
 
 def judge_energy(tank, steps, bodies, record):
@@ -120,7 +122,7 @@ def judge_energy(tank, steps, bodies, record):
     if kinetic.max() <= 0:
         return defects
     if tank.judge == "energy":
-        largest = np.maximum(np.maximum.accumulate(kinetic), 0.05 * kinetic.max())
+        largest = np.maximum(np.maximum.accumulate(kinetic), max(0.05 * kinetic.max(), energies.least))
         rise = (energies.whole - energies.whole[0] - energies.lift) / largest
         from_lowest = (energies.whole - np.minimum.accumulate(energies.whole)) / largest
         allowed, text = ENERGY, "energy rises by {:.3g} % of the largest kinetic energy"
