@@ -127,6 +127,7 @@ def judge_energy(tank, steps, bodies, record):
         from_lowest = (energies.whole - np.minimum.accumulate(energies.whole)) / largest
         allowed, text = ENERGY, "energy rises by {:.3g} % of the largest kinetic energy"
         record["rise_from_lowest"] = 100 * float(from_lowest.max())
+        record["rise_plain"] = 100 * float((energies.whole - energies.whole[0] - energies.lift).max() / kinetic.max())
     else:
         rise = (kinetic - DRIVEN * energies.driven) / np.maximum(DRIVEN * energies.driven, 1e-300)
         allowed, text = 0.0, "kinetic energy exceeds three times what drives by {:.3g} %"
