@@ -34,7 +34,7 @@ import random_scene_kinds as kinds
 from harness import Row
 
 SECTION = "Random scenes of touching bodies"
-STEPS, LIMIT = kinds.STEPS, 120    # steps, seconds
+STEPS, LIMIT = kinds.STEPS, 120    # steps, seconds of the processor
 ENERGY, DRIVEN = 0.02, 3.0         # of the largest kinetic energy; of what drives
 LEAST = 0.25                       # cells: what weight gives over this way is the least energy that counts as large
 COLLAPSED, CRAWLING = 1e-3, 1e-3   # of the median step; the median step of max_step
@@ -51,19 +51,28 @@ def steps_so_far(table):
         return 0
 
 
+def processor_seconds(process):
+    """That a running process has used; 0 where the system does not tell."""
+    try:
+        fields = Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    except (OSError, IndexError):
+        return 0.0
+
+
 def run_some_steps(file, out, limit):
-    """Runs a scene until it has STEPS steps, an end or no more time: (exit status or None, standard error, seconds of the processor)."""
+    """Runs a scene until it has STEPS steps, an end or no more time (`limit` of the processor, ten times it at all): (exit status or None, standard error, seconds of the processor)."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     with open(out.parent / "stderr.txt", "w+") as errors:
         process = subprocess.Popen([harness.COMMAND, "run", file, "-o", out, "--quiet"], stderr=errors, stdout=subprocess.DEVNULL,
                                    env={"OMP_NUM_THREADS": "1", **harness.single_process()})
-        deadline, asked, late = time.monotonic() + limit, False, False
+        deadline, asked, late = time.monotonic() + 10 * limit, False, False
         while process.poll() is None:
             time.sleep(0.03)
             if not asked and steps_so_far(out / "steps.csv") >= STEPS:
                 process.send_signal(signal.SIGINT)
                 asked, deadline = True, time.monotonic() + 30
-            if time.monotonic() > deadline:
+            if time.monotonic() > deadline or (not asked and processor_seconds(process) > limit):
                 late = not asked    # one that has its steps and does not end has done what it should
                 process.kill()
         errors.seek(0)
@@ -295,7 +304,7 @@ def main():
     run.add_argument("number", nargs="+", help="N or A-B")
     run.add_argument("--out", metavar="FILE", type=Path, help="a JSON line a scene is appended; scenes in it are left out")
     run.add_argument("--jobs", metavar="N", type=int, default=1)
-    run.add_argument("--limit", metavar="SECONDS", type=float, default=LIMIT, help="of a scene")
+    run.add_argument("--limit", metavar="SECONDS", type=float, default=LIMIT, help="of the processor, for a scene")
     run.add_argument("--save", metavar="FOLDER", help="scenes with defects go here")
     judge = commands.add_parser("judge")
     judge.add_argument("file", nargs="+", type=Path)
