@@ -38,7 +38,7 @@ STEPS, LIMIT = kinds.STEPS, 120    # steps, seconds of the processor
 ENERGY, DRIVEN = 0.02, 3.0         # of the largest kinetic energy; of what drives
 LEAST = 0.25                       # cells: what weight gives over this way is the least energy that counts as large
 COLLAPSED, CRAWLING = 1e-3, 1e-3   # of the median step; the median step of max_step
-SLOW = 10                          # times the median of the kind
+SLOW, ENOUGH = 10, 20              # times the median of the kind; steps, fewer are mostly the start
 
 
 # ---- running
@@ -208,7 +208,8 @@ def slow_ones(records):
     """{number: times the median seconds a step of its kind and dimension}, of those that are too slow."""
     groups = defaultdict(list)
     for record in records:
-        groups[record["kind"], record["dimension"]].append(record)
+        if record["steps"] >= ENOUGH:
+            groups[record["kind"], record["dimension"]].append(record)
     found = {}
     for group in groups.values():
         median = statistics.median(record["seconds_per_step"] for record in group)
