@@ -226,7 +226,8 @@ def touching(t):
 
 def overlapping(t):
     """The same, overlapping by up to a cell."""
-    t.cluster(t.rng.randint(2, 5), lambda: -t.rng.choice([1e-3, 0.1, 0.3, 0.6, 1.0]) * t.uniform(0.5, 1) * t.dx, overlap=t.dx)
+    moving = {"velocity": lambda: t.velocity(0.3)} if t.chance(0.4) else {}
+    t.cluster(t.rng.randint(2, 5), lambda: -t.rng.choice([1e-3, 0.1, 0.3, 0.6, 1.0]) * t.uniform(0.5, 1) * t.dx, overlap=t.dx, **moving)
 
 
 def stacked(t):

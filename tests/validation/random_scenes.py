@@ -38,6 +38,7 @@ STEPS, LIMIT = kinds.STEPS, 120    # steps, seconds of the processor
 ENERGY, DRIVEN = 0.02, 3.0         # of the largest kinetic energy; of what drives
 LEAST = 0.25                       # cells: what weight gives over this way is the least energy that counts as large
 COLLAPSED, CRAWLING = 1e-3, 1e-3   # of the median step; the median step of max_step
+JUMP = 2                           # cells in a step
 SLOW, ENOUGH = 10, 20              # times the median of the kind; steps, fewer are mostly the start
 
 
@@ -170,6 +171,18 @@ def not_finite(tables):
             for key, value in row.items() if isinstance(value, float) and not math.isfinite(value)][:1]
 
 
+def thrown(tank, bodies):
+    """Bodies that a step moves by more than JUMP cells."""
+    last = {}
+    for row in bodies:
+        x = np.array([row[a] for a in "xyz"[:tank.dimension]])
+        way = np.abs(x - last.get(row["body"], x)).max() / tank.dx
+        if JUMP < way < 0.5 * min(tank.cells):    # more: from one end of a periodic tank to the other
+            return [f"{row['body']} moves {way:.3g} cells in step {row['step']:.0f}"]
+        last[row["body"]] = x
+    return []
+
+
 def examine(number, limit=LIMIT, save=None):
     """Runs a scene; a record of what it did, "defects" being a list of short texts, empty when all is well (slowness is judged among a kind)."""
     with tempfile.TemporaryDirectory() as folder:
@@ -195,6 +208,7 @@ def examine(number, limit=LIMIT, save=None):
         if len(steps) > 1:
             defects += judge_steps(steps, scene, record)
             if not any("not finite" in defect for defect in defects):
+                defects += thrown(tank, tables["bodies"])
                 defects += judge_energy(tank, steps, tables["bodies"], record)
         defects += sorted({line for line in record["warnings"] if "settle" in line})
         record["defects"] = defects
