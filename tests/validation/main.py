@@ -1,6 +1,6 @@
 """Runs the validation: python3 main.py [--quick] [--write FILE.md] [--rows FILE.json] [--only case,...] [module ...]
 
-Modules (default: all *_cases.py beside this file, in the order of MODULES) have ALL, a list of case functions: each takes `quick` and
+Modules (default: all of MODULES, in their order) have ALL, a list of case functions: each takes `quick` and
 generates harness.Row. Every row is printed as it comes; --write puts them all into a Markdown file, a table a section. --rows keeps the
 rows of finished cases until all are done: a run that was stopped goes on after the last of them (as long as command and cases are the
 same). Exit status 1 if any row misses its target.
@@ -18,7 +18,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import harness    # noqa: E402
 
-MODULES = ["added_mass_cases", "pressure_cases", "motion_cases", "contact_cases", "viscous_cases", "viscous_flow_cases", "viscous_body_cases", "unit_cases", "robustness_cases"]
+MODULES = ["added_mass_cases", "pressure_cases", "motion_cases", "contact_cases", "viscous_cases", "viscous_flow_cases", "viscous_body_cases", "unit_cases", "robustness_cases", "random_scenes"]
 
 
 def chosen_cases(names, only):
