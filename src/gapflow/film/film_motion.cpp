@@ -198,10 +198,13 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
             number[film - network.films.data()] = static_cast<int>(list.size());
         list.emplace_back(&pair, &films);
     }
+    const std::vector<Vec<D>> none;
     std::vector<std::shared_ptr<FilmMemory<D>>> memories(list.size());
     for_each_job(static_cast<int>(list.size()), [&](int k) {
         const int master = list[k].first->master;
-        memories[k] = std::make_shared<FilmMemory<D>>(solids[master], twists[master], *list[k].second, w, push, idle, dx);
+        const std::vector<const Film<D>*>& films = *list[k].second;
+        const bool flat = std::all_of(films.begin(), films.end(), [](const Film<D>* film) { return film->mesh.flat; });
+        memories[k] = std::make_shared<FilmMemory<D>>(solids[master], twists[master], films, w, flat ? push : none, idle, dx);
     });
     for (std::size_t r = 0; r < conduit.size(); ++r) {
         const Conduit<D>& c = network.mouths.conduits[r];

@@ -3,6 +3,7 @@
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/body/forces.hpp"
+#include "gapflow/stepping/carried_on.hpp"
 #include "gapflow/stepping/past_pressure.hpp"
 
 #include <algorithm>
@@ -17,13 +18,22 @@ bool Simulation<D>::met_something(int body) const
            std::any_of(turning_.begin(), turning_.end(), [&](const FilmPair<D>& pair) { return pair.master == body || pair.other == body; });
 }
 
-// The bulk's pressure at the end of the last step; none where bodies met: what stopped them does not go on. With viscosity the projection
-// before has left it (remember_projection).
+// The bulk's pressure at the end of the last step; none where bodies met: what stopped them does not go on. With viscosity the
+// projection before has left it (remember_projection), with its forces on bodies; of what a much shorter step found only a
+// share goes on, as with bodies' accelerations.
 template <int D>
 void Simulation<D>::recall_pressure()
 {
-    if (scene_.viscosity > 0)
+    if (scene_.viscosity > 0) {
+        const double share = carried_on(last_dt_, dt_);
+        if (share < 1) {
+            for (long i = 0; i < past_.pressure.size(); ++i)
+                past_.pressure.data()[i] *= share;
+            for (Twist<D>& force : viscous_.force)
+                force *= share;
+        }
         return;
+    }
     past_.pressure = past_.known = CellField<D>(grid_);
     bool impact = last_dt_ == 0;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
@@ -77,18 +87,25 @@ std::vector<Twist<D>> Simulation<D>::forced_twists(double dt, const FaceField<D>
     return V;
 }
 
-// What the pressure accelerates the films' elements by at the end of the step. The step itself tells of its middle, and, where the mesh
-// stays, so did the step before.
+// What the pressure accelerates the elements of flat films by at the end of the step (curved ones would grow about points of
+// contact). The step itself tells of its middle, and, where the flat films' meshes stay, so did the step before.
 template <int D>
 void Simulation<D>::remember_push(const std::vector<Vec<D>>& without, double dt)
 {
     std::vector<Vec<D>> push;
-    for (std::size_t e = 0; e < without.size(); ++e)
-        push.push_back((velocity_.film[e] - without[e]) / dt);
-    film_push_ = push;
-    if (push.size() == last_push_.size())
-        for (std::size_t e = 0; e < push.size(); ++e)
-            film_push_[e] += dt / (dt + last_dt_) * (push[e] - last_push_[e]);
+    std::vector<std::size_t> place;
+    for (const Film<D>& film : coupling_->network.films) {
+        if (without.empty() || !film.mesh.flat)
+            continue;
+        for (std::size_t i = 0; i < film.mesh.elements.size(); ++i) {
+            place.push_back(film.first_element + i);
+            push.push_back((velocity_.film[place.back()] - without[place.back()]) / dt);
+        }
+    }
+    film_push_.assign(push.empty() ? 0 : without.size(), Vec<D>::Zero());
+    const bool same = push.size() == last_push_.size();
+    for (std::size_t i = 0; i < push.size(); ++i)
+        film_push_[place[i]] = same ? Vec<D>(push[i] + dt / (dt + last_dt_) * (push[i] - last_push_[i])) : push[i];
     last_push_ = std::move(push);
 }
 

@@ -7,6 +7,7 @@
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/film/film_vorticity.hpp"
 #include "gapflow/grid/interpolation.hpp"
+#include "gapflow/stepping/carried_on.hpp"
 #include "gapflow/stepping/film_turn.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/placement.hpp"
@@ -25,7 +26,6 @@ constexpr std::array<double, 3> rough_tolerances = {1e-2, 1e-4, 1e-6};
 // Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
 constexpr double settled_tolerance = 0.1;
 constexpr int most_rounds = 60;
-constexpr double longest_extrapolation = 2; // of an acceleration, in steps like the last one
 constexpr int most_pushes = 10; // that take out the overlaps of a step
 // Of the fluid that a body displaces: what it adds to its inertia where contacts are forecast. In a crowd; found by trial.
 constexpr double bulk_share = 2;
@@ -151,10 +151,10 @@ template <int D>
 void Simulation<D>::move_bodies(double dt)
 {
     const auto timer = stages_.measure("bodies");
-    const double carried_on = last_dt_ > 0 ? std::min(1.0, longest_extrapolation * last_dt_ / dt) : 1.0;
+    const double share = carried_on(last_dt_, dt);
     for (RigidBody<D>& body : bodies_) {
-        body.acceleration *= carried_on;
-        body.angular_momentum_rate *= carried_on;
+        body.acceleration *= share;
+        body.angular_momentum_rate *= share;
         if (body.motion == Motion::prescribed)
             body.twist = predicted_twist(body, time_, dt);
         move(body, time_, dt);
@@ -475,9 +475,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         voids_.finish(*coupling_, impulse_.nodes, node_outflow_, dt);
     }
     std::vector<Vec<D>> without_push;
-    const std::vector<Film<D>>& films = coupling_->network.films;
-    const bool flat = std::all_of(films.begin(), films.end(), [](const Film<D>& film) { return film.mesh.flat; });
-    if (D == 2 && flat && scene_.viscosity == 0 && dt > 0) // about points of contact it would make films grow
+    if (D == 2 && scene_.viscosity == 0 && dt > 0)
         without_push = u_star.film;
     velocity_ = std::move(u_star);
     subtract_gradient(*coupling_, impulse_, velocity_);

@@ -77,5 +77,38 @@ TEST(FilmTurn, NotWithJets)
     EXPECT_LE(gap(simulation).rate, 0);
 }
 
+// A plate that leaves a floor does as it does alone, whatever films there are elsewhere: a ball close to the floor, held, has a
+// curved one.
+TEST(FilmTurn, ACurvedFilmElsewhereChangesNothing)
+{
+    Scene scene;
+    scene.size = {2, 1, 0};
+    scene.cells = {48, 24, 1};
+    scene.max_step = 0.02;
+    BodyScene plate, ball;
+    plate.name = "plate";
+    plate.shape = BodyScene::ShapeKind::box;
+    plate.size = {0.6, 0.2, 0};
+    plate.position = {0.5, 0.1002, 0};
+    plate.velocity = {0, 0.02, 0};
+    plate.density = 0.1;
+    ball.name = "ball";
+    ball.shape = BodyScene::ShapeKind::ball;
+    ball.radius = 0.1;
+    ball.position = {1.7, 0.11, 0};
+    ball.motion = BodyScene::Motion::fixed;
+    double risen[2];
+    for (int with_ball : {0, 1}) {
+        scene.bodies = {plate};
+        if (with_ball)
+            scene.bodies.push_back(ball);
+        Simulation<2> simulation(scene, Communicator());
+        while (simulation.time() < 0.1)
+            simulation.step(0.1);
+        risen[with_ball] = simulation.bodies()[0].pose.position[1] - plate.position[1];
+    }
+    EXPECT_NEAR(risen[1], risen[0], 1e-3 * risen[0]); // 10 % with films of first order beside a curved one
+}
+
 } // namespace
 } // namespace gapflow
