@@ -492,17 +492,32 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
     return changed;
 }
 
+// A hinged leaflet at rest on its seat has no speed but round-off: what closes by less than the overlaps that are left is nothing.
 template <int D>
-const Contact<D>* ContactSet<D>::crushed(const std::vector<Twist<D>>& twists) const
+const Contact<D>* ContactSet<D>::crushed(const std::vector<Twist<D>>& twists, double dt) const
 {
     double largest = 0;
     for (const Contact<D>& c : contacts_)
         largest = std::max({largest, std::abs(c.approach), c.gained, twists[c.point.a].template head<D>().norm(),
                             twists[c.point.b].template head<D>().norm()}); // not the rates alone: what slides in contact has none but round-off
-    const auto found = std::find_if(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
-        return c.closed && rate(c.normal, c, twists) < c.least - crushing * largest;
-    });
+    const double most = std::max(crushing * largest, round_off * dx_ / dt);
+    const auto found = std::find_if(contacts_.begin(), contacts_.end(),
+                                    [&](const Contact<D>& c) { return c.closed && rate(c.normal, c, twists) < c.least - most; });
     return found == contacts_.end() ? nullptr : &*found;
+}
+
+template <int D>
+bool ContactSet<D>::driven(const Contact<D>& contact, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists) const
+{
+    std::set<int> reached{contact.point.a, contact.point.b};
+    for (std::size_t before = 0; before < reached.size();) {
+        before = reached.size();
+        for (const Contact<D>& c : contacts_)
+            for (const auto& [from, to] : {std::pair(c.point.a, c.point.b), std::pair(c.point.b, c.point.a)})
+                if (c.closed && reached.contains(from) && solids[from].motion == Motion::free)
+                    reached.insert(to);
+    }
+    return std::any_of(reached.begin(), reached.end(), [&](int s) { return solids[s].motion == Motion::prescribed && !twists[s].isZero(0); });
 }
 
 template <int D>

@@ -77,7 +77,9 @@ public:
     void forget_rounds() { seen_.clear(); }
 
     /// A contact that holds and yet closes: its solids are driven into each other, and neither can give way. Null: none.
-    const Contact<D>* crushed(const std::vector<Twist<D>>& twists) const;
+    const Contact<D>* crushed(const std::vector<Twist<D>>& twists, double dt) const;
+    /// Whether a prescribed body moves that the contact's solids are, or are held by.
+    bool driven(const Contact<D>& contact, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists) const;
 
     const std::vector<Contact<D>>& contacts() const { return contacts_; }
     bool empty() const { return contacts_.empty(); }

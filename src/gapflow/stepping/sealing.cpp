@@ -20,14 +20,18 @@ constexpr double rough = 0.01;      // in cells: a floor of a film that counts a
 constexpr double touching = 1.05;   // of the floor, or of the distance at which a contact holds
 constexpr double round_off = 1e-7;  // in cells, of thicknesses
 constexpr double nothing = 1e-2;    // of what moves about: changes of a pocket's volume that are errors of its surface
+constexpr double parting = 1e-6;    // of the largest speed
 constexpr double immovable = 5e-3;  // of a pocket's surface: the part that a body may give way with, and seem not to
 constexpr std::size_t most_bodies = 150; // that hang together around a pocket; with more nothing is said
 
-// Film nodes where the surfaces touch, and the pairs that do.
+// Film nodes where the surfaces touch and do not part, and the pairs that do.
 template <int D>
 std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps, const std::vector<Contact<D>>& contacts,
-                             std::set<std::pair<int, int>>& pairs)
+                             const std::vector<Twist<D>>& V, std::set<std::pair<int, int>>& pairs)
 {
+    double fastest = 0;
+    for (const Twist<D>& twist : V)
+        fastest = std::max(fastest, twist.template head<D>().norm());
     const double dx = coupling.grid->dx();
     std::map<std::pair<int, int>, double> held; // largest distance at which a pair's contacts hold
     for (const Contact<D>& c : contacts)
@@ -41,8 +45,16 @@ std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<Ga
             continue;
         const auto contact = held.find(std::minmax(mesh.master, mesh.other));
         const double most = touching * (contact == held.end() ? floor : std::max(floor, contact->second)) + round_off * dx;
+        std::vector<char> parts(mesh.h.size(), 0);
+        for (const FilmElement<D>& e : mesh.elements) {
+            const Vec<D> of_master = velocity_at<D>(V[mesh.master], e.centroid - coupling.solids[mesh.master].centre);
+            const Vec<D> of_other = velocity_at<D>(V[mesh.other], e.centroid - coupling.solids[mesh.other].centre - mesh.shift);
+            if (e.normal.dot(of_other - of_master) > parting * fastest)
+                for (int node : e.nodes)
+                    parts[node] = 1;
+        }
         for (std::size_t i = 0; i < mesh.h.size(); ++i)
-            if (mesh.h[i] + mesh.skin <= most) {
+            if (!parts[i] && mesh.h[i] + mesh.skin <= most) {
                 shut[film.first_node + static_cast<int>(i)] = 1;
                 pairs.insert({mesh.master, mesh.other});
             }
@@ -148,7 +160,7 @@ std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<Gap
     if (!any)
         return {};
     std::set<std::pair<int, int>> pairs;
-    const std::vector<char> shut = shut_nodes(coupling, gaps, contacts, pairs);
+    const std::vector<char> shut = shut_nodes(coupling, gaps, contacts, twists, pairs);
     if (pairs.empty())
         return {};
     const FluidParts<D> parts = find_parts(coupling, shut);

@@ -480,10 +480,13 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     }
     if (dt > 0 && !voids)
         check_sealing(u_star, without_pressure, GivesWay::unblocked);
-    if (const Contact<D>* c = contacts ? contacts_.crushed(V) : nullptr)
-        throw ComputationError("prescribed motion drives '" + coupling_->solids[c->point.a].name + "' and '" +
-                               coupling_->solids[c->point.b].name + "' into each other in step " + std::to_string(steps_ + 1) +
-                               ", and neither can give way; let it stop before they touch");
+    if (const Contact<D>* c = contacts ? contacts_.crushed(V, dt) : nullptr) {
+        const std::string pair = "'" + coupling_->solids[c->point.a].name + "' and '" + coupling_->solids[c->point.b].name + "'";
+        if (contacts_.driven(*c, coupling_->solids, V))
+            throw ComputationError("prescribed motion drives " + pair + " into each other in step " + std::to_string(steps_ + 1) +
+                                   ", and neither can give way; let it stop before they touch");
+        report.notes.push_back("contacts ask for more than the bodies can do: " + pair + " overlap, and are pushed apart again"); // nothing drives them
+    }
     if (wet) {
         impulse_.nodes += wet->given();
         wet.reset();

@@ -167,7 +167,6 @@ private:
     long steps_ = 0;
     bool holding_ = false;                  ///< in the initial projection
     bool giving_way_ = false;               ///< there, where prescribed motion or inflow drives fluid that only moving bodies let out
-    std::vector<Twist<D>> start_twists_;    ///< that the fluid sees at the start; empty: the bodies' own
     std::unique_ptr<Coupling<D>> coupling_;
     std::shared_ptr<const FaceFractions<D>> old_fractions_; ///< of the step before
     FluidVelocity<D> velocity_;
@@ -201,6 +200,7 @@ private:
     std::vector<Twist<D>> wrenches_;
     StepReport initial_report_;
     StageTimers stages_;
+    std::vector<Twist<D>> start_twists_;    ///< that the fluid sees in the initial projection; empty: the bodies' own
 };
 
 } // namespace gapflow

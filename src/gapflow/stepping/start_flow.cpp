@@ -128,12 +128,15 @@ std::vector<Twist<D>> start_twists(const Coupling<D>& coupling, const std::vecto
         fastest = std::max(fastest, V.norm());
     if (fastest == 0)
         return twists;
-    const std::vector<Touch<D>> touches = flat_touches(coupling, gaps);
+    const auto touches = flat_touches<D>(coupling, gaps);
     if (!(largest_rate(touches, twists) > same * fastest))
         return twists;
     std::vector<Twist<D>> V = without_rates(touches, bodies, coupling.solids, false, twists);
     if (largest_rate(touches, V) > same * fastest)
         V = without_rates(touches, bodies, coupling.solids, true, twists);
+    for (Twist<D>& twist : V)
+        if (twist.norm() < same * fastest)
+            twist.setZero();
     return V;
 }
 
