@@ -5,7 +5,8 @@
 
 #include <vector>
 
-namespace gapflow {
+namespace gapflow
+{
 
 template <int D>
 struct FluidParts {
@@ -14,8 +15,8 @@ struct FluidParts {
     std::vector<Component> components;
 };
 
-/// Parts that faces, film elements and links join; those that a shut node belongs to join nothing. `shut`: one a film node, the same on
-/// all ranks; empty: none is. Collective.
+/// Parts that faces, film elements and links join; those that a shut node belongs to join nothing. `shut`: one a film node, the
+/// same on all ranks; empty: none is. Collective.
 template <int D>
 FluidParts<D> find_parts(const Coupling<D>& coupling, const std::vector<char>& shut);
 

@@ -12,22 +12,25 @@
 #include <map>
 #include <set>
 
-namespace gapflow {
+namespace gapflow
+{
 
-namespace {
+namespace
+{
 
-constexpr double rough = 0.01;      // in cells: a floor of a film that counts as a way out
-constexpr double touching = 1.05;   // of the floor, or of the distance at which a contact holds
-constexpr double round_off = 1e-7;  // in cells, of thicknesses
-constexpr double nothing = 1e-2;    // of what moves about: changes of a pocket's volume that are errors of its surface
-constexpr double parting = 1e-6;    // of the largest speed
-constexpr double immovable = 5e-3;  // of a pocket's surface: the part that a body may give way with, and seem not to
+constexpr double rough = 0.01;           // in cells: a floor of a film that counts as a way out
+constexpr double touching = 1.05;        // of the floor, or of the distance at which a contact holds
+constexpr double round_off = 1e-7;       // in cells, of thicknesses
+constexpr double nothing = 1e-2;         // of what moves about: changes of a pocket's volume that are errors of its surface
+constexpr double parting = 1e-6;         // of the largest speed
+constexpr double immovable = 5e-3;       // of a pocket's surface: the part that a body may give way with, and seem not to
 constexpr std::size_t most_bodies = 150; // that hang together around a pocket; with more nothing is said
 
 // Film nodes where the surfaces touch and do not part, and the pairs that do.
 template <int D>
-std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps, const std::vector<Contact<D>>& contacts,
-                             const std::vector<Twist<D>>& V, std::set<std::pair<int, int>>& pairs)
+std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
+                             const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& V,
+                             std::set<std::pair<int, int>>& pairs)
 {
     double fastest = 0;
     for (const Twist<D>& twist : V)
@@ -64,10 +67,13 @@ std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<Ga
 
 // What goes into the pockets: of every part, from every solid and side, and the sums of magnitudes.
 template <int D>
-class Balance {
+class Balance
+{
 public:
-    Balance(const Coupling<D>& coupling, const FluidParts<D>& parts, const std::vector<Twist<D>>& twists, const FluidVelocity<D>& u)
-        : coupling_(coupling), causes_(static_cast<int>(coupling.solids.size()) + 2 * D), count_(static_cast<int>(parts.components.size()))
+    Balance(const Coupling<D>& coupling, const FluidParts<D>& parts, const std::vector<Twist<D>>& twists,
+            const FluidVelocity<D>& u)
+        : coupling_(coupling), causes_(static_cast<int>(coupling.solids.size()) + 2 * D),
+          count_(static_cast<int>(parts.components.size()))
     {
         const Grid<D>& grid = *coupling.grid;
         driven = magnitude = Eigen::MatrixXd::Zero(causes_, count_);
@@ -89,7 +95,8 @@ public:
                 high[axis] = last + 1;
                 for_each_index<D>(low, high, [&](const Index<D>& c) {
                     const Index<D> f = c + end * step<D>(axis);
-                    add(side(2 * axis + end), parts.component(c), (2 * end - 1) * coupling.open(axis, f) * grid.face_area() * u.grid(axis, f));
+                    add(side(2 * axis + end), parts.component(c),
+                        (2 * end - 1) * coupling.open(axis, f) * grid.face_area() * u.grid(axis, f));
                 });
             }
         grid.comm().sum(std::span<double>(driven.data(), static_cast<std::size_t>(driven.size())));
@@ -145,8 +152,9 @@ std::string names(const Coupling<D>& coupling, const std::set<std::pair<int, int
 } // namespace
 
 template <int D>
-std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps, const std::vector<Contact<D>>& contacts,
-                            const std::vector<Twist<D>>& twists, const FluidVelocity<D>& u, GivesWay gives_way)
+std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
+                            const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& twists,
+                            const FluidVelocity<D>& u, GivesWay gives_way)
 {
     constexpr int n = twist_size<D>;
     const Grid<D>& grid = *coupling.grid;
@@ -175,14 +183,19 @@ std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<Gap
     Eigen::VectorXd area;
     const Eigen::MatrixXd forces = forces_of(coupling, parts, area);
     const double largest = balance.magnitude.size() > 0 ? balance.magnitude.maxCoeff() : 0.0;
-    auto moves = [&](int k) { return std::abs(balance.driven.col(k).sum()) > nothing * std::max(balance.magnitude.col(k).maxCoeff(), 1e-6 * largest); };
+    auto moves = [&](int k) {
+        return std::abs(balance.driven.col(k).sum()) > nothing * std::max(balance.magnitude.col(k).maxCoeff(), 1e-6 * largest);
+    };
 
     // Pockets that hang together by bodies that can give way, from those on which something prescribed acts on.
     std::set<int> pockets, bodies;
-    auto prescribed = [&](int cause) { return cause >= solids || coupling.free_body[cause] < 0 || gives_way == GivesWay::nothing; };
+    auto prescribed = [&](int cause) {
+        return cause >= solids || coupling.free_body[cause] < 0 || gives_way == GivesWay::nothing;
+    };
     for (int k = 0; k < count; ++k)
         for (int cause = 0; cause < balance.driven.rows() && is_pocket[k]; ++cause)
-            if (prescribed(cause) && std::abs(balance.driven(cause, k)) > nothing * std::max(balance.magnitude(cause, k), 1e-6 * largest))
+            if (prescribed(cause) &&
+                std::abs(balance.driven(cause, k)) > nothing * std::max(balance.magnitude(cause, k), 1e-6 * largest))
                 pockets.insert(k);
     for (bool grows = !pockets.empty() && gives_way != GivesWay::nothing; grows;) {
         const std::size_t before = pockets.size() + bodies.size();
@@ -191,13 +204,15 @@ std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<Gap
                 bodies.insert(b);
         for (const Contact<D>& c : contacts) {
             const int a = coupling.free_body[c.point.a], b = coupling.free_body[c.point.b];
-            if (c.closed && gives_way == GivesWay::unblocked && a >= 0 && b >= 0 && (bodies.contains(a) || bodies.contains(b))) {
+            if (c.closed && gives_way == GivesWay::unblocked && a >= 0 && b >= 0 &&
+                (bodies.contains(a) || bodies.contains(b))) {
                 bodies.insert(a);
                 bodies.insert(b);
             }
         }
         for (int k = 0; k < count; ++k)
-            if (is_pocket[k] && std::any_of(bodies.begin(), bodies.end(), [&](int b) { return forces.col(k).segment<n>(n * b).norm() > 0; }))
+            if (is_pocket[k] &&
+                std::any_of(bodies.begin(), bodies.end(), [&](int b) { return forces.col(k).segment<n>(n * b).norm() > 0; }))
                 pockets.insert(k);
         if (bodies.size() > most_bodies)
             return {};
@@ -282,7 +297,8 @@ std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<Gap
         std::vector<std::string> causes;
         for (int cause = 0; cause < of_cause.size(); ++cause)
             if (prescribed(cause) && std::abs(of_cause[cause]) > nothing * of_cause.cwiseAbs().maxCoeff())
-                causes.push_back(cause < solids ? "the motion of '" + coupling.solids[cause].name + "'" : "the inflow at " + side_names[cause - solids]);
+                causes.push_back(cause < solids ? "the motion of '" + coupling.solids[cause].name + "'"
+                                                : "the inflow at " + side_names[cause - solids]);
         long cells = 0;
         Vec<D> middle = Vec<D>::Zero();
         for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& at) {
@@ -297,20 +313,22 @@ std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<Gap
         if (cells > 0 && D == 2)
             std::snprintf(where, sizeof where, "%ld cells about (%.3g, %.3g)", cells, middle[0] / cells, middle[1] / cells);
         else if (cells > 0)
-            std::snprintf(where, sizeof where, "%ld cells about (%.3g, %.3g, %.3g)", cells, middle[0] / cells, middle[1] / cells, middle[D - 1] / cells);
+            std::snprintf(where, sizeof where, "%ld cells about (%.3g, %.3g, %.3g)", cells, middle[0] / cells,
+                          middle[1] / cells, middle[D - 1] / cells);
         else
             std::snprintf(where, sizeof where, "a gap");
-        found = joined(causes, " and ") + " changes the volume of fluid sealed in (" + where + "), which has no way out where " +
-                names(coupling, pairs) + " touch; open a side, correct the motion or the inflow, or leave a gap";
+        found = joined(causes, " and ") + " changes the volume of fluid sealed in (" + where +
+                "), which has no way out where " + names(coupling, pairs) +
+                " touch; open a side, correct the motion or the inflow, or leave a gap";
         break;
     }
     return found;
 }
 
-#define GAPFLOW_INSTANTIATE(D)                                                                                                    \
-    template std::string squeezed_pocket<D>(const Coupling<D>&, const std::function<GapSettings(int, int)>&,                      \
-                                            const std::vector<Contact<D>>&, const std::vector<Twist<D>>&, const FluidVelocity<D>&, \
-                                            GivesWay);
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::string squeezed_pocket<D>(const Coupling<D>&, const std::function<GapSettings(int, int)>&,                   \
+                                            const std::vector<Contact<D>>&, const std::vector<Twist<D>>&,                      \
+                                            const FluidVelocity<D>&, GivesWay);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

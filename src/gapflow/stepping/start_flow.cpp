@@ -4,14 +4,16 @@
 
 #include <algorithm>
 
-namespace gapflow {
+namespace gapflow
+{
 
-namespace {
+namespace
+{
 
-constexpr double round_off = 1e-8;  // in cells, and of the floor 1e-3: surfaces that touch
-constexpr double patch = 0.1;       // in cells: the size of a part of a film that lies flat
-constexpr double stiffness = 1e10;  // against the masses: what is left of a speed
-constexpr double same = 1e-6;       // of the largest speed
+constexpr double round_off = 1e-8; // in cells, and of the floor 1e-3: surfaces that touch
+constexpr double patch = 0.1;      // in cells: the size of a part of a film that lies flat
+constexpr double stiffness = 1e10; // against the masses: what is left of a speed
+constexpr double same = 1e-6;      // of the largest speed
 
 // A place where two solids lie on each other: opening rate row_a . V_a + row_b . V_b.
 template <int D>
@@ -57,8 +59,8 @@ double largest_rate(const std::vector<Touch<D>>& touches, const std::vector<Twis
 
 // The twists next to the given ones, in the metric of mass, that leave next to nothing of the rates.
 template <int D>
-std::vector<Twist<D>> without_rates(const std::vector<Touch<D>>& touches, const std::vector<RigidBody<D>>& bodies, const std::vector<Solid<D>>& solids,
-                                    bool prescribed_too, std::vector<Twist<D>> V)
+std::vector<Twist<D>> without_rates(const std::vector<Touch<D>>& touches, const std::vector<RigidBody<D>>& bodies,
+                                    const std::vector<Solid<D>>& solids, bool prescribed_too, std::vector<Twist<D>> V)
 {
     constexpr int n = twist_size<D>;
     std::vector<int> place(solids.size(), -1);
@@ -140,8 +142,8 @@ std::vector<Twist<D>> start_twists(const Coupling<D>& coupling, const std::vecto
     return V;
 }
 
-#define GAPFLOW_INSTANTIATE(D)                                                                                                      \
-    template std::vector<Twist<D>> start_twists<D>(const Coupling<D>&, const std::vector<RigidBody<D>>&,                            \
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::vector<Twist<D>> start_twists<D>(const Coupling<D>&, const std::vector<RigidBody<D>>&,                       \
                                                    const std::function<GapSettings(int, int)>&, const std::vector<Twist<D>>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

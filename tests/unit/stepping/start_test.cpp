@@ -8,8 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace gapflow {
-namespace {
+namespace gapflow
+{
+namespace
+{
 
 Scene closed_box(int cells)
 {
@@ -82,7 +84,8 @@ TEST(Start, TouchingBodiesStayWhereTheyAre)
 TEST(Start, APinchedBallSharesItsOverlaps)
 {
     Scene scene = closed_box(48);
-    scene.bodies = {box("l", 0.2, 0.2, 0.3, 0.5, 5), box("r", 0.2, 0.2, 0.7, 0.5, -5), ball("p", 0.1 + 0.5 / 48, 0.5, 0.5, 1e-3)};
+    scene.bodies = {box("l", 0.2, 0.2, 0.3, 0.5, 5), box("r", 0.2, 0.2, 0.7, 0.5, -5),
+                    ball("p", 0.1 + 0.5 / 48, 0.5, 0.5, 1e-3)};
     Simulation<2> simulation(scene, Communicator());
     for (int i = 0; i < 3; ++i) {
         for (std::size_t b = 0; b < 3; ++b) {
