@@ -24,9 +24,12 @@ template <int D>
 void print_gaps(const Scene& scene, const Communicator& comm)
 {
     const Grid<D> grid = make_grid<D>(scene, comm);
-    const std::vector<RigidBody<D>> bodies = make_bodies<D>(scene);
+    std::vector<RigidBody<D>> bodies = make_bodies<D>(scene);
     const DomainWalls<D> walls = make_walls<D>(scene);
-    const std::vector<std::string> warnings = placement_warnings<D>(scene, bodies, walls);
+    std::vector<std::string> warnings = placement_warnings<D>(scene, bodies, walls);
+    if (scene.end > 0)
+        for (const std::string& note : take_out_overlaps<D>(scene, grid, bodies, walls))
+            warnings.push_back(note);
     const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
     const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
     const Coupling<D> coupling = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)},

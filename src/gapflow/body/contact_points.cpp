@@ -18,6 +18,7 @@ constexpr double round_off = 1e-9;
 // Most points a pair: a patch of contact needs its corners.
 template <int D>
 constexpr int most_points = D == 2 ? 4 : 8;
+constexpr double nearly_beyond = 0.02; // of a body's size
 constexpr int parts_against_hollow = 4; // of a long feature, against shapes with several nearest places
 
 /// A touches B's surface; collects points as (x on A, y on B, normal out of B, distance).
@@ -77,8 +78,14 @@ private:
         if (!each_patch) {
             const SurfacePoint<D> q = b_.closest(p);
             const double size = std::max(p.cwiseAbs().maxCoeff(), q.x.cwiseAbs().maxCoeff());
-            if (q.feature != Feature::face && std::abs(q.distance) < round_off * size)
-                return; // no direction; the bodies' faces and edges see this place too
+            const bool no_direction = q.feature != Feature::face && std::abs(q.distance) < round_off * size;
+            if (radius == 0 && q.distance < round_off * size && a_.shape().convex() && b_.shape().convex() &&
+                (no_direction || !lies_beyond(p, q.normal, -q.distance))) {
+                add_vertex_inside(p, size);
+                return;
+            }
+            if (no_direction)
+                return; // the bodies' faces and edges see this place too
             add(p, radius, q.x, q.normal, q.distance - radius);
             return;
         }
@@ -101,6 +108,40 @@ private:
                 add(p, 0, y, normal, along);
             }
         }
+    }
+
+    /// Whether A lies on the outer side of a face of B with this normal that its vertex p is so deep behind, or nearly.
+    bool lies_beyond(const Vec<D>& p, const Vec<D>& normal, double depth) const
+    {
+        double lowest = 0, extent = 0;
+        for (const Vec<D>& vertex : of_a_.vertices) {
+            const Vec<D> arm = a_.to_world(vertex) - p;
+            lowest = std::min(lowest, normal.dot(arm));
+            extent = std::max(extent, arm.norm());
+        }
+        return lowest >= -2 * depth - nearly_beyond * extent;
+    }
+
+    /// A vertex of A that lies in a convex B or on its edge, nearest to a face that A's material is not on the outer side of, as where
+    /// boxes that are flush with each other overlap: the nearest face that it is.
+    void add_vertex_inside(const Vec<D>& p, double size)
+    {
+        Vec<D> place = p, normal = p;
+        double depth = std::numeric_limits<double>::infinity();
+        for (int patch = 0; patch < of_b_.patches; ++patch) {
+            const Vec<D> y = b_.onto(p, patch);
+            if (std::abs(b_.distance(y)) > round_off * size)
+                continue; // past the patch's border
+            const Vec<D> n = b_.patch_normal(y, patch);
+            const double d = n.dot(y - p);
+            if (d > -round_off * size && d < depth && (y - p - d * n).norm() <= round_off * size && lies_beyond(p, n, d)) {
+                place = y;
+                normal = n;
+                depth = d;
+            }
+        }
+        if (std::isfinite(depth))
+            add(p, 0, place, normal, -depth);
     }
 
     void add_segment(const Vec<D>& from, const Vec<D>& to, double radius)

@@ -3,7 +3,7 @@
 // 1_k is the constant on component k that no open side touches. The null space of L + K M^-1 K^T is every combination
 // sum c_k 1_k with K^T sum c_k 1_k = 0 on all free bodies: the kernel of a small matrix.
 #include "gapflow/core/disjoint_sets.hpp"
-#include "gapflow/coupling/coupling.hpp"
+#include "gapflow/coupling/fluid_parts.hpp"
 
 #include <Eigen/SVD>
 
@@ -49,7 +49,7 @@ bool label_if_joined(const Coupling<D>& coupling, CellField<D, int>& label, cons
 
 // Components of this rank's block alone: one pass in memory order. Returns their number.
 template <int D>
-int label_block(Coupling<D>& coupling, CellField<D, int>& label)
+int label_block(const Coupling<D>& coupling, CellField<D, int>& label)
 {
     const Grid<D>& grid = *coupling.grid;
     const FaceField<D>& conductance = coupling.system.conductance;
@@ -245,13 +245,17 @@ void find_null_space(Coupling<D>& coupling)
 }
 
 template <int D>
-void find_components(Coupling<D>& coupling)
+FluidParts<D> find_parts(const Coupling<D>& coupling, const std::vector<char>& shut)
 {
     const Grid<D>& grid = *coupling.grid;
     const Communicator& comm = grid.comm();
-    CoupledSystem<D>& system = coupling.system;
-    CellField<D, int>& label = system.component;
+    const CoupledSystem<D>& system = coupling.system;
+    FluidParts<D> parts_found;
+    CellField<D, int>& label = parts_found.component;
     label = CellField<D, int>(grid, -1);
+    auto leads_on = [&](const Link& link) {
+        return link.conductance > 0 && (shut.empty() || std::none_of(link.nodes.begin(), link.nodes.end(), [&](const auto& node) { return shut[node.first]; }));
+    };
     const int mine = label_block(coupling, label);
 
     int start = 0;
@@ -279,7 +283,7 @@ void find_components(Coupling<D>& coupling)
     }
     std::set<std::pair<int, int>> links;
     for (const Link& link : system.links) {
-        if (link.conductance <= 0 || link.nodes.empty())
+        if (!leads_on(link) || link.nodes.empty())
             continue;
         for (const auto& [key, weight] : link.cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && label(c) >= 0)
@@ -294,24 +298,25 @@ void find_components(Coupling<D>& coupling)
         sets.join(a, b);
     for (const Film<D>& film : coupling.network.films)
         for (const FilmElement<D>& e : film.mesh.elements)
-            for (int i = 1; i < D; ++i)
+            for (int i = 1; i < D && (shut.empty() || std::none_of(e.nodes.begin(), e.nodes.end(), [&](int node) { return shut[film.first_node + node]; })); ++i)
                 sets.join(cells_total + film.first_node + e.nodes[0], cells_total + film.first_node + e.nodes[i]);
     for (const Link& link : system.links)
-        for (std::size_t i = 1; i < link.nodes.size() && link.conductance > 0; ++i)
+        for (std::size_t i = 1; i < link.nodes.size() && leads_on(link); ++i)
             sets.join(cells_total + link.nodes[0].first, cells_total + link.nodes[i].first);
     int count = 0;
     const std::vector<int> number = sets.numbers(count);
 
-    system.components.assign(count, {});
+    std::vector<Component>& components = parts_found.components;
+    components.assign(count, {});
     int part_count = 0;
     const std::vector<int> part = parts.numbers(part_count);
     std::vector<char> counted(part_count, 0);
-    for (Component& component : system.components)
+    for (Component& component : components)
         component.grid_parts = 0;
     for (int l = 0; l < cells_total; ++l)
         if (!counted[part[l]]) {
             counted[part[l]] = 1;
-            ++system.components[number[l]].grid_parts;
+            ++components[number[l]].grid_parts;
         }
     std::vector<double> facts(2 * static_cast<std::size_t>(count), 0.0); // cells; faces on open sides
     for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
@@ -343,26 +348,38 @@ void find_components(Coupling<D>& coupling)
         }
     comm.sum(facts);
     for (int k = 0; k < count; ++k)
-        system.components[k].open_faces = facts[2 * k + 1] > 0;
+        components[k].open_faces = facts[2 * k + 1] > 0;
     exchange(grid, label, 1);
-    system.node_component.resize(system.nodes);
+    parts_found.node_component.resize(system.nodes);
     for (int node = 0; node < system.nodes; ++node) {
-        system.node_component[node] = number[cells_total + node];
-        ++facts[2 * system.node_component[node]];
+        parts_found.node_component[node] = number[cells_total + node];
+        ++facts[2 * parts_found.node_component[node]];
     }
     for (const Link& link : system.links)
-        if (link.cells.empty() && link.conductance > 0 && link.nodes.size() == D - 1) // conduit to an open side
-            ++facts[2 * system.node_component[link.nodes.front().first] + 1];
+        if (link.cells.empty() && leads_on(link) && link.nodes.size() == D - 1) // conduit to an open side
+            ++facts[2 * parts_found.node_component[link.nodes.front().first] + 1];
     for (int k = 0; k < count; ++k) {
-        system.components[k].unknowns = std::lround(facts[2 * k]);
-        system.components[k].grounded = facts[2 * k + 1] > 0;
+        components[k].unknowns = std::lround(facts[2 * k]);
+        components[k].grounded = facts[2 * k + 1] > 0;
     }
+    return parts_found;
+}
+
+template <int D>
+void find_components(Coupling<D>& coupling)
+{
+    FluidParts<D> parts = find_parts(coupling, {});
+    coupling.system.component = std::move(parts.component);
+    coupling.system.node_component = std::move(parts.node_component);
+    coupling.system.components = std::move(parts.components);
     find_null_space(coupling);
     list_sealed(coupling);
 }
 
 template void find_null_space<2>(Coupling<2>&);
 template void find_null_space<3>(Coupling<3>&);
+template FluidParts<2> find_parts<2>(const Coupling<2>&, const std::vector<char>&);
+template FluidParts<3> find_parts<3>(const Coupling<3>&, const std::vector<char>&);
 template void find_components<2>(Coupling<2>&);
 template void find_components<3>(Coupling<3>&);
 

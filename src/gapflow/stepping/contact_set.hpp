@@ -55,8 +55,9 @@ public:
 
     /// Finds the contacts of a configuration that may close in dt; those known from the step before keep their state.
     void find(const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists, double dt);
-    /// Takes overlaps out by moving free bodies, without a change of momentum. True if anything moved.
-    bool push_apart(std::vector<RigidBody<D>>& bodies) const;
+    /// Takes overlaps out by moving free bodies, without a change of momentum; `at_start`: heavy ones as far as light ones. True if anything
+    /// moved; to be repeated, with the contacts found anew, until it is false.
+    bool push_apart(std::vector<RigidBody<D>>& bodies, bool at_start = false) const;
     /// What each contact asks of the step: `before`: twists at its start; `forced`: with the explicit forces of the step. Sliding pulls of the
     /// last step, of length `last_dt`, are taken on.
     void prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt, double last_dt);
@@ -76,7 +77,9 @@ public:
     void forget_rounds() { seen_.clear(); }
 
     /// A contact that holds and yet closes: its solids are driven into each other, and neither can give way. Null: none.
-    const Contact<D>* crushed(const std::vector<Twist<D>>& twists) const;
+    const Contact<D>* crushed(const std::vector<Twist<D>>& twists, double dt) const;
+    /// Whether a prescribed body moves that the contact's solids are, or are held by.
+    bool driven(const Contact<D>& contact, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists) const;
 
     const std::vector<Contact<D>>& contacts() const { return contacts_; }
     bool empty() const { return contacts_.empty(); }
@@ -91,6 +94,8 @@ private:
         double hold, restitution, friction;
     };
     PairLaw law(int a, int b) const;
+    std::vector<Twist<D>> displacements(const std::vector<RigidBody<D>>& bodies, bool evenly, double longest, double accuracy) const;
+    bool goes_too_far(const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& moved, double longest) const;
     void take_impulses(const Eigen::VectorXd& impulses);
     using States = std::vector<char>; ///< of each contact: open, sticks, slides
     bool repeats(const States& next, bool exact);

@@ -1,5 +1,9 @@
 #include "gapflow/stepping/placement.hpp"
 
+#include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
+#include "gapflow/stepping/contact_set.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -15,6 +19,11 @@ bool bounded(const RigidBody<D>& body)
     const Bounds<D> bounds = body.shape->bounds();
     return bounds.low.allFinite() && bounds.high.allFinite() && !(bounds.low.array() > bounds.high.array()).any();
 }
+
+constexpr int most_passes = 200; // that take overlaps out
+constexpr double seen = 1e-6;    // in cells: overlaps that are round-off
+constexpr double left_alone = 1e-2; // in cells: what may stay wedged in without a word
+constexpr std::size_t most_named = 6;
 
 /// Vertices of a body's surface and its centre in the world, and the box that holds them.
 template <int D>
@@ -113,7 +122,62 @@ std::vector<std::string> placement_warnings(const Scene& scene, const std::vecto
     return warnings;
 }
 
+template <int D>
+std::vector<std::string> take_out_overlaps(const Scene& scene, const Grid<D>& grid, std::vector<RigidBody<D>>& bodies,
+                                           const DomainWalls<D>& walls)
+{
+    const double dx = grid.dx();
+    std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
+    ContactSet<D> contacts(scene, grid, solids);
+    const std::vector<Twist<D>> rest(solids.size(), Twist<D>::Zero());
+    const Contact<D>* deepest = nullptr; // a pointer into the contacts as they are
+    auto find = [&] {
+        contacts.find(solids, rest, 0);
+        deepest = nullptr;
+        for (const Contact<D>& c : contacts.contacts())
+            if (!deepest || c.point.distance < deepest->point.distance)
+                deepest = &c;
+        return deepest ? -deepest->point.distance : 0.0;
+    };
+    double overlap = find();
+    if (!(overlap > seen * dx))
+        return {};
+    char text[64];
+    auto cells = [&](double length) {
+        std::snprintf(text, sizeof text, "%.3g cells", length / dx);
+        return std::string(text);
+    };
+    auto pair = [&] { return "'" + solids[deepest->point.a].name + "' and '" + solids[deepest->point.b].name + "'"; };
+    const std::string start = pair() + " by " + cells(overlap);
+    const std::vector<RigidBody<D>> before = bodies;
+    for (int pass = 0; pass < most_passes && contacts.push_apart(bodies, true); ++pass) {
+        solids = make_solids<D>(bodies, walls);
+        overlap = find();
+    }
+    if (overlap > dx)
+        throw InputError(scene.file + ": " + pair() + " overlap by " + cells(overlap) + " at the start, and cannot be pushed apart; move them");
+    std::vector<std::pair<double, std::string>> moves; // longest first
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (const double way = (bodies[b].centre() - before[b].centre()).norm(); way > seen * dx)
+            moves.emplace_back(-way, bodies[b].name);
+    std::stable_sort(moves.begin(), moves.end(), [](const auto& p, const auto& q) { return p.first < q.first; });
+    std::vector<std::string> named;
+    for (std::size_t i = 0; i < std::min(moves.size(), most_named); ++i)
+        named.push_back("'" + moves[i].second + "' " + cells(-moves[i].first));
+    if (moves.size() > most_named)
+        named.push_back(std::to_string(moves.size() - most_named) + " more");
+    std::vector<std::string> notes;
+    notes.push_back("bodies overlap at the start (most " + start + ") and were pushed apart before it: moved by " + joined(named, ", ") +
+                    "; better place them so that they do not overlap");
+    if (overlap > left_alone * dx)
+        notes.push_back(pair() + " still overlap by " + cells(overlap) + ": nothing there can give way; move them");
+    return notes;
+}
+
 template std::vector<std::string> placement_warnings<2>(const Scene&, const std::vector<RigidBody<2>>&, const DomainWalls<2>&);
 template std::vector<std::string> placement_warnings<3>(const Scene&, const std::vector<RigidBody<3>>&, const DomainWalls<3>&);
+
+template std::vector<std::string> take_out_overlaps<2>(const Scene&, const Grid<2>&, std::vector<RigidBody<2>>&, const DomainWalls<2>&);
+template std::vector<std::string> take_out_overlaps<3>(const Scene&, const Grid<3>&, std::vector<RigidBody<3>>&, const DomainWalls<3>&);
 
 } // namespace gapflow

@@ -14,4 +14,11 @@ namespace gapflow {
 template <int D>
 std::vector<std::string> placement_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls);
 
+/// Moves free bodies out of what they overlap at the start, about as far as the overlaps ask for and whatever their masses. Returns what the
+/// user should know: who was moved and how far, what still overlaps. Where bodies only touch, or none can give way, nothing moves. Throws
+/// InputError if some could give way, but not to where nothing overlaps by more than a cell.
+template <int D>
+std::vector<std::string> take_out_overlaps(const Scene& scene, const Grid<D>& grid, std::vector<RigidBody<D>>& bodies,
+                                           const DomainWalls<D>& walls);
+
 } // namespace gapflow

@@ -11,6 +11,7 @@
 #include "gapflow/stepping/film_turn.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/placement.hpp"
+#include "gapflow/stepping/start_flow.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -85,6 +86,8 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
     // The flow at rest that the bodies' velocities drive: one projection of the initial velocity, bodies held to theirs.
     const double start = now();
     initial_report_.notes = placement_warnings<D>(scene_, bodies_, walls_);
+    for (const std::string& note : take_out_overlaps<D>(scene_, grid_, bodies_, walls_))
+        initial_report_.notes.push_back(note);
     holding_ = true;
     rebuild();
     if (!any_fluid(*coupling_, gaps_))
@@ -94,6 +97,13 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
     for (int axis = 0; axis < D; ++axis)
         u_star.grid[axis].fill(u0[axis]);
     fill_velocity_ghosts(grid_, u_star.grid, side_velocities(0));
+    start_twists_ = start_twists<D>(*coupling_, bodies_, gaps_, twists());
+    if (!squeezed_pocket<D>(*coupling_, gaps_, {}, start_twists_, u_star, GivesWay::nothing).empty()) {
+        check_sealing(u_star, start_twists_, GivesWay::bodies);
+        giving_way_ = true;
+        coupling_.reset();
+        rebuild();
+    }
     for (const Film<D>& film : coupling_->network.films)
         for (const FilmElement<D>& e : film.mesh.elements)
             u_star.film.push_back(u0 - u0.dot(e.normal) * e.normal);
@@ -105,6 +115,7 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
     holding_ = false;
     continue_velocities();
     finish_report(initial_report_, 0);
+    start_twists_.clear();
     initial_report_.seconds = now() - start;
 }
 
@@ -433,6 +444,8 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         stages_.add("solve", solve.seconds);
         solver_seconds += solve.seconds;
         report.residual = solve.residual;
+        if (!solve.converged && dt > 0 && !voids)
+            check_sealing(u_star, without_pressure, GivesWay::unblocked);
         if (!solve.converged)
             throw ComputationError("the pressure solve of step " + std::to_string(steps_ + 1) + " did not converge: " +
                                    solve.message + " (" + std::to_string(solve.iterations) + " iterations, relative residual " +
@@ -465,10 +478,15 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         else if (!exact && !new_voids && change != ContactChange::states)
             ++level; // pulls settle on the way
     }
-    if (const Contact<D>* c = contacts ? contacts_.crushed(V) : nullptr)
-        throw ComputationError("prescribed motion drives '" + coupling_->solids[c->point.a].name + "' and '" +
-                               coupling_->solids[c->point.b].name + "' into each other in step " + std::to_string(steps_ + 1) +
-                               ", and neither can give way; let it stop before they touch");
+    if (dt > 0 && !voids)
+        check_sealing(u_star, without_pressure, GivesWay::unblocked);
+    if (const Contact<D>* c = contacts ? contacts_.crushed(V, dt) : nullptr) {
+        const std::string pair = "'" + coupling_->solids[c->point.a].name + "' and '" + coupling_->solids[c->point.b].name + "'";
+        if (contacts_.driven(*c, coupling_->solids, V))
+            throw ComputationError("prescribed motion drives " + pair + " into each other in step " + std::to_string(steps_ + 1) +
+                                   ", and neither can give way; let it stop before they touch");
+        report.notes.push_back("contacts ask for more than the bodies can do: " + pair + " overlap, and are pushed apart again"); // nothing drives them
+    }
     if (wet) {
         impulse_.nodes += wet->given();
         wet.reset();
@@ -540,6 +558,15 @@ bool Simulation<D>::update_voids(const WetSystem<D>& wet, const FluidVelocity<D>
     return voids_.update_mouths(conduits, flux, drop, accuracy, at_once) || nodes;
 }
 
+// Nor has one that is shut by surfaces that touch.
+template <int D>
+void Simulation<D>::check_sealing(const FluidVelocity<D>& u, const std::vector<Twist<D>>& V, GivesWay gives_way) const
+{
+    const std::string squeezed = squeezed_pocket<D>(*coupling_, gaps_, contacts_.contacts(), V, u, gives_way);
+    if (!squeezed.empty())
+        throw ComputationError("step " + std::to_string(steps_ + 1) + ": " + squeezed);
+}
+
 // A pocket that a prescribed body squeezes has no solution: name it.
 template <int D>
 void Simulation<D>::check_compatibility(const UnknownVector<D>& rhs, double magnitude) const
@@ -575,6 +602,8 @@ void Simulation<D>::check_compatibility(const UnknownVector<D>& rhs, double magn
 template <int D>
 std::vector<Twist<D>> Simulation<D>::twists() const
 {
+    if (!start_twists_.empty())
+        return start_twists_;
     std::vector<Twist<D>> V;
     for (const RigidBody<D>& body : bodies_)
         V.push_back(body.motion == Motion::fixed ? Twist<D>(Twist<D>::Zero()) : body.twist);
@@ -589,7 +618,7 @@ std::vector<TwistMatrix<D>> Simulation<D>::masses() const
     std::vector<TwistMatrix<D>> mass;
     for (const RigidBody<D>& body : bodies_)
         mass.push_back(mass_matrix(body) + spring_inertia(body, dt_));
-    if (holding_) // heavy beyond any added mass; as prescribed bodies they could choose other masters for their films
+    if (holding_ && !giving_way_) // heavy beyond any added mass; as prescribed bodies they could choose other masters for their films
         for (TwistMatrix<D>& m : mass)
             m *= held_mass_factor;
     mass.resize(bodies_.size() + walls_.solids.size(), TwistMatrix<D>::Identity());

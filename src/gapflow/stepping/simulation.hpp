@@ -12,6 +12,7 @@
 #include "gapflow/stepping/advection.hpp"
 #include "gapflow/stepping/contact_set.hpp"
 #include "gapflow/stepping/past_pressure.hpp"
+#include "gapflow/stepping/sealing.hpp"
 #include "gapflow/stepping/setup.hpp"
 #include "gapflow/stepping/void_set.hpp"
 
@@ -148,6 +149,7 @@ private:
     void finish_report(StepReport& report, double dt) const;
     std::vector<Twist<D>> twists() const;
     std::vector<TwistMatrix<D>> masses() const;
+    void check_sealing(const FluidVelocity<D>& u, const std::vector<Twist<D>>& V, GivesWay gives_way) const;
     void check_compatibility(const UnknownVector<D>& rhs, double magnitude) const;
     BoundaryVelocity<D> side_velocities(double time) const;
     std::vector<Vec<D>> sample(const std::vector<Vec<D>>& points) const;
@@ -164,6 +166,7 @@ private:
     double last_dt_ = 0;                    ///< of the step before it: what `impulse_` is of until the next projection
     long steps_ = 0;
     bool holding_ = false;                  ///< in the initial projection
+    bool giving_way_ = false;               ///< there, where prescribed motion or inflow drives fluid that only moving bodies let out
     std::unique_ptr<Coupling<D>> coupling_;
     std::shared_ptr<const FaceFractions<D>> old_fractions_; ///< of the step before
     FluidVelocity<D> velocity_;
@@ -197,6 +200,7 @@ private:
     std::vector<Twist<D>> wrenches_;
     StepReport initial_report_;
     StageTimers stages_;
+    std::vector<Twist<D>> start_twists_;    ///< that the fluid sees in the initial projection; empty: the bodies' own
 };
 
 } // namespace gapflow

@@ -96,11 +96,12 @@ double Simulation<D>::choose_step(double next_output) const
         const bool unstoppable = !moves_freely(mesh.master) && !moves_freely(mesh.other);
         for (const FilmPoint<D>& q : mesh.points) {
             const Vec<D> arm_a = q.x - solids[mesh.master].centre, arm_b = q.y - solids[mesh.other].centre - mesh.shift;
-            auto rate = [&](const std::vector<Twist<D>>& twist) {
-                return std::abs(q.other_normal.dot(velocity_at<D>(twist[mesh.master], arm_a) - velocity_at<D>(twist[mesh.other], arm_b)));
+            auto opening = [&](const std::vector<Twist<D>>& twist) {
+                return q.other_normal.dot(velocity_at<D>(twist[mesh.master], arm_a) - velocity_at<D>(twist[mesh.other], arm_b));
             };
+            auto rate = [&](const std::vector<Twist<D>>& twist) { return std::abs(opening(twist)); };
             const double distance = q.h + mesh.skin, h = std::max(distance, least);
-            if (unstoppable && distance < least && scene_.gap_cfl * h < driven_step * scene_.max_step * rate(V))
+            if (unstoppable && distance < least && scene_.gap_cfl * h < driven_step * scene_.max_step * -opening(V))
                 throw ComputationError("prescribed motion drives '" + solids[mesh.master].name + "' and '" +
                                        solids[mesh.other].name + "' into each other at time " + short_text(time_) +
                                        "; let it stop before they touch, or let one of them be free");

@@ -1,0 +1,23 @@
+// Connected parts of the fluid, as they are or with some film nodes shut.
+#pragma once
+
+#include "gapflow/coupling/coupling.hpp"
+
+#include <vector>
+
+namespace gapflow
+{
+
+template <int D>
+struct FluidParts {
+    CellField<D, int> component; ///< of each cell, -1: no unknown; valid on owned cells and one layer of ghosts
+    std::vector<int> node_component;
+    std::vector<Component> components;
+};
+
+/// Parts that faces, film elements and links join; those that a shut node belongs to join nothing. `shut`: one a film node, the
+/// same on all ranks; empty: none is. Collective.
+template <int D>
+FluidParts<D> find_parts(const Coupling<D>& coupling, const std::vector<char>& shut);
+
+} // namespace gapflow

@@ -1,0 +1,336 @@
+#include "gapflow/stepping/sealing.hpp"
+
+#include "gapflow/core/text.hpp"
+#include "gapflow/coupling/fluid_parts.hpp"
+#include "gapflow/scene/scene.hpp"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+namespace gapflow
+{
+
+namespace
+{
+
+constexpr double rough = 0.01;           // in cells: a floor of a film that counts as a way out
+constexpr double touching = 1.05;        // of the floor, or of the distance at which a contact holds
+constexpr double round_off = 1e-7;       // in cells, of thicknesses
+constexpr double nothing = 1e-2;         // of what moves about: changes of a pocket's volume that are errors of its surface
+constexpr double parting = 1e-6;         // of the largest speed
+constexpr double immovable = 5e-3;       // of a pocket's surface: the part that a body may give way with, and seem not to
+constexpr std::size_t most_bodies = 150; // that hang together around a pocket; with more nothing is said
+
+// Film nodes where the surfaces touch and do not part, and the pairs that do.
+template <int D>
+std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
+                             const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& V,
+                             std::set<std::pair<int, int>>& pairs)
+{
+    double fastest = 0;
+    for (const Twist<D>& twist : V)
+        fastest = std::max(fastest, twist.template head<D>().norm());
+    const double dx = coupling.grid->dx();
+    std::map<std::pair<int, int>, double> held; // largest distance at which a pair's contacts hold
+    for (const Contact<D>& c : contacts)
+        if (c.closed)
+            held[std::minmax(c.point.a, c.point.b)] = std::max(held[std::minmax(c.point.a, c.point.b)], c.point.distance);
+    std::vector<char> shut(coupling.system.nodes, 0);
+    for (const Film<D>& film : coupling.network.films) {
+        const FilmMesh<D>& mesh = film.mesh;
+        const double floor = gaps(mesh.master, mesh.other).floor;
+        if (floor >= rough * dx)
+            continue;
+        const auto contact = held.find(std::minmax(mesh.master, mesh.other));
+        const double most = touching * (contact == held.end() ? floor : std::max(floor, contact->second)) + round_off * dx;
+        std::vector<char> parts(mesh.h.size(), 0);
+        for (const FilmElement<D>& e : mesh.elements) {
+            const Vec<D> of_master = velocity_at<D>(V[mesh.master], e.centroid - coupling.solids[mesh.master].centre);
+            const Vec<D> of_other = velocity_at<D>(V[mesh.other], e.centroid - coupling.solids[mesh.other].centre - mesh.shift);
+            if (e.normal.dot(of_other - of_master) > parting * fastest)
+                for (int node : e.nodes)
+                    parts[node] = 1;
+        }
+        for (std::size_t i = 0; i < mesh.h.size(); ++i)
+            if (!parts[i] && mesh.h[i] + mesh.skin <= most) {
+                shut[film.first_node + static_cast<int>(i)] = 1;
+                pairs.insert({mesh.master, mesh.other});
+            }
+    }
+    return shut;
+}
+
+// What goes into the pockets: of every part, from every solid and side, and the sums of magnitudes.
+template <int D>
+class Balance
+{
+public:
+    Balance(const Coupling<D>& coupling, const FluidParts<D>& parts, const std::vector<Twist<D>>& twists,
+            const FluidVelocity<D>& u)
+        : coupling_(coupling), causes_(static_cast<int>(coupling.solids.size()) + 2 * D),
+          count_(static_cast<int>(parts.components.size()))
+    {
+        const Grid<D>& grid = *coupling.grid;
+        driven = magnitude = Eigen::MatrixXd::Zero(causes_, count_);
+        auto add = [&](int cause, int part, double flux) {
+            if (part < 0)
+                return;
+            driven(cause, part) += flux;
+            magnitude(cause, part) += std::abs(flux);
+        };
+        for (const auto& entry : coupling.cell_flux)
+            add(entry.body, parts.component(entry.row), entry.flux.dot(twists[entry.body]));
+        for (int axis = 0; axis < D; ++axis)
+            for (int end = 0; end < 2; ++end) {
+                const int last = end * (grid.cells()[axis] - 1);
+                if (grid.side(axis, end) != SideKind::inflow || last < grid.low()[axis] || last >= grid.high()[axis])
+                    continue;
+                Index<D> low = grid.low(), high = grid.high();
+                low[axis] = last;
+                high[axis] = last + 1;
+                for_each_index<D>(low, high, [&](const Index<D>& c) {
+                    const Index<D> f = c + end * step<D>(axis);
+                    add(side(2 * axis + end), parts.component(c),
+                        (2 * end - 1) * coupling.open(axis, f) * grid.face_area() * u.grid(axis, f));
+                });
+            }
+        grid.comm().sum(std::span<double>(driven.data(), static_cast<std::size_t>(driven.size())));
+        grid.comm().sum(std::span<double>(magnitude.data(), static_cast<std::size_t>(magnitude.size())));
+        for (const auto& entry : coupling.node_flux)
+            add(entry.body, parts.node_component[entry.row], entry.flux.dot(twists[entry.body]));
+    }
+
+    int side(int s) const { return static_cast<int>(coupling_.solids.size()) + s; }
+
+    Eigen::MatrixXd driven, magnitude; ///< causes (solids, then sides) x parts
+
+private:
+    const Coupling<D>& coupling_;
+    int causes_, count_;
+};
+
+// The parts' constants as forces on the free bodies, K^T 1_k, torques over the body's size; and the area of each part on them.
+template <int D>
+Eigen::MatrixXd forces_of(const Coupling<D>& coupling, const FluidParts<D>& parts, Eigen::VectorXd& area)
+{
+    constexpr int n = twist_size<D>;
+    const int count = static_cast<int>(parts.components.size()), dofs = n * coupling.system.bodies;
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(dofs + 1, count);
+    auto add = [&](int part, int solid, const Twist<D>& flux) {
+        const int b = coupling.free_body[solid];
+        if (part < 0 || b < 0)
+            return;
+        sums.col(part).template segment<n>(n * b) += coupling.solids[solid].admissible * flux;
+        sums(dofs, part) += flux.template head<D>().norm();
+    };
+    for (const auto& entry : coupling.cell_flux)
+        add(parts.component(entry.row), entry.body, entry.flux);
+    coupling.grid->comm().sum(std::span<double>(sums.data(), static_cast<std::size_t>(sums.size())));
+    for (const auto& entry : coupling.node_flux)
+        add(parts.node_component[entry.row], entry.body, entry.flux);
+    area = sums.row(dofs);
+    return sums.topRows(dofs);
+}
+
+template <int D>
+std::string names(const Coupling<D>& coupling, const std::set<std::pair<int, int>>& pairs)
+{
+    std::vector<std::string> list;
+    for (const auto& [a, b] : pairs)
+        if (list.size() < 4)
+            list.push_back("'" + coupling.solids[a].name + "' and '" + coupling.solids[b].name + "'");
+    if (pairs.size() > list.size())
+        list.push_back(std::to_string(pairs.size() - list.size()) + " more pairs");
+    return joined(list, ", ");
+}
+
+} // namespace
+
+template <int D>
+std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
+                            const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& twists,
+                            const FluidVelocity<D>& u, GivesWay gives_way)
+{
+    constexpr int n = twist_size<D>;
+    const Grid<D>& grid = *coupling.grid;
+    const int solids = static_cast<int>(coupling.solids.size());
+    bool any = false; // something prescribed that may change a volume
+    for (int s = 0; s < solids; ++s)
+        any = any || (coupling.solids[s].motion == Motion::prescribed && !twists[s].isZero(0)) ||
+              (gives_way == GivesWay::nothing && !coupling.solids[s].wall && !twists[s].isZero(0));
+    for (int s = 0; s < 2 * D; ++s)
+        any = any || grid.side(s / 2, s % 2) == SideKind::inflow;
+    if (!any)
+        return {};
+    std::set<std::pair<int, int>> pairs;
+    const std::vector<char> shut = shut_nodes(coupling, gaps, contacts, twists, pairs);
+    if (pairs.empty())
+        return {};
+    const FluidParts<D> parts = find_parts(coupling, shut);
+    const int count = static_cast<int>(parts.components.size());
+    std::vector<char> is_pocket(count);
+    for (int k = 0; k < count; ++k)
+        is_pocket[k] = !parts.components[k].grounded;
+    for (int node = 0; node < coupling.system.nodes; ++node)
+        if (shut[node]) // what squeezes these is contact's affair
+            is_pocket[parts.node_component[node]] = 0;
+    const Balance<D> balance(coupling, parts, twists, u);
+    Eigen::VectorXd area;
+    const Eigen::MatrixXd forces = forces_of(coupling, parts, area);
+    const double largest = balance.magnitude.size() > 0 ? balance.magnitude.maxCoeff() : 0.0;
+    auto moves = [&](int k) {
+        return std::abs(balance.driven.col(k).sum()) > nothing * std::max(balance.magnitude.col(k).maxCoeff(), 1e-6 * largest);
+    };
+
+    // Pockets that hang together by bodies that can give way, from those on which something prescribed acts on.
+    std::set<int> pockets, bodies;
+    auto prescribed = [&](int cause) {
+        return cause >= solids || coupling.free_body[cause] < 0 || gives_way == GivesWay::nothing;
+    };
+    for (int k = 0; k < count; ++k)
+        for (int cause = 0; cause < balance.driven.rows() && is_pocket[k]; ++cause)
+            if (prescribed(cause) &&
+                std::abs(balance.driven(cause, k)) > nothing * std::max(balance.magnitude(cause, k), 1e-6 * largest))
+                pockets.insert(k);
+    for (bool grows = !pockets.empty() && gives_way != GivesWay::nothing; grows;) {
+        const std::size_t before = pockets.size() + bodies.size();
+        for (int b = 0; b < coupling.system.bodies; ++b)
+            if (std::any_of(pockets.begin(), pockets.end(), [&](int k) { return forces.col(k).segment<n>(n * b).norm() > 0; }))
+                bodies.insert(b);
+        for (const Contact<D>& c : contacts) {
+            const int a = coupling.free_body[c.point.a], b = coupling.free_body[c.point.b];
+            if (c.closed && gives_way == GivesWay::unblocked && a >= 0 && b >= 0 &&
+                (bodies.contains(a) || bodies.contains(b))) {
+                bodies.insert(a);
+                bodies.insert(b);
+            }
+        }
+        for (int k = 0; k < count; ++k)
+            if (is_pocket[k] &&
+                std::any_of(bodies.begin(), bodies.end(), [&](int b) { return forces.col(k).segment<n>(n * b).norm() > 0; }))
+                pockets.insert(k);
+        if (bodies.size() > most_bodies)
+            return {};
+        grows = pockets.size() + bodies.size() > before;
+    }
+    if (pockets.empty())
+        return {};
+
+    // Combinations of the pockets' pressures that move no body: one column each.
+    const std::vector<int> list(pockets.begin(), pockets.end());
+    std::map<int, int> place;
+    std::vector<double> size; // of the bodies
+    for (int b : bodies) {
+        place[b] = static_cast<int>(place.size());
+        const auto solid = std::find(coupling.free_body.begin(), coupling.free_body.end(), b) - coupling.free_body.begin();
+        const double radius = bounding_radius<D>(world_bounds(coupling.solids[solid].shape));
+        size.push_back(std::isfinite(radius) ? radius : grid.size().maxCoeff());
+    }
+    const long dofs = n * static_cast<long>(bodies.size()), wide = static_cast<long>(list.size());
+    auto scaled = [&](int b, const Twist<D>& force) {
+        Twist<D> result = force;
+        result.template tail<spin_size<D>>() /= size[place.at(b)];
+        return result;
+    };
+    Eigen::MatrixXd X = Eigen::MatrixXd::Zero(dofs, wide);
+    for (long k = 0; k < wide; ++k)
+        for (int b : bodies)
+            if (area[list[k]] > 0)
+                X.col(k).segment<n>(n * place[b]) = scaled(b, forces.col(list[k]).segment<n>(n * b)) / area[list[k]];
+    if (gives_way == GivesWay::unblocked && dofs > 0) {
+        std::vector<Eigen::VectorXd> rows;
+        for (const Contact<D>& c : contacts) {
+            if (!c.closed)
+                continue;
+            Eigen::VectorXd row = Eigen::VectorXd::Zero(dofs);
+            auto add = [&](int solid, const Twist<D>& part) {
+                if (const int b = coupling.free_body[solid]; b >= 0 && bodies.contains(b))
+                    row.segment<n>(n * place[b]) += scaled(b, coupling.solids[solid].admissible * part);
+            };
+            add(c.point.a, c.normal.a);
+            add(c.point.b, c.normal.b);
+            if (row.norm() > 0)
+                rows.push_back(row.normalized());
+        }
+        Eigen::MatrixXd C(dofs, static_cast<long>(rows.size()));
+        for (std::size_t r = 0; r < rows.size(); ++r)
+            C.col(static_cast<long>(r)) = rows[r];
+        if (C.cols() > 0) {
+            const Eigen::JacobiSVD<Eigen::MatrixXd> svd(C, Eigen::ComputeThinU);
+            for (long j = 0; j < svd.singularValues().size(); ++j)
+                if (svd.singularValues()[j] > 1e-6 * svd.singularValues()[0])
+                    X -= svd.matrixU().col(j) * (svd.matrixU().col(j).transpose() * X).eval();
+        }
+    }
+    Eigen::MatrixXd null = Eigen::MatrixXd::Identity(wide, wide);
+    if (dofs > 0) {
+        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(X, Eigen::ComputeFullV);
+        long rank = 0;
+        while (rank < svd.singularValues().size() && svd.singularValues()[rank] > immovable)
+            ++rank;
+        null = svd.matrixV().rightCols(wide - rank);
+    }
+    std::string found;
+    for (long j = 0; j < null.cols(); ++j) {
+        Eigen::VectorXd c = null.col(j);
+        for (long k = 0; k < wide; ++k)
+            c[k] /= dofs > 0 && area[list[k]] > 0 ? area[list[k]] : 1.0;
+        Eigen::VectorXd of_cause = Eigen::VectorXd::Zero(balance.driven.rows());
+        double most = 0;
+        for (long k = 0; k < wide; ++k) {
+            of_cause += c[k] * balance.driven.col(list[k]);
+            most = std::max(most, std::abs(c[k]) * balance.magnitude.col(list[k]).maxCoeff());
+        }
+        if (!(std::abs(of_cause.sum()) > nothing * most) || !(most > 0))
+            continue;
+        long k = 0; // the pocket that says most
+        for (long i = 0; i < wide; ++i)
+            if (std::abs(c[i] * balance.driven.col(list[i]).sum()) > std::abs(c[k] * balance.driven.col(list[k]).sum()))
+                k = i;
+        if (!moves(list[k]))
+            continue;
+        std::vector<std::string> causes;
+        for (int cause = 0; cause < of_cause.size(); ++cause)
+            if (prescribed(cause) && std::abs(of_cause[cause]) > nothing * of_cause.cwiseAbs().maxCoeff())
+                causes.push_back(cause < solids ? "the motion of '" + coupling.solids[cause].name + "'"
+                                                : "the inflow at " + side_names[cause - solids]);
+        long cells = 0;
+        Vec<D> middle = Vec<D>::Zero();
+        for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& at) {
+            if (parts.component(at) == list[k]) {
+                ++cells;
+                middle += grid.cell_centre(at);
+            }
+        });
+        cells = grid.comm().sum(cells);
+        grid.comm().sum(std::span<double>(middle.data(), D));
+        char where[96];
+        if (cells > 0 && D == 2)
+            std::snprintf(where, sizeof where, "%ld cells about (%.3g, %.3g)", cells, middle[0] / cells, middle[1] / cells);
+        else if (cells > 0)
+            std::snprintf(where, sizeof where, "%ld cells about (%.3g, %.3g, %.3g)", cells, middle[0] / cells,
+                          middle[1] / cells, middle[D - 1] / cells);
+        else
+            std::snprintf(where, sizeof where, "a gap");
+        found = joined(causes, " and ") + " changes the volume of fluid sealed in (" + where +
+                "), which has no way out where " + names(coupling, pairs) +
+                " touch; open a side, correct the motion or the inflow, or leave a gap";
+        break;
+    }
+    return found;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::string squeezed_pocket<D>(const Coupling<D>&, const std::function<GapSettings(int, int)>&,                   \
+                                            const std::vector<Contact<D>>&, const std::vector<Twist<D>>&,                      \
+                                            const FluidVelocity<D>&, GivesWay);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
