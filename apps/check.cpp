@@ -2,6 +2,7 @@
 
 #include "gapflow/core/text.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
+#include "gapflow/stepping/memory_forecast.hpp"
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
 
@@ -53,6 +54,7 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     long unknowns = coupling.network.nodes;
     for (const Component& component : coupling.system.components)
         unknowns += component.unknowns;
+    std::printf("memory    about %.3g MiB\n", forecast_memory(scene, coupling.network.nodes) / 1048576.0);
     std::printf("unknowns  %ld pressures, %d of them in films\n", unknowns - coupling.network.nodes, coupling.network.nodes);
     for (const auto& [pair, sum] : pairs)
         std::printf("film      %s - %s: thinnest %.4g (%.4g cells), where thinner than %.4g cells, %zu nodes\n",
@@ -78,7 +80,6 @@ int check_command(const Scene& scene)
     if (comm.root()) {
         std::printf("scene     %s%s%s\n", scene.file.c_str(), scene.title.empty() ? "" : ": ", scene.title.c_str());
         std::printf("cells     %s = %.0f, spacing %.6g\n", count_text(scene).c_str(), cells, scene.size[0] / scene.cells[0]);
-        std::printf("memory    about %.3g MiB\n", expected_memory(scene.dimension, cells) / 1048576.0);
         std::printf("bodies    %zu, of which %td move\n", scene.bodies.size(), moving);
         std::printf("gaps      model %s, threshold %s\n", scene.gap.film ? "film" : "none",
                     scene.gap.threshold ? (number_text(*scene.gap.threshold) + " cells").c_str() : "auto");

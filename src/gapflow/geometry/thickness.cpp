@@ -15,9 +15,9 @@ constexpr double patch_radius = 1.5;    // in cells
 constexpr double sample_spacing = 0.5;  // in cells, and ...
 constexpr double samples_across = 12;   // ... of a small body's size
 constexpr double facing = 0.866;        // cosine of the angle between a normal and the opposite one, turned round
-constexpr double steady = 1.4;          // a patch's thickness rises by no more than that: else it is a wedge
+constexpr double steady = 1.25;         // a patch's thickness rises by no more than that: else it is a wedge
 constexpr double thick_part = 0.1;      // of a patch that may be thicker than asked for
-constexpr double low_part = 0.2, high_part = 0.8; // quantiles of a patch's thickness
+constexpr double low_part = 0.1, high_part = 0.9; // quantiles of a patch's thickness
 
 template <int D>
 struct Sample {
@@ -192,6 +192,16 @@ Thickness<D> sheet_thickness(const PlacedShape<D>& solid, double cell, double mo
     const auto thickest = std::max_element(samples.begin(), samples.end(),
                                            [](const Sample<D>& a, const Sample<D>& b) { return a.thickness < b.thickness; });
     result = {thickest->thickness, thickest->middle};
+    if (result.value < most) { // a star's middle reaches its surface at inner corners only
+        constexpr int lattice = D == 2 ? 24 : 12;
+        for (int k = 0; k < static_cast<int>(std::pow(lattice, D) + 0.5); ++k) {
+            Vec<D> x = bounds.low;
+            for (int axis = 0, rest = k; axis < D; ++axis, rest /= lattice)
+                x[axis] += (rest % lattice + 0.5) / lattice * size[axis];
+            if (const double inside = -2 * shape.distance(x); inside > result.value)
+                result = {std::min(most, inside), solid.to_world(x)};
+        }
+    }
     const Patches<D> patches(samples, patch_radius * cell);
     for (const Sample<D>& sample : samples) {
         if (!sample.faces || sample.thickness >= result.value)

