@@ -11,19 +11,20 @@ namespace gapflow
 namespace
 {
 
-constexpr double patch_radius = 1.5;    // in cells
-constexpr double sample_spacing = 0.5;  // in cells, and ...
-constexpr double samples_across = 12;   // ... of a small body's size
-constexpr double facing = 0.866;        // cosine of the angle between a normal and the opposite one, turned round
-constexpr double steady = 1.25;         // a patch's thickness rises by no more than that: else it is a wedge
-constexpr double thick_part = 0.1;      // of a patch that may be thicker than asked for
+constexpr double patch_radius = 1.5;              // in cells
+constexpr double sample_spacing = 0.5;            // in cells, and ...
+constexpr double samples_across = 12;             // ... of a small body's size
+constexpr double facing = 0.866;                  // cosine of the angle between a normal and the opposite one, turned round
+constexpr double steady = 1.2;                    // a patch's thickness rises by no more than that: else it is a wedge
+constexpr double thick_part = 0.1;                // of a patch that may be thicker than asked for
 constexpr double low_part = 0.1, high_part = 0.9; // quantiles of a patch's thickness
 
 template <int D>
 struct Sample {
     Vec<D> x, middle;
-    double thickness; ///< most: not thinner
-    bool faces;       ///< an opposite surface
+    Vec<D> place() const { return faces ? middle : x; } ///< where patches count it: of a sheet both sides alike
+    double thickness;                                   ///< most: not thinner
+    bool faces;                                         ///< an opposite surface
 };
 
 /// Points spread over the solid's surface, no more than some in a box of this size.
@@ -76,8 +77,8 @@ std::vector<Vec<D>> points_on(const PlacedShape<D>& solid, double spacing)
     return points;
 }
 
-/// The largest ball inside the solid that touches its surface at x, by balls that shrink from the diameter `most` until nothing of the
-/// surface is within (Ma, Bae and Choi, Vis. Comput. 28, 2012).
+/// The largest ball inside the solid that touches its surface at x, by balls that shrink from the diameter `most` until nothing
+/// of the surface is within (Ma, Bae and Choi, Vis. Comput. 28, 2012).
 template <int D>
 Sample<D> inscribed(const PlacedShape<D>& solid, const Vec<D>& near, double most,
                     const std::function<double(const Vec<D>&, const Vec<D>&)>& beyond)
@@ -116,7 +117,7 @@ public:
     Patches(const std::vector<Sample<D>>& samples, double radius) : samples_(samples), radius_(radius)
     {
         for (std::size_t i = 0; i < samples.size(); ++i)
-            boxes_[box(samples[i].x)].push_back(static_cast<int>(i));
+            boxes_[box(samples[i].place())].push_back(static_cast<int>(i));
     }
 
     /// The thickness of the patch around a sample; `most` if it is none.
@@ -124,7 +125,7 @@ public:
     {
         int count = 0, thick = 0;
         std::vector<double> found;
-        const std::array<int, D> middle = box(centre.x);
+        const std::array<int, D> middle = box(centre.place());
         for (int k = 0; k < (D == 2 ? 9 : 27); ++k) {
             std::array<int, D> key = middle;
             for (int axis = 0, rest = k; axis < D; ++axis, rest /= 3)
@@ -134,12 +135,12 @@ public:
                 continue;
             for (int i : in_box->second) {
                 const Sample<D>& sample = samples_[i];
-                if ((sample.x - centre.x).norm() > radius_)
+                if ((sample.place() - centre.place()).norm() > radius_)
                     continue;
                 ++count;
                 if (sample.thickness >= most)
                     ++thick;
-                else if (sample.faces)
+                if (sample.faces || sample.thickness >= most)
                     found.push_back(sample.thickness);
             }
         }

@@ -15,11 +15,12 @@ struct Thickness {
     Vec<D> at;    ///< in the solid, half-way between the surfaces
 };
 
-/// The smallest thickness of a solid that holds over a patch three cells wide, or over all of it if that is smaller; `most` where
-/// it is no thinner. At a point of the surface it is the diameter of the largest ball inside that touches the surface there; it
-/// counts where the ball also touches a surface that faces the other way. Edges, corners, wedges that soon become thick, and what
-/// is smaller than the patch (ridges, short fins) do not count. Solids without bounds or inside out have no thickness: `most`.
-/// `beyond(x, n)`, if given: how far other solids continue this one from its surface point x along the normal n.
+/// The smallest thickness of a solid that holds over a patch three cells wide, or over all of it if that is smaller; `most`
+/// where it is no thinner. At a point of the surface it is the diameter of the largest ball inside that touches the surface
+/// there; it counts where the ball also touches a surface that faces the other way. Edges, corners, wedges that soon become
+/// thick, and what is smaller than the patch (ridges, short fins) do not count. Solids without bounds or inside out have no
+/// thickness: `most`. `beyond(x, n)`, if given: how far other solids continue this one from its surface point x along the
+/// normal n.
 template <int D>
 Thickness<D> sheet_thickness(const PlacedShape<D>& solid, double cell, double most,
                              const std::function<double(const Vec<D>&, const Vec<D>&)>& beyond = {});
