@@ -2,9 +2,10 @@
 #include "commands.hpp"
 
 #include "gapflow/core/communicator.hpp"
+#include "gapflow/core/logging.hpp"
 #include "gapflow/stepping/added_mass.hpp"
+#include "gapflow/stepping/gap_notes.hpp"
 
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -14,7 +15,10 @@ namespace gapflow {
 int added_mass_command(const Scene& scene, bool json)
 {
     const Communicator comm;
+    const Logger log(comm, false);
     const AddedMass result = added_mass(scene, comm);
+    for (const std::string& warning : result.warnings)
+        log.warning(warning);
     if (!comm.root())
         return 0;
     if (json) {
@@ -33,8 +37,10 @@ int added_mass_command(const Scene& scene, bool json)
         out["iterations"] = result.iterations;
         out["sealed"] = nlohmann::json::array();
         for (const SealedPocket& pocket : result.sealed)
-            out["sealed"].push_back({{"cells", pocket.cells}, {"bodies", pocket.bodies}, {"at", pocket.at}});
+            out["sealed"].push_back(
+                {{"cells", pocket.cells}, {"film_nodes", pocket.nodes}, {"bodies", pocket.bodies}, {"at", pocket.at}});
         out["blind_film_ends"] = result.blind_length;
+        out["warnings"] = result.warnings;
         out["seconds"] = result.seconds;
         std::puts(out.dump(2).c_str());
         return 0;
@@ -52,7 +58,7 @@ int added_mass_command(const Scene& scene, bool json)
         std::printf("\n");
     }
     for (const SealedPocket& pocket : result.sealed)
-        std::printf("sealed: %ld cells between %s\n", pocket.cells, fmt::format("{}", fmt::join(pocket.bodies, ", ")).c_str());
+        std::printf("sealed: %s\n", sealed_text(pocket).c_str());
     return 0;
 }
 

@@ -1,7 +1,10 @@
 #include "commands.hpp"
 
 #include "gapflow/core/text.hpp"
+#include "gapflow/stepping/gap_notes.hpp"
+#include "gapflow/stepping/memory_forecast.hpp"
 #include "gapflow/stepping/placement.hpp"
+#include "gapflow/stepping/thickness_check.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -26,10 +29,12 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     const Grid<D> grid = make_grid<D>(scene, comm);
     std::vector<RigidBody<D>> bodies = make_bodies<D>(scene);
     const DomainWalls<D> walls = make_walls<D>(scene);
-    std::vector<std::string> warnings = placement_warnings<D>(scene, bodies, walls);
+    std::vector<std::string> warnings = thickness_warnings<D>(scene, bodies, walls, Scene::Thin::allow);
+    for (std::string& warning : placement_warnings<D>(scene, bodies, walls))
+        warnings.push_back(std::move(warning));
     if (scene.end > 0)
-        for (const std::string& note : take_out_overlaps<D>(scene, grid, bodies, walls))
-            warnings.push_back(note);
+        for (std::string& note : take_out_overlaps<D>(scene, grid, bodies, walls))
+            warnings.push_back(std::move(note));
     const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
     const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
     const Coupling<D> coupling = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)},
@@ -52,24 +57,17 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     long unknowns = coupling.network.nodes;
     for (const Component& component : coupling.system.components)
         unknowns += component.unknowns;
+    std::printf("memory    about %.3g MiB\n", forecast_memory(scene, coupling.network.nodes) / 1048576.0);
     std::printf("unknowns  %ld pressures, %d of them in films\n", unknowns - coupling.network.nodes, coupling.network.nodes);
     for (const auto& [pair, sum] : pairs)
         std::printf("film      %s - %s: thinnest %.4g (%.4g cells), where thinner than %.4g cells, %zu nodes\n",
                     solids[pair.first].name.c_str(), solids[pair.second].name.c_str(), sum.thinnest,
                     sum.thinnest / grid.dx(), sum.threshold / grid.dx(), sum.nodes);
-    if (coupling.network.mouths.blind_length > 0)
-        std::printf("warning   a film ends where nothing continues it (a blind end)\n");
+    std::set<FilmPair<D>> told;
+    for (const std::string& note : blind_end_notes(coupling, told))
+        std::printf("warning   %s\n", note.c_str());
     for (const SealedPocket& pocket : coupling.sealed)
-        std::printf("sealed    %ld cells of fluid between %s\n", pocket.cells, joined(pocket.bodies, ", ").c_str());
-    for (const RigidBody<D>& body : bodies) {
-        const Bounds<D> bounds = body.shape->bounds();
-        if (!bounds.low.allFinite() || !bounds.high.allFinite())
-            continue;
-        const double thinnest = (bounds.high - bounds.low).minCoeff();
-        if (thinnest < 2 * grid.dx())
-            std::printf("warning   body %s is %.3g cells thin: pressure leaks through bodies of less than two; use a finer grid\n",
-                        body.name.c_str(), thinnest / grid.dx());
-    }
+        std::printf("sealed    %s\n", sealed_text(pocket).c_str());
 }
 
 } // namespace
@@ -85,7 +83,6 @@ int check_command(const Scene& scene)
     if (comm.root()) {
         std::printf("scene     %s%s%s\n", scene.file.c_str(), scene.title.empty() ? "" : ": ", scene.title.c_str());
         std::printf("cells     %s = %.0f, spacing %.6g\n", count_text(scene).c_str(), cells, scene.size[0] / scene.cells[0]);
-        std::printf("memory    about %.3g MiB\n", expected_memory(scene.dimension, cells) / 1048576.0);
         std::printf("bodies    %zu, of which %td move\n", scene.bodies.size(), moving);
         std::printf("gaps      model %s, threshold %s, roughness %s\n", scene.gap.film ? "film" : "none",
                     scene.gap.threshold ? (number_text(*scene.gap.threshold) + " cells").c_str() : "auto",
@@ -95,6 +92,7 @@ int check_command(const Scene& scene)
         print_gaps<2>(scene, comm);
     else
         print_gaps<3>(scene, comm);
+    require_thickness(scene); // told before all else, an error after it
     return 0;
 }
 

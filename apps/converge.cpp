@@ -7,6 +7,7 @@
 #include "gapflow/output/convergence.hpp"
 #include "gapflow/output/file.hpp"
 #include "gapflow/stepping/setup.hpp"
+#include "gapflow/stepping/thickness_check.hpp"
 
 #include <fmt/core.h>
 
@@ -271,6 +272,7 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
                                {"time.max_step", fmt::format("{:.17g}", scene.max_step * ratio)},
                                {"time.gap_cfl", fmt::format("{:.17g}", scene.gap_cfl * ratio)}}));
         require_memory(scenes.back(), comm);
+        require_thickness(scenes.back());
         scenes.back().output_directory = scene.output_directory + "/cells_" + std::to_string(n);
     }
     std::vector<Run> runs;

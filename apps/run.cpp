@@ -8,6 +8,7 @@
 #include "gapflow/output/progress.hpp"
 #include "gapflow/output/run_files.hpp"
 #include "gapflow/output/schedule.hpp"
+#include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
 #include <fmt/core.h>
@@ -23,6 +24,7 @@ namespace gapflow {
 namespace {
 
 constexpr std::size_t most_bodies_told = 5; // in the summary
+constexpr std::size_t most_pockets_told = 3;
 
 volatile std::sig_atomic_t stop_signal = 0;
 
@@ -92,8 +94,6 @@ int run(const Scene& scene, const RunOptions& options)
 {
     const Communicator comm;
     Logger log(comm, options.quiet);
-    for (const std::string& warning : scene.warnings)
-        log.warn_once(warning);
     std::optional<Checkpoint> from;
     if (!options.resume.empty()) {
         from = read_checkpoint(options.resume, comm);
@@ -105,8 +105,11 @@ int run(const Scene& scene, const RunOptions& options)
     from.reset();
     log.info(fmt::format("{}: {} cells, {} film nodes, {} rank(s) of {} thread(s)", scene.title.empty() ? scene.file : scene.title,
                          simulation.initial_report().cells, simulation.initial_report().film_nodes, comm.size(), thread_count()));
-    if (const auto& sealed = simulation.coupling().sealed; !sealed.empty())
-        log.info(fmt::format("{} pocket(s) of fluid are sealed in", sealed.size()));
+    const auto& sealed = simulation.coupling().sealed;
+    for (std::size_t i = 0; i < std::min(sealed.size(), most_pockets_told); ++i)
+        log.info("sealed in: " + sealed_text(sealed[i]));
+    if (sealed.size() > most_pockets_told)
+        log.info(fmt::format("and {} more pockets of fluid are sealed in", sealed.size() - most_pockets_told));
     for (const std::string& note : simulation.initial_report().notes)
         log.warn_once(note);
     if (!options.resume.empty())

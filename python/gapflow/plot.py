@@ -8,7 +8,7 @@ matplotlib and VTK are imported when they are used; the package needs neither (D
 """
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
@@ -24,9 +24,11 @@ Quantity = Literal["pressure", "speed"]
 
 def state(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes | None = None, normal: int = 1,
           position: float | None = None) -> Axes:
-    """The field with a colour bar; in 2D with bodies and films on it. Returns the matplotlib axes."""
+    """The field with a colour bar; in 2D with bodies and films on it. Returns the matplotlib axes. Raises ValueError for a
+    quantity other than "pressure" and "speed"."""
     import matplotlib.pyplot as plt
 
+    _demand_quantity(quantity)
     if axes is None:
         axes = plt.subplots(constrained_layout=True)[1]
     image = field(sim, quantity, axes=axes, normal=normal, position=position)
@@ -41,7 +43,9 @@ def state(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes | None
 def field(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes, normal: int = 1, position: float | None = None,
           **options: Any) -> AxesImage:
     """The field in cells that hold fluid of the grid. 3D: on the plane across axis `normal` at `position` (default: the
-    middle). `options` go to imshow; colours span 99 % of the values, symmetric about 0 for pressures of both signs."""
+    middle). `options` go to imshow; colours span 99 % of the values, symmetric about 0 for pressures of both signs. Raises
+    ValueError as `state`."""
+    _demand_quantity(quantity)
     values = sim.pressure if quantity == "pressure" else np.linalg.norm(sim.velocity, axis=-1)
     values = np.where(np.isin(sim.kind, (1, 3)), values, np.nan)
     shown = [axis for axis in range(sim.dimension) if sim.dimension == 2 or axis != normal]
@@ -107,6 +111,11 @@ def to_vtk(sim: Simulation) -> dict[str, Any]:
     for name, body in sim.bodies.items():
         out[f"body {name}"] = _poly_data(*body.surface())
     return out
+
+
+def _demand_quantity(quantity: str) -> None:
+    if quantity not in get_args(Quantity):
+        raise ValueError(f"cannot draw {quantity!r}; the quantities are: {', '.join(map(repr, get_args(Quantity)))}")
 
 
 def _demand_2d(sim: Simulation) -> None:

@@ -62,10 +62,12 @@ class Fluid:
 
 @dataclass(kw_only=True, slots=True)
 class GridOptions:
-    """[grid]: fractions ("cut-cell" or "voxel"), advection ("maccormack" or "semi-lagrangian")."""
+    """[grid]: fractions ("cut-cell" or "voxel"), advection ("maccormack" or "semi-lagrangian"), thin ("refuse" or "allow": bodies
+    thinner than a cell)."""
 
     fractions: Literal["cut-cell", "voxel"] | None = None
     advection: Literal["maccormack", "semi-lagrangian"] | None = None
+    thin: Literal["refuse", "allow"] | None = None
 
 
 @dataclass(kw_only=True, slots=True)

@@ -27,7 +27,7 @@ Floats = NDArray[np.float64]
 
 
 class SceneWarning(UserWarning):
-    """Something in a scene that was read but not followed."""
+    """Something in a scene that was read but not followed, or that makes its results doubtful."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ class StepReport:
     seconds: float
     """Wall clock."""
     notes: list[str]
-    """For the user: contacts that do not settle, blind film ends."""
+    """For the user: thin bodies, contacts that do not settle, films that nothing continues; once each."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,7 +284,8 @@ class Simulation:
     output: a folder for the files of a run, the same that `gapflow run` writes; True: the scene's own output.directory;
     None: no files. Files are complete after each step; `close()` or the end of a `with` block writes how the run ended.
 
-    Raises InputError (a ValueError) for a bad scene and ComputationError (a RuntimeError) if the start cannot be computed.
+    Raises InputError (a ValueError) for a bad scene, also for a body thinner than a cell (grid.thin), and ComputationError (a
+    RuntimeError) if the start cannot be computed. What it is told of at the start comes as SceneWarning.
     Calls that compute let other Python threads run, but only one computes at a time; to another thread the simulation is then
     busy (RuntimeError). After a ComputationError the simulation has no state to read any more.
     """
@@ -294,6 +295,8 @@ class Simulation:
         self._scene = _read(scene, set, "run")
         folder = "" if output is None or output is False else self._scene.output_directory if output is True else os.fspath(output)
         self._session = _core.Session(self._scene, folder)
+        for note in self._session.report()["notes"]:
+            warnings.warn(note, SceneWarning, stacklevel=2)
         self._cache: dict[str, Any] = {}
         states = [BodyState(self, i, name, motion) for i, (name, motion) in enumerate(self._scene.bodies)]
         self.bodies: Bodies = Bodies({body.name: body for body in states})
@@ -456,8 +459,11 @@ class SealedPocket:
     """Fluid that nothing lets out."""
 
     cells: int
+    """Of the grid."""
+    film_nodes: int
+    """Of films."""
     bodies: list[str]
-    """That bound it."""
+    """That bound it; walls too where films hold all of it."""
     at: list[float]
     """A point of it."""
 
@@ -476,6 +482,8 @@ class AddedMass:
     iterations: list[int]
     """One a column."""
     sealed: list[SealedPocket]
+    warnings: list[str]
+    """For the user, also shown as SceneWarning: thin bodies, films that nothing continues."""
     seconds: float
 
     def __getitem__(self, labels: tuple[str, str]) -> float:
@@ -487,9 +495,11 @@ class AddedMass:
 def added_mass(scene: SceneLike, *, set: Mapping[str, Any] | None = None) -> AddedMass:
     """The added-mass matrix at the scene's poses, as `gapflow added-mass`. Needs no [time]. Collective.
 
-    Raises InputError, and ComputationError if a solve does not converge.
+    Raises InputError, also for a body thinner than a cell (grid.thin), and ComputationError if a solve does not converge.
     """
     result = _core.added_mass(_read(scene, set, "added_mass"))
+    for warning in result["warnings"]:
+        warnings.warn(warning, SceneWarning, stacklevel=2)
     sealed = [SealedPocket(**pocket) for pocket in result.pop("sealed")]
     return AddedMass(**{key: _frozen(value) for key, value in result.items()}, sealed=sealed)
 

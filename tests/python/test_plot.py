@@ -31,6 +31,15 @@ def test_a_picture_in_2d_has_field_bodies_and_films(axes):
     assert len(films.get_segments()) == len(sim.films.elements)
 
 
+def test_a_quantity_that_there_is_not_is_refused(axes):
+    sim = gapflow.Simulation(plates_scene())
+    plot.state(sim, "speed", axes=axes)
+    assert axes.get_title().startswith("speed")
+    for draw in (plot.state, plot.field):
+        with pytest.raises(ValueError, match="'vorticity'.*'pressure', 'speed'"):
+            draw(sim, "vorticity", axes=axes)
+
+
 def test_a_picture_in_3d_is_a_slice(axes):
     sim = gapflow.Simulation(ball_scene(3, 16))
     sim.step()

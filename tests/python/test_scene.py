@@ -25,7 +25,7 @@ def test_every_part_of_a_scene_reaches_the_reader(tmp_path):
         domain=gapflow.Domain(size=[8, 8], cells=[32, 32], origin=[-1, 0],
                               sides=gapflow.Sides(x_low={"inflow": "inflow.csv"}, x_high="open", y_low={"wall": [1, 0]})),
         fluid=gapflow.Fluid(density=3, reference_pressure=2, vapour_pressure="none", velocity=[0.5, 0], initial="potential"),
-        grid=gapflow.GridOptions(fractions="voxel", advection="semi-lagrangian"),
+        grid=gapflow.GridOptions(fractions="voxel", advection="semi-lagrangian", thin="allow"),
         gap=gapflow.Gap(threshold=0.4, entrance_loss=0.5, exit="jet"), contact=gapflow.Contact(restitution=0.1, friction=0.2),
         pairs=[gapflow.Pair(bodies=("c", "wall:y_low"), thickness=0.01)],
         bodies=[gapflow.Ball(name="b", radius=0.3, position=[1, 1], motion="prescribed", motion_file="motion.csv"),
@@ -38,7 +38,7 @@ def test_every_part_of_a_scene_reaches_the_reader(tmp_path):
         output=gapflow.Output(directory="there", every=0.1, fields=["pressure"]))
     resolved = gapflow.check(gapflow.Toml(scene.to_toml(), folder=tmp_path))
     assert resolved["domain"]["origin"] == [-1, 0] and resolved["fluid"]["density"] == 3
-    assert resolved["grid"] == {"fractions": "voxel", "advection": "semi-lagrangian"}
+    assert resolved["grid"] == {"fractions": "voxel", "advection": "semi-lagrangian", "thin": "allow"}
     assert resolved["solver"] == {"tolerance": 1e-6, "backend": "petsc"}
     assert [body["shape"] for body in resolved["body"]] == ["ball", "capsule", "box", "half-space", "mesh"]
     assert resolved["output"]["every"] == 0.1 and resolved["time"]["cfl"] == 0.5 and resolved["gap"]["exit"] == "jet"

@@ -187,14 +187,21 @@ void list_sealed(Coupling<D>& coupling)
     });
     grid.comm().sum(facts);
     std::vector<Vec<D>> node_at(sealed.size(), Vec<D>::Zero()); // a film node of it, for films without a way out
+    std::vector<long> nodes(sealed.size(), 0);
     for (const Film<D>& film : coupling.network.films)
         for (std::size_t node = 0; node < film.mesh.mid.size(); ++node)
-            if (const int i = place[system.node_component[film.first_node + static_cast<int>(node)]]; i >= 0)
+            if (const int i = place[system.node_component[film.first_node + static_cast<int>(node)]]; i >= 0) {
                 node_at[i] = film.mesh.mid[node];
+                ++nodes[i];
+                if (facts[i * row + solids] == 0)
+                    for (const int solid : {film.mesh.master, film.mesh.other})
+                        facts[i * row + solid] = 1;
+            }
     for (std::size_t i = 0; i < sealed.size(); ++i) {
         SealedPocket pocket;
         const double* fact = &facts[i * row + solids];
         pocket.cells = std::lround(fact[0]);
+        pocket.nodes = nodes[i];
         for (int s = 0; s < solids; ++s)
             if (facts[i * row + s] > 0)
                 pocket.bodies.push_back(coupling.solids[s].name);

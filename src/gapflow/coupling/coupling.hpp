@@ -57,8 +57,9 @@ struct DragInertia {
 
 /// Fluid that nothing lets out.
 struct SealedPocket {
-    long cells = 0;
-    std::vector<std::string> bodies; ///< that bound it
+    long cells = 0;                  ///< of the grid
+    long nodes = 0;                  ///< of films
+    std::vector<std::string> bodies; ///< that bound it; of a pocket of films alone also walls
     std::vector<double> at;          ///< a point of it
 };
 

@@ -123,8 +123,12 @@ public:
                 result.conduits.push_back(std::move(*end.conduit));
             else if (end.closed)
                 result.closed_length += points_[i].length;
-            else if (end.joints.empty())
+            else if (end.joints.empty()) {
                 result.blind_length += points_[i].length;
+                if (result.blind.empty() || result.blind.back().film != points_[i].film)
+                    result.blind.push_back({points_[i].film, points_[i].x, 0.0});
+                result.blind.back().length += points_[i].length;
+            }
             result.joints.insert(result.joints.end(), end.joints.begin(), end.joints.end());
         }
         return result;

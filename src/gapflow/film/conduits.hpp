@@ -39,12 +39,21 @@ struct Joint {
     double conductance; ///< at fluid density 1
 };
 
+/// Where a film's rim found nothing to join.
+template <int D>
+struct BlindEnd {
+    int film;
+    Vec<D> x;      ///< a place of it
+    double length; ///< of rim (2D: number of ends)
+};
+
 template <int D>
 struct Mouths {
     std::vector<Conduit<D>> conduits;
     std::vector<Joint<D>> joints;
     double closed_length = 0; ///< of rim that ends against a wall or a third body (2D: number of ends)
     double blind_length = 0;  ///< of rim that found nothing to join
+    std::vector<BlindEnd<D>> blind; ///< one a film that has some
 };
 
 /// Resistance R of a mouth of thickness h.

@@ -356,6 +356,18 @@ std::string title_of(const StoredRun& run)
     return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
 }
 
+/// What the run was told of, as a list; nothing where there was nothing.
+std::string warnings_html(const Json& record)
+{
+    std::string items;
+    if (const auto warnings = record.find("warnings"); warnings != record.end() && warnings->is_array())
+        for (const Json& warning : *warnings)
+            if (warning.is_string())
+                items += "<li>" + escaped(warning.get<std::string>()) + "</li>";
+    return items.empty() ? "" : "<section aria-labelledby=\"warnings-title\"><h2 id=\"warnings-title\">Warnings</h2><ul id=\"warnings\" class=\"card\">" +
+                                    items + "</ul></section>";
+}
+
 } // namespace
 
 PageSummary write_report_page(const StoredRun& run, const std::filesystem::path& page, const PageLimits& limits,
@@ -388,6 +400,7 @@ PageSummary write_report_page(const StoredRun& run, const std::filesystem::path&
     const std::string content =
         filled(assets::page_html(),
                {{"title", escaped(title_of(run))},
+                {"warnings", warnings_html(*run.record)},
                 {"style", code_for_page(assets::page_style())},
                 {"data", json_for_script(json)},
                 {"numbers", base64(packed)},

@@ -157,6 +157,18 @@ RunFiles<D>::RunFiles(const std::filesystem::path& folder, const Simulation<D>& 
     record_.version = version;
     record_.scene = scene_as_json(simulation.scene());
     record_.machine = describe_machine(comm);
+    record_.warnings = simulation.scene().warnings;
+    if (from)
+        keep_notes(warnings_of_record(folder_ / "run.json"));
+    keep_notes(simulation.initial_report().notes);
+}
+
+template <int D>
+void RunFiles<D>::keep_notes(const std::vector<std::string>& notes)
+{
+    for (const std::string& note : notes)
+        if (std::find(record_.warnings.begin(), record_.warnings.end(), note) == record_.warnings.end())
+            record_.warnings.push_back(note);
 }
 
 template <int D>
@@ -180,6 +192,7 @@ void RunFiles<D>::open_tables(const RunPosition* from)
 template <int D>
 void RunFiles<D>::write_step(const Simulation<D>& simulation, const StepReport& report)
 {
+    keep_notes(report.notes);
     const std::vector<GapState> gaps = simulation.gaps();
     on_root(simulation.grid().comm(), [&] {
         for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {

@@ -21,7 +21,7 @@ public:
     RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version,
              const RunPosition* from = nullptr);
 
-    /// A row in every table. Collective.
+    /// A row in every table; the report's notes, once each, among the record's warnings. Collective.
     void write_step(const Simulation<D>& simulation, const StepReport& report);
     /// Fields, bodies and films of this moment, and run.json so far. Collective.
     void write_fields(const Simulation<D>& simulation);
@@ -32,6 +32,7 @@ public:
 
 private:
     void open_tables(const RunPosition* from);
+    void keep_notes(const std::vector<std::string>& notes);
     void write_record(const Simulation<D>& simulation);
 
     std::filesystem::path folder_;

@@ -47,6 +47,7 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
     json["status"] = record.status;
     if (!record.message.empty())
         json["message"] = record.message;
+    json["warnings"] = record.warnings;
     json["time"] = record.time;
     json["steps"] = record.steps;
     json["machine"] = {{"cpu", record.machine.cpu},
@@ -61,6 +62,20 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
     json["scene"] = record.scene;
     // Text that is not UTF-8 (a file name in the scene) must not cost the record.
     write_atomically(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+std::vector<std::string> warnings_of_record(const std::filesystem::path& path)
+{
+    std::ifstream in(path);
+    const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
+    const auto warnings = json.is_object() ? json.find("warnings") : json.end();
+    if (!json.is_object() || warnings == json.end() || !warnings->is_array())
+        return {};
+    std::vector<std::string> texts;
+    for (const nlohmann::json& warning : *warnings)
+        if (warning.is_string())
+            texts.push_back(warning.get<std::string>());
+    return texts;
 }
 
 } // namespace gapflow

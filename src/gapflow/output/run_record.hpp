@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace gapflow {
 
@@ -32,6 +33,7 @@ struct RunRecord {
     std::string scene;              ///< the resolved scene, as text
     std::string status = "running"; ///< then "done", "failed" or "interrupted"
     std::string message;            ///< reason, if failed
+    std::vector<std::string> warnings; ///< what the user was told, once each
     Machine machine;
     double time = 0;                ///< reached, in the scene's unit
     long steps = 0;
@@ -42,5 +44,8 @@ struct RunRecord {
 
 /// Writes the record, replacing an earlier one in one go. Throws ComputationError. Not collective: call it on the root.
 void write_run_record(const std::filesystem::path& path, const RunRecord& record);
+
+/// The warnings of a record that an earlier part of the run left; none if it cannot be read.
+std::vector<std::string> warnings_of_record(const std::filesystem::path& path);
 
 } // namespace gapflow

@@ -115,6 +115,8 @@ std::vector<KeyInfo> scene_keys()
                {"grid.fractions", T::choice, "", "\"cut-cell\"", any, {"cut-cell", "voxel"}, "how bodies cut the grid's faces"},
                {"grid.advection", T::choice, "", "\"maccormack\"", any, {"maccormack", "semi-lagrangian"},
                 "second or first order"},
+               {"grid.thin", T::choice, "", "\"refuse\"", any, {"refuse", "allow"},
+                "bodies thinner than a cell, which the fluid does not see, are an error, or only warned of"},
            });
     append(keys, gap_keys());
     append(keys, contact_keys());

@@ -30,6 +30,7 @@ void read_fluid(const Values& v, Scene& scene)
     scene.initial = v.choice<Scene::Initial>("fluid.initial");
     scene.fractions = v.choice<Scene::Fractions>("grid.fractions");
     scene.advection = v.choice<Scene::Advection>("grid.advection");
+    scene.thin = v.choice<Scene::Thin>("grid.thin");
 }
 
 /// Refuses a time that the run consists of too many of to ever end.

@@ -47,8 +47,8 @@ std::string roughness_text(const Scene& scene)
 
 double expected_memory(int dimension, double cells)
 {
-    constexpr double process = 46e6;
-    return dimension == 2 ? process + 226 * cells : process + 288 * cells + 12.4e3 * std::cbrt(cells * cells);
+    constexpr double process = 45e6;
+    return dimension == 2 ? process + 325 * cells : process + 376 * cells + 14.1e3 * std::cbrt(cells * cells);
 }
 
 } // namespace gapflow

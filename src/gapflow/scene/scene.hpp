@@ -100,6 +100,7 @@ struct BodyScene {
 struct Scene {
     enum class Fractions { cut_cell, voxel };
     enum class Advection { maccormack, semi_lagrangian };
+    enum class Thin { refuse, allow };
     enum class Initial { rest, potential };
     enum class Backend { multigrid, petsc };
 
@@ -122,6 +123,7 @@ struct Scene {
 
     Fractions fractions = Fractions::cut_cell;
     Advection advection = Advection::maccormack;
+    Thin thin = Thin::refuse;      ///< bodies thinner than a cell
 
     GapScene gap;
     ContactScene contact;

@@ -141,7 +141,8 @@ std::string scene_as_json(const Scene& scene)
                      {"velocity", list.vector(scene.fluid_velocity)},
                      {"initial", word({"rest", "potential"}, scene.initial)}};
     json["grid"] = {{"fractions", word({"cut-cell", "voxel"}, scene.fractions)},
-                    {"advection", word({"maccormack", "semi-lagrangian"}, scene.advection)}};
+                    {"advection", word({"maccormack", "semi-lagrangian"}, scene.advection)},
+                    {"thin", word({"refuse", "allow"}, scene.thin)}};
     json["gap"] = gap_json(scene.gap);
     json["contact"] = contact_json(scene.contact);
     json["pair"] = Json::array();

@@ -2,7 +2,9 @@
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/solver/solver.hpp"
+#include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/setup.hpp"
+#include "gapflow/stepping/thickness_check.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -29,6 +31,7 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
     const auto gaps = gap_settings<D>(scene, solids, false);
 
     AddedMass result;
+    result.warnings = thickness_warnings<D>(scene, bodies, walls, scene.thin);
     std::vector<int> moving;
     for (std::size_t s = 0; s < bodies.size(); ++s)
         if (solids[s].motion != Motion::fixed)
@@ -98,6 +101,9 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
     result.cells = grid.cells().template cast<long>().prod();
     result.film_nodes = coupling.network.nodes;
     result.sealed = coupling.sealed;
+    std::set<FilmPair<D>> told;
+    for (std::string& note : blind_end_notes(coupling, told))
+        result.warnings.push_back(std::move(note));
     result.blind_length = coupling.network.mouths.blind_length;
     result.closure = closure_defect(coupling);
     result.seconds = now() - start;

@@ -26,10 +26,11 @@ struct AddedMass {
     std::vector<SealedPocket> sealed;
     double blind_length = 0;          ///< of film rim that found nothing to join
     double closure = 0;               ///< largest |sum K| over bodies wholly inside, over dx^(D-1)
+    std::vector<std::string> warnings; ///< for the user: bodies too thin for the grid, blind film ends
     double seconds = 0;
 };
 
-/// Collective. Throws ComputationError if a solve does not converge.
+/// Collective. Throws InputError if a body is too thin (thickness_check), ComputationError if a solve does not converge.
 AddedMass added_mass(const Scene& scene, const Communicator& comm);
 
 } // namespace gapflow

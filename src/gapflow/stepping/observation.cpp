@@ -4,6 +4,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/stepping/gap_notes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -192,7 +193,7 @@ Budget<D> Simulation<D>::budget() const
 }
 
 template <int D>
-void Simulation<D>::finish_report(StepReport& report, double dt) const
+void Simulation<D>::finish_report(StepReport& report, double dt)
 {
     report.step = steps_;
     report.time = time_;
@@ -239,8 +240,8 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
         return largest;
     }));
     report.divergence_max = grid_.comm().max(worst) / std::pow(grid_.dx(), D);
-    if (coupling_->network.mouths.blind_length > 0)
-        report.notes.push_back("a film ends where nothing continues it (a blind end); the flow there may be too stiff");
+    for (std::string& note : blind_end_notes(*coupling_, blind_told_))
+        report.notes.push_back(std::move(note));
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
@@ -248,7 +249,7 @@ void Simulation<D>::finish_report(StepReport& report, double dt) const
     template double Simulation<D>::hydrostatic(const Vec<D>&) const;                                                           \
     template std::vector<GapState> Simulation<D>::gaps() const;                                                                \
     template Budget<D> Simulation<D>::budget() const;                                                                          \
-    template void Simulation<D>::finish_report(StepReport&, double) const;
+    template void Simulation<D>::finish_report(StepReport&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

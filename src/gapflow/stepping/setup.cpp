@@ -1,6 +1,7 @@
 #include "gapflow/stepping/setup.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/stepping/memory_forecast.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ void require_memory(const Scene& scene, const Communicator& comm, double availab
     double cells = 1;
     for (int axis = 0; axis < scene.dimension; ++axis)
         cells *= scene.cells[axis];
-    const double needed = expected_memory(scene.dimension, cells);
+    const double needed = forecast_memory(scene, 0);
     const double here = needed * ranks_on_this_machine(comm) / comm.size();
     if (!comm.any(here > available))
         return;

@@ -12,6 +12,7 @@
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/start_flow.hpp"
+#include "gapflow/stepping/thickness_check.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -64,6 +65,7 @@ template <int D>
 Simulation<D>::Simulation(Unprepared, const Scene& scene, const Communicator& comm)
     : scene_(scene), grid_(make_grid<D>(scene, comm)), bodies_(make_bodies<D>(scene)), walls_(make_walls<D>(scene))
 {
+    initial_report_.notes = thickness_warnings<D>(scene_, bodies_, walls_, scene_.thin);
     const std::vector<Solid<D>> solids = make_solids<D>(bodies_, walls_);
     gaps_ = gap_settings<D>(scene_, solids, true);
     mouth_laws_ = mouth_laws<D>(scene_, solids);
@@ -85,9 +87,10 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
 {
     // The flow at rest that the bodies' velocities drive: one projection of the initial velocity, bodies held to theirs.
     const double start = now();
-    initial_report_.notes = placement_warnings<D>(scene_, bodies_, walls_);
-    for (const std::string& note : take_out_overlaps<D>(scene_, grid_, bodies_, walls_))
-        initial_report_.notes.push_back(note);
+    for (std::string& warning : placement_warnings<D>(scene_, bodies_, walls_))
+        initial_report_.notes.push_back(std::move(warning));
+    for (std::string& note : take_out_overlaps<D>(scene_, grid_, bodies_, walls_))
+        initial_report_.notes.push_back(std::move(note));
     holding_ = true;
     rebuild();
     if (!any_fluid(*coupling_, gaps_))

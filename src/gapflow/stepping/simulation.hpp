@@ -35,7 +35,7 @@ struct StepReport {
     double energy_fluid = 0, energy_bodies = 0; ///< as in Budget
     double dissipation_grid = 0, dissipation_film = 0; ///< power that viscosity takes, in the bulk and in films
     double seconds = 0;
-    std::vector<std::string> notes; ///< for the user, once each: contacts that do not settle, blind film ends
+    std::vector<std::string> notes; ///< for the user, once each: thin bodies, contacts that do not settle, blind film ends
 };
 
 /// State of one pair of solids with a film.
@@ -146,7 +146,7 @@ private:
     double normal_surplus(const FaceField<D>& u, int axis, const Index<D>& f, const std::vector<Twist<D>>& V,
                           std::vector<int>& near) const;
     void follow_solids(FaceField<D>& u, const FaceField<D, std::int8_t>& valid) const;
-    void finish_report(StepReport& report, double dt) const;
+    void finish_report(StepReport& report, double dt);
     std::vector<Twist<D>> twists() const;
     std::vector<TwistMatrix<D>> masses() const;
     void check_sealing(const FluidVelocity<D>& u, const std::vector<Twist<D>>& V, GivesWay gives_way) const;
@@ -196,6 +196,7 @@ private:
     FilmMemories<D> memories_;
     std::set<FilmPair<D>> turning_;         ///< pairs whose films turn in this step, or turned in the last one
     std::set<FilmPair<D>> alive_;           ///< pairs with films before the coupling was built
+    std::set<FilmPair<D>> blind_told_;      ///< pairs whose films' blind ends were told of
     std::vector<Twist<D>> acceleration_;    ///< of all solids, over the last step, as far as it goes on
     std::vector<Twist<D>> wrenches_;
     StepReport initial_report_;

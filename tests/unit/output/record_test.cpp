@@ -75,6 +75,7 @@ TEST(RunRecord, HoldsWhatWasGiven)
     record.version = "0.1.0";
     record.scene = "title = \"two plates\"\n";
     record.status = "done";
+    record.warnings = {"one", "two"};
     record.machine = describe_machine(comm);
     record.stages = timers.stages();
     record.memory = peak_memory(comm);
@@ -88,6 +89,8 @@ TEST(RunRecord, HoldsWhatWasGiven)
     EXPECT_GT(json["machine"]["cores"], 0);
     EXPECT_FALSE(json["machine"]["cpu"].get<std::string>().empty());
     EXPECT_GT(json["peak_memory_bytes"]["sum"], 1e6);
+    EXPECT_EQ(warnings_of_record(folder / "run.json"), record.warnings);
+    EXPECT_TRUE(warnings_of_record(folder / "none.json").empty());
 }
 
 TEST(StageTimers, MeasuresAScope)

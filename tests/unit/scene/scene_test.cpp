@@ -41,6 +41,7 @@ initial = "potential"
 [grid]
 fractions = "voxel"
 advection = "semi-lagrangian"
+thin = "allow"
 [gap]
 model = "film"
 threshold = 1.5
@@ -208,6 +209,7 @@ TEST(Scene, DomainFluidGrid)
     EXPECT_EQ(s.initial, Scene::Initial::potential);
     EXPECT_EQ(s.fractions, Scene::Fractions::voxel);
     EXPECT_EQ(s.advection, Scene::Advection::semi_lagrangian);
+    EXPECT_EQ(s.thin, Scene::Thin::allow);
     EXPECT_EQ(s.tolerance, 1e-10);
     EXPECT_EQ(s.backend, Scene::Backend::petsc);
     EXPECT_EQ(s.end, 1);

@@ -26,10 +26,10 @@ TEST(Memory, IsRefusedWithTheNumberThatItWouldTake)
     const Communicator comm;
     EXPECT_NO_THROW(require_memory(scene_of(100), comm, 100 * mebibyte));
     try {
-        require_memory(scene_of(2000), comm, 100 * mebibyte); // 80 MB and 4e6 cells of 285 bytes
+        require_memory(scene_of(2000), comm, 100 * mebibyte); // 45 MB and 4e6 cells of 325 bytes
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), testing::StartsWith("scene.toml: domain.cells: 4e+06 cells need about 0.885 GiB of memory"));
+        EXPECT_THAT(error.what(), testing::StartsWith("scene.toml: domain.cells: 4e+06 cells need about 1.25 GiB of memory"));
         EXPECT_THAT(error.what(), testing::HasSubstr("on a machine that has 0.0977 GiB; use fewer cells"));
     }
     EXPECT_GT(machine_memory(), 100 * mebibyte);

@@ -1,0 +1,28 @@
+// What the user should know of films and of fluid that is sealed in.
+#pragma once
+
+#include "gapflow/coupling/coupling.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+/// "(0.5, 1.25)"
+std::string place_text(const std::vector<double>& x);
+template <int D>
+std::string place_text(const Vec<D>& x)
+{
+    return place_text(std::vector<double>(x.data(), x.data() + D));
+}
+
+/// What is sealed in, where and between what, and what that means.
+std::string sealed_text(const SealedPocket& pocket);
+
+/// Pairs whose films end where nothing continues them, with a place and a remedy, one text a pair. Pairs in `told` are left out, the
+/// others added to it.
+template <int D>
+std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<FilmPair<D>>& told);
+
+} // namespace gapflow

@@ -1,0 +1,12 @@
+// How much memory a run will take.
+#pragma once
+
+#include "gapflow/scene/scene.hpp"
+
+namespace gapflow {
+
+/// Bytes that a run of the scene takes at its most on one rank: the grid's (expected_memory), what viscosity adds, and that of films
+/// with so many nodes and their factor. Measured (docs/performance.md).
+double forecast_memory(const Scene& scene, long film_nodes);
+
+} // namespace gapflow

@@ -1,0 +1,129 @@
+#include "gapflow/stepping/thickness_check.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
+#include "gapflow/geometry/thickness.hpp"
+#include "gapflow/stepping/gap_notes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gapflow
+{
+
+namespace
+{
+
+constexpr double least_cells = 1, enough_cells = 2;
+constexpr double touching = 1e-3; // in cells: closer surfaces are flush
+constexpr std::size_t most_told = 3;
+
+template <int D>
+bool near(const Bounds<D>& a, const Bounds<D>& b, double margin)
+{
+    if (!b.low.allFinite() || !b.high.allFinite())
+        return true;
+    return ((a.low.array() <= b.high.array() + margin) && (b.low.array() <= a.high.array() + margin)).all();
+}
+
+/// How far solids go on beyond the surface point x along the unit vector n.
+template <int D>
+double goes_on(const std::vector<const Solid<D>*>& solids, const Vec<D>& x, const Vec<D>& n, double cell, double most)
+{
+    double way = 0;
+    while (way < most) {
+        double depth = -1;
+        for (const Solid<D>* solid : solids)
+            depth = std::max(depth, -solid->shape.distance(x + (way + touching * cell) * n));
+        if (depth < 0)
+            break;
+        way += std::max(depth, 0.05 * cell);
+    }
+    return way;
+}
+
+template <int D>
+std::string text_of(const ThinBody<D>& body)
+{
+    char number[32];
+    std::snprintf(number, sizeof number, "%.3g", body.cells);
+    return "body '" + body.name + "' is " + number + " cells thin at " + place_text<D>(body.at);
+}
+
+/// The grid on which the body is two cells thick.
+std::string finer_grid(const Scene& scene, double cells)
+{
+    const double factor = std::ceil(enough_cells / cells);
+    std::vector<std::string> counts;
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        counts.push_back(number_text(factor * scene.cells[axis]));
+    return "domain.cells = [" + joined(counts) + "]";
+}
+
+} // namespace
+
+template <int D>
+std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls)
+{
+    const double cell = scene.size[0] / scene.cells[0], most = enough_cells * cell;
+    const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
+    std::vector<ThinBody<D>> thin;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        std::vector<const Solid<D>*> beside; // one body with it
+        const auto beyond = [&](const Vec<D>& x, const Vec<D>& n) { return goes_on(beside, x, n, cell, most); };
+        const PlacedShape<D>& shape = solids[b].shape;
+        Thickness<D> found = sheet_thickness<D>(shape, cell, most);
+        if (found.value < (1 - 1e-6) * most && bodies[b].motion == Motion::fixed) {
+            for (std::size_t s = 0; s < solids.size(); ++s)
+                if (s != b && solids[s].motion == Motion::fixed &&
+                    (solids[s].shape.shape().inside_out() || near(world_bounds(shape), world_bounds(solids[s].shape), most)))
+                    beside.push_back(&solids[s]);
+            if (!beside.empty())
+                found = sheet_thickness<D>(shape, cell, most, beyond);
+        }
+        if (found.value < (1 - 1e-6) * most)
+            thin.push_back({bodies[b].name, found.value / cell, found.at});
+    }
+    std::stable_sort(thin.begin(), thin.end(), [](const ThinBody<D>& a, const ThinBody<D>& b) { return a.cells < b.cells; });
+    return thin;
+}
+
+template <int D>
+std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls,
+                                            Scene::Thin thin)
+{
+    std::vector<std::string> warnings;
+    for (const ThinBody<D>& body : thin_bodies<D>(scene, bodies, walls)) {
+        const std::string remedy = "use " + finer_grid(scene, body.cells) + " or more, or a thicker body";
+        const bool unseen = body.cells < least_cells - 1e-6;
+        if (unseen && thin == Scene::Thin::refuse)
+            throw InputError(scene.file + ": " + text_of(body) + ", and the fluid does not see what is thinner than a cell: forces would be wrong; " +
+                             remedy + "; or write thin = \"allow\" in [grid] to compute it all the same");
+        if (warnings.size() == most_told) {
+            warnings.back() += "; so are other bodies";
+            break;
+        }
+        warnings.push_back(text_of(body) +
+                           (unseen ? ": the fluid does not see what is thinner than a cell; "
+                                   : ": pressure leaks through what is thinner than two cells; ") + remedy);
+    }
+    return warnings;
+}
+
+void require_thickness(const Scene& scene)
+{
+    if (scene.dimension == 2)
+        thickness_warnings<2>(scene, make_bodies<2>(scene), make_walls<2>(scene), scene.thin);
+    else
+        thickness_warnings<3>(scene, make_bodies<3>(scene), make_walls<3>(scene), scene.thin);
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::vector<ThinBody<D>> thin_bodies<D>(const Scene&, const std::vector<RigidBody<D>>&, const DomainWalls<D>&);   \
+    template std::vector<std::string> thickness_warnings<D>(const Scene&, const std::vector<RigidBody<D>>&, const DomainWalls<D>&, Scene::Thin);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,31 @@
+// Whether bodies are thick enough for the fluid to see them.
+#pragma once
+
+#include "gapflow/stepping/setup.hpp"
+
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+/// A body that is thinner than two cells.
+template <int D>
+struct ThinBody {
+    std::string name;
+    double cells; ///< thickness (sheet_thickness), in cells; fixed bodies and walls that a fixed body touches count with it
+    Vec<D> at;    ///< where
+};
+
+/// The thinnest first.
+template <int D>
+std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls);
+
+/// What the user should know of them. Throws InputError if one is thinner than a cell and `thin` does not allow it.
+template <int D>
+std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls,
+                                            Scene::Thin thin);
+
+/// Throws the InputError that a run of the scene would.
+void require_thickness(const Scene& scene);
+
+} // namespace gapflow

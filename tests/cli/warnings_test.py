@@ -1,0 +1,161 @@
+"""What the commands tell of a scene: bodies too thin for the grid, ends of films, memory; each once. Usage: warnings_test.py GAPFLOW"""
+import json
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from harness import gapflow
+
+PLATE = """
+[domain]
+size = [1, 1]
+cells = [32, 32]
+[time]
+end = 0.002
+max_step = 0.001
+[[body]]
+name = "plate"
+shape = "box"
+size = [0.5, {thickness}]
+position = [0.5, 0.5]
+density = 2
+force = [0, 1]
+{more}
+"""
+
+FRAME = """
+[domain]
+size = [1, 1]
+cells = [32, 32]
+[time]
+end = 0.002
+max_step = 0.001
+[[body]]
+name = "frame"
+shape = "mesh"
+file = "frame.txt"
+position = [0.5, 0.5]
+motion = "fixed"
+[[body]]
+name = "core"
+shape = "box"
+size = [0.48, 0.48]
+position = [0.5, 0.5]
+density = 2
+"""
+OVERLAPPING = """
+[domain]
+size = [1,1]
+cells = [32,32]
+[[body]]
+name = "b0"
+shape = "box"
+position = [0.528,0.621]
+rotation = 0
+density = 2
+size = [0.249,0.235]
+[[body]]
+name = "b1"
+shape = "capsule"
+position = [0.452,0.384]
+rotation = 45
+density = 2
+radius = 0.077
+length = 0.252
+[[body]]
+name = "b2"
+shape = "box"
+position = [0.578,0.407]
+rotation = 288.65749211873407
+density = 2
+size = [0.384,0.370]
+"""
+
+
+class Warnings(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.scene, self.out = self.folder / "scene.toml", self.folder / "out"
+
+    def write(self, cells, more=""):
+        self.scene.write_text(PLATE.format(thickness=cells / 32, more=more))
+
+    def commands(self):
+        return (["run", self.scene, "-o", self.out], ["check", self.scene], ["added-mass", self.scene],
+                ["converge", self.scene, "--cells", "16,32", "-o", self.out])
+
+    def test_a_body_of_half_a_cell_is_refused(self):
+        self.write(0.5)
+        for words in self.commands():
+            with self.subTest(words[0]):
+                done = gapflow(*words)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                cells = "0.25" if words[0] == "converge" else "0.5"
+                self.assertRegex(done.stderr, rf"error: .*scene.toml: body 'plate' is {cells} cells thin at \(0\.\d+, 0\.5\).*thin = \"allow\"")
+                self.assertFalse(self.out.exists())
+        self.assertIn("warning   body 'plate' is 0.5 cells thin", gapflow("check", self.scene).stdout)
+
+    def test_one_that_is_allowed_or_of_one_and_a_half_is_told_of_once(self):
+        for cells, sets in ((0.5, ["--set", "grid.thin=allow"]), (1.5, [])):
+            self.write(cells)
+            for words in self.commands()[:3]:
+                with self.subTest(cells=cells, command=words[0]):
+                    done = gapflow(*words, *sets)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertEqual((done.stdout + done.stderr).count(f"body 'plate' is {cells} cells thin"), 1, done.stderr)
+            record = json.loads((self.out / "run.json").read_text())
+            self.assertEqual(len(record["warnings"]), 1)
+            self.assertEqual(gapflow("report", self.out).returncode, 0)
+            self.assertIn(f"is {cells} cells thin at", (self.out / "report.html").read_text().split('id="gapflow-data"')[0])
+        self.write(3)
+        done = gapflow("run", self.scene, "-o", self.out)
+        self.assertNotIn("warning", done.stderr)
+        self.assertEqual(json.loads((self.out / "run.json").read_text())["warnings"], [])
+        gapflow("report", self.out)
+        self.assertNotIn("Warnings", (self.out / "report.html").read_text().split('id="gapflow-data"')[0])
+
+    def test_a_warning_of_the_reader_comes_once(self):
+        self.write(3, '[[body]]\nname = "post"\nshape = "box"\nsize = [0.1, 0.1]\nposition = [0.1, 0.1]\nmotion = "fixed"\nforce = [0, 1]')
+        for words in self.commands():
+            with self.subTest(words[0]):
+                done = gapflow(*words)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(len(re.findall("body.post.force is ignored", done.stdout + done.stderr)), 1, done.stderr)
+        self.assertIn("body.post.force is ignored", json.loads((self.out / "cells_32" / "run.json").read_text())["warnings"][0])
+
+    def test_a_sealed_film_has_its_pair_place_and_meaning(self):
+        square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+        loops = [[(0.35 * x, 0.35 * y) for x, y in square], [(0.25 * x, 0.25 * y) for x, y in reversed(square)]]
+        (self.folder / "frame.txt").write_text("\n\n".join("\n".join(f"{x} {y}" for x, y in loop) for loop in loops) + "\n")
+        self.scene.write_text(FRAME)
+        for words in self.commands()[:3]:
+            with self.subTest(words[0]):
+                done = gapflow(*words)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertRegex(done.stdout + done.stderr, r"a film at \(0\.\d+, 0\.\d+\) between frame, core: nothing lets this fluid out")
+                self.assertNotIn("0 cells of fluid", done.stdout + done.stderr)
+
+    def test_a_blind_end_has_its_pair_place_and_remedy(self):
+        self.scene.write_text(OVERLAPPING)
+        for command in ("check", "added-mass"):
+            done = gapflow(command, self.scene)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            said = re.findall(r"the film between 'b\d' and 'b\d' ends at \(0\.\d+, 0\.\d+\) where nothing continues it.*; use a finer grid",
+                              done.stdout + done.stderr)
+            self.assertEqual(len(said), 1, done.stdout + done.stderr)
+
+    def test_memory_is_that_of_a_run(self):
+        scene = ["--set", "domain.cells=[512,512]", "--set", "fluid.viscosity=0.001"]
+        self.write(3)
+        said = float(re.search(r"memory +about ([0-9.e+]+) MiB", gapflow("check", self.scene, *scene).stdout)[1])
+        done = gapflow("run", self.scene, "-o", self.out, "--quiet", *scene)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        used = json.loads((self.out / "run.json").read_text())["peak_memory_bytes"]["sum"] / 1048576
+        self.assertLess(abs(said / used - 1), 0.25, (said, used))
+
+
+if __name__ == "__main__":
+    unittest.main()
