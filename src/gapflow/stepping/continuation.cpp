@@ -42,7 +42,10 @@ void Simulation<D>::continue_velocities()
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
         const int n = end[0] - low[0];
-        auto at_side = [&](int place) { return !grid_.periodic(axis) && (place == 0 || place == grid_.cells()[axis]); };
+        // What walls and inflow give counts everywhere on their sides. A face of an open side that a body covers has no velocity of its own:
+        // nothing would bound what advection makes of it from step to step.
+        auto given = [&](int end) { return !grid_.periodic(axis) && grid_.side(axis, end) != SideKind::open; };
+        auto at_side = [&](int place) { return (place == 0 && given(0)) || (place == grid_.cells()[axis] && given(1)); };
         auto of_plane = [&](int plane) {
             std::vector<Sliver> slivers;
             for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {

@@ -4,11 +4,79 @@
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/stepping/carried_on.hpp"
+#include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/past_pressure.hpp"
 
 #include <algorithm>
 
 namespace gapflow {
+
+namespace {
+
+// Marks (nonzero) the faces beside places where a single closed face separates open ones: what is continued there is the mean of the flows
+// on the two sides of a body of one to two cells, and MacCormack's correction takes the difference for a gradient. `open`: of the flow;
+// faces open by no more than `widest` count as closed. Returns whether there are any. Collective.
+template <int D>
+bool mark_across_thin_bodies(const Grid<D>& grid, const FaceField<D>& open, double widest, FaceField<D, std::int8_t>& marks)
+{
+    FaceField<D, std::int8_t> between(grid);
+    bool any = false;
+    for (int axis = 0; axis < D; ++axis) {
+        const CellField<D>& a = open[axis];
+        const Index<D> end = owned_faces_end(grid, axis);
+        for_each_row<D>(grid.low(), end, [&](const Index<D>& row) {
+            const double* value = &a(row);
+            std::int8_t* to = &between(axis, row);
+            for (int i = 0; i < end[0] - grid.low()[0]; ++i)
+                for (int k = 0; k < D && value[i] <= widest; ++k) {
+                    const long stride = a.block().stride[k];
+                    if (value[i + stride] > widest && value[i - stride] > widest) {
+                        to[i] = 1;
+                        any = true;
+                    }
+                }
+        });
+    }
+    if (!grid.comm().any(any))
+        return false;
+    exchange(grid, between);
+    const Index<D> one = Index<D>::Ones();
+    for (int axis = 0; axis < D; ++axis) {
+        const Block<D>& block = between[axis].block();
+        for_each_index<D>(grid.low() - one, owned_faces_end(grid, axis) + one, [&](const Index<D>& f) {
+            if (!between(axis, f))
+                return;
+            for (int other = 0; other < D; ++other)
+                for_each_index<D>((f - one).cwiseMax(block.low), (f + 2 * one).cwiseMin(block.high), [&](const Index<D>& g) { marks(other, g) = 1; });
+        });
+    }
+    return true;
+}
+
+// Fluid that comes in through an open side comes from a reservoir that moves with `outside`, the fluid's initial velocity: with w its speed
+// across the side, p = rho (w_outside^2 - w^2) / 2 there, where it comes in faster than that. With p = 0 it would bring the energy of any
+// speed along, and beside a body that leaves, where ideal flow is singular, it comes in ever faster.
+template <int D>
+void add_inflow_head(const Grid<D>& grid, const Vec<D>& outside, double dt, FaceField<D>& u)
+{
+    for (int axis = 0; axis < D; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            const int place = end * grid.cells()[axis];
+            Index<D> from = grid.low(), to = owned_faces_end(grid, axis);
+            if (grid.side(axis, end) != SideKind::open || from[axis] > place || to[axis] <= place)
+                continue;
+            from[axis] = place;
+            to[axis] = place + 1;
+            const double free = outside[axis] * outside[axis];
+            for_each_index<D>(from, to, [&](const Index<D>& f) {
+                const double w = end == 0 ? u(axis, f) : -u(axis, f);
+                if (w > 0 && w * w > free)
+                    u(axis, f) /= 1 + dt * (w - free / w) / grid.dx();
+            });
+        }
+}
+
+} // namespace
 
 // Whether a contact or a film that turned changed the body's motion in the last step at once: then the change is no acceleration that goes on.
 template <int D>
@@ -18,8 +86,9 @@ bool Simulation<D>::met_something(int body) const
            std::any_of(turning_.begin(), turning_.end(), [&](const FilmPair<D>& pair) { return pair.master == body || pair.other == body; });
 }
 
-// The bulk's pressure at the end of the last step; none where bodies met: what stopped them does not go on. With viscosity the
-// projection before has left it (remember_projection), with its forces on bodies; of what a much shorter step found only a
+// The bulk's pressure at the end of the last step; none where bodies met: what stopped them does not go on. Nor where a body crosses an open
+// side: about the line where its surface leaves the fluid ideal flow is singular, and the pressure of one step says nothing of the next.
+// With viscosity the projection before has left it (remember_projection), with its forces on bodies; of what a much shorter step found only a
 // share goes on, as with bodies' accelerations.
 template <int D>
 void Simulation<D>::recall_pressure()
@@ -38,6 +107,8 @@ void Simulation<D>::recall_pressure()
     bool impact = last_dt_ == 0;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         impact = impact || met_something(static_cast<int>(b));
+    for (const Whereabouts& place : whereabouts(scene_, bodies_))
+        impact = impact || !place.crossed.empty();
     if (impact)
         return;
     for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
@@ -65,7 +136,14 @@ FaceField<D> Simulation<D>::advect_bulk(FaceField<D>& u_star, double dt, const F
     limit_to_inertia(grid_, velocity_.grid, middle, change);
     fill_velocity_ghosts(grid_, change, {});
     fill_velocity_ghosts(grid_, middle, sides);
+    FaceField<D, std::int8_t> uncorrected;
+    if (scheme == AdvectionScheme::maccormack) {
+        uncorrected = plain ? *plain : FaceField<D, std::int8_t>(grid_);
+        if (mark_across_thin_bodies(grid_, old_fractions_->open, sliver(), uncorrected))
+            plain = &uncorrected;
+    }
     advect<D>(grid_, u_star, middle, velocity_.grid, dt, scheme, sides, nullptr, plain, &change);
+    add_inflow_head(grid_, to_vec<D>(scene_.fluid_velocity), dt, u_star);
     return change;
 }
 

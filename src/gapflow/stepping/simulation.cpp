@@ -10,6 +10,7 @@
 #include "gapflow/stepping/carried_on.hpp"
 #include "gapflow/stepping/film_turn.hpp"
 #include "gapflow/stepping/flooding.hpp"
+#include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/start_flow.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
@@ -133,6 +134,7 @@ StepReport Simulation<D>::step(double next_output)
     last_dt_ = dt_;
     const double dt = dt_ = choose_step(next_output);
     recall_pressure();
+    const std::vector<Whereabouts> places = whereabouts(scene_, bodies_);
     turning_ = scene_.viscosity == 0 ? turning_films<D>(*coupling_, twists(), acceleration_, gaps_, mouth_laws_) : std::set<FilmPair<D>>();
     move_bodies(dt);
     find_contacts(dt);
@@ -154,6 +156,8 @@ StepReport Simulation<D>::step(double next_output)
         remember_projection(V_star, dt);
     time_ = next_output - (time_ + dt) < 1e-12 * next_output ? next_output : time_ + dt;
     continue_velocities();
+    for (std::string& note : leaving_notes(scene_, bodies_, places, steps_ == 0))
+        report.notes.push_back(std::move(note));
     ++steps_;
     finish_report(report, dt);
     report.seconds = now() - start;

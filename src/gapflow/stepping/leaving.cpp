@@ -1,0 +1,108 @@
+#include "gapflow/stepping/leaving.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace gapflow {
+
+namespace {
+
+// The box that holds a body in the world. Of its bounds in its own frame first; a body near a side is measured by its vertices.
+template <int D>
+Bounds<D> extent(const RigidBody<D>& body, const Bounds<D>& own, double tolerance)
+{
+    Bounds<D> result;
+    const Mat<D> rotation = body.pose.matrix();
+    result.low.setConstant(std::numeric_limits<double>::infinity());
+    result.high = -result.low;
+    auto add = [&](const Vec<D>& x) {
+        const Vec<D> place = body.pose.position + rotation * x;
+        result.low = result.low.cwiseMin(place);
+        result.high = result.high.cwiseMax(place);
+    };
+    if (tolerance > 0) {
+        for (const Vec<D>& x : body.shape->display_mesh(tolerance).vertices)
+            add(x);
+        return result;
+    }
+    for (int corner = 0; corner < 1 << D; ++corner) {
+        Vec<D> x;
+        for (int axis = 0; axis < D; ++axis)
+            x[axis] = corner >> axis & 1 ? own.high[axis] : own.low[axis];
+        add(x);
+    }
+    return result;
+}
+
+template <int D>
+Whereabouts find(const Scene& scene, const Bounds<D>& extent)
+{
+    Whereabouts place;
+    for (int side = 0; side < 2 * D; ++side) {
+        const SideScene::Kind kind = scene.sides[side].kind;
+        if (kind == SideScene::Kind::periodic)
+            continue;
+        const int axis = side / 2;
+        const double low = scene.origin[axis], high = low + scene.size[axis];
+        const bool upper = side % 2;
+        place.outside = place.outside || (upper ? extent.low[axis] > high : extent.high[axis] < low);
+        if (kind != SideScene::Kind::wall && (upper ? extent.high[axis] > high : extent.low[axis] < low))
+            place.crossed.push_back(side);
+    }
+    return place;
+}
+
+} // namespace
+
+template <int D>
+std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<RigidBody<D>>& bodies)
+{
+    const double dx = scene.size[0] / scene.cells[0];
+    std::vector<Whereabouts> places(bodies.size());
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const RigidBody<D>& body = bodies[b];
+        if (body.motion == Motion::fixed || body.shape->inside_out())
+            continue;
+        const Bounds<D> own = body.shape->bounds();
+        if (!own.low.allFinite() || !own.high.allFinite())
+            continue;
+        places[b] = find<D>(scene, extent(body, own, 0));
+        if (places[b].outside || !places[b].crossed.empty())
+            places[b] = find<D>(scene, extent(body, own, 0.1 * dx));
+    }
+    return places;
+}
+
+template <int D>
+std::vector<std::string> leaving_notes(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
+                                       bool first)
+{
+    std::vector<std::string> notes;
+    const std::vector<Whereabouts> now = whereabouts(scene, bodies);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const std::string name = "body '" + bodies[b].name + "' ";
+        if (now[b].outside) {
+            if (!before[b].outside)
+                notes.push_back(name + "has left the domain: no flow acts on it there, only gravity and the pressure of fluid at rest");
+            continue;
+        }
+        for (int side : now[b].crossed) {
+            const bool known = std::count(before[b].crossed.begin(), before[b].crossed.end(), side) > 0;
+            const double outwards = (side % 2 ? 1 : -1) * bodies[b].twist[side / 2];
+            if ((first || !known) && outwards > 0)
+                notes.push_back(name + "is on its way out of the domain through the side " + side_names[side] +
+                                ": beyond it no flow acts on it");
+        }
+    }
+    return notes;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::vector<Whereabouts> whereabouts<D>(const Scene&, const std::vector<RigidBody<D>>&);                          \
+    template std::vector<std::string> leaving_notes<D>(const Scene&, const std::vector<RigidBody<D>>&,                         \
+                                                       const std::vector<Whereabouts>&, bool);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
