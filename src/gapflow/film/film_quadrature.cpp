@@ -157,48 +157,36 @@ void divide(const std::array<Vec<3>, 3>& y, int q, const FilmMeshOptions& o, std
         pieces[i].fraction /= total;
 }
 
-/// Where a force acts that has this moment about the origin (the part of the moment along the force apart).
-template <int D>
-Vec<D> lever(const Vec<D>& force, const Spin<D>& moment)
-{
-    const double square = std::max(force.squaredNorm(), 1e-300);
-    if constexpr (D == 2)
-        return moment[0] / square * Vec<2>(force[1], -force[0]);
-    else
-        return force.cross(moment) / square;
-}
-
-/// Shares the flux of a curved other wall over an element's points as the wall itself has it, not its chord: a wall that slides along itself
-/// sweeps nothing anywhere. The chord of a wall of radius R sweeps U (L/2 - s) / R at s, the more against the gap the better it conforms.
-/// What both make of the whole element differs by little and is shared evenly, so the sum stays the flat simplex's.
-template <int D>
-void bend_areas(const Vec<D>& area, const std::array<Vec<D>, D>& y, std::span<FilmPoint<D>> points)
+/// Shares the flux of a curved other wall over an element's points as the wall itself has it, not its chord (2D): a wall that slides along
+/// itself sweeps nothing anywhere. The chord of a wall of radius R sweeps U (L/2 - s) / R at s, the more against the gap the better it conforms.
+/// What both make of the whole element differs by little and is shared evenly, so the sum stays the chord's.
+void bend_areas(const Vec<2>& area, const std::array<Vec<2>, 2>& y, std::span<FilmPoint<2>> points)
 {
     constexpr double least_cosine = 0.5, straight = 1e-12;
     const double size = area.norm();
-    const Vec<D> normal = points.front().other_normal;
-    const bool curved = std::any_of(points.begin(), points.end(), [&](const FilmPoint<D>& p) { return (p.other_normal - normal).norm() > straight; });
+    const Vec<2> normal = points.front().other_normal;
+    const bool curved = std::any_of(points.begin(), points.end(),
+                                    [&](const FilmPoint<2>& p) { return (p.other_normal - normal).norm() > straight; });
     if (!curved || !(size > 0))
         return;
-    Vec<D> centre = Vec<D>::Zero();
-    for (const Vec<D>& corner : y)
-        centre += corner / D;
-    // Wrenches about the simplex's centre; the simplex's own is (area, 0).
+    const Vec<2> centre = 0.5 * (y[0] + y[1]);
+    // Wrenches about the chord's centre; the chord's own is (area, 0).
     double weight = 0;
-    Twist<D> sum = Twist<D>::Zero();
-    const auto own = [&](const FilmPoint<D>& p) {
+    Twist<2> sum = Twist<2>::Zero();
+    const auto own = [&](const FilmPoint<2>& p) {
         const double cosine = std::max(-p.other_normal.dot(area) / size, least_cosine);
-        return wrench<D>(Vec<D>(-p.weight * size / cosine * p.other_normal), p.y - centre);
+        return wrench<2>(Vec<2>(-p.weight * size / cosine * p.other_normal), p.y - centre);
     };
-    for (const FilmPoint<D>& p : points) {
+    for (const FilmPoint<2>& p : points) {
         weight += p.weight;
         sum += own(p);
     }
-    sum.template head<D>() -= weight * area;
-    for (FilmPoint<D>& p : points) {
-        const Twist<D> flux = (own(p) - p.weight / weight * sum) / weight;
-        p.area = flux.template head<D>();
-        p.area_centroid = centre + lever<D>(p.area, flux.template tail<spin_size<D>>());
+    sum.head<2>() -= weight * area;
+    for (FilmPoint<2>& p : points) {
+        const Twist<2> flux = (own(p) - p.weight / weight * sum) / weight;
+        p.area = flux.head<2>();
+        // where an area has that moment
+        p.area_centroid = centre + flux[2] / p.area.squaredNorm() * Vec<2>(p.area[1], -p.area[0]);
     }
 }
 
@@ -261,7 +249,7 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
         p.h = std::max(p.h, o.floor);
     };
     const Vec<D> area = area_vector<D>(y);
-    const std::size_t first_point = film.points.size();
+    [[maybe_unused]] const std::size_t first_point = film.points.size();
     element.volume = element.inverse = 0;
     element.into_other = element.place_on_other = Vec<D>::Zero();
     for (const Piece<D>& piece : pieces) {
@@ -285,8 +273,9 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
             element.inverse += p.weight / p.h;
     }
     element.into_other.normalize();
-    if (!flat && pieces.size() > 1)
-        bend_areas<D>(area, y, std::span(film.points).subspan(first_point));
+    if constexpr (D == 2)
+        if (!flat && pieces.size() > 1)
+            bend_areas(area, y, std::span(film.points).subspan(first_point));
     if (D == 3 && pieces.size() == 1)
         element.volume = element.measure * (0.75 * film.points.back().h + 0.25 * (h[0] + h[1] + h[D - 1]) / 3);
     if constexpr (D == 3)
