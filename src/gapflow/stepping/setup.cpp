@@ -16,7 +16,7 @@ constexpr double floor_in_cells = 1e-9;
 constexpr double flat_threshold = 2.25;
 constexpr double curved_threshold = 0.5;
 constexpr double moving_curved_threshold = 1.5;
-constexpr double viscous_curved_threshold = 1.0;
+constexpr double viscous_curved_threshold = 1.2;
 
 template <int D>
 Index<D> to_index(const std::array<int, 3>& cells)
