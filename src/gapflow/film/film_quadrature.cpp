@@ -3,11 +3,13 @@
 // each piece has its y in one cell.
 //
 // Midpoint rule on each piece, second order, except: int h over a triangle of one piece, its corners counted by a twelfth each
-// (exact for quadratic h); 2D, int 1/h = L ln(h_1/h_0) / (h_1 - h_0) on each half, exact for linear h; the area vectors and moments of the simplex, exact (their fractions are those of the piece in barycentric coordinates).
+// (exact for quadratic h); 2D, int 1/h = L ln(h_1/h_0) / (h_1 - h_0) on each half, exact for linear h; the area vectors and moments
+// of the simplex, exact in sum (between flat surfaces their fractions are those of the piece in barycentric coordinates).
 #include "gapflow/film/film_quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace gapflow
 {
@@ -155,6 +157,39 @@ void divide(const std::array<Vec<3>, 3>& y, int q, const FilmMeshOptions& o, std
         pieces[i].fraction /= total;
 }
 
+/// Shares the flux of a curved other wall over an element's points as the wall itself has it, not its chord (2D): a wall that slides along
+/// itself sweeps nothing anywhere. The chord of a wall of radius R sweeps U (L/2 - s) / R at s, the more against the gap the better it conforms.
+/// What both make of the whole element differs by little and is shared evenly, so the sum stays the chord's.
+void bend_areas(const Vec<2>& area, const std::array<Vec<2>, 2>& y, std::span<FilmPoint<2>> points)
+{
+    constexpr double least_cosine = 0.5, straight = 1e-12;
+    const double size = area.norm();
+    const Vec<2> normal = points.front().other_normal;
+    const bool curved = std::any_of(points.begin(), points.end(),
+                                    [&](const FilmPoint<2>& p) { return (p.other_normal - normal).norm() > straight; });
+    if (!curved || !(size > 0))
+        return;
+    const Vec<2> centre = 0.5 * (y[0] + y[1]);
+    // Wrenches about the chord's centre; the chord's own is (area, 0).
+    double weight = 0;
+    Twist<2> sum = Twist<2>::Zero();
+    const auto own = [&](const FilmPoint<2>& p) {
+        const double cosine = std::max(-p.other_normal.dot(area) / size, least_cosine);
+        return wrench<2>(Vec<2>(-p.weight * size / cosine * p.other_normal), p.y - centre);
+    };
+    for (const FilmPoint<2>& p : points) {
+        weight += p.weight;
+        sum += own(p);
+    }
+    sum.head<2>() -= weight * area;
+    for (FilmPoint<2>& p : points) {
+        const Twist<2> flux = (own(p) - p.weight / weight * sum) / weight;
+        p.area = flux.head<2>();
+        // where an area has that moment
+        p.area_centroid = centre + flux[2] / p.area.squaredNorm() * Vec<2>(p.area[1], -p.area[0]);
+    }
+}
+
 } // namespace
 
 template <int D>
@@ -214,6 +249,7 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
         p.h = std::max(p.h, o.floor);
     };
     const Vec<D> area = area_vector<D>(y);
+    [[maybe_unused]] const std::size_t first_point = film.points.size();
     element.volume = element.inverse = 0;
     element.into_other = element.place_on_other = Vec<D>::Zero();
     for (const Piece<D>& piece : pieces) {
@@ -237,6 +273,9 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
             element.inverse += p.weight / p.h;
     }
     element.into_other.normalize();
+    if constexpr (D == 2)
+        if (!flat && pieces.size() > 1)
+            bend_areas(area, y, std::span(film.points).subspan(first_point));
     if (D == 3 && pieces.size() == 1)
         element.volume = element.measure * (0.75 * film.points.back().h + 0.25 * (h[0] + h[1] + h[D - 1]) / 3);
     if constexpr (D == 3)

@@ -13,10 +13,11 @@ namespace {
 
 // h_floor in cells: touching or overlapping surfaces keep a finite system.
 constexpr double floor_in_cells = 1e-9;
-// Automatic h_c in cells: two flat surfaces; a curved one, for added mass alone and in motion.
+// Automatic h_c in cells: two flat surfaces; a curved one, for added mass alone, in motion, and in motion in viscous fluid.
 constexpr double flat_threshold = 2.25;
 constexpr double curved_threshold = 0.5;
 constexpr double moving_curved_threshold = 1.5;
+constexpr double viscous_curved_threshold = 1.2;
 
 template <int D>
 Index<D> to_index(const std::array<int, 3>& cells)
@@ -213,7 +214,10 @@ std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std:
         settings.film = gap.film;
         settings.lasting = moving;
         settings.viscous = scene.viscosity > 0;
-        const double automatic = flat[a] && flat[b] ? flat_threshold : moving ? moving_curved_threshold : curved_threshold;
+        const double automatic = flat[a] && flat[b] ? flat_threshold
+                                 : !moving          ? curved_threshold
+                                 : settings.viscous ? viscous_curved_threshold
+                                                    : moving_curved_threshold;
         settings.threshold = gap.threshold.value_or(automatic) * dx;
         const double least = floor_in_cells * dx;
         settings.floor = std::max(gap.roughness, least);

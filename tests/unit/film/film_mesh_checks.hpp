@@ -102,7 +102,8 @@ void check_film(const FilmMesh<D>& film, const FilmMeshOptions& options)
     }
     std::vector<double> fraction(film.elements.size(), 0), volume(fraction);
     std::vector<int> pieces(film.elements.size(), 0);
-    std::vector<Vec<D>> share(film.elements.size(), Vec<D>::Zero()), moment(share);
+    std::vector<Vec<D>> share(film.elements.size(), Vec<D>::Zero());
+    std::vector<Spin<D>> turn(film.elements.size(), Spin<D>::Zero()); // about the mean of the closest points
     for (const auto& p : film.points) {
         ASSERT_TRUE(p.x.allFinite() && p.y.allFinite() && p.other_normal.allFinite() && p.area.allFinite());
         ASSERT_TRUE(p.weight > 0 && p.h >= options.floor);
@@ -112,18 +113,20 @@ void check_film(const FilmMesh<D>& film, const FilmMeshOptions& options)
         volume[p.element] += p.weight * p.h;
         ++pieces[p.element];
         share[p.element] += p.area;
-        moment[p.element] += p.weight / e.measure * p.area_centroid;
+        Vec<D> mean = Vec<D>::Zero();
+        for (int i : e.nodes)
+            mean += film.y[i] / D;
+        turn[p.element] += moment<D>(Vec<D>(p.area_centroid - mean), p.area);
     }
     std::map<std::array<int, 2>, int> uses;
     for (std::size_t i = 0; i < film.elements.size(); ++i) {
         const auto& e = film.elements[i];
         std::array<Vec<D>, D> y, mid;
-        Vec<D> mean = Vec<D>::Zero(), sum = Vec<D>::Zero();
+        Vec<D> sum = Vec<D>::Zero();
         double size = 0;
         for (int k = 0; k < D; ++k) {
             y[k] = film.y[e.nodes[k]];
             mid[k] = film.mid[e.nodes[k]];
-            mean += y[k] / D;
             sum += e.gradient[k];
             size = std::max(size, (film.x[e.nodes[k]] - film.x[e.nodes[(k + 1) % D]]).norm());
             const int a = e.nodes[k], b = D == 2 ? a : e.nodes[(k + 1) % D];
@@ -135,7 +138,7 @@ void check_film(const FilmMesh<D>& film, const FilmMeshOptions& options)
             volume[i] = 0.75 * volume[i] + 0.25 * e.measure * (film.h[e.nodes[0]] + film.h[e.nodes[1]] + film.h[e.nodes[D - 1]]) / 3;
         ASSERT_NEAR(volume[i], e.volume, 1e-13 * e.volume);
         ASSERT_LT((share[i] - simplex_area<D>(y)).norm(), 1e-14 * options.dx);
-        ASSERT_LT((moment[i] - mean).norm(), 1e-12 * (1 + mean.norm()));
+        ASSERT_LT(turn[i].norm(), 1e-12 * options.dx * options.dx);
         ASSERT_TRUE(e.inverse >= e.measure * e.measure / e.volume * (1 - 1e-12) && std::isfinite(e.inverse));
         ASSERT_NEAR(e.normal.norm(), 1, 1e-12);
         ASSERT_GT(e.normal.dot(simplex_area<D>(mid)), 0);

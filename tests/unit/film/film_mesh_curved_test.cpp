@@ -106,6 +106,27 @@ TEST(CurvedFilm, ConcentricRingsClose)
     EXPECT_EQ(closed[0].x.size(), n / 2 + 2); // Euler: a sphere
 }
 
+// A wall that slides along itself sweeps nothing into any node, also where elements' sizes jump and where planes of the grid cut them: what
+// their chords would sweep is many times what a thin film between surfaces that conform carries.
+TEST(CurvedFilm, WallThatSlidesAlongItselfSweepsNothing)
+{
+    for (const auto& [clearance, eccentricity] : {std::pair(0.01, 0.999), std::pair(0.003, 0.9)}) {
+        FilmMeshOptions options = options_with(1.5);
+        const double radius = 25, outer = radius * (1 + clearance);
+        const auto disk = make_ball<2>(radius), hole = make_inside_out<2>(make_ball<2>(outer));
+        const auto films = films_of<2>(place<2>(disk, Vec<2>(eccentricity * clearance * radius, 0)), place<2>(hole, Vec<2>::Zero()), options);
+        ASSERT_EQ(films.size(), 1u);
+        const FilmMesh<2>& film = films[0];
+        check_film(film, options);
+        std::vector<double> swept(film.h.size(), 0);
+        for (const auto& p : film.points)
+            for (int i = 0; i < 2; ++i) // of a turn about the other's centre
+                swept[film.elements[p.element].nodes[i]] += p.shape[i] * moment<2>(p.area_centroid, p.area)[0];
+        for (std::size_t i = 0; i < film.h.size(); ++i)
+            EXPECT_LT(std::abs(swept[i]), 0.05 * film.h[i] * outer) << "node " << i << " of " << film.h.size() << ", h = " << film.h[i];
+    }
+}
+
 TEST(CurvedFilm, ThirdBodyEndsIt)
 {
     const FilmMeshOptions options = options_with(0.5);
