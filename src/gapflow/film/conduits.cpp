@@ -166,9 +166,11 @@ private:
             add_joints(point, 0, joint_reach * dx, end);
     }
 
-    // The rim abuts a third solid: going on would enter it.
+    // The rim abuts a third solid: going on would enter it. Or the surfaces touch there and are one solid.
     bool closed(const RimPoint<D>& point)
     {
+        if (point.edge->end == RimEnd::touching)
+            return true;
         return any_third(point, point.x, [&](const PlacedShape<D>& shape) {
             if (shape.distance(point.x) > touching * grid_.dx())
                 return false;

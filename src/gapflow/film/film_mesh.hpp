@@ -10,6 +10,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace gapflow {
@@ -24,6 +25,7 @@ enum class RimEnd {
     thickness,   ///< h reaches h_c
     normals,     ///< the surfaces no longer face each other
     third_body,  ///< another body (or image) is nearer beyond
+    touching,    ///< the surfaces touch and stand still: one solid from there on
     patch        ///< the closest point jumps to another patch of the other body
 };
 
@@ -90,6 +92,7 @@ struct FilmMeshOptions {
     double dx = 1;             ///< grid spacing
     double threshold = 0.5;    ///< h_c, a length
     double floor = 1e-9;       ///< h_floor, a length
+    std::optional<double> touching; ///< no gap where the distance is no more than this, a length
     double largest = 0.5;      ///< element size, in dx
     double largest_curved = 0.5; ///< the same where a surface is curved
     double curved = 0.2;       ///< element size in sqrt(2 R h), where a surface is curved

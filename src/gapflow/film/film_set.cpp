@@ -246,6 +246,7 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
         FilmMeshOptions options = coupling_sizes<D>(job.gap.viscous);
         options.dx = grid.dx();
         options.floor = job.gap.floor;
+        options.touching = job.gap.touching;
         options.origin.template head<D>() = grid.origin();
         auto lay_out = [&](double threshold) {
             options.threshold = job.threshold = threshold;

@@ -149,7 +149,7 @@ void GapSurface<D>::restrict_to(const std::vector<int>& label)
 {
     test_.label = label;
     for (Vertex& v : vertices_) {
-        if (v.fails != RimEnd::thickness && v.fails != RimEnd::other_edge && !test_.in_label(v.p.patch))
+        if (v.fails != RimEnd::thickness && v.fails != RimEnd::touching && v.fails != RimEnd::other_edge && !test_.in_label(v.p.patch))
             v.fails = RimEnd::patch;
     }
 }

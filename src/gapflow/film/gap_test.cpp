@@ -20,6 +20,8 @@ std::optional<RimEnd> GapTest<D>::fails(const Vec<D>& x, const Vec<D>& n, const 
 {
     if (!(p.distance < options.threshold))
         return RimEnd::thickness;
+    if (options.touching && p.distance <= *options.touching)
+        return RimEnd::touching;
     if (p.feature != Feature::face)
         return RimEnd::other_edge;
     if (!in_label(p.patch))

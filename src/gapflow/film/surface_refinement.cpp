@@ -299,7 +299,7 @@ bool GapSurface<D>::out_of_reach(int e) const
     const Vertex& first = vertices_[element.nodes[0]];
     const int patch = first.p.patch;
     bool one_face = true, gap_ends_nearby = false;
-    double kappa_other = 0, length = 0, nearest = first.p.distance, facing = first.facing;
+    double kappa_other = 0, length = 0, nearest = first.p.distance, furthest = nearest, facing = first.facing;
     for (int k = 0; k < D; ++k) {
         const Vertex& v = vertices_[element.nodes[k]];
         if (v.inside())
@@ -311,12 +311,16 @@ bool GapSurface<D>::out_of_reach(int e) const
             kappa_other = k == 0 || std::abs(kappa) > std::abs(kappa_other) ? kappa : kappa_other;
         }
         nearest = std::min(nearest, v.p.distance);
+        furthest = std::max(furthest, v.p.distance);
         facing = std::min(facing, v.facing);
         length = std::max(length, (v.x - vertices_[element.nodes[(k + 1) % D]].x).norm());
     }
     const bool small = length <= slack * (kappa_master + kappa_other > 0 ? sizes_.largest_curved : sizes_.largest);
     const double threshold = test_.options.threshold;
-    if (one_face && kappa_master == 0 && kappa_other == 0 && (other_planar_ || small)) // h is linear
+    const bool linear = one_face && kappa_master == 0 && kappa_other == 0 && (other_planar_ || small); // h
+    if (test_.options.touching && furthest + (linear ? 0.0 : 0.6 * length) <= *test_.options.touching)
+        return true;
+    if (linear)
         return nearest >= threshold || facing >= facing_cosine || small;
     // Curvatures over the largest size are those of facets' edges: the normal may turn at once.
     if (!small)

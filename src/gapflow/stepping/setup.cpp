@@ -13,6 +13,8 @@ namespace {
 
 // h_floor in cells: touching or overlapping surfaces keep a finite system.
 constexpr double floor_in_cells = 1e-9;
+// Solids that stand still touch, and are one, where they are no further apart than this, in cells, or the roughness.
+constexpr double touching_in_cells = 1e-6;
 // Automatic h_c in cells: two flat surfaces; a curved one, for added mass alone, in motion, and in motion in viscous fluid.
 constexpr double flat_threshold = 2.25;
 constexpr double curved_threshold = 0.5;
@@ -23,6 +25,22 @@ template <int D>
 Index<D> to_index(const std::array<int, 3>& cells)
 {
     return Eigen::Map<const Index<D>>(cells.data());
+}
+
+// Whether the solid is a wall of the domain that slides.
+bool slides(const Scene& scene, const std::string& name)
+{
+    for (int side = 0; side < 2 * scene.dimension; ++side)
+        if (name == "wall:" + side_names[side])
+            return scene.sides[side].velocity != Triple{};
+    return false;
+}
+
+bool has_pair(const Scene& scene, const std::string& a, const std::string& b)
+{
+    const std::array<std::string, 2> names{a, b};
+    return std::any_of(scene.pairs.begin(), scene.pairs.end(),
+                       [&](const PairScene& pair) { return std::is_permutation(names.begin(), names.end(), pair.bodies.begin()); });
 }
 
 bool is_flat(const auto& shape)
@@ -202,13 +220,15 @@ template <int D>
 std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std::vector<Solid<D>>& solids, bool moving)
 {
     std::vector<bool> flat;
+    std::vector<bool> still; // and never moves
     std::vector<std::string> names;
     for (const Solid<D>& solid : solids) {
         flat.push_back(is_flat(solid.shape.shape()));
+        still.push_back(solid.motion == Motion::fixed && !slides(scene, solid.name));
         names.push_back(solid.name);
     }
     const double dx = scene.size[0] / scene.cells[0];
-    return [&scene, flat, names, dx, moving](int a, int b) {
+    return [&scene, flat, still, names, dx, moving](int a, int b) {
         const GapScene& gap = scene.gap_of(names[a], names[b]);
         GapSettings settings;
         settings.film = gap.film;
@@ -221,6 +241,8 @@ std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std:
         settings.threshold = gap.threshold.value_or(automatic) * dx;
         const double least = floor_in_cells * dx;
         settings.floor = std::max(gap.roughness, least);
+        if (still[a] && still[b] && !has_pair(scene, names[a], names[b]))
+            settings.touching = std::max(settings.floor, touching_in_cells * dx);
         if (gap.contact == GapScene::Contact::dry) {
             settings.floor = std::max(scene.held_distance(names[a], names[b]), least);
             settings.skin = moving ? settings.floor - least : 0.0;

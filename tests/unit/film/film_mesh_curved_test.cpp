@@ -127,6 +127,34 @@ TEST(CurvedFilm, WallThatSlidesAlongItselfSweepsNothing)
     }
 }
 
+// Surfaces that touch and stand still are one solid: the film of a wedge ends where they come as near as that.
+TEST(CurvedFilm, EndsWhereSurfacesTouch)
+{
+    const auto disk = make_ball<2>(5), wall = make_half_space<2>(unit<2>(1));
+    for (double gap : {0.0, -0.1}) {
+        FilmMeshOptions options = options_with(0.5);
+        options.touching = 1e-2;
+        options.floor = 1e-2;
+        const auto films = films_of<2>(place<2>(disk, Vec<2>(0.1, 5 + gap)), place<2>(wall, Vec<2>::Zero()), options);
+        ASSERT_EQ(films.size(), 2u);
+        for (const auto& film : films) {
+            check_film(film, options);
+            const auto rim = rim_lengths(film);
+            EXPECT_EQ(rim.at(RimEnd::touching), 1);
+            EXPECT_EQ(rim.at(RimEnd::thickness), 1);
+            for (const auto& r : film.rim)
+                EXPECT_NEAR(std::abs(film.x[r.nodes[0]][0] - 0.1), half_width(5, gap, r.end == RimEnd::touching ? 1e-2 : 0.5), 1e-9);
+        }
+    }
+    const auto box = make_box<3>(Vec<3>(4, 4, 4));
+    const auto floor = make_half_space<3>(unit<3>(2));
+    FilmMeshOptions options = options_with(0.5);
+    options.touching = 1e-6;
+    EXPECT_TRUE(films_of<3>(place<3>(box, Vec<3>(0.1, 0.2, 2)), place<3>(floor, Vec<3>::Zero()), options).empty());
+    options.touching.reset();
+    EXPECT_EQ(films_of<3>(place<3>(box, Vec<3>(0.1, 0.2, 2)), place<3>(floor, Vec<3>::Zero()), options).size(), 1u);
+}
+
 TEST(CurvedFilm, ThirdBodyEndsIt)
 {
     const FilmMeshOptions options = options_with(0.5);
