@@ -15,7 +15,8 @@ namespace {
 constexpr double floor_in_cells = 1e-9;
 // Solids that stand still touch, and are one, where they are no further apart than this, in cells, or the roughness.
 constexpr double touching_in_cells = 1e-6;
-// Automatic h_c in cells: two flat surfaces; a curved one, for added mass alone, in motion, and in motion in viscous fluid.
+// Automatic h_c in cells: two flat surfaces; a curved one, for added mass alone, in motion, and in motion in viscous
+// fluid in 2D.
 constexpr double flat_threshold = 2.25;
 constexpr double curved_threshold = 0.5;
 constexpr double moving_curved_threshold = 1.5;
@@ -236,7 +237,7 @@ std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std:
         settings.viscous = scene.viscosity > 0;
         const double automatic = flat[a] && flat[b] ? flat_threshold
                                  : !moving          ? curved_threshold
-                                 : settings.viscous ? viscous_curved_threshold
+                                 : D == 2 && settings.viscous ? viscous_curved_threshold
                                                     : moving_curved_threshold;
         settings.threshold = gap.threshold.value_or(automatic) * dx;
         const double least = floor_in_cells * dx;
