@@ -37,6 +37,12 @@ double Scene::held_distance(const std::string& a, const std::string& b) const
     return std::max(contact_of(a, b).thickness, gap_of(a, b).roughness);
 }
 
+double Scene::least_distance(const std::string& a, const std::string& b) const
+{
+    const GapScene& gap = gap_of(a, b);
+    return std::max(contact_of(a, b).thickness, gap.automatic_roughness ? 0.0 : gap.roughness);
+}
+
 std::string roughness_text(const Scene& scene)
 {
     char text[100];

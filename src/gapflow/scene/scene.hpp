@@ -150,6 +150,9 @@ struct Scene {
     const ContactScene& contact_of(const std::string& a, const std::string& b) const;
     /// Distance that the pair's surfaces keep in contact: contact.thickness or gap.roughness, the larger.
     double held_distance(const std::string& a, const std::string& b) const;
+    /// Distance below which they are pushed apart: the same, but without a roughness that is automatic. Bodies that the scene puts in touch
+    /// stay where they are.
+    double least_distance(const std::string& a, const std::string& b) const;
 };
 
 /// Names of the domain's sides: x_low ... z_high; the wall there is the body "wall:x_low".

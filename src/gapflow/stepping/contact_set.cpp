@@ -124,7 +124,7 @@ template <int D>
 typename ContactSet<D>::PairLaw ContactSet<D>::law(int a, int b) const
 {
     const ContactScene& contact = scene_->contact_of(names_[a], names_[b]);
-    return {scene_->held_distance(names_[a], names_[b]), contact.restitution, contact.friction};
+    return {scene_->held_distance(names_[a], names_[b]), scene_->least_distance(names_[a], names_[b]), contact.restitution, contact.friction};
 }
 
 template <int D>
@@ -151,6 +151,7 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
         Contact<D> contact;
         const PairLaw pair = law(point.a, point.b);
         contact.hold = pair.hold;
+        contact.least_distance = pair.least_distance;
         contact.restitution = pair.restitution;
         contact.friction = pair.friction;
         contact.normal = relative_row<D>(point, solids, point.normal);
@@ -215,7 +216,7 @@ std::vector<Twist<D>> ContactSet<D>::displacements(const std::vector<RigidBody<D
             if (is_free(bodies, c.point.b))
                 distance += c.normal.b.dot(moved[c.point.b]);
             const double compliance = evenly ? wedge_compliance * row.mobility : 0.0;
-            const double lack = std::min(c.hold, c.point.distance + longest) - distance - compliance * row.push;
+            const double lack = std::min(c.least_distance, c.point.distance + longest) - distance - compliance * row.push;
             const double push = std::max(row.push + lack / (row.mobility + compliance), 0.0);
             const double change = push - row.push;
             row.push = push;
@@ -248,7 +249,7 @@ bool ContactSet<D>::goes_too_far(const std::vector<RigidBody<D>>& bodies, const 
     std::vector<double> asked(bodies.size(), 0.0), furthest(bodies.size(), 0.0);
     for (const Contact<D>& c : contacts_) {
         const int member = root(is_free(bodies, c.point.a) ? c.point.a : c.point.b);
-        asked[member] += std::clamp(c.hold - c.point.distance, 0.0, longest);
+        asked[member] += std::clamp(c.least_distance - c.point.distance, 0.0, longest);
         const Vec<D> at = 0.5 * (c.point.x + c.point.y);
         auto look = [&](int s, const Vec<D>& x) {
             if (is_free(bodies, s))
@@ -270,7 +271,7 @@ bool ContactSet<D>::push_apart(std::vector<RigidBody<D>>& bodies, bool at_start)
     const double accuracy = (at_start ? start_round_off : round_off) * dx_, longest = (at_start ? longest_start_push : longest_push) * dx_;
     double deepest = 0;
     for (const Contact<D>& c : contacts_)
-        deepest = std::max(deepest, c.hold - c.point.distance);
+        deepest = std::max(deepest, c.least_distance - c.point.distance);
     if (deepest <= accuracy)
         return false;
     std::vector<Twist<D>> moved = displacements(bodies, at_start, longest, accuracy);

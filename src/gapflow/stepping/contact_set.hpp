@@ -23,7 +23,8 @@ namespace gapflow {
 template <int D>
 struct Contact {
     ContactPoint<D> point;
-    double hold = 0;                    ///< distance that the surfaces keep: thickness or roughness
+    double hold = 0;                    ///< distance at which surfaces that near each other meet: thickness or roughness
+    double least_distance = 0;          ///< below which they overlap: the same, but 0 of a roughness that is automatic
     double restitution = 0, friction = 0;
     RelativeRow<D> normal;
     std::array<RelativeRow<D>, D - 1> tangents;
@@ -91,7 +92,7 @@ public:
 
 private:
     struct PairLaw {
-        double hold, restitution, friction;
+        double hold, least_distance, restitution, friction;
     };
     PairLaw law(int a, int b) const;
     std::vector<Twist<D>> displacements(const std::vector<RigidBody<D>>& bodies, bool evenly, double longest, double accuracy) const;

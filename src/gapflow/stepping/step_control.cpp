@@ -16,11 +16,11 @@ namespace gapflow {
 
 namespace {
 
-// Films between curved surfaces: dt <= this * sqrt(2 R h) / |u - P U_m|, the length not less than so many dx: in 3D, unlike in 2D, the
-// velocity is singular about a point of contact, and films' transport is stable there without following it.
+// Films between curved surfaces: dt <= this * sqrt(2 R h) / |u - P U_m|, the length not less than so many dx: next to nothing flows in the
+// throat of a contact, at a speed without bound (in 3D it is singular there), and films' transport is stable without following it.
 constexpr double curved_film_cfl = 0.1;
 template <int D>
-constexpr double least_film_length = D == 2 ? 0.0 : 5.0;
+constexpr double least_film_length = D == 2 ? 1.0 : 5.0;
 // A swing or an oscillation on a spring gets this many steps a period.
 constexpr double steps_a_period = 20;
 // A spring's oscillation of a smaller amplitude, in dx, is left to the implicit step.

@@ -242,6 +242,43 @@ TEST(Scene, GapsOfPairsStartFromTheDefaults)
     EXPECT_EQ(&s.contact_of("ball", "ramp"), &s.contact);
 }
 
+TEST(Scene, RoughnessIsAShareOfTheCellUnlessGiven)
+{
+    const std::string text = R"(
+[domain]
+size = [2.0, 1.0]
+cells = [80, 40]
+[contact]
+thickness = THICKNESS
+[[body]]
+name = "a"
+shape = "ball"
+radius = 0.2
+position = [1.0, 0.5]
+[[pair]]
+bodies = ["a", "wall:y_low"]
+roughness = 1e-6
+[[pair]]
+bodies = ["a", "wall:x_low"]
+thickness = 1e-5
+[time]
+end = 1.0
+max_step = 0.1
+)";
+    const auto read = [&](const std::string& thickness, Purpose purpose) {
+        std::string scene = text;
+        return parse_scene(scene.replace(scene.find("THICKNESS"), 9, thickness), "scene.toml", {}, purpose);
+    };
+    const Scene run = read("0.0", Purpose::run);
+    EXPECT_DOUBLE_EQ(run.gap.roughness, 0.005 * 0.025);
+    EXPECT_TRUE(run.gap.automatic_roughness);
+    EXPECT_EQ(run.gap_of("a", "wall:y_low").roughness, 1e-6);
+    EXPECT_EQ(run.gap_of("a", "wall:x_low").roughness, 1e-5); // never above a thickness that is asked for
+    EXPECT_EQ(read("2e-5", Purpose::run).gap.roughness, 2e-5);
+    EXPECT_DOUBLE_EQ(read("0.1", Purpose::run).gap.roughness, 0.005 * 0.025);
+    EXPECT_EQ(read("0.0", Purpose::added_mass).gap.roughness, 0.0);
+}
+
 TEST(Scene, Bodies2D)
 {
     const Scene s = flat();

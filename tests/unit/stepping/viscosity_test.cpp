@@ -399,6 +399,29 @@ TEST(Viscosity, ChannelsOfAFewCellsAtAnyAngle)
             EXPECT_NEAR(gradient_in_channel(degrees, cells, 0.37), 1.0, 0.005) << degrees << " degrees, " << cells << " cells";
 }
 
+// Steps long enough for viscosity to cross eight cells: a light body rises from the first on, as fast as with steps a hundredth of that.
+TEST(Viscosity, LightBodyRisesAtOnceInLongSteps)
+{
+    const auto height_after = [](double step) {
+        Scene scene = closed_box(2, 1.0, 24);
+        scene.gravity = {0, -1e-3, 0};
+        scene.max_step = step;
+        scene.bodies = {ball("a", 0.1, {0.45, 0.5, 0})};
+        scene.bodies[0].density = 0.08;
+        Simulation<2> simulation(scene, Communicator());
+        double lowest = 0.5;
+        while (simulation.time() < 1.0 - 1e-12) {
+            simulation.step(1.0);
+            lowest = std::min(lowest, simulation.bodies()[0].pose.position[1]);
+        }
+        EXPECT_GE(lowest, 0.5);
+        return simulation.bodies()[0].pose.position[1] - 0.5;
+    };
+    const double exact = height_after(1e-3);
+    EXPECT_GT(exact, 0);
+    EXPECT_NEAR(height_after(0.1) / exact, 1, 0.2); // nu dt / dx^2 = 58; the first step starts from rest
+}
+
 // A cylinder of radius 1/2 that turns in one of radius 1, nearly touching it (Wannier): load. At 0.9 no film, at 0.99 a film of up to 2 cells.
 double load_of_turning_cylinder(double eccentricity)
 {

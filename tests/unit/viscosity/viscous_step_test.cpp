@@ -32,7 +32,11 @@ struct World {
             bodies.mass.push_back(mass);
             bodies.twists.push_back(Twist<D>::Zero());
         }
-        coupling = couple<D>(grid, solids, bodies.mass, {density, FractionMode::cut_cell}, [](int, int) { return GapSettings{false}; }, {});
+        coupling = couple<D>(grid, solids, bodies.mass, {density, FractionMode::cut_cell}, [](int, int) {
+            GapSettings none;
+            none.film = false;
+            return none;
+        }, {});
     }
     static std::array<SideKind, 2 * D> periodic()
     {

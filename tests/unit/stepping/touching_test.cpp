@@ -1,0 +1,90 @@
+// Bodies that touch in viscous fluid, with no roughness that would keep their films from closing: the solver finds pressure and motion.
+#include "gapflow/stepping/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+namespace {
+
+Scene tank(int cells, double viscosity)
+{
+    Scene scene;
+    scene.size = {1, 1, 0};
+    scene.cells = {cells, cells, 1};
+    scene.gravity = {0, -1, 0};
+    scene.viscosity = viscosity;
+    scene.end = 1;
+    scene.max_step = 0.01;
+    return scene;
+}
+
+BodyScene ball(const std::string& name, double radius, double x, double y, double density)
+{
+    BodyScene body;
+    body.name = name;
+    body.radius = radius;
+    body.position = {x, y, 0};
+    body.density = density;
+    return body;
+}
+
+BodyScene box(const std::string& name, double width, double height, double x, double y, double density)
+{
+    BodyScene body = ball(name, 0, x, y, density);
+    body.shape = BodyScene::ShapeKind::box;
+    body.size = {width, height, 0};
+    return body;
+}
+
+// A film of 1e-9 cells under a box: 1e-27 of a cell's conductance.
+TEST(Touching, BoxOnTheFloorRests)
+{
+    for (double density : {1.5, 1e3}) {
+        Scene scene = tank(24, 1e-3);
+        scene.bodies = {box("a", 0.2, 0.2, 0.5, 0.1, density)};
+        Simulation<2> simulation(scene, Communicator());
+        for (int i = 0; i < 4; ++i)
+            EXPECT_LT(simulation.step(1e9).iterations, 100) << density;
+        EXPECT_NEAR(simulation.bodies()[0].pose.position[1], 0.1, 1e-8) << density;
+    }
+}
+
+// Between a wall and a ceiling as well, fitted in.
+TEST(Touching, BoxFromFloorToCeilingStaysAndFluidBesideRests)
+{
+    Scene scene = tank(24, 1e-3);
+    scene.bodies = {box("a", 0.5, 1, 0.5, 0.5, 2)};
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 3; ++i)
+        simulation.step(1e9);
+    EXPECT_NEAR(simulation.bodies()[0].pose.position[0], 0.5, 1e-8);
+    EXPECT_LT(simulation.bodies()[0].twist.norm(), 1e-8);
+}
+
+// Between two balls in a row on the floor lies a pocket that only films drain.
+TEST(Touching, DryBallsInARowArePulled)
+{
+    Scene scene = tank(64, 0.01);
+    scene.gravity = {};
+    scene.sides[3].kind = SideScene::Kind::open;
+    scene.reference_pressure = 1;
+    scene.gap.contact = GapScene::Contact::dry;
+    scene.contact.thickness = 1e-3;
+    scene.contact.friction = 0.3;
+    const double pull[] = {0.195, 0.080, 0.360};
+    for (int i = 0; i < 3; ++i) {
+        scene.bodies.push_back(ball("b" + std::to_string(i), 0.1, 0.25 + 0.201 * i, 0.101, 2));
+        scene.bodies.back().force = {0, pull[i], 0};
+    }
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 3; ++i)
+        simulation.step(1e9);
+    for (const RigidBody<2>& body : simulation.bodies())
+        EXPECT_LT(body.twist.norm(), 0.1) << body.name;
+}
+
+} // namespace
+} // namespace gapflow
