@@ -263,7 +263,7 @@ def configuration(number, folder):
         bodies[-1].keys.update(motion="prescribed", **still)
     fractions = rng.choice(["cut-cell", "cut-cell", "voxel"])
     scene = {"domain": {"size": size, "cells": cells, "sides": random_sides(rng, dimension, cells)},
-             "grid": {"fractions": fractions}, "body": [body.entry() for body in bodies]}
+             "grid": {"fractions": fractions, "thin": "allow"}, "body": [body.entry() for body in bodies]}
     facts = {"mode": mode, "dimension": dimension, "hole": hole, "dx": dx, "fractions": fractions,
              "names": {body.name for body in bodies}}
     return scene, facts
@@ -321,7 +321,7 @@ def run_configuration(number, folder):
             body.keys["velocity"] = (0.3 * unit_vector(rng, dimension)).tolist()
     gravity = (-rng.choice([1.0, 9.81]) * np.eye(dimension)[dimension - 1]).tolist()
     scene = {"gravity": gravity, "domain": {"size": size, "cells": cells, "sides": random_sides(rng, dimension, cells)},
-             "grid": {"fractions": rng.choice(["cut-cell", "cut-cell", "voxel"])}, "body": [body.entry() for body in bodies],
+             "grid": {"fractions": rng.choice(["cut-cell", "cut-cell", "voxel"]), "thin": "allow"}, "body": [body.entry() for body in bodies],
              "time": {"end": 5 * 0.01, "max_step": 0.01, "cfl": 1.0, "gap_cfl": 1.0},
              "output": {"every": 10.0, "checkpoint_every": 10.0}}
     return scene, {"mode": mode, "dimension": dimension, "bodies": bodies, "gravity": gravity}

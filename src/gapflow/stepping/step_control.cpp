@@ -62,6 +62,10 @@ double Simulation<D>::choose_step(double next_output) const
     }
     dt = std::min(dt, scene_.cfl * dx / std::max(grid_.comm().max(speed), tiny));
 
+    // The first step knows no pressure: viscosity crosses a cell in it, and twice as much in each one after it.
+    if (scene_.viscosity > 0)
+        dt = std::min(dt, std::ldexp(dx * dx * scene_.density / scene_.viscosity, static_cast<int>(std::min(steps_, 60L))));
+
     const std::vector<Twist<D>> V = twists();
     std::vector<Twist<D>> A = acceleration_;
     if (steps_ == 0) // before the first solve: what the explicit forces alone would do (added mass only slows it)
@@ -92,6 +96,8 @@ double Simulation<D>::choose_step(double next_output) const
         counted[film.pair] += static_cast<int>(mesh.elements.size());
         const double thickness = scene_.contact_of(solids[mesh.master].name, solids[mesh.other].name).thickness;
         const double least = std::max({thickness, gaps_(mesh.master, mesh.other).floor, smallest_limiting_gap * dx});
+        // Neither can give way: they have met where the film is still rough.
+        const double met = std::max(scene_.least_distance(solids[mesh.master].name, solids[mesh.other].name), smallest_limiting_gap * dx);
         const auto moves_freely = [&](int solid) { return solids[solid].motion == Motion::free; };
         const bool unstoppable = !moves_freely(mesh.master) && !moves_freely(mesh.other);
         for (const FilmPoint<D>& q : mesh.points) {
@@ -101,7 +107,7 @@ double Simulation<D>::choose_step(double next_output) const
             };
             auto rate = [&](const std::vector<Twist<D>>& twist) { return std::abs(opening(twist)); };
             const double distance = q.h + mesh.skin, h = std::max(distance, least);
-            if (unstoppable && distance < least && scene_.gap_cfl * h < driven_step * scene_.max_step * -opening(V))
+            if (unstoppable && q.other_normal.dot(q.x - q.y) < met && scene_.gap_cfl * met < driven_step * scene_.max_step * -opening(V))
                 throw ComputationError("prescribed motion drives '" + solids[mesh.master].name + "' and '" +
                                        solids[mesh.other].name + "' into each other at time " + short_text(time_) +
                                        "; let it stop before they touch, or let one of them be free");

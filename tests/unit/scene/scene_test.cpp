@@ -255,6 +255,7 @@ name = "a"
 shape = "ball"
 radius = 0.2
 position = [1.0, 0.5]
+density = 2.0
 [[pair]]
 bodies = ["a", "wall:y_low"]
 roughness = 1e-6

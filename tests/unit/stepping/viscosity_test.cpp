@@ -275,7 +275,7 @@ TEST(Viscosity, AShortFirstStepGivesNoEnergy)
     double before = start.energy_fluid + start.energy_bodies;
     std::vector<double> steps;
     for (int i = 0; i < 4; ++i) {
-        const StepReport report = simulation.step(1e9);
+        const StepReport report = simulation.step(i == 0 ? 1.2e-5 : 1e9); // what touches at the start is stopped in a step so short
         EXPECT_LE(report.energy_fluid + report.energy_bodies, before) << "step " << i + 1;
         before = report.energy_fluid + report.energy_bodies;
         steps.push_back(report.dt);
@@ -414,12 +414,12 @@ TEST(Viscosity, LightBodyRisesAtOnceInLongSteps)
             simulation.step(1.0);
             lowest = std::min(lowest, simulation.bodies()[0].pose.position[1]);
         }
-        EXPECT_GE(lowest, 0.5);
+        EXPECT_GE(lowest - 0.5, -1e-9) << step;
         return simulation.bodies()[0].pose.position[1] - 0.5;
     };
     const double exact = height_after(1e-3);
     EXPECT_GT(exact, 0);
-    EXPECT_NEAR(height_after(0.1) / exact, 1, 0.2); // nu dt / dx^2 = 58; the first step starts from rest
+    EXPECT_NEAR(height_after(0.04) / exact, 1, 0.15); // nu dt / dx^2 = 23; the first step starts from rest
 }
 
 // A cylinder of radius 1/2 that turns in one of radius 1, nearly touching it (Wannier): load. At 0.9 no film, at 0.99 a film of up to 2 cells.
