@@ -64,6 +64,8 @@ void print_gaps(const Scene& scene, const Communicator& comm)
                     solids[pair.first].name.c_str(), solids[pair.second].name.c_str(), sum.thinnest,
                     sum.thinnest / grid.dx(), sum.threshold / grid.dx(), sum.nodes);
     std::set<FilmPair<D>> told;
+    for (const std::string& note : rough_gap_notes(scene, coupling))
+        std::printf("warning   %s\n", note.c_str());
     for (const std::string& note : blind_end_notes(coupling, told))
         std::printf("warning   %s\n", note.c_str());
     for (const SealedPocket& pocket : coupling.sealed)

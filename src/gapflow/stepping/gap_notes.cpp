@@ -2,7 +2,9 @@
 
 #include "gapflow/core/text.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <map>
 
 namespace gapflow
 {
@@ -42,6 +44,35 @@ std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<F
     return notes;
 }
 
+template <int D>
+std::vector<std::string> rough_gap_notes(const Scene& scene, const Coupling<D>& coupling)
+{
+    constexpr double touch = 1e-6; // in cells: what is closer touches
+    const double dx = coupling.grid->dx();
+    std::map<FilmPair<D>, double> least;
+    for (const Film<D>& film : coupling.network.films)
+        for (const FilmPoint<D>& q : film.mesh.points) {
+            const double distance = q.other_normal.dot(q.x - q.y);
+            double& known = least.try_emplace(film.pair, distance).first->second;
+            known = std::min(known, distance);
+        }
+    std::vector<std::string> notes;
+    for (const auto& [pair, distance] : least) {
+        const std::string &a = coupling.solids[pair.master].name, &b = coupling.solids[pair.other].name;
+        const GapScene& gap = scene.gap_of(a, b);
+        if (!gap.automatic_roughness || distance <= touch * dx || distance >= gap.roughness)
+            continue;
+        char text[300];
+        std::snprintf(text, sizeof text, " are %.3g (%.3g cells) apart, and their film counts as %.3g (%.3g cells) thick, which gap.roughness is by default; "
+                                         "give a smaller gap.roughness, down to 0, if the film shall be as thin as the gap",
+                      distance, distance / dx, gap.roughness, gap.roughness / dx);
+        notes.push_back("'" + a + "' and '" + b + "'" + text);
+    }
+    return notes;
+}
+
+template std::vector<std::string> rough_gap_notes<2>(const Scene&, const Coupling<2>&);
+template std::vector<std::string> rough_gap_notes<3>(const Scene&, const Coupling<3>&);
 template std::vector<std::string> blind_end_notes<2>(const Coupling<2>&, std::set<FilmPair<2>>&);
 template std::vector<std::string> blind_end_notes<3>(const Coupling<3>&, std::set<FilmPair<3>>&);
 

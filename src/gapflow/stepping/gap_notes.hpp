@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/coupling/coupling.hpp"
+#include "gapflow/scene/scene.hpp"
 
 #include <set>
 #include <string>
@@ -24,5 +25,10 @@ std::string sealed_text(const SealedPocket& pocket);
 /// others added to it.
 template <int D>
 std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<FilmPair<D>>& told);
+
+/// Pairs that are apart, but by less than the roughness that they have by default: their films count as thicker than they are. One text a pair,
+/// with the remedy.
+template <int D>
+std::vector<std::string> rough_gap_notes(const Scene& scene, const Coupling<D>& coupling);
 
 } // namespace gapflow

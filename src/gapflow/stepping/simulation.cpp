@@ -9,6 +9,7 @@
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/carried_on.hpp"
 #include "gapflow/stepping/film_turn.hpp"
+#include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/placement.hpp"
@@ -96,6 +97,8 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
     rebuild();
     if (!any_fluid(*coupling_, gaps_))
         throw InputError(scene_.file + ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");
+    for (std::string& note : rough_gap_notes(scene_, *coupling_))
+        initial_report_.notes.push_back(std::move(note));
     const Vec<D> u0 = to_vec<D>(scene_.fluid_velocity);
     FluidVelocity<D> u_star = velocity_;
     for (int axis = 0; axis < D; ++axis)
