@@ -104,8 +104,6 @@ double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double 
 // stop: whatever acts on that one, it moves by less than 1e-10 of what it would alone. What the film's pressure and the body's inertia
 // answer beyond that is lost in the rounding of their difference (box on a floor, dry balls: theory 7.2).
 constexpr double heaviest_film = 1e10;
-// And where it conducts less than this share of what a cell's face does.
-constexpr double least_conductance = 1e-18;
 
 Drag drag_of(double beta, double most)
 {
@@ -138,15 +136,15 @@ struct Shut {
     }
 
     /// A mouth may be all that drains a pocket, into which a body drives as much as its own section sweeps.
-    double mouth_beta(double inertance, double h) const
+    double mouth_beta(double inertance) const
     {
-        return std::min(h / (least_conductance * dx), std::max(heaviest_film * mass / (inertance * section * section), 1.0));
+        return section > 0 ? std::max(heaviest_film * mass / (inertance * section * section), 1.0) : mass;
     }
     /// `inertance`: of the place, without viscosity, mass over squared flux.
-    double beta(double inertance, const Vec<D>& x, double h) const
+    double beta(double inertance, const Vec<D>& x) const
     {
-        const double conducts = h / (least_conductance * dx), reach = std::max((x - thinnest).squaredNorm(), 1e-6 * dx * dx);
-        return std::min(conducts, std::max(heaviest_film * mass / (inertance * reach), 1.0));
+        const double reach = std::max((x - thinnest).squaredNorm(), 1e-6 * dx * dx);
+        return std::max(heaviest_film * mass / (inertance * reach), 1.0);
     }
 };
 
@@ -191,7 +189,7 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
             const int number = static_cast<int>(coupling.element_drag.size());
             const double resistance = D == 3 ? cubic[k] * e.conductance() / (e.measure * e.measure) : e.inverse / e.volume;
             const double beta = 12 * viscosity_dt / rho * resistance;
-            Drag drag = drag_of(beta / std::pow(slant(e), slant_power), shut.beta(rho * e.measure * e.measure / e.conductance(), e.centroid, e.volume / e.measure));
+            Drag drag = drag_of(beta / std::pow(slant(e), slant_power), shut.beta(rho * e.measure * e.measure / e.conductance(), e.centroid));
             drag.wet = wet.elements.empty() ? 1.0 : wet.elements[number];
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
@@ -207,7 +205,7 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& c = conduits[r];
         const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
-        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance), shuts[c.film].mouth_beta(rho * c.resistance / c.length, c.h));
+        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance), shuts[c.film].mouth_beta(rho * c.resistance / c.length));
         drag.wet = wet.conduits.empty() ? 1.0 : wet.conduits[r];
         coupling.conduit_drag.push_back(drag);
         coupling.drag_inertia.push_back(

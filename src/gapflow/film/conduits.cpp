@@ -125,6 +125,8 @@ public:
                 result.closed_length += points_[i].length;
             else if (end.joints.empty()) {
                 result.blind_length += points_[i].length;
+                if (!grid_.in_domain(grid_.wrapped(grid_.cell_of(points_[i].x))))
+                    continue; // no fluid either: nothing to tell
                 if (result.blind.empty() || result.blind.back().film != points_[i].film)
                     result.blind.push_back({points_[i].film, points_[i].x, 0.0});
                 result.blind.back().length += points_[i].length;
