@@ -32,9 +32,8 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     std::vector<std::string> warnings = thickness_warnings<D>(scene, bodies, walls, Scene::Thin::allow);
     for (std::string& warning : placement_warnings<D>(scene, bodies, walls))
         warnings.push_back(std::move(warning));
-    if (scene.end > 0)
-        for (std::string& note : take_out_overlaps<D>(scene, grid, bodies, walls))
-            warnings.push_back(std::move(note));
+    const std::vector<std::string> moved = scene.end > 0 ? take_out_overlaps<D>(scene, grid, bodies, walls) : std::vector<std::string>();
+    warnings.insert(warnings.end(), moved.begin(), moved.end());
     const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
     const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
     const Coupling<D> coupling = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)},
@@ -64,8 +63,9 @@ void print_gaps(const Scene& scene, const Communicator& comm)
                     solids[pair.first].name.c_str(), solids[pair.second].name.c_str(), sum.thinnest,
                     sum.thinnest / grid.dx(), sum.threshold / grid.dx(), sum.nodes);
     std::set<FilmPair<D>> told;
-    for (const std::string& note : rough_gap_notes(scene, coupling))
-        std::printf("warning   %s\n", note.c_str());
+    if (moved.empty()) // what was pushed apart touches nearly
+        for (const std::string& note : rough_gap_notes(scene, coupling))
+            std::printf("warning   %s\n", note.c_str());
     for (const std::string& note : blind_end_notes(coupling, told))
         std::printf("warning   %s\n", note.c_str());
     for (const SealedPocket& pocket : coupling.sealed)

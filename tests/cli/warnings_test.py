@@ -87,6 +87,25 @@ class Warnings(unittest.TestCase):
         return (["run", self.scene, "-o", self.out], ["check", self.scene], ["added-mass", self.scene],
                 ["converge", self.scene, "--cells", "16,32", "-o", self.out])
 
+    def test_a_gap_thinner_than_the_default_roughness_is_told_of(self):
+        scene = PLATE.format(thickness=4 / 32, more="").replace("position = [0.5, 0.5]", f"position = [0.5, {{y}}]")
+        for gap, sets, told in ((1e-4, [], True), (1e-4, ["--set", "gap.roughness=0"], False), (0.0, [], False), (0.01, [], False)):
+            with self.subTest(gap=gap, sets=sets):
+                self.scene.write_text(scene.format(y=2 / 32 + gap / 32))
+                for words in (["run", self.scene, "-o", self.out], ["check", self.scene]):
+                    done = gapflow(*words, *sets)
+                    self.assertEqual("their film counts as 0.000156 (0.005 cells) thick" in done.stdout + done.stderr, told, done.stdout + done.stderr)
+
+    def test_solids_that_stand_still_and_touch_have_no_film(self):
+        seat = PLATE.format(thickness=4 / 32, more='motion = "fixed"').replace("position = [0.5, 0.5]", "position = [0.5, 0.0625]").replace("force = [0, 1]", "")
+        ball = '[[body]]\nname = "ball"\nshape = "ball"\nradius = 0.2\nposition = [0.5, 0.34]\ndensity = 2\n'
+        pair = '[[pair]]\nbodies = ["plate", "wall:y_low"]\n'
+        for more, film in ((ball, False), (ball + pair, True)):
+            self.scene.write_text(seat + more)
+            told = gapflow("check", self.scene).stdout
+            self.assertRegex(told, "film +ball - plate|film +plate - ball")
+            self.assertEqual(bool(re.search("film +plate - wall:y_low", told)), film, told)
+
     def test_a_body_of_half_a_cell_is_refused(self):
         self.write(0.5)
         for words in self.commands():

@@ -91,14 +91,15 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
     const double start = now();
     for (std::string& warning : placement_warnings<D>(scene_, bodies_, walls_))
         initial_report_.notes.push_back(std::move(warning));
-    for (std::string& note : take_out_overlaps<D>(scene_, grid_, bodies_, walls_))
-        initial_report_.notes.push_back(std::move(note));
+    const std::vector<std::string> moved = take_out_overlaps<D>(scene_, grid_, bodies_, walls_);
+    initial_report_.notes.insert(initial_report_.notes.end(), moved.begin(), moved.end());
     holding_ = true;
     rebuild();
     if (!any_fluid(*coupling_, gaps_))
         throw InputError(scene_.file + ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");
-    for (std::string& note : rough_gap_notes(scene_, *coupling_))
-        initial_report_.notes.push_back(std::move(note));
+    if (moved.empty()) // what was pushed apart touches nearly
+        for (std::string& note : rough_gap_notes(scene_, *coupling_))
+            initial_report_.notes.push_back(std::move(note));
     const Vec<D> u0 = to_vec<D>(scene_.fluid_velocity);
     FluidVelocity<D> u_star = velocity_;
     for (int axis = 0; axis < D; ++axis)
