@@ -102,7 +102,7 @@ double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double 
 
 // A film is shut where viscosity makes it heavier than this many times the lighter of the bodies that it lies between, one that it could
 // stop: whatever acts on that one, it moves by less than 1e-10 of what it would alone. What the film's pressure and the body's inertia
-// answer beyond that is lost in the rounding of their difference (box on a floor, dry balls: theory 7.2).
+// answer beyond that is lost in the rounding of their difference (a box on a floor: theory 7.2).
 constexpr double heaviest_film = 1e10;
 
 Drag drag_of(double beta, double most)

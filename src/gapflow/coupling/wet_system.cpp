@@ -3,7 +3,6 @@
 #include "gapflow/coupling/film_drag.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gapflow {
 
@@ -11,24 +10,6 @@ namespace {
 
 // A shut conduit keeps this part of its conductance: no pocket loses its pressure level.
 constexpr double shut_share = 1e-6;
-// What it lets a body do that drives fluid through it, of what the body would do alone: beyond that the solver's double precision tells the
-// body's inertia no more from the pocket's (two dry balls side by side on a floor, pulled off).
-constexpr double shut_motion = 1e-10;
-
-// Least conductance of a shut conduit, of the lighter body beside it.
-template <int D>
-double shut_conductance(const Coupling<D>& coupling, std::size_t conduit)
-{
-    constexpr int n = twist_size<D>;
-    const FilmMesh<D>& mesh = coupling.network.films[coupling.network.mouths.conduits[conduit].film].mesh;
-    double least = 0;
-    for (int solid : {mesh.master, mesh.other})
-        if (const int b = coupling.free_body[solid]; b >= 0) {
-            const double section = std::pow(2 * bounding_radius<D>(world_bounds(coupling.solids[solid].shape)), D - 1);
-            least = std::max(least, shut_motion * section * section / coupling.system.mass.coeff(n * b, n * b));
-        }
-    return least;
-}
 
 } // namespace
 
@@ -59,7 +40,7 @@ void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::Vecto
     is_void_ = is_void;
     b_.nodes = b;
     for (std::size_t r = 0; r < shut.size(); ++r)
-        links_[r].conductance = shut[r] ? std::max(shut_share * open_conductance_[r], shut_conductance(coupling_, r)) : open_conductance_[r];
+        links_[r].conductance = (shut[r] ? shut_share : 1.0) * open_conductance_[r];
     CoupledSystem<D>& system = coupling_.system;
     std::vector<Eigen::Triplet<double>> entries;
     for (int column = 0; column < film_.outerSize(); ++column)
