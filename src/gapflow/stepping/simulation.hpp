@@ -16,6 +16,7 @@
 #include "gapflow/stepping/setup.hpp"
 #include "gapflow/stepping/void_set.hpp"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -172,8 +173,13 @@ private:
     FluidVelocity<D> velocity_;
     /// Faces open by no more than this share hold little fluid, and what squeezes through them may be many times as fast as the flow
     /// around. Where they differ from that, continued, by more than its speed, traces and the step size see the flow around, and what the
-    /// faces have beyond that stays where it is. Without viscosity a mouth that regains its outflow's head feeds a jet through wider ones.
-    double sliver() const { return scene_.viscosity > 0 ? 0.02 : 0.25; }
+    /// faces have beyond that stays where it is: a jet would feed itself through its own traces. Where viscosity takes more of a face's
+    /// surplus in a step than its traces bring, all but the narrowest are like other faces.
+    double sliver() const
+    {
+        constexpr double share = 0.25, least = 0.02, rate = 8; // of a face's surplus, in nu dt / dx^2: four neighbours, two walls close by
+        return std::max(least, share / (1 + rate * scene_.viscosity * dt_ / (scene_.density * grid_.dx() * grid_.dx())));
+    }
     struct Sliver {
         int axis;
         Index<D> at;
