@@ -4,6 +4,7 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/logging.hpp"
 #include "gapflow/core/text.hpp"
+#include "gapflow/output/columns.hpp"
 #include "gapflow/output/convergence.hpp"
 #include "gapflow/output/file.hpp"
 #include "gapflow/stepping/setup.hpp"
@@ -26,14 +27,14 @@ struct Quantity {
     std::string reference;   ///< column of the reference file, empty: the finest run
 };
 
-const std::vector<std::string> gap_columns{"thickness", "opening_rate", "film_area",     "pressure_min",   "pressure_max",
-                                           "force",     "contact_force", "contact_impulse", "void_volume"};
-
-std::vector<std::string> body_columns(int dimension)
+/// The columns of gaps.csv that are real numbers.
+std::vector<std::string> real_gap_columns()
 {
-    if (dimension == 2)
-        return {"x", "y", "angle", "vx", "vy", "omega", "fx", "fy", "torque"};
-    return {"x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz", "fx", "fy", "fz", "tx", "ty", "tz"};
+    std::vector<std::string> names;
+    for (const Column<GapState>& column : gap_columns())
+        if (std::holds_alternative<double GapState::*>(column.member))
+            names.emplace_back(column.name);
+    return names;
 }
 
 std::vector<int> grids_of(const std::string& list, const Scene& scene)
@@ -91,13 +92,13 @@ Quantity quantity_of(const std::string& name, const Scene& scene)
                          (near.empty() ? "" : ", did you mean '" + near + "'?") + "; choose from " + joined(columns));
     };
     if (dot != std::string::npos && has(bodies, owner)) {
-        check_column(body_columns(scene.dimension));
+        check_column(body_columns(scene.dimension).all());
         return {name, column, owner, "", ""};
     }
     for (const std::string& a : solids)
         for (const std::string& b : solids)
             if (a != b && owner == a + "-" + b) {
-                check_column(gap_columns);
+                check_column(real_gap_columns());
                 return {name, column, a, b, ""};
             }
     const std::string near = nearest_name(owner, bodies);
@@ -111,9 +112,11 @@ Quantity quantity_of(const std::string& name, const Scene& scene)
 std::vector<Quantity> default_quantities(const Scene& scene)
 {
     std::vector<Quantity> all;
-    const std::vector<std::string> columns = scene.dimension == 2
-                                                 ? std::vector<std::string>{"x", "y", "angle", "vx", "vy", "omega"}
-                                                 : std::vector<std::string>{"x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"};
+    const BodyColumns of_body = body_columns(scene.dimension);
+    std::vector<std::string> columns = of_body.position;
+    if (scene.dimension == 2)
+        columns.insert(columns.end(), of_body.rotation.begin(), of_body.rotation.end());
+    columns.insert(columns.end(), of_body.velocity.begin(), of_body.velocity.end());
     for (const BodyScene& body : scene.bodies)
         if (body.motion == BodyScene::Motion::free)
             for (const std::string& column : columns)

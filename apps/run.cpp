@@ -4,10 +4,8 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/logging.hpp"
 #include "gapflow/core/threads.hpp"
-#include "gapflow/output/checkpoint.hpp"
 #include "gapflow/output/progress.hpp"
-#include "gapflow/output/run_files.hpp"
-#include "gapflow/output/schedule.hpp"
+#include "gapflow/output/run.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
@@ -16,8 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <limits>
-#include <optional>
 
 namespace gapflow {
 
@@ -36,19 +32,6 @@ void note_signal(int signal)
     std::signal(SIGTERM, SIG_DFL);
 }
 
-/// A run's start, or what a checkpoint holds of it.
-template <int D>
-Simulation<D> start(const Scene& scene, const RunOptions& options, const std::optional<Checkpoint>& from, const Communicator& comm)
-{
-    if (!from)
-        return Simulation<D>(scene, comm);
-    try {
-        return Simulation<D>(scene, comm, from->state);
-    } catch (const StateError& error) {
-        throw_checkpoint_error(options.resume, error.what());
-    }
-}
-
 template <int D>
 Vec<D> start_position(const RigidBody<D>& body, const BodyScene& scene)
 {
@@ -56,8 +39,10 @@ Vec<D> start_position(const RigidBody<D>& body, const BodyScene& scene)
 }
 
 template <int D>
-void summarise(const Simulation<D>& simulation, const Logger& log, double smallest_gap, const std::string& folder)
+void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
 {
+    const Simulation<D>& simulation = run.simulation();
+    const double smallest_gap = run.smallest_gap();
     const double dx = simulation.grid().dx();
     log.info(fmt::format("done: {} steps to time {:.6g}", simulation.steps(), simulation.time()));
     struct Way {
@@ -90,19 +75,12 @@ void summarise(const Simulation<D>& simulation, const Logger& log, double smalle
 }
 
 template <int D>
-int run(const Scene& scene, const RunOptions& options)
+int drive(const Scene& scene, const RunOptions& options)
 {
     const Communicator comm;
     Logger log(comm, options.quiet);
-    std::optional<Checkpoint> from;
-    if (!options.resume.empty()) {
-        from = read_checkpoint(options.resume, comm);
-        require_same_scene(options.resume, *from, scene);
-    }
-    Simulation<D> simulation = start<D>(scene, options, from, comm);
-    double smallest_gap = from ? from->position.smallest_gap : std::numeric_limits<double>::infinity();
-    RunFiles<D> files(scene.output_directory, simulation, GAPFLOW_VERSION, from ? &from->position : nullptr);
-    from.reset();
+    Run<D> run(scene, comm, {scene.output_directory, options.resume, GAPFLOW_VERSION});
+    const Simulation<D>& simulation = run.simulation();
     log.info(fmt::format("{}: {} cells, {} film nodes, {} rank(s) of {} thread(s)", scene.title.empty() ? scene.file : scene.title,
                          simulation.initial_report().cells, simulation.initial_report().film_nodes, comm.size(), thread_count()));
     const auto& sealed = simulation.coupling().sealed;
@@ -112,57 +90,39 @@ int run(const Scene& scene, const RunOptions& options)
         log.info(fmt::format("and {} more pockets of fluid are sealed in", sealed.size() - most_pockets_told));
     for (const std::string& note : simulation.initial_report().notes)
         log.warn_once(note);
-    if (!options.resume.empty())
+    if (run.resumed())
         log.info(fmt::format("goes on from step {} at time {:.6g}", simulation.steps(), simulation.time()));
     std::signal(SIGINT, note_signal);
     std::signal(SIGTERM, note_signal);
 
-    Schedule schedule(scene, simulation.time());
     Progress progress(choose_progress_style(comm, options.quiet), simulation.time(), scene.end);
     try {
-        if (options.resume.empty()) {
-            files.write_step(simulation, simulation.initial_report());
-            files.write_fields(simulation);
-        }
+        run.write_start();
         while (simulation.time() < scene.end) {
-            const StepReport report = simulation.step(schedule.next_output());
+            const StepReport& report = run.step();
             for (const std::string& note : report.notes)
                 log.warn_once(note);
-            for (const GapState& gap : simulation.gaps())
-                smallest_gap = std::min(smallest_gap, gap.thickness);
-            files.write_step(simulation, report);
             const ProgressState state{report.time, report.dt, report.step, report.iterations};
             progress.step(state);
-            const bool stop = comm.any(stop_signal != 0), shown = schedule.output_due(simulation.time());
-            if (shown) {
-                files.write_fields(simulation);
+            if (run.shown())
                 progress.output(state);
-            }
-            if (schedule.checkpoint_due(simulation.time()) || stop)
-                files.write_checkpoint(simulation, smallest_gap);
-            if (stop && simulation.time() < scene.end) {
+            if (comm.any(stop_signal != 0) && simulation.time() < scene.end) {
                 const int signal = static_cast<int>(comm.max(static_cast<long>(stop_signal)));
-                if (!shown) // a look at where it stopped; a run that goes on from the checkpoint replaces it
-                    files.write_fields(simulation);
                 progress.clear();
-                files.finish(simulation, "interrupted");
+                run.interrupt();
                 log.warning(fmt::format("interrupted at time {0:.6g}; files are complete up to there; to go on: gapflow run {1} "
                                         "--resume {2}/checkpoint.h5 -o {2}, with the same --set",
                                         simulation.time(), scene.file, scene.output_directory));
                 return 128 + signal;
             }
         }
-    } catch (const ComputationError& error) {
+    } catch (const ComputationError&) {
         progress.clear();
-        try {
-            files.finish(simulation, "failed", error.what());
-        } catch (const ComputationError&) { // a full disk may refuse the record too; the first error counts
-        }
         throw;
     }
     progress.clear();
-    files.finish(simulation, "done");
-    summarise(simulation, log, smallest_gap, scene.output_directory);
+    run.finish();
+    summarise(run, log, scene.output_directory);
     return 0;
 }
 
@@ -170,7 +130,7 @@ int run(const Scene& scene, const RunOptions& options)
 
 int run_command(const Scene& scene, const RunOptions& options)
 {
-    return scene.dimension == 2 ? run<2>(scene, options) : run<3>(scene, options);
+    return scene.dimension == 2 ? drive<2>(scene, options) : drive<3>(scene, options);
 }
 
 } // namespace gapflow

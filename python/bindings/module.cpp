@@ -81,6 +81,7 @@ PYBIND11_MODULE(_core, m)
     m.def("read_scene", [](const std::string& file, const Overrides& overrides, const std::string& purpose) {
         return read_scene(file, overrides, purpose_of(purpose));
     });
+    m.def("gap_columns", &gap_column_types);
     m.def("added_mass", &added_mass_dict);
 
     py::class_<Session, std::shared_ptr<Session>>(m, "Session")
@@ -99,6 +100,7 @@ PYBIND11_MODULE(_core, m)
         .def("kind", &Session::kind)
         .def("films", &Session::films)
         .def("gaps", &Session::gaps)
+        .def("write_checkpoint", &Session::write_checkpoint)
         .def("budget", &Session::budget)
         .def("stages", &Session::stages)
         .def("surface", &Session::surface)

@@ -3,8 +3,8 @@
 #include "runtime.hpp"
 
 #include "gapflow/core/error.hpp"
-#include "gapflow/output/run_files.hpp"
-#include "gapflow/output/schedule.hpp"
+#include "gapflow/output/columns.hpp"
+#include "gapflow/output/run.hpp"
 
 #include <pybind11/stl.h>
 
@@ -64,30 +64,29 @@ std::vector<int> indices(const Index<D>& i)
     return {i.data(), i.data() + D};
 }
 
+template <class Row>
+py::object cell(const Row& row, const Column<Row>& column)
+{
+    return std::visit([&](auto member) { return py::cast(row.*member); }, column.member);
+}
+
 py::dict report_dict(const StepReport& report)
 {
-    using namespace py::literals;
-    return py::dict("step"_a = report.step, "time"_a = report.time, "dt"_a = report.dt, "cells"_a = report.cells,
-                    "film_nodes"_a = report.film_nodes, "iterations"_a = report.iterations, "residual"_a = report.residual,
-                    "divergence_max"_a = report.divergence_max, "energy_fluid"_a = report.energy_fluid,
-                    "energy_bodies"_a = report.energy_bodies, "viscous_iterations"_a = report.viscous_iterations,
-                    "dissipation_grid"_a = report.dissipation_grid, "dissipation_film"_a = report.dissipation_film,
-                    "seconds"_a = report.seconds, "notes"_a = report.notes);
+    py::dict out;
+    for (const Column<StepReport>& column : step_columns())
+        out[column.name] = cell(report, column);
+    out["notes"] = report.notes;
+    return out;
 }
 
 template <int D>
 class SessionOf : public Session {
 public:
-    SessionOf(const Scene& scene, const std::string& folder) : scene_(scene), schedule_(scene, 0)
+    SessionOf(const Scene& scene, const std::string& folder, const std::string& resume) : scene_(scene)
     {
         const Computing computing;
-        simulation_ = std::make_unique<Simulation<D>>(scene_, Communicator());
-        report_ = simulation_->initial_report();
-        if (folder.empty())
-            return;
-        files_.emplace(folder, *simulation_, GAPFLOW_VERSION);
-        files_->write_step(*simulation_, report_);
-        files_->write_fields(*simulation_);
+        run_ = std::make_unique<Run<D>>(scene_, Communicator(), RunPlace{folder, resume, GAPFLOW_VERSION});
+        run_->write_start();
     }
 
     ~SessionOf() override { end_or_print(); }
@@ -96,7 +95,7 @@ public:
     double time() const override { return any_state().time(); }
     long steps() const override { return any_state().steps(); }
     const Scene& scene() const override { return scene_; }
-    py::dict report() const override { return report_dict(report_); }
+    py::dict report() const override { return report_dict(any_run().report()); }
 
     py::dict step(double until) override
     {
@@ -110,28 +109,26 @@ public:
         try {
             const Busy busy(busy_);
             const Computing computing;
-            report_ = advance(until);
+            run_->step(until);
         } catch (const std::exception& error) { // whatever it is, the state is that of half a step
             failure_ = error.what();
-            if (files_)
-                files_->finish(*simulation_, "failed", error.what());
             throw;
         }
         handle_signals();
-        return report_dict(report_);
+        return report_dict(run_->report());
     }
 
     void set_force(const std::string& body, const std::vector<double>& force, const std::vector<double>& torque) override
     {
         const int b = number_of(body);
-        simulation_->set_force(b, vec("force", force), spin("torque", torque));
+        run_->simulation().set_force(b, vec("force", force), spin("torque", torque));
     }
 
     void set_velocity(const std::string& body, const std::vector<double>& velocity,
                       const std::vector<double>& angular_velocity) override
     {
         const int b = number_of(body);
-        simulation_->set_velocity(b, vec("velocity", velocity), spin("angular_velocity", angular_velocity));
+        run_->simulation().set_velocity(b, vec("velocity", velocity), spin("angular_velocity", angular_velocity));
     }
 
     py::dict grid() const override
@@ -195,7 +192,7 @@ public:
         const CellField<D, int>& component = state().coupling().system.component;
         return cells<double>(0, [&](const Index<D>& c, double* out) {
             *out = component(c) < 0 ? std::numeric_limits<double>::quiet_NaN()
-                                    : p.cells(c) + simulation_->hydrostatic(simulation_->grid().cell_centre(c));
+                                    : p.cells(c) + state().hydrostatic(state().grid().cell_centre(c));
         });
     }
 
@@ -224,8 +221,8 @@ public:
                 const int node = film.first_node + static_cast<int>(i);
                 nodes.push_back(mesh.mid[i]);
                 thickness.push_back(mesh.h[i] + mesh.skin);
-                pressure.push_back(p.nodes[node] + simulation_->hydrostatic(mesh.mid[i]));
-                depth.push_back(simulation_->voids().depth(node));
+                pressure.push_back(p.nodes[node] + state().hydrostatic(mesh.mid[i]));
+                depth.push_back(state().voids().depth(node));
                 node_film.push_back(number);
             }
             for (const FilmElement<D>& element : mesh.elements) {
@@ -249,17 +246,19 @@ public:
                         "thickness"_a = numbers(thickness), "pressure"_a = numbers(pressure), "void_depth"_a = numbers(depth),
                         "elements"_a = table<int, D>(
                             elements.size(), [&](std::size_t i) -> const auto& { return elements[i]; }),
-                        "element_film"_a = integers(element_film), "velocity"_a = vectors(simulation_->velocity().film),
+                        "element_film"_a = integers(element_film), "velocity"_a = vectors(state().velocity().film),
                         "normal"_a = vectors(normal), "area"_a = numbers(area));
     }
 
     py::list gaps() const override
     {
         py::list rows;
-        for (const GapState& gap : state().gaps())
-            rows.append(py::make_tuple(gap.body_a, gap.body_b, gap.thickness, gap.opening_rate, gap.film_nodes, gap.film_area,
-                                       gap.pressure_min, gap.pressure_max, gap.force, gap.contact_force, gap.contact_impulse,
-                                       gap.void_volume));
+        for (const GapState& gap : state().gaps()) {
+            py::list row;
+            for (const Column<GapState>& column : gap_columns())
+                row.append(cell(gap, column));
+            rows.append(py::tuple(row));
+        }
         return rows;
     }
 
@@ -297,15 +296,26 @@ public:
 
     void end() override
     {
-        if (!simulation_)
+        if (!run_)
             return;
         const Computing computing;
-        std::unique_ptr<Simulation<D>> simulation = std::move(simulation_);
-        const Simulation<D>& last_state = *simulation;
+        const std::unique_ptr<Run<D>> run = std::move(run_);
+        if (failure_.empty()) {
+            if (run->simulation().time() < scene_.end)
+                run->interrupt();
+            else
+                run->finish();
+        }
         if (views_ > 0)
-            (void)simulation.release(); // Python is ending: the memory goes with the process
-        if (files_ && failure_.empty())
-            files_->finish(last_state, last_state.time() < scene_.end ? "interrupted" : "done");
+            (void)run->release().release(); // Python is ending: the memory goes with the process
+    }
+
+    void write_checkpoint(const std::string& file) override
+    {
+        state();
+        const Busy busy(busy_);
+        const Computing computing;
+        run_->write_checkpoint(file);
     }
 
 private:
@@ -315,35 +325,22 @@ private:
         bool& busy;
     };
 
-    const Simulation<D>& any_state() const
+    const Run<D>& any_run() const
     {
         if (busy_)
             throw std::runtime_error("another thread is stepping this simulation; wait until it is done");
-        if (!simulation_)
+        if (!run_)
             throw std::runtime_error("the simulation is closed");
-        return *simulation_;
+        return *run_;
     }
+    const Simulation<D>& any_state() const { return any_run().simulation(); }
 
     const Simulation<D>& state() const
     {
         any_state();
         if (!failure_.empty())
             throw ComputationError("the simulation has failed and has no state to read: " + failure_);
-        return *simulation_;
-    }
-
-    StepReport advance(double until)
-    {
-        Simulation<D>& s = *simulation_;
-        double next = s.time() < scene_.end ? std::min(until, scene_.end) : until;
-        if (files_)
-            next = std::min(next, schedule_.next_output());
-        const StepReport report = s.step(next);
-        if (files_)
-            files_->write_step(s, report);
-        if (files_ && schedule_.output_due(s.time()))
-            files_->write_fields(s);
-        return report;
+        return run_->simulation();
     }
 
     void handle_signals() const
@@ -382,7 +379,7 @@ private:
     template <class T, class F>
     py::array cells(int components, F&& value) const
     {
-        const Grid<D>& g = simulation_->grid();
+        const Grid<D>& g = state().grid();
         std::vector<py::ssize_t> shape;
         for (int axis = 0; axis < D; ++axis)
             shape.push_back(g.high()[axis] - g.low()[axis]);
@@ -403,7 +400,7 @@ private:
     {
         if (axis < 0 || axis >= D)
             throw py::index_error("axis " + std::to_string(axis) + " of " + std::to_string(D));
-        const Grid<D>& g = simulation_->grid();
+        const Grid<D>& g = state().grid();
         const Index<D> extent = owned_faces_end(g, axis) - g.low();
         std::vector<py::ssize_t> shape, strides;
         for (int k = 0; k < D; ++k) {
@@ -418,10 +415,7 @@ private:
     }
 
     const Scene scene_;
-    std::unique_ptr<Simulation<D>> simulation_;
-    Schedule schedule_; ///< of the files
-    std::optional<RunFiles<D>> files_;
-    StepReport report_; ///< of the last step
+    std::unique_ptr<Run<D>> run_;
     bool busy_ = false; ///< a thread computes; changed and read with the GIL held
     std::string failure_;
 };
@@ -447,12 +441,23 @@ void Session::end_or_print()
     }
 }
 
-std::shared_ptr<Session> Session::make(const Scene& scene, const std::string& folder)
+std::vector<std::pair<std::string, std::string>> gap_column_types()
+{
+    std::vector<std::pair<std::string, std::string>> types;
+    for (const Column<GapState>& column : gap_columns()) {
+        const bool text = std::holds_alternative<std::string GapState::*>(column.member);
+        const bool real = std::holds_alternative<double GapState::*>(column.member);
+        types.emplace_back(column.name, text ? "U" : real ? "f8" : "i8");
+    }
+    return types;
+}
+
+std::shared_ptr<Session> Session::make(const Scene& scene, const std::string& folder, const std::string& resume)
 {
     runtime().start();
     if (scene.dimension == 2)
-        return std::make_shared<SessionOf<2>>(scene, folder);
-    return std::make_shared<SessionOf<3>>(scene, folder);
+        return std::make_shared<SessionOf<2>>(scene, folder, resume);
+    return std::make_shared<SessionOf<3>>(scene, folder, resume);
 }
 
 } // namespace gapflow

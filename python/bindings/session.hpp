@@ -22,8 +22,9 @@ public:
     Session();
     virtual ~Session();
 
-    /// The scene's simulation at its start. `folder`: of the run's files; empty: none. Throws InputError, ComputationError.
-    static std::shared_ptr<Session> make(const Scene& scene, const std::string& folder);
+    /// The scene's simulation at its start or, with `resume`, where that checkpoint was written. `folder`: of the run's files; empty: none.
+    /// Throws InputError, ComputationError.
+    static std::shared_ptr<Session> make(const Scene& scene, const std::string& folder, const std::string& resume);
 
     virtual int dimension() const = 0;
     virtual double time() const = 0;
@@ -54,7 +55,9 @@ public:
     virtual pybind11::array face_velocity(int axis) = 0;
     virtual pybind11::array face_fraction(int axis) = 0;
 
-    /// Ends the files of the run and frees the simulation; if views live, its memory is left to them for good.
+    /// A checkpoint of this moment. Throws ComputationError.
+    virtual void write_checkpoint(const std::string& file) = 0;
+    /// Ends the files of the run, before time.end with a checkpoint to go on from, and frees the simulation; if views live, its memory is left to them for good.
     virtual void end() = 0;
     /// The same where nobody can catch an error.
     void end_or_print();
@@ -64,6 +67,9 @@ protected:
     friend struct SessionView;
     int views_ = 0;
 };
+
+/// Name and NumPy type of each column of Session::gaps(): "U" (text), "f8", "i8".
+std::vector<std::pair<std::string, std::string>> gap_column_types();
 
 /// Keeps a session from stepping and from being freed.
 struct SessionView {

@@ -269,9 +269,6 @@ class Bodies(Mapping[str, BodyState]):
         return f"<bodies {', '.join(self._bodies)}>"
 
 
-_GAP_COLUMNS = [("thickness", "f8"), ("opening_rate", "f8"), ("film_nodes", "i8"), ("film_area", "f8"), ("pressure_min", "f8"),
-                ("pressure_max", "f8"), ("force", "f8"), ("contact_force", "f8"), ("contact_impulse", "f8"), ("void_volume", "f8")]
-
 Control = Callable[["Simulation"], Any]
 Callback = Callable[["Simulation", StepReport], Any]
 
@@ -282,7 +279,10 @@ class Simulation:
     scene: a `Scene`, a nested dict with the keys of the TOML, a `Toml` text, or the path of a TOML file.
     set: values to replace, {"domain.cells": [64, 64], "body.upper.position": [2, 2.3]}, as the command's --set.
     output: a folder for the files of a run, the same that `gapflow run` writes; True: the scene's own output.directory;
-    None: no files. Files are complete after each step; `close()` or the end of a `with` block writes how the run ended.
+    None: no files. Files are complete after each step; `close()` or the end of a `with` block writes how the run ended, before
+    time.end also a checkpoint to go on from.
+    resume: a checkpoint.h5 of the same scene to go on from; with `output` the files there are cut back to it first and continued.
+    Forces and velocities that were set are part of it.
 
     Raises InputError (a ValueError) for a bad scene, also for a body thinner than a cell (grid.thin), and ComputationError (a
     RuntimeError) if the start cannot be computed. What it is told of at the start comes as SceneWarning.
@@ -291,10 +291,11 @@ class Simulation:
     """
 
     def __init__(self, scene: SceneLike, *, set: Mapping[str, Any] | None = None,
-                 output: str | os.PathLike[str] | bool | None = None) -> None:
+                 output: str | os.PathLike[str] | bool | None = None, resume: str | os.PathLike[str] | None = None) -> None:
         self._scene = _read(scene, set, "run")
         folder = "" if output is None or output is False else self._scene.output_directory if output is True else os.fspath(output)
-        self._session = _core.Session(self._scene, folder)
+        self._folder = folder
+        self._session = _core.Session(self._scene, folder, "" if resume is None else os.fspath(resume))
         for note in self._session.report()["notes"]:
             warnings.warn(note, SceneWarning, stacklevel=2)
         self._cache: dict[str, Any] = {}
@@ -393,8 +394,7 @@ class Simulation:
     def _gap_table(self) -> np.ndarray:
         rows = self._session.gaps()
         width = max((len(name) for row in rows for name in row[:2]), default=1)
-        names = [("body_a", f"U{width}"), ("body_b", f"U{width}")]
-        return _frozen(np.array(rows, dtype=np.dtype(names + _GAP_COLUMNS)))
+        return _frozen(np.array(rows, dtype=[(name, f"U{width}" if kind == "U" else kind) for name, kind in _core.gap_columns()]))
 
     @property
     def body_table(self) -> dict[str, Floats]:
@@ -436,6 +436,13 @@ class Simulation:
         self._cache.pop("bodies", None)
 
     # Files
+
+    def write_checkpoint(self, file: str | os.PathLike[str] | None = None) -> None:
+        """The state of this moment, to go on from with `resume`, here or in the command; None: checkpoint.h5 in the run's folder, where
+        output.checkpoint_every also puts it. Collective. Raises InputError if there is no such folder, ComputationError."""
+        if file is None and not self._folder:
+            raise _core.InputError("write_checkpoint: the simulation has no output folder; give a file")
+        self._session.write_checkpoint(os.path.join(self._folder, "checkpoint.h5") if file is None else os.fspath(file))
 
     def close(self) -> None:
         """Ends the files of the run and frees the simulation; arrays read before stay. Raises BufferError while face views are

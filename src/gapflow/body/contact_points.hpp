@@ -1,4 +1,4 @@
-// Where two solids touch or are about to (method, section 7): local minima of the distance between their surfaces, and the
+// Where two solids touch or are about to (method, "Contact"): local minima of the distance between their surfaces, and the
 // ends of flat and straight contacts, so that nothing rocks.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Moving bodies over a step (method, section 5, stage 3).
+// Moving bodies over a step (method, "The time step", stage 3).
 #pragma once
 
 #include "gapflow/body/rigid_body.hpp"

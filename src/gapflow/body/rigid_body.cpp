@@ -1,7 +1,7 @@
 // Newton and Euler for one body:  m V' = F,  L' = T,  L = I(q) omega,  I(q) = R I_body R^T.
 //
 // Reduced pressure p - rho g.x: the fluid gets no gravity, a body of volume V_b gets m g at its centre of mass and
-// -rho V_b g at its centre of volume (method, section 5).
+// -rho V_b g at its centre of volume (method, "The time step").
 #include "gapflow/body/rigid_body.hpp"
 
 #include "gapflow/body/constraint.hpp"
@@ -44,6 +44,14 @@ void place(RigidBody<D>& body, const Vec<D>& centre, const Rotation<D>& rotation
 {
     body.pose.rotation = rotation;
     body.pose.position = centre - body.pose.matrix() * body.centre_of_mass;
+}
+
+template <int D>
+void steer(RigidBody<D>& body, const SteeredMotion<D>& motion)
+{
+    body.steered = motion;
+    const PrescribedMotion<D> course = constant_motion<D>(motion.start, body.centre_of_mass, motion.velocity, motion.angular_velocity);
+    body.prescribed = std::make_shared<PrescribedMotion<D>>([course, since = motion.since](double time) { return course(time - since); });
 }
 
 template <int D>
@@ -196,6 +204,7 @@ Solid<D> solid_of(const RigidBody<D>& body)
     template void set_density<D>(RigidBody<D>&, double);                                                                       \
     template void set_mass<D>(RigidBody<D>&, double, const SpinMatrix<D>&);                                                    \
     template void place<D>(RigidBody<D>&, const Vec<D>&, const Rotation<D>&);                                                  \
+    template void steer<D>(RigidBody<D>&, const SteeredMotion<D>&);\
     template void attach_hinge<D>(RigidBody<D>&, const Vec<D>&, const Spin<D>&);                                               \
     template void displace<D>(RigidBody<D>&, const Vec<D>&, const Spin<D>&);                                                   \
     template Twist<D> hinged_twist<D>(const RigidBody<D>&, double);                                                            \

@@ -32,6 +32,15 @@ struct Spring {
     double damping = 0.0;
 };
 
+/// A prescribed body's motion as a controller set it: constant, from a pose at a time on.
+template <int D>
+struct SteeredMotion {
+    double since = 0.0;
+    Pose<D> start;
+    Vec<D> velocity = Vec<D>::Zero();          ///< of the centre of mass
+    Spin<D> angular_velocity = Spin<D>::Zero();
+};
+
 template <int D>
 struct RigidBody {
     std::string name;
@@ -57,6 +66,7 @@ struct RigidBody {
     Vec<D> force = Vec<D>::Zero();                ///< constant external force at the centre of mass
     Spin<D> torque = Spin<D>::Zero();             ///< constant external torque about the centre of mass
     std::shared_ptr<const PrescribedMotion<D>> prescribed; ///< where motion is prescribed
+    std::optional<SteeredMotion<D>> steered;               ///< what `prescribed` is, once a controller has set it
 
     RigidBody() { can_move.fill(true); }
     /// World position of the centre of mass.
@@ -73,6 +83,10 @@ void set_mass(RigidBody<D>& body, double mass, const SpinMatrix<D>& inertia);
 /// Puts the body (its centre of mass) somewhere: pose such that centre() = centre.
 template <int D>
 void place(RigidBody<D>& body, const Vec<D>& centre, const Rotation<D>& rotation);
+
+/// A prescribed body moves as told from now on.
+template <int D>
+void steer(RigidBody<D>& body, const SteeredMotion<D>& motion);
 
 /// Lets the body, where it is now, only turn about a point; 3D: about an axis of unit length through it.
 template <int D>

@@ -1,5 +1,5 @@
 // What the bodies' twists do under impulses: V = M^-1 (w + C^T lambda), with C V = s where contacts hold the bodies rigidly and
-// lambda = k (s - C V) where they resist with k (method, section 7), else V = M^-1 w.
+// lambda = k (s - C V) where they resist with k (method, "Contact"), else V = M^-1 w.
 #pragma once
 
 #include <Eigen/Sparse>

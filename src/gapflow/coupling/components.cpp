@@ -1,4 +1,4 @@
-// Connected components of the unknowns and the null space of the coupled system (method, section 4):
+// Connected components of the unknowns and the null space of the coupled system (method, "The coupled system"):
 //
 // 1_k is the constant on component k that no open side touches. The null space of L + K M^-1 K^T is every combination
 // sum c_k 1_k with K^T sum c_k 1_k = 0 on all free bodies: the kernel of a small matrix.

@@ -1,4 +1,4 @@
-// Grid, films and bodies of one configuration joined into the coupled system (method, sections 3.3 and 4), and the discrete
+// Grid, films and bodies of one configuration joined into the coupled system (method, "Rows of the film", "The coupled system"), and the discrete
 // operators of a projection: outflow D u*, body flux K V, gradient.
 #pragma once
 
@@ -34,7 +34,7 @@ struct NormalInertia {
     double mass;
 };
 
-/// Viscous drag on a film's element or mouth over a step (method, section 7.2): u = kappa (u* - grad p / rho) + theta U_w, with the
+/// Viscous drag on a film's element or mouth over a step (method, "Films of viscous fluid"): u = kappa (u* - grad p / rho) + theta U_w, with the
 /// mean U_w of the two walls' velocities along the film; kappa + theta = 1.
 struct Drag {
     double kappa = 1, theta = 0;

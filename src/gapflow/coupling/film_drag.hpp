@@ -1,4 +1,4 @@
-// Viscosity in films and mouths (method, section 7.2): an element's one velocity u and the twists of its two walls minimise
+// Viscosity in films and mouths (method, "Films of viscous fluid"): an element's one velocity u and the twists of its two walls minimise
 //
 //     1/2 rho S |u - u*|^2 + 1/2 rho S beta |u - U_w|^2 + 1/2 mu dt I |[U]_t|^2,   S = int h, I = int 1/h, beta = 12 nu dt I / S,
 //

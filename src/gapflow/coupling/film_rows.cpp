@@ -93,7 +93,7 @@ private:
         matrix.finalize();
     }
 
-    // Section 7.2: what both walls carry along, - theta int h U_w . grad N_i.
+    // Method, "Films of viscous fluid": what both walls carry along, - theta int h U_w . grad N_i.
     void add_entrainment(const Film<D>& f, const FilmElement<D>& e)
     {
         const FilmMesh<D>& mesh = f.mesh;
@@ -393,7 +393,7 @@ private:
         }
     }
 
-    // Section 3.4: q = (p_film - p_bulk) length / (rho R) + q*; the master carries length h nu . U_m along.
+    // Method, "Conduits and joints": q = (p_film - p_bulk) length / (rho R) + q*; the master carries length h nu . U_m along.
     void assemble_mouths()
     {
         std::vector<Link>& links = coupling_.system.links;

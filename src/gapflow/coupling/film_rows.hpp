@@ -1,4 +1,4 @@
-// The films' share of the coupled system (method, section 3.3, items 6 to 9, and 3.4).
+// The films' share of the coupled system (method, "Rows of the film", "Conduits and joints").
 #pragma once
 
 #include "gapflow/coupling/coupling.hpp"

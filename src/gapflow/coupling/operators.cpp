@@ -1,4 +1,4 @@
-// The discrete operators of a projection: outflow D u + K V, gradient, impulses K^T p (method, sections 3.3 and 4).
+// The discrete operators of a projection: outflow D u + K V, gradient, impulses K^T p (method, "Rows of the film", "The coupled system").
 #include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/coupling.hpp"
 #include "gapflow/coupling/film_drag.hpp"

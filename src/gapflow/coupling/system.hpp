@@ -1,4 +1,4 @@
-// The coupled linear system of one projection (method, section 4), as data:
+// The coupled linear system of one projection (method, "The coupled system"), as data:
 //
 //     (L + K M^-1 K^T) p = rhs
 //

@@ -1,4 +1,4 @@
-// The coupled system without the film nodes that hold voids (method, section 6): there the pressure impulse is given, b, and
+// The coupled system without the film nodes that hold voids (method, "Voids: dry contact and cavitation"): there the pressure impulse is given, b, and
 // with p = b + p', b = 0 outside the voids and p' = 0 in them,
 //
 //     (L + K M^-1 K^T) p' = -(D u* + K V*) - f - (L + K M^-1 K^T) b       on all other unknowns,

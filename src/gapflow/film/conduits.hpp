@@ -1,4 +1,4 @@
-// Where films exchange fluid: conduits to the grid, joints between films (method, section 3.4).
+// Where films exchange fluid: conduits to the grid, joints between films (method, "Conduits and joints").
 #pragma once
 
 #include "gapflow/film/film_cells.hpp"

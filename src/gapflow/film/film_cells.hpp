@@ -1,4 +1,4 @@
-// Which cells hold film, and which grid faces films close (method, section 3.2).
+// Which cells hold film, and which grid faces films close (method, "Cells and faces").
 //
 // The same on every rank: cells near films are classified from clipped faces that any rank can compute.
 #pragma once
@@ -90,7 +90,7 @@ private:
 template <int D>
 void cells_on_segment(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& y, std::vector<Index<D>>& result);
 
-/// Classifies the cells of all films (section 3.2, item 4, without pockets).
+/// Classifies the cells of all films (method, "Cells and faces", item 4, without pockets).
 template <int D>
 FilmCells<D> classify_cells(const FaceCache<D>& faces, const FilmGaps<D>& gaps);
 

@@ -1,4 +1,4 @@
-// What bounds the energy of films on their way through a time step: their transport and the heads of their mouths (method, section 5).
+// What bounds the energy of films on their way through a time step: their transport and the heads of their mouths (method, "The time step").
 #pragma once
 
 #include "gapflow/film/film_motion.hpp"

@@ -1,4 +1,4 @@
-// The mid-gap mesh of a film (method, section 3.1): the part of the master's surface that faces another body across a gap
+// The mid-gap mesh of a film (method, "Mesh"): the part of the master's surface that faces another body across a gap
 // thinner than h_c, refined to the gap's scales, cut at the film's end and moved to mid-gap.
 //
 // A surface point x of the master A is in the gap of B if B is the nearest of all other bodies, h(x) = distance to B < h_c,

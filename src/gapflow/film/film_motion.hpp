@@ -1,4 +1,4 @@
-// What films carry from step to step, and its advection on the moving surface mesh (method, section 5).
+// What films carry from step to step, and its advection on the moving surface mesh (method, "The time step").
 //
 // An element's velocity is w = u + V_n n in world axes (u tangential, V_n the normal speed of the mid-gap surface).
 // Semi-Lagrangian on the master: trace back by dt (u - P U_m) along the old mesh in the master's frame, transport w as a world

@@ -1,4 +1,4 @@
-// Vorticity of films about points where curved surfaces nearly touch (method, section 5). There the gap widens over less than a
+// Vorticity of films about points where curved surfaces nearly touch (method, "The time step"). There the gap widens over less than a
 // cell, the velocity of ideal flow is singular, and what transport errs by is vorticity: left alone it gains step by step until
 // whirls about the point of contact outrun everything else. Any element velocity splits, orthogonally in kinetic energy, into
 //

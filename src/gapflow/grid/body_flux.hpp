@@ -1,4 +1,4 @@
-// Body flux (method, section 2): volume flux out of a cell's fluid through a solid's surface per unit twist of the solid,
+// Body flux (method, "Face fractions"): volume flux out of a cell's fluid through a solid's surface per unit twist of the solid,
 //
 //     J_{c,b} = sum_f s_{f,b} |f| wrench(o_f, x_{f,b} - x_b),      o_f = outward normal of c on its face f.
 //

@@ -4,7 +4,7 @@
 //     other shapes:  root of phi(x(t)) in each of 8 pieces at whose ends phi changes sign (Illinois' regula falsi).
 //
 // Each piece between consecutive crossings is open where phi > 0 at its middle for all solids, else it belongs to the solid
-// with the smallest phi; pieces in several solids are cut once more where their distances are equal. Method, section 2.
+// with the smallest phi; pieces in several solids are cut once more where their distances are equal. Method, "Face fractions".
 #include "gapflow/grid/clip_kernels.hpp"
 
 #include <algorithm>

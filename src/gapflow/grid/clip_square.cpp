@@ -7,7 +7,7 @@
 // (volume of a ball of radius 4 dx: -0.13 % instead of -0.52 %). A fragment knows the solids it lies in: none: open;
 // one: that solid's; several: split once more where their distances, linear on the triangles about its middle, are equal. All
 // splits share out the whole fragment, so the parts sum to the square. Exact for flat faces that do not overlap, else second
-// order (after Ng, Min & Gibou 2009). Method, section 2.
+// order (after Ng, Min & Gibou 2009). Method, "Face fractions".
 #include "gapflow/grid/clip_kernels.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 //                if there is none: mean of the valid neighbours;
 //     layer k:   u_f = mean of the neighbours in layers < k.
 //
-// First order, second order in layer 1 (method, section 5, "the first continued layer linear, further ones means").
+// First order, second order in layer 1 (method, "The time step": the first continued layer linear, further ones means).
 // After one sweep over the grid only the front of the continuation is visited.
 #include "gapflow/grid/extrapolation.hpp"
 

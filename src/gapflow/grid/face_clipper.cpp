@@ -1,6 +1,6 @@
 // Clips single faces: which solids reach a face, its parts, and their centroids. The cutting is in clip_segment.cpp (2D) and
 // clip_square.cpp (3D). A signed distance is 1-Lipschitz, so with r the half diagonal of the face and phi at its centre a
-// solid with phi > r misses it, and one with phi > phi_min + 2 r is nowhere the deepest. Method, section 2.
+// solid with phi > r misses it, and one with phi > phi_min + 2 r is nowhere the deepest. Method, "Face fractions".
 #include "gapflow/grid/face_clipper_data.hpp"
 
 #include <algorithm>

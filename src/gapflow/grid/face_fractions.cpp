@@ -1,6 +1,6 @@
 // Fractions of all faces of a block of cells. Only faces within reach of a surface are clipped: a block of cells with half
 // diagonal R is wholly open if phi > R at its centre for every solid, wholly inside a solid if phi < -R for one and the others
-// are nowhere deeper (phi is 1-Lipschitz); else it is halved, down to single cells. Method, section 2.
+// are nowhere deeper (phi is 1-Lipschitz); else it is halved, down to single cells. Method, "Face fractions".
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/face_clipper_data.hpp"
 

@@ -1,4 +1,4 @@
-// How much of every grid face is open and how much of it lies in each body (method, section 2):
+// How much of every grid face is open and how much of it lies in each body (method, "Face fractions"):
 //
 //     a_f + sum_b s_{f,b} = 1,   with the centroid of every part.
 //

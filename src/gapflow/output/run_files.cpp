@@ -1,5 +1,6 @@
 #include "gapflow/output/run_files.hpp"
 
+#include "gapflow/output/columns.hpp"
 #include "gapflow/output/file.hpp"
 #include "gapflow/output/vtk.hpp"
 
@@ -10,16 +11,6 @@
 namespace gapflow {
 
 namespace {
-
-template <int D>
-std::vector<std::string> body_columns()
-{
-    if constexpr (D == 2)
-        return {"step", "time", "body", "x", "y", "angle", "vx", "vy", "omega", "fx", "fy", "torque"};
-    else
-        return {"step", "time", "body", "x",  "y",  "z",  "qw", "qx", "qy", "qz", "vx", "vy",
-                "vz",   "wx",   "wy",   "wz", "fx", "fy", "fz", "tx", "ty", "tz"};
-}
 
 template <int D>
 auto rotation_numbers(const Rotation<D>& rotation)
@@ -180,13 +171,12 @@ void RunFiles<D>::open_tables(const RunPosition* from)
         else
             table.emplace(folder_ / name, columns);
     };
-    open(bodies_, "bodies.csv", body_columns<D>());
-    open(gaps_, "gaps.csv",
-         {"step", "time", "body_a", "body_b", "thickness", "opening_rate", "film_nodes", "film_area", "pressure_min",
-          "pressure_max", "force", "contact_force", "contact_impulse", "void_volume"});
-    open(steps_, "steps.csv",
-         {"step", "time", "dt", "cells", "film_nodes", "iterations", "residual", "divergence_max", "energy_fluid",
-          "energy_bodies", "viscous_iterations", "dissipation_grid", "dissipation_film", "seconds"});
+    std::vector<std::string> body{"step", "time", "body"};
+    for (std::string& name : body_columns(D).all())
+        body.push_back(std::move(name));
+    open(bodies_, "bodies.csv", body);
+    open(gaps_, "gaps.csv", names_of(gap_columns(), {"step", "time"}));
+    open(steps_, "steps.csv", names_of(step_columns()));
 }
 
 template <int D>
@@ -201,12 +191,8 @@ void RunFiles<D>::write_step(const Simulation<D>& simulation, const StepReport& 
                          body.twist, simulation.fluid_wrenches()[b]);
         }
         for (const GapState& gap : gaps)
-            gaps_->row(report.step, report.time, gap.body_a, gap.body_b, gap.thickness, gap.opening_rate, gap.film_nodes,
-                       gap.film_area, gap.pressure_min, gap.pressure_max, gap.force, gap.contact_force, gap.contact_impulse,
-                       gap.void_volume);
-        steps_->row(report.step, report.time, report.dt, report.cells, report.film_nodes, report.iterations, report.residual,
-                    report.divergence_max, report.energy_fluid, report.energy_bodies, report.viscous_iterations, report.dissipation_grid,
-                    report.dissipation_film, report.seconds);
+            gaps_->row(report.step, report.time, Cells<GapState>{gap_columns(), gap});
+        steps_->row(Cells<StepReport>{step_columns(), report});
         bodies_->flush();
         gaps_->flush();
         steps_->flush();

@@ -30,6 +30,9 @@ public:
     /// run.json with the run's end. Collective.
     void finish(const Simulation<D>& simulation, const std::string& status, const std::string& message = "");
 
+    /// Output times whose fields are written.
+    int frames() const { return frame_; }
+
 private:
     void open_tables(const RunPosition* from);
     void keep_notes(const std::vector<std::string>& notes);

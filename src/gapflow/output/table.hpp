@@ -5,11 +5,36 @@
 
 #include <concepts>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace gapflow {
+
+/// A column of a table whose rows are objects: its name, and which member stands in it.
+template <class Row>
+struct Column {
+    const char* name;
+    std::variant<double Row::*, int Row::*, long Row::*, std::string Row::*> member;
+};
+
+/// Names of columns, behind some others.
+template <class Row>
+std::vector<std::string> names_of(std::span<const Column<Row>> columns, std::vector<std::string> names = {})
+{
+    for (const Column<Row>& column : columns)
+        names.emplace_back(column.name);
+    return names;
+}
+
+/// An object as a row's values.
+template <class Row>
+struct Cells {
+    std::span<const Column<Row>> columns;
+    const Row& row;
+};
 
 /// A CSV file that grows by whole steps. Numbers are the shortest text that reads back the same; names with commas, quotes
 /// or line ends are quoted. Errors throw ComputationError; the file then ends after the last complete step. Used on the root.
@@ -49,6 +74,12 @@ private:
     {
         for (Eigen::Index i = 0; i < vector.size(); ++i)
             put(static_cast<double>(vector(i)));
+    }
+    template <class Row>
+    void put(const Cells<Row>& cells)
+    {
+        for (const Column<Row>& column : cells.columns)
+            std::visit([&](auto member) { put(cells.row.*member); }, column.member);
     }
     void put_raw(std::string_view text);
 

@@ -3,7 +3,7 @@
 //     (L p)_c = sum over faces a_f (p_c - p_n) + sum over links g_r w_rc s_r,     s_r = sum_i w_ri p_i
 //     (L p)_i = sum over film edges a_ij (p_i - p_j) + sum over links g_r w_ri s_r
 //
-// (method, section 4). Cells are distributed, film nodes are replicated: the cells' parts of all s_r and of K^T p are summed
+// (method, "The coupled system"). Cells are distributed, film nodes are replicated: the cells' parts of all s_r and of K^T p are summed
 // over the ranks in one reduction, everything else about nodes is computed on every rank, with the same bits.
 
 #include "gapflow/solver/coupled_operator.hpp"

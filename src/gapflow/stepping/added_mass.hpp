@@ -1,4 +1,4 @@
-// Added mass of a configuration (method, section 4): 2 T = V^T M_a V,
+// Added mass of a configuration (method, "The coupled system"): 2 T = V^T M_a V,
 //
 //     L p = -K e_k,   M_a = -K^T p + sum rho S N^T N   with the fluid's u* = 0: one solve a column.
 //

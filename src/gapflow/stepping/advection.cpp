@@ -1,4 +1,4 @@
-// u_t + (u . grad) u = 0 along characteristics (method, section 5, stage 2).
+// u_t + (u . grad) u = 0 along characteristics (method, "The time step", stage 2).
 //
 // Trace (midpoint, second order):  x_m = x - dt/2 u(x),  x_d = x - dt u(x_m), u linear in every axis between faces.
 // Semi-Lagrangian (first order):   A(phi)(x) = phi(x_d)

@@ -1,4 +1,4 @@
-// What the last step found goes on in this one (method, sections 5 and 7.1).
+// What the last step found goes on in this one (method, "The time step", "The bulk").
 #pragma once
 
 #include <algorithm>

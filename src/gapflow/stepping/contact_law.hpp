@@ -1,4 +1,4 @@
-// The laws of contact among rigid bodies alone (method, section 7):
+// The laws of contact among rigid bodies alone (method, "Contact"):
 //
 //     0 <= lambda  |  c V - least >= 0,        |lambda_t| <= mu lambda, against the slip,
 //     V = V_0 + A^-1 C^T (lambda - lambda_0)

@@ -1,4 +1,4 @@
-// Contacts of a step (method, section 7): which hold, which stick or slide, and what they did. The active set of
+// Contacts of a step (method, "Contact"): which hold, which stick or slide, and what they did. The active set of
 //
 //     0 <= Lambda_c  |  C_c V - least_c >= 0,      least_c = -(distance - hold) / dt, or the rebound -e C_c V^n
 //     |Lambda_t| <= mu Lambda_c,  Lambda_t against the slip

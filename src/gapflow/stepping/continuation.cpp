@@ -1,4 +1,4 @@
-// Velocities beyond the fluid: continued into solids and films, and where surfaces uncover faces (method, section 5, stage 7).
+// Velocities beyond the fluid: continued into solids and films, and where surfaces uncover faces (method, "The time step", stage 7).
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/core/threads.hpp"

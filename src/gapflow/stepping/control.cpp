@@ -41,8 +41,7 @@ void Simulation<D>::set_velocity(int body, const Vec<D>& velocity, const Spin<D>
         throw InputError("velocity of body '" + b.name + "': its motion is not \"prescribed\", so it cannot be told how to move; " +
                          "set body." + b.name + ".motion = \"prescribed\", or push it with a force");
     demand_finite(velocity.allFinite() && angular_velocity.allFinite(), b.name, "velocity");
-    const PrescribedMotion<D> motion = constant_motion<D>(b.pose, b.centre_of_mass, velocity, angular_velocity);
-    b.prescribed = std::make_shared<PrescribedMotion<D>>([motion, start = time_](double time) { return motion(time - start); });
+    steer<D>(b, {time_, b.pose, velocity, angular_velocity});
     b.twist << velocity, angular_velocity;
 }
 

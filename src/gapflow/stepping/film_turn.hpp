@@ -1,4 +1,4 @@
-// Plates that nothing but their film stops (method, section 5). Without losses (m + M) times the square of their speed stays, M ~ 1 / gap, so
+// Plates that nothing but their film stops (method, "The time step"). Without losses (m + M) times the square of their speed stays, M ~ 1 / gap, so
 //
 //     gap = b (t - t_0)^2:
 //

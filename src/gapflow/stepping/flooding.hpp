@@ -1,4 +1,4 @@
-// Fluid that enters voids in films (method, section 6): elements without any wet node rest on their master, the mouth's kinetic
+// Fluid that enters voids in films (method, "Voids: dry contact and cavitation"): elements without any wet node rest on their master, the mouth's kinetic
 // head is taken semi-implicitly, a void that overfills within a step hands the surplus on, and elements that the front has
 // reached take over the velocity behind it.
 #pragma once

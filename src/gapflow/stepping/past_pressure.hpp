@@ -1,5 +1,5 @@
 // What the pressure of the last step does on the way through the next one: with it the bulk's advection and the bodies' motion are of second
-// order in time (method, section 5). With g = -dt grad p^n / rho, what the pressure does to the fluid in a step,
+// order in time (method, "The time step"). With g = -dt grad p^n / rho, what the pressure does to the fluid in a step,
 //
 //     v = A_{dt/2}(u) + g / 2,     u* = A_v(u) + 1/2 (A_v(g) - g):
 //

@@ -1,4 +1,4 @@
-// Fluid that surfaces in contact shut in (method, section 4): a film at its floor lets next to nothing through, so what changes
+// Fluid that surfaces in contact shut in (method, "The coupled system"): a film at its floor lets next to nothing through, so what changes
 // the volume of such a pocket has no solution but pressures beyond all sense.
 #pragma once
 

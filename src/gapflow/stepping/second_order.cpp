@@ -1,4 +1,4 @@
-// The time step's second order (method, section 5): the bulk's pressure of the last step on the way through this one, for the fluid and for
+// The time step's second order (method, "The time step"): the bulk's pressure of the last step on the way through this one, for the fluid and for
 // bodies, and what it does in films.
 #include "gapflow/stepping/simulation.hpp"
 

@@ -1,4 +1,4 @@
-// A scene in time (method, section 5): Simulation<D>::step() is one time step, a list of the method's stages.
+// A scene in time (method, "The time step"): Simulation<D>::step() is one time step, a list of the method's stages.
 #pragma once
 
 #include "gapflow/core/communicator.hpp"

@@ -1,4 +1,4 @@
-// What the bodies drive the fluid with at the start (method, section 5).
+// What the bodies drive the fluid with at the start (method, "The time step").
 #pragma once
 
 #include "gapflow/body/rigid_body.hpp"

@@ -1,4 +1,4 @@
-// How long a step may be (method, section 5, stage 1).
+// How long a step may be (method, "The time step", stage 1).
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/body/forces.hpp"

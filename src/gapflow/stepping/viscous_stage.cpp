@@ -1,4 +1,4 @@
-// Viscosity of the bulk in a time step (method, section 7): an incremental splitting. The viscous step starts from
+// Viscosity of the bulk in a time step (method, "Viscosity"): an incremental splitting. The viscous step starts from
 // velocities and twists that the last step's pressure (and whatever else the projection did to the bodies: films, contacts) has
 // already acted on,
 //

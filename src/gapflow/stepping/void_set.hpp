@@ -1,4 +1,4 @@
-// Voids in films (method, section 6): film nodes whose pressure has fallen to the least it can have. Per film node, with void
+// Voids in films (method, "Voids: dry contact and cavitation"): film nodes whose pressure has fallen to the least it can have. Per film node, with void
 // volume v and outflow row_i = (L p + K V + D u*)_i,
 //
 //     0 <= p_i - b_i  |  v_i / dt + row_i >= 0,      v_i^{n+1} = max(0, v_i + dt row_i),      b_i = dt (least pressure there).

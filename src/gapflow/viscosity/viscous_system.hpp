@@ -1,4 +1,4 @@
-// The implicit viscous step of the bulk (method, section 7): velocities u of the open faces and twists V of the free
+// The implicit viscous step of the bulk (method, "Viscosity"): velocities u of the open faces and twists V of the free
 // bodies minimise
 //
 //     sum_f 1/2 rho a_f dx^D (u_f - u*_f)^2  +  1/2 |V - V*|^2_M  +  1/2 mu dt int |grad u|^2,

@@ -1,0 +1,29 @@
+// The columns of a run's tables: the one list that the files, `converge` and the Python package go by.
+#pragma once
+
+#include "gapflow/output/table.hpp"
+#include "gapflow/stepping/simulation.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+/// Of steps.csv.
+std::span<const Column<StepReport>> step_columns();
+/// Of gaps.csv, after step and time.
+std::span<const Column<GapState>> gap_columns();
+
+/// Of bodies.csv, after step, time and body.
+struct BodyColumns {
+    std::vector<std::string> position; ///< of the centre of mass
+    std::vector<std::string> rotation; ///< 2D: an angle; 3D: a quaternion
+    std::vector<std::string> velocity; ///< of the centre of mass, then angular
+    std::vector<std::string> force;    ///< of the fluid, then its torque
+
+    std::vector<std::string> all() const;
+};
+BodyColumns body_columns(int dimension);
+
+} // namespace gapflow

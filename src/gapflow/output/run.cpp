@@ -1,0 +1,129 @@
+#include "gapflow/output/run.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/output/checkpoint.hpp"
+
+#include <algorithm>
+
+namespace gapflow {
+
+namespace {
+
+template <int D>
+std::unique_ptr<Simulation<D>> restored(const Scene& scene, const Communicator& comm, const Checkpoint& from, const std::string& file)
+{
+    try {
+        return std::make_unique<Simulation<D>>(scene, comm, from.state);
+    } catch (const StateError& error) {
+        throw_checkpoint_error(file, error.what());
+    }
+}
+
+} // namespace
+
+template <int D>
+Run<D>::Run(const Scene& scene, const Communicator& comm, const RunPlace& place) 
+    : version_(place.version), end_(scene.end), resumed_(!place.resume.empty())
+{
+    std::optional<Checkpoint> from;
+    if (resumed_) {
+        from = read_checkpoint(place.resume, comm);
+        require_same_scene(place.resume, *from, scene);
+        simulation_ = restored<D>(scene, comm, *from, place.resume);
+        smallest_gap_ = from->position.smallest_gap;
+    } else {
+        simulation_ = std::make_unique<Simulation<D>>(scene, comm);
+    }
+    report_ = simulation_->initial_report();
+    if (place.folder.empty())
+        return;
+    files_.emplace(place.folder, *simulation_, place.version, from ? &from->position : nullptr);
+    schedule_.emplace(scene, simulation_->time());
+}
+
+template <int D>
+void Run<D>::write_start()
+{
+    if (!files_ || resumed_)
+        return;
+    try {
+        files_->write_step(*simulation_, report_);
+        files_->write_fields(*simulation_);
+        shown_ = true;
+    } catch (const std::exception& error) {
+        record_failure(error.what());
+        throw;
+    }
+}
+
+template <int D>
+const StepReport& Run<D>::step(double until)
+{
+    Simulation<D>& s = *simulation_;
+    if (s.time() < end_)
+        until = std::min(until, end_);
+    if (schedule_)
+        until = std::min(until, schedule_->next_output());
+    shown_ = stored_ = false;
+    try {
+        report_ = s.step(until);
+        for (const GapState& gap : s.gaps())
+            smallest_gap_ = std::min(smallest_gap_, gap.thickness);
+        if (!files_)
+            return report_;
+        files_->write_step(s, report_);
+        shown_ = schedule_->output_due(s.time());
+        if (shown_)
+            files_->write_fields(s);
+        stored_ = schedule_->checkpoint_due(s.time());
+        if (stored_)
+            files_->write_checkpoint(s, smallest_gap_);
+    } catch (const std::exception& error) {
+        record_failure(error.what());
+        throw;
+    }
+    return report_;
+}
+
+template <int D>
+void Run<D>::write_checkpoint(const std::filesystem::path& path) const
+{
+    const RunPosition position{simulation_->steps(), files_ ? files_->frames() : 0, smallest_gap_};
+    gapflow::write_checkpoint(path, {version_, scene_as_json(simulation_->scene()), position, simulation_->state()},
+                              simulation_->grid().comm());
+}
+
+template <int D>
+void Run<D>::interrupt()
+{
+    if (!files_)
+        return;
+    if (!stored_)
+        files_->write_checkpoint(*simulation_, smallest_gap_);
+    if (!shown_) // a look at where it stopped; a run that goes on from the checkpoint replaces it
+        files_->write_fields(*simulation_);
+    files_->finish(*simulation_, "interrupted");
+}
+
+template <int D>
+void Run<D>::finish()
+{
+    if (files_)
+        files_->finish(*simulation_, "done");
+}
+
+template <int D>
+void Run<D>::record_failure(const char* message)
+{
+    if (!files_)
+        return;
+    try {
+        files_->finish(*simulation_, "failed", message);
+    } catch (const ComputationError&) { // a full disk may refuse the record too; the first error counts
+    }
+}
+
+template class Run<2>;
+template class Run<3>;
+
+} // namespace gapflow

@@ -1,0 +1,66 @@
+// A run: a simulation from its start, or from a checkpoint, through its output times, and the files that it leaves.
+#pragma once
+
+#include "gapflow/output/run_files.hpp"
+#include "gapflow/output/schedule.hpp"
+#include "gapflow/stepping/simulation.hpp"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace gapflow {
+
+/// Where a run's files are.
+struct RunPlace {
+    std::string folder; ///< for the files; empty: none are written
+    std::string resume; ///< checkpoint to go on from; empty: from the scene's start. With a folder, its files are cut back to it.
+    std::string version; ///< of the program, for the files
+};
+
+/// What the command and Python drive: steps land on output times; tables, fields and checkpoints are written when they are due; whatever
+/// ends the run leaves valid files.
+template <int D>
+class Run {
+public:
+    /// Reads the checkpoint, computes the start, prepares the folder. Throws InputError, ComputationError. Collective.
+    Run(const Scene& scene, const Communicator& comm, const RunPlace& place);
+
+    /// Writes the start's rows and fields, where there are files and the run does not go on from a checkpoint. Collective.
+    void write_start();
+    /// One step that passes neither `until`, nor time.end while that is ahead, nor, with files, an output time; writes what is due. After
+    /// an exception the files tell that the run failed, and the simulation has no state. Collective.
+    const StepReport& step(double until = std::numeric_limits<double>::infinity());
+    /// A checkpoint of this moment into a file. Throws ComputationError. Collective.
+    void write_checkpoint(const std::filesystem::path& path) const;
+    /// Ends the files before time.end: a checkpoint to go on from, fields of this moment, the record. Collective.
+    void interrupt();
+    /// Ends the files. Collective.
+    void finish();
+
+    Simulation<D>& simulation() { return *simulation_; }
+    const Simulation<D>& simulation() const { return *simulation_; }
+    /// The simulation, which outlives the run: for who has views of its memory.
+    std::unique_ptr<Simulation<D>> release() { return std::move(simulation_); }
+    /// Of the last step; at first of the start.
+    const StepReport& report() const { return report_; }
+    bool resumed() const { return resumed_; }
+    /// Whether the last step ended at an output time, whose fields are written.
+    bool shown() const { return shown_; }
+    /// Smallest thickness of a gap so far, also before the checkpoint; infinite: there was none.
+    double smallest_gap() const { return smallest_gap_; }
+
+private:
+    void record_failure(const char* message);
+
+    std::unique_ptr<Simulation<D>> simulation_;
+    std::optional<RunFiles<D>> files_;
+    std::optional<Schedule> schedule_; ///< with files
+    StepReport report_;
+    std::string version_;
+    double end_, smallest_gap_ = std::numeric_limits<double>::infinity();
+    bool resumed_ = false, shown_ = false, stored_ = false; ///< the latter: a checkpoint of this moment is in the folder
+};
+
+} // namespace gapflow
