@@ -80,23 +80,33 @@ int keys(const Arguments& arguments)
     return 0;
 }
 
-/// The subcommands and their options; `action` becomes the one that the user chose.
-void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& action)
-{
-    const auto add = [&](const std::string& name, const std::string& what, std::function<int()> does) {
+/// The command line under construction; `action` becomes what the user chose.
+struct CommandLine {
+    CLI::App& app;
+    Arguments& arguments;
+    std::function<int()>& action;
+
+    CLI::App* add(const std::string& name, const std::string& what, std::function<int()> does) const
+    {
         CLI::App* command = app.add_subcommand(name, what);
-        command->callback([&action, does] { action = does; });
+        command->callback([&chosen = action, does] { chosen = does; });
         return command;
-    };
-    const auto add_scene = [&](CLI::App* command) {
+    }
+    CLI::App* add_of_scene(const std::string& name, const std::string& what, std::function<int()> does) const
+    {
+        CLI::App* command = add(name, what, std::move(does));
         command->add_option("scene", arguments.scene, "Scene file (TOML)")->required()->type_name("SCENE.toml");
         command->add_option("--set", arguments.sets, "Replace a value of the scene, as domain.cells=[64,64]; may be repeated")
             ->allow_extra_args(false)
             ->type_name("key=value");
-    };
+        return command;
+    }
+};
 
-    CLI::App* run_app = add("run", "Run a scene to its end", [&] { return run(arguments); });
-    add_scene(run_app);
+void add_run(const CommandLine& line)
+{
+    Arguments& arguments = line.arguments;
+    CLI::App* run_app = line.add_of_scene("run", "Run a scene to its end", [&arguments] { return run(arguments); });
     run_app->add_option("-o,--output", arguments.directory, "Folder for the run's files, instead of output.directory")
         ->type_name("DIR");
     run_app
@@ -107,19 +117,24 @@ void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& act
     run_app->footer("Writes checkpoint.h5 at the end, every output.checkpoint_every of simulated time, and when interrupted: Ctrl-C "
                     "and SIGTERM end the run after the current step (a second one at once). With --resume only title, time, "
                     "solver and output may differ from the scene that the checkpoint is of.");
+}
 
-    CLI::App* check = add("check", "Validate a scene; print cells, unknowns and expected memory",
-                          [&] { return check_command(scene_of(arguments, Purpose::check)); });
-    add_scene(check);
+void add_check_and_added_mass(const CommandLine& line)
+{
+    Arguments& arguments = line.arguments;
+    line.add_of_scene("check", "Validate a scene; print cells, unknowns and expected memory",
+                          [&arguments] { return check_command(scene_of(arguments, Purpose::check)); });
 
-    CLI::App* mass = add("added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses",
-                         [&] { return added_mass_command(scene_of(arguments, Purpose::added_mass), arguments.json); });
-    add_scene(mass);
+    CLI::App* mass = line.add_of_scene("added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses",
+                         [&arguments] { return added_mass_command(scene_of(arguments, Purpose::added_mass), arguments.json); });
     mass->add_flag("--json", arguments.json, "Print JSON");
+}
 
-    CLI::App* converge_app = add("converge", "Run a scene on several grids; errors and observed orders of its motion",
-                                 [&] { return converge(arguments); });
-    add_scene(converge_app);
+void add_converge(const CommandLine& line)
+{
+    Arguments& arguments = line.arguments;
+    CLI::App* converge_app = line.add_of_scene("converge", "Run a scene on several grids; errors and observed orders of its motion",
+                                 [&arguments] { return converge(arguments); });
     ConvergeOptions& options = arguments.converge;
     converge_app->add_option("--cells", options.cells, "Cells along x of each run, as 32,64,128; others in proportion")
         ->required()
@@ -143,13 +158,17 @@ void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& act
     converge_app->add_flag("-q,--quiet", arguments.quiet, "No progress, only the table");
     converge_app->footer("Runs with domain.cells in proportion, time.max_step and time.gap_cfl scaled with the spacing, into "
                          "folders cells_N; writes converge.csv and converge.json. Errors are divided by the reference's range.");
+}
 
-    CLI::App* keys_app = add("keys", "List the keys of scene files: meaning, allowed values, default", [&] { return keys(arguments); });
+void add_keys_and_generate(const CommandLine& line)
+{
+    Arguments& arguments = line.arguments;
+    CLI::App* keys_app = line.add("keys", "List the keys of scene files: meaning, allowed values, default", [&arguments] { return keys(arguments); });
     keys_app->add_option("table", arguments.table, "Only this table or key, as gap or body.spring")->type_name("TABLE");
     keys_app->add_flag("--names", arguments.names, "Names alone, as --set takes them");
 
     CLI::App* generate =
-        add("generate", "Print a man page, a reference page or a shell's completion, made from this command's own tables", [&] {
+        line.add("generate", "Print a man page, a reference page or a shell's completion, made from this command's own tables", [&arguments, &app = line.app] {
             on_root(Communicator(), [&] {
                 const std::string text = describe(app, arguments.kind, GAPFLOW_VERSION);
                 if (arguments.directory.empty())
@@ -164,9 +183,13 @@ void add_commands(CLI::App& app, Arguments& arguments, std::function<int()>& act
     generate->add_option("kind", arguments.kind)
         ->required()
         ->check(CLI::IsMember(std::vector<std::string>(std::begin(description_kinds), std::end(description_kinds))));
+}
 
-    CLI::App* report = add("report", "One HTML page of a run, with plots and a view to play; or pictures of it",
-                           [&] { return report_command(arguments.report); });
+void add_report(const CommandLine& line)
+{
+    Arguments& arguments = line.arguments;
+    CLI::App* report = line.add("report", "One HTML page of a run, with plots and a view to play; or pictures of it",
+                           [&arguments] { return report_command(arguments.report); });
     report->add_option("directory", arguments.report.directory, "Folder of the run")->required()->type_name("DIR");
     CLI::Option* page =
         report->add_option("-o,--output", arguments.report.page, "The page, instead of DIR/report.html")->type_name("FILE.html");
@@ -203,7 +226,12 @@ int command(int argc, char** argv)
     app.footer("Exit status: 0 done, 1 the computation failed, 2 bad usage or bad scene, 130 or 143 interrupted.");
     Arguments arguments;
     std::function<int()> action;
-    add_commands(app, arguments, action);
+    const CommandLine line{app, arguments, action};
+    add_run(line);
+    add_check_and_added_mass(line);
+    add_converge(line);
+    add_keys_and_generate(line);
+    add_report(line);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& e) { // --help, --version

@@ -19,7 +19,7 @@ namespace gapflow {
 /// Velocities of the fluid where they live.
 template <int D>
 struct FluidVelocity {
-    FaceField<D> grid;                ///< normal component at the centroids of the open parts of faces
+    FaceField<D> grid;                ///< normal component, mean over the open part of a face; traces take it for the face centre's
     std::vector<Vec<D>> film;         ///< tangential velocity of every film element, absolute, world axes
     std::vector<double> film_normal;  ///< normal speed of the fluid of every film element (method: w_n*)
     std::vector<double> conduit;      ///< flux out of the film through every conduit, absolute

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace gapflow {
 
@@ -47,132 +48,191 @@ std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<c
     return speed;
 }
 
+namespace {
+
+// The transport of films in a step, part by part.
+template <int D>
+class FilmAdvection {
+public:
+    FilmAdvection(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories, double dt)
+        : network_(network), solids_(solids), conduits_(network.mouths.conduits), dt_(dt), memory_(network.films.size(), nullptr),
+          at_element_(network.elements, unknown()), at_conduit_(conduits_.size(), unknown())
+    {
+        for (std::size_t k = 0; k < network.films.size(); ++k)
+            if (auto it = memories.find(network.films[k].pair); it != memories.end())
+                memory_[k] = it->second.get();
+    }
+
+    // What the old films carry to the new elements and conduits.
+    void transport()
+    {
+        for_each_job(static_cast<int>(memory_.size()), [&](int k) {
+            if (!memory_[k])
+                return;
+            const Film<D>& film = network_.films[k];
+            const PlacedShape<D>& master = solids_[film.pair.master].shape;
+            int hint = -1;
+            for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
+                at_element_[film.first_element + e] =
+                    memory_[k]->transport(master.to_body(film.mesh.elements[e].centroid_master), dt_, hint);
+        });
+        constexpr int chunk = 64;
+        for_each_job(static_cast<int>((conduits_.size() + chunk - 1) / chunk), [&](int job) {
+            for (std::size_t r = static_cast<std::size_t>(job) * chunk; r < std::min(conduits_.size(), (job + std::size_t(1)) * chunk); ++r)
+                if (const int k = conduits_[r].film; memory_[k]) {
+                    int hint = -1;
+                    at_conduit_[r] = memory_[k]->at(solids_[network_.films[k].pair.master].shape.to_body(conduits_[r].x), hint);
+                }
+        });
+    }
+
+    // The bulk's velocity where no old film is near: elements, then conduits.
+    std::vector<Vec<D>> from_grid(const VelocitySampler<D>& grid_velocity) const
+    {
+        std::vector<Vec<D>> places;
+        for (const Film<D>& film : network_.films)
+            for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
+                if (!at_element_[film.first_element + e].near)
+                    places.push_back(film.mesh.elements[e].centroid);
+        for (std::size_t r = 0; r < conduits_.size(); ++r)
+            if (!at_conduit_[r].near)
+                places.push_back(conduits_[r].x);
+        return grid_velocity(places);
+    }
+
+    // Elements' velocities; what the pairs gave away for their energy's sake.
+    auto move_elements(const std::vector<double>& normal_speed, typename std::vector<Vec<D>>::const_iterator& next, FilmFlow<D>& flow) const
+    {
+        std::vector<double> turned; // of an element's normal speed: what flowed along the film where it came from
+        for (std::size_t k = 0; k < memory_.size(); ++k)
+            for (const FilmElement<D>& e : network_.films[k].mesh.elements) {
+                const Transported& old = at_element_[flow.velocity.size()];
+                Vec<D> w = old.near ? old.velocity : *next++;
+                turned.push_back(old.near ? tangential<D>(w - master_velocity(k, e), old.normal).dot(e.normal) : 0.0);
+                const Vec<D> n_bar = old.near ? Vec<D>(e.normal + old.normal) : e.normal;
+                const double across = n_bar.dot(e.normal);
+                flow.normal.push_back(w.dot(e.normal));
+                if (across > 0.1 * n_bar.norm())
+                    w += (normal_speed[flow.velocity.size()] - w.dot(e.normal)) / across * n_bar;
+                flow.velocity.push_back(tangential<D>(w, e.normal));
+            }
+        auto given_away = limit_motion(network_, solids_, memory_, at_element_, at_conduit_, dt_, flow.velocity);
+        // Round a corner what flowed along the film meets its walls: no faster than what is left along it.
+        for (std::size_t k = 0; k < memory_.size(); ++k)
+            for (std::size_t i = 0; i < network_.films[k].mesh.elements.size(); ++i) {
+                const std::size_t at = network_.films[k].first_element + i;
+                if (turned[at] == 0)
+                    continue;
+                const FilmElement<D>& e = network_.films[k].mesh.elements[i];
+                const double speed = tangential<D>(flow.velocity[at] - master_velocity(k, e), e.normal).norm();
+                flow.normal[at] += std::clamp(turned[at], -speed, speed) - turned[at];
+            }
+        return given_away;
+    }
+
+    // Mouths' fluxes and the factors of their conductances; returns the flux that the head of the outflow adds to each.
+    std::vector<double> move_mouths(const std::function<MouthLaw(int, int)>& law, typename std::vector<Vec<D>>::const_iterator& next,
+                                    FilmFlow<D>& flow) const
+    {
+        const std::vector<double> thickness = mean_thickness();
+        std::vector<double> head(conduits_.size(), 0.0);
+        for (std::size_t r = 0; r < conduits_.size(); ++r) {
+            const Conduit<D>& conduit = conduits_[r];
+            const FilmPair<D>& pair = network_.films[conduit.film].pair;
+            double q = 0, scale = 1.0;
+            if (at_conduit_[r].near)
+                std::tie(q, scale, head[r]) = mouth(static_cast<int>(r), thickness[conduit.film], law(pair.master, pair.other));
+            else
+                q = conduit.length * conduit.h * conduit.outward.dot(*next++);
+            flow.conduit.push_back(q);
+            flow.conduit_scale.push_back(scale);
+        }
+        return head;
+    }
+
+    const std::vector<const FilmMemory<D>*>& memory() const { return memory_; }
+
+private:
+    using Transported = typename FilmMemory<D>::Transported;
+    static Transported unknown() { return {Vec<D>::Zero(), Vec<D>::Zero(), false, false, 0}; }
+
+    Vec<D> master_velocity(std::size_t film, const FilmElement<D>& e) const
+    {
+        return memory_[film]->master_velocity(solids_[network_.films[film].pair.master].shape.to_body(e.centroid_master));
+    }
+
+    std::vector<double> mean_thickness() const
+    {
+        std::vector<double> mean;
+        for (const Film<D>& film : network_.films) {
+            double volume = 0, measure = 0;
+            for (const FilmElement<D>& e : film.mesh.elements) {
+                volume += e.volume;
+                measure += e.measure;
+            }
+            mean.push_back(volume / measure);
+        }
+        return mean;
+    }
+
+    // Flux, factor of the conductance and flux by the outflow's head of a mouth that an old film is near to.
+    std::tuple<double, double, double> mouth(int r, double mean_thickness, const MouthLaw& law) const
+    {
+        const Conduit<D>& conduit = conduits_[r];
+        const FilmMemory<D>& memory = *memory_[conduit.film];
+        const double section = conduit.length * conduit.h;
+        const Vec<D> place = solids_[network_.films[conduit.film].pair.master].shape.to_body(conduit.x);
+        const Vec<D> w = at_conduit_[r].velocity, U = memory.master_velocity(place);
+        double u = conduit.outward.dot(w - U); // out of the film, seen from the master
+        const auto* old = memory.mouth(place, conduit.outward);
+        double q = section * conduit.outward.dot(w), scale = 1.0, head = 0.0;
+        if (old) {
+            const double flux =
+                conduit.length * (old->flux + (conduit.h * conduit.outward - old->h * old->outward).dot(old->master_velocity));
+            const double with_master = section * conduit.outward.dot(U), most = mouth_bound * section * at_conduit_[r].fastest;
+            q = conduit.h < mean_thickness ? with_master + std::clamp(flux - with_master, -most, most) : flux;
+        }
+        const bool sharp = conduit.kind != ConduitKind::smooth && conduit.kind != ConduitKind::inflow;
+        if (sharp && u < 0) { // entrance, semi-implicit
+            const double k = 1 + law.entrance_loss;
+            scale = 1 / (1 + dt_ * k * -u / (2 * conduit.resistance * conduit.h));
+            q = scale * q + (1 - scale) * section * conduit.outward.dot(U);
+        } else if (sharp && !law.jet) {
+            int hint = -1;
+            if (memory.second_order())
+                u = std::max(conduit.outward.dot(memory.half_way(place, dt_, hint) - U), 0.0);
+            const double thickness = conduit.h / mean_thickness;
+            const double open = std::min(1.0, thickness / blocked_mouth);
+            head = open * open * conduit.length * dt_ * 0.5 * u * u / conduit.resistance;
+            if (thickness < thin_mouth)
+                head = std::min(head, section * u);
+        }
+        return {q, scale, head};
+    }
+
+    const FilmNetwork<D>& network_;
+    std::span<const Solid<D>> solids_;
+    const std::vector<Conduit<D>>& conduits_;
+    double dt_;
+    std::vector<const FilmMemory<D>*> memory_; // of each film's pair; null: none
+    std::vector<Transported> at_element_, at_conduit_;
+};
+
+} // namespace
+
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
                          const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
                          const std::function<MouthLaw(int, int)>& law, double dt)
 {
-    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
-    const int films = static_cast<int>(network.films.size());
-    std::vector<const FilmMemory<D>*> memory(films, nullptr); // of each film's pair
-    for (int k = 0; k < films; ++k)
-        if (auto it = memories.find(network.films[k].pair); it != memories.end())
-            memory[k] = it->second.get();
-
-    // What the old films carry to the new elements and conduits.
-    using Transported = typename FilmMemory<D>::Transported;
-    const Transported unknown{Vec<D>::Zero(), Vec<D>::Zero(), false, false, 0};
-    std::vector<Transported> at_element(network.elements, unknown), at_conduit(conduits.size(), unknown);
-    for_each_job(films, [&](int k) {
-        if (!memory[k])
-            return;
-        const Film<D>& film = network.films[k];
-        const PlacedShape<D>& master = solids[film.pair.master].shape;
-        int hint = -1;
-        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
-            at_element[film.first_element + e] =
-                memory[k]->transport(master.to_body(film.mesh.elements[e].centroid_master), dt, hint);
-    });
-    constexpr int chunk = 64;
-    for_each_job(static_cast<int>((conduits.size() + chunk - 1) / chunk), [&](int job) {
-        for (std::size_t r = static_cast<std::size_t>(job) * chunk; r < std::min(conduits.size(), (job + std::size_t(1)) * chunk); ++r)
-            if (const int k = conduits[r].film; memory[k]) {
-                int hint = -1;
-                at_conduit[r] = memory[k]->at(solids[network.films[k].pair.master].shape.to_body(conduits[r].x), hint);
-            }
-    });
-
-    // The bulk's velocity where no old film is near.
-    std::vector<Vec<D>> places;
-    for (const Film<D>& film : network.films)
-        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
-            if (!at_element[film.first_element + e].near)
-                places.push_back(film.mesh.elements[e].centroid);
-    for (std::size_t r = 0; r < conduits.size(); ++r)
-        if (!at_conduit[r].near)
-            places.push_back(conduits[r].x);
-    const std::vector<Vec<D>> from_grid = grid_velocity(places);
+    FilmAdvection<D> advection(network, solids, memories, dt);
+    advection.transport();
+    const std::vector<Vec<D>> from_grid = advection.from_grid(grid_velocity);
     auto next = from_grid.begin();
-
     FilmFlow<D> flow;
-    std::vector<double> turned; // of an element's normal speed: what flowed along the film where it came from
-    const std::vector<double> normal_speed = wall_normal_speed<D>(network, solids, predicted);
-    const auto master_velocity = [&](int film, const FilmElement<D>& e) {
-        return memory[film]->master_velocity(solids[network.films[film].pair.master].shape.to_body(e.centroid_master));
-    };
-    for (int k = 0; k < films; ++k)
-        for (const FilmElement<D>& e : network.films[k].mesh.elements) {
-            const Transported& old = at_element[flow.velocity.size()];
-            Vec<D> w = old.near ? old.velocity : *next++;
-            turned.push_back(old.near ? tangential<D>(w - master_velocity(k, e), old.normal).dot(e.normal) : 0.0);
-            const Vec<D> n_bar = old.near ? Vec<D>(e.normal + old.normal) : e.normal;
-            const double across = n_bar.dot(e.normal);
-            flow.normal.push_back(w.dot(e.normal));
-            if (across > 0.1 * n_bar.norm())
-                w += (normal_speed[flow.velocity.size()] - w.dot(e.normal)) / across * n_bar;
-            flow.velocity.push_back(tangential<D>(w, e.normal));
-        }
-    const auto given_away = limit_motion(network, solids, memory, at_element, at_conduit, dt, flow.velocity);
-    // Round a corner what flowed along the film meets its walls: no faster than what is left along it.
-    for (int k = 0; k < films; ++k)
-        for (std::size_t i = 0; i < network.films[k].mesh.elements.size(); ++i) {
-            const std::size_t at = network.films[k].first_element + i;
-            if (turned[at] == 0)
-                continue;
-            const FilmElement<D>& e = network.films[k].mesh.elements[i];
-            const double speed = tangential<D>(flow.velocity[at] - master_velocity(k, e), e.normal).norm();
-            flow.normal[at] += std::clamp(turned[at], -speed, speed) - turned[at];
-        }
-    std::vector<double> mean_thickness;
-    for (const Film<D>& film : network.films) {
-        double volume = 0, measure = 0;
-        for (const FilmElement<D>& e : film.mesh.elements) {
-            volume += e.volume;
-            measure += e.measure;
-        }
-        mean_thickness.push_back(volume / measure);
-    }
-    std::vector<double> head(conduits.size(), 0.0); // flux that the head of the outflow adds to a mouth
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        const Conduit<D>& conduit = conduits[r];
-        const Film<D>& film = network.films[conduit.film];
-        const double section = conduit.length * conduit.h;
-        double q = 0, scale = 1.0;
-        if (at_conduit[r].near) {
-            const Vec<D> place = solids[film.pair.master].shape.to_body(conduit.x);
-            const Vec<D> w = at_conduit[r].velocity, U = memory[conduit.film]->master_velocity(place);
-            double u = conduit.outward.dot(w - U); // out of the film, seen from the master
-            const auto* old = memory[conduit.film]->mouth(place, conduit.outward);
-            q = section * conduit.outward.dot(w);
-            if (old) {
-                const double flux =
-                    conduit.length * (old->flux + (conduit.h * conduit.outward - old->h * old->outward).dot(old->master_velocity));
-                const double with_master = section * conduit.outward.dot(U), most = mouth_bound * section * at_conduit[r].fastest;
-                q = conduit.h < mean_thickness[conduit.film] ? with_master + std::clamp(flux - with_master, -most, most) : flux;
-            }
-            const MouthLaw mouth = law(film.pair.master, film.pair.other);
-            const bool sharp = conduit.kind != ConduitKind::smooth && conduit.kind != ConduitKind::inflow;
-            if (sharp && u < 0) { // entrance, semi-implicit
-                const double k = 1 + mouth.entrance_loss;
-                scale = 1 / (1 + dt * k * -u / (2 * conduit.resistance * conduit.h));
-                q = scale * q + (1 - scale) * section * conduit.outward.dot(U);
-            } else if (sharp && !mouth.jet) {
-                int hint = -1;
-                if (memory[conduit.film]->second_order())
-                    u = std::max(conduit.outward.dot(memory[conduit.film]->half_way(place, dt, hint) - U), 0.0);
-                const double thickness = conduit.h / mean_thickness[conduit.film];
-                const double open = std::min(1.0, thickness / blocked_mouth);
-                head[r] = open * open * conduit.length * dt * 0.5 * u * u / conduit.resistance;
-                if (thickness < thin_mouth)
-                    head[r] = std::min(head[r], section * u);
-            }
-        } else {
-            q = section * conduit.outward.dot(*next++);
-        }
-        flow.conduit.push_back(q);
-        flow.conduit_scale.push_back(scale);
-    }
-    add_heads(network, solids, memory, given_away, head, flow.conduit);
+    const auto given_away = advection.move_elements(wall_normal_speed<D>(network, solids, predicted), next, flow);
+    const std::vector<double> head = advection.move_mouths(law, next, flow);
+    add_heads(network, solids, advection.memory(), given_away, head, flow.conduit);
     return flow;
 }
 

@@ -180,11 +180,13 @@ void number_films(std::vector<Film<D>>& films)
     }
 }
 
+namespace {
+
+// Pairs of solids whose images come close, in the order of their names. A pair that had a film keeps its master.
 template <int D>
-std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
-                                const std::function<GapSettings(int, int)>& settings, const std::set<FilmPair<D>>& alive)
+std::vector<FilmPair<D>> close_pairs(const Grid<D>& grid, std::span<const Solid<D>> solids, const std::vector<Image<D>>& images,
+                                     const std::set<FilmPair<D>>& alive)
 {
-    const std::vector<Image<D>>& images = clipper.images();
     const Vec<D> size = grid.size();
     std::vector<double> radius(solids.size());
     std::vector<std::array<bool, D>> endless(solids.size()); // axes along which the solid is its own image, as a wall along itself
@@ -214,12 +216,21 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
                              ? pair
                              : turned);
     }
-
     std::vector<FilmPair<D>> ordered(pairs.begin(), pairs.end());
     std::sort(ordered.begin(), ordered.end(), [&](const FilmPair<D>& p, const FilmPair<D>& q) {
         return std::tie(solids[p.master].name, solids[p.other].name, p.shift) <
                std::tie(solids[q.master].name, solids[q.other].name, q.shift);
     });
+    return ordered;
+}
+
+} // namespace
+
+template <int D>
+std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
+                                const std::function<GapSettings(int, int)>& settings, const std::set<FilmPair<D>>& alive)
+{
+    const Vec<D> size = grid.size();
     struct Job {
         FilmPair<D> pair;
         GapSettings gap;
@@ -229,7 +240,7 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
     std::vector<Job> jobs;
     std::vector<std::optional<SurfaceMesh<D>>> base(solids.size());
     std::vector<double> reach(solids.size());
-    for (const FilmPair<D>& pair : ordered) {
+    for (const FilmPair<D>& pair : close_pairs(grid, solids, clipper.images(), alive)) {
         const GapSettings gap = settings(pair.master, pair.other);
         const double threshold = gap.threshold * (alive.count(pair) ? hysteresis : 1.0);
         for (int s : {pair.master, pair.other})

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gapflow/coupling/system.hpp"
-#include "gapflow/linalg/petsc_handle.hpp"
+#include "gapflow/solver/petsc_handle.hpp"
 
 #include <Eigen/Dense>
 

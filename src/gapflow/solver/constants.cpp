@@ -125,46 +125,44 @@ int ConstantCorrection<D>::number_weak_films()
 }
 
 template <int D>
-void ConstantCorrection<D>::set_up_energies()
+void ConstantCorrection<D>::column(int k, UnknownVector<D>& z) const
 {
-    full_ = std::min(columns_, full_parts);
-    const int dofs = matrix_.dofs();
+    z.cells.fill(0);
+    z.nodes.setZero();
+    prolong(Eigen::VectorXd::Unit(columns_, k), z);
+}
+
+// What the band makes of each of the columns that are not films of their own.
+template <int D>
+void ConstantCorrection<D>::extend_over_band()
+{
     extension_ = Eigen::MatrixXd::Zero(band_.size(), full_);
-    Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(full_, full_), flux(dofs, full_);
-    UnknownVector<D> z = zero_vector(system_), y = zero_vector(system_);
-    auto make = [&](int k) {
-        z.cells.fill(0);
-        z.nodes.setZero();
-        prolong(Eigen::VectorXd::Unit(columns_, k), z);
-    };
+    if (band_.empty())
+        return;
     std::vector<char> film_column(columns_, 0);
     for (int k : node_part_)
         if (k >= 0)
             film_column[k] = 1;
-    if (!band_.empty())
-        for (int k = 0; k < full_; ++k) {
-            if (film_column[k])
-                continue;
-            for (int pass = 0; pass < 2; ++pass) { // refined once: the factor carries a small shift
-                make(k);
-                matrix_.apply_fluid(z, y);
-                extension_.col(k) -= band_.solve(band_.gather(y));
-            }
-        }
+    UnknownVector<D> z = zero_vector(system_), y = zero_vector(system_);
     for (int k = 0; k < full_; ++k) {
-        make(k);
-        matrix_.apply_fluid(z, y);
-        energy.col(k) = restricted(y).head(full_);
-        if (dofs > 0)
-            flux.col(k) = matrix_.transpose_flux(z);
+        if (film_column[k])
+            continue;
+        for (int pass = 0; pass < 2; ++pass) { // refined once: the factor carries a small shift
+            column(k, z);
+            matrix_.apply_fluid(z, y);
+            extension_.col(k) -= band_.solve(band_.gather(y));
+        }
     }
-    energy = 0.5 * (energy + energy.transpose().eval());
+}
 
-    // The scale that tells an energy from round-off: the sum of magnitudes.
-    Eigen::VectorXd links = Eigen::VectorXd::Zero(columns_), fluxes = Eigen::VectorXd::Zero(columns_);
+template <int D>
+typename ConstantCorrection<D>::Magnitudes ConstantCorrection<D>::magnitudes() const
+{
+    const int dofs = matrix_.dofs();
+    Magnitudes result{Eigen::VectorXd::Zero(columns_), Eigen::VectorXd::Zero(columns_), Eigen::VectorXd::Zero(columns_)};
+    auto& [links, fluxes, squares] = result;
     const Grid<D>& grid = *system_.grid;
     const Eigen::VectorXd mass = system_.mass.diagonal();
-    Eigen::VectorXd squares = Eigen::VectorXd::Zero(columns_); // diagonal of the bodies' part, for columns beyond full_
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(dofs, columns_);
     Eigen::MatrixXd magnitudes = Eigen::MatrixXd::Zero(dofs, columns_);
     auto count = [&](int k, int body, double sign, const Twist<D>& f) {
@@ -193,7 +191,27 @@ void ConstantCorrection<D>::set_up_energies()
             fluxes[k] += magnitudes(d, k) * magnitudes(d, k) / mass[d];
             squares[k] += sums(d, k) * sums(d, k) / mass[d];
         }
+    return result;
+}
 
+template <int D>
+void ConstantCorrection<D>::set_up_energies()
+{
+    full_ = std::min(columns_, full_parts);
+    const int dofs = matrix_.dofs();
+    extend_over_band();
+    Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(full_, full_), flux(dofs, full_);
+    UnknownVector<D> z = zero_vector(system_), y = zero_vector(system_);
+    for (int k = 0; k < full_; ++k) {
+        column(k, z);
+        matrix_.apply_fluid(z, y);
+        energy.col(k) = restricted(y).head(full_);
+        if (dofs > 0)
+            flux.col(k) = matrix_.transpose_flux(z);
+    }
+    energy = 0.5 * (energy + energy.transpose().eval());
+    const Eigen::VectorXd mass = system_.mass.diagonal();
+    const auto [links, fluxes, squares] = magnitudes();
     for (int k = 0; k < full_; ++k)
         if (energy(k, k) < 1e-13 * links[k]) {
             energy.row(k).setZero();

@@ -51,7 +51,17 @@ private:
     void number_columns(bool whole);
     /// Numbers weak films' nodes from 0; how many there are.
     int number_weak_films();
+    /// Unit vector k, extended to all unknowns.
+    void column(int k, UnknownVector<D>& z) const;
+    void extend_over_band();
     void set_up_energies();
+    /// Of each column: sums of magnitudes, which tell an energy from round-off.
+    struct Magnitudes {
+        Eigen::VectorXd links;   ///< of the links' part of its energy
+        Eigen::VectorXd fluxes;  ///< of the bodies' part
+        Eigen::VectorXd squares; ///< the bodies' part itself, for columns beyond full_
+    };
+    Magnitudes magnitudes() const;
     /// Z^T r.
     Eigen::VectorXd restricted(const UnknownVector<D>& r) const;
     /// z += Z c.

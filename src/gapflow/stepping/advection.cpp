@@ -5,323 +5,21 @@
 // MacCormack (second order; Selle, Fedkiw, Kim, Liu & Rossignac, J. Sci. Comput. 35, 2008):
 //     phi_hat = A(phi),  phi_back = A^R(phi_hat) with the flow reversed,
 //     result  = phi_hat + (phi - phi_back) / 2,  clamped to the values of phi at the corners around x_d.
-//
-// Points are kept as displacements from their face, in cells: a constant field is reproduced exactly, and results depend on the
-// number of ranks only by round-off.
 #include "gapflow/stepping/advection.hpp"
 
 #include "gapflow/core/threads.hpp"
+#include "gapflow/stepping/traces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <cmath>
 #include <tuple>
-#include <utility>
 
 namespace gapflow {
 
 namespace {
 
-template <int D>
-using Point = std::array<double, D>;
-
-// Where a displacement d from a value of a field lies: the lowest corner of its cell of values, and the weights in it.
-template <int D>
-struct Cell {
-    const double* corner;
-    Point<D> weight;
-};
-
-template <int D>
-inline Cell<D> cell_at(const double* value, const std::array<long, D>& stride, const Point<D>& d)
-{
-    Cell<D> cell{value, {}};
-    for (int k = 0; k < D; ++k) {
-        const double whole = std::floor(d[k]);
-        cell.weight[k] = d[k] - whole;
-        cell.corner += static_cast<int>(whole) * stride[k];
-    }
-    return cell;
-}
-
-// Linear in every axis between the corners; exact for constants.
-template <int D>
-inline double interpolate(const Cell<D>& cell, const std::array<long, D>& stride)
-{
-    auto line = [&](const double* p) { return p[0] + cell.weight[0] * (p[1] - p[0]); };
-    auto plane = [&](const double* p) {
-        const double a = line(p);
-        return a + cell.weight[1] * (line(p + stride[1]) - a);
-    };
-    if constexpr (D == 2) {
-        return plane(cell.corner);
-    } else {
-        const double a = plane(cell.corner);
-        return a + cell.weight[2] * (plane(cell.corner + stride[2]) - a);
-    }
-}
-
-template <int D>
-inline std::pair<double, double> corner_range(const Cell<D>& cell, const std::array<long, D>& stride)
-{
-    double low = cell.corner[0], high = low;
-    for (long z = 0; z <= (D == 3 ? stride[D - 1] : 0); z += stride[D - 1])
-        for (long y = 0; y <= stride[1]; y += stride[1])
-            for (long x = 0; x <= 1; ++x) {
-                low = std::min(low, cell.corner[x + y + z]);
-                high = std::max(high, cell.corner[x + y + z]);
-            }
-    return {low, high};
-}
-
-// Traces from faces normal to Axis. All fields of a grid share one block, so one offset serves all of them.
-template <int D, int Axis>
-struct Tracer {
-    std::array<const double*, D> u;
-    std::array<long, D> stride;
-    Point<D> low, high; // bounds of feet, in cells from the domain's origin
-
-    Tracer(const Grid<D>& grid, const FaceField<D>& velocity)
-    {
-        const Block<D>& block = velocity[0].block();
-        for (int k = 0; k < D; ++k) {
-            u[k] = velocity[k].data();
-            stride[k] = block.stride[k];
-            const int n = grid.cells()[k];
-            const bool low_wall = grid.low()[k] == 0 && grid.side(k, 0) == SideKind::wall;
-            const bool high_wall = grid.high()[k] == n && grid.side(k, 1) == SideKind::wall;
-            low[k] = low_wall ? 0.0 : block.low[k] + 0.5;
-            high[k] = high_wall ? n : block.high[k] - 1.5;
-        }
-    }
-
-    // u at d from the face at `offset`. Component b sits half a cell down along b and half a cell up along Axis from there.
-    Point<D> velocity(long offset, const Point<D>& d) const
-    {
-        Point<D> w;
-        for (int b = 0; b < D; ++b) {
-            Point<D> from_b = d;
-            from_b[b] += 0.5;
-            from_b[Axis] -= 0.5;
-            w[b] = interpolate<D>(cell_at<D>(u[b] + offset, stride, from_b), stride);
-        }
-        return w;
-    }
-
-    // The same at d = 0.
-    Point<D> velocity(long offset) const
-    {
-        Point<D> w;
-        for (int b = 0; b < D; ++b) {
-            const double* p = u[b] + offset;
-            const long up = stride[b], back = stride[Axis];
-            w[b] = b == Axis ? p[0] : 0.25 * (p[0] + p[up] + p[-back] + p[up - back]);
-        }
-        return w;
-    }
-
-    // Displacement of the point that reaches `arrival` (both from face centre x) after courant * dx / dt; w = u there.
-    Point<D> foot(long offset, const Point<D>& x, const Point<D>& arrival, const Point<D>& w, double courant) const
-    {
-        return clamped(x, arrival, velocity(offset, clamped(x, arrival, w, 0.5 * courant)), courant);
-    }
-
-private:
-    static Point<D> displaced(const Point<D>& arrival, const Point<D>& w, double courant)
-    {
-        Point<D> d;
-        for (int k = 0; k < D; ++k)
-            d[k] = arrival[k] - courant * w[k];
-        return d;
-    }
-    // Written so that a NaN ends up inside, too.
-    Point<D> clamped(const Point<D>& x, const Point<D>& arrival, const Point<D>& w, double courant) const
-    {
-        Point<D> d = displaced(arrival, w, courant);
-        for (int k = 0; k < D; ++k) {
-            d[k] = d[k] > low[k] - x[k] ? d[k] : low[k] - x[k];
-            d[k] = d[k] < high[k] - x[k] ? d[k] : high[k] - x[k];
-        }
-        return d;
-    }
-};
-
-// Up to `lanes` faces of a row at once. Within half a cell of a face every interpolation reads fixed neighbours, or one of
-// two by the displacement's sign: all faces then do the same, which vectorises. Faces further travelled go one by one.
-constexpr int lanes = 64;
-
-template <int D>
-using Lanes = std::array<std::array<double, lanes>, D>;
-
-/// Which neighbours an interpolation reads along an axis: before or after by the sign of d (|d| <= 1), or, for components
-/// half a cell off, always those on one side (|d| <= 1/2).
-enum class Reach { by_sign, after, before };
-
-template <Reach reach>
-inline double along(double before, double here, double after, double d)
-{
-    if constexpr (reach == Reach::by_sign) {
-        const double far = d < 0 ? before : after;
-        return here + std::abs(d) * (far - here);
-    } else if constexpr (reach == Reach::after) {
-        return here + (d + 0.5) * (after - here);
-    } else {
-        return before + (d + 0.5) * (here - before);
-    }
-}
-
-// Loops over lanes vectorise only if all of their body is inlined.
-#define GAPFLOW_INLINE __attribute__((always_inline))
-
-template <int D, Reach reach0, Reach reach1, Reach reach2>
-GAPFLOW_INLINE inline double interpolate_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2)
-{
-    auto line = [&](const double* c) GAPFLOW_INLINE { return along<reach0>(c[-1], c[0], c[1], d0); };
-    auto plane = [&](const double* c) GAPFLOW_INLINE { return along<reach1>(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
-    if constexpr (D == 2)
-        return plane(p);
-    else
-        return along<reach2>(plane(p - stride[2]), plane(p), plane(p + stride[2]), d2);
-}
-
-/// Least (largest) of the values that interpolate_near with Reach::by_sign reads.
-template <int D, class Pick>
-GAPFLOW_INLINE inline double extreme_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2, Pick&& pick)
-{
-    auto either = [&](double before, double here, double after, double d) GAPFLOW_INLINE {
-        const double far = d < 0 ? before : after;
-        return pick(here, far);
-    };
-    auto line = [&](const double* c) GAPFLOW_INLINE { return either(c[-1], c[0], c[1], d0); };
-    auto plane = [&](const double* c) GAPFLOW_INLINE { return either(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
-    if constexpr (D == 2)
-        return plane(p);
-    else
-        return either(plane(p - stride[2]), plane(p), plane(p + stride[2]), d2);
-}
-
-template <int D, int Axis>
-constexpr Reach reach_of(int component, int axis)
-{
-    if (component == Axis || (axis != component && axis != Axis))
-        return Reach::by_sign;
-    return axis == component ? Reach::after : Reach::before;
-}
-
-template <int D, int Axis>
-class RowTracer {
-public:
-    explicit RowTracer(const Tracer<D, Axis>& tracer) : tracer_(tracer) {}
-
-    /// Velocities at n face centres from `offset` on.
-    void start(long offset, const Point<D>& x, int n)
-    {
-        offset_ = offset;
-        x_ = x;
-        n_ = n;
-        for (int b = 0; b < D; ++b) {
-            const double* p = tracer_.u[b] + offset;
-            const long up = tracer_.stride[b], back = tracer_.stride[Axis];
-            double* w = w_[b].data();
-            if (b == Axis)
-                std::copy_n(p, n, w);
-            else
-                for (int i = 0; i < n; ++i)
-                    w[i] = 0.25 * (p[i] + p[i + up] + p[i - back] + p[i + up - back]);
-        }
-    }
-
-    /// Displacements of the feet for all faces; false if one lies too far for this way.
-    bool trace(double courant, Lanes<D>& d) const
-    {
-        Lanes<D> half, w;
-        if (!(displace(w_, 0.5 * courant, half) <= 0.5))
-            return false;
-        component_at<0>(half, w[0]);
-        component_at<1>(half, w[1]);
-        if constexpr (D == 3)
-            component_at<2>(half, w[2]);
-        return displace(w, courant, d) <= 1;
-    }
-
-private:
-    /// d = -courant w, clamped as Tracer does; returns the largest component.
-    double displace(const Lanes<D>& w, double courant, Lanes<D>& d) const
-    {
-        double largest = 0;
-        for (int k = 0; k < D; ++k) {
-            const double low = tracer_.low[k] - x_[k], high = tracer_.high[k] - x_[k], shift = k == 0 ? 1.0 : 0.0;
-            const double* from = w[k].data();
-            double* to = d[k].data();
-#pragma omp simd reduction(max : largest)
-            for (int i = 0; i < n_; ++i) {
-                double v = -courant * from[i];
-                v = v > low - shift * i ? v : low - shift * i;
-                v = v < high - shift * i ? v : high - shift * i;
-                to[i] = v;
-                largest = std::max(largest, std::abs(v));
-            }
-        }
-        return largest;
-    }
-
-    template <int B>
-    void component_at(const Lanes<D>& d, std::array<double, lanes>& result) const
-    {
-        constexpr Reach r0 = reach_of<D, Axis>(B, 0), r1 = reach_of<D, Axis>(B, 1), r2 = reach_of<D, Axis>(B, 2);
-        const double* p = tracer_.u[B] + offset_;
-        const std::array<long, D> stride = tracer_.stride;
-        double* to = result.data();
-#pragma omp simd
-        for (int i = 0; i < n_; ++i)
-            to[i] = interpolate_near<D, r0, r1, r2>(p + i, stride, d[0][i], d[1][i], d[D - 1][i]);
-    }
-
-    const Tracer<D, Axis>& tracer_;
-    long offset_ = 0;
-    Point<D> x_{};
-    int n_ = 0;
-    Lanes<D> w_;
-};
-
-template <int D>
-void values_near(const double* field, const std::array<long, D>& stride, const Lanes<D>& d, int n, double* result)
-{
-    constexpr Reach r = Reach::by_sign;
-#pragma omp simd
-    for (int i = 0; i < n; ++i)
-        result[i] = interpolate_near<D, r, r, r>(field + i, stride, d[0][i], d[1][i], d[D - 1][i]);
-}
-
-// The octants in which feet lie, seen from their faces: bit k for d_k < 0. The correction needs no more of the first trace.
-constexpr std::int8_t far_away = 64; // of a piece's first face: the feet were traced one by one
-
-template <int D>
-void store_octants(const Lanes<D>& d, int n, std::int8_t* octant)
-{
-    for (int i = 0; i < n; ++i) {
-        int bits = 0;
-        for (int k = 0; k < D; ++k)
-            bits |= (d[k][i] < 0) << k;
-        octant[i] = static_cast<std::int8_t>(bits);
-    }
-}
-
-// Least and largest value at the corners of the cells in which feet lie.
-template <int D>
-void ranges_near(const double* field, const std::array<long, D>& stride, const std::int8_t* octant, int n, double* low, double* high)
-{
-    Lanes<D> side;
-    for (int k = 0; k < D; ++k)
-        for (int i = 0; i < n; ++i)
-            side[k][i] = octant[i] >> k & 1 ? -1.0 : 1.0;
-#pragma omp simd
-    for (int i = 0; i < n; ++i) {
-        const double* p = field + i;
-        low[i] = extreme_near<D>(p, stride, side[0][i], side[1][i], side[D - 1][i], [](double a, double b) { return a < b ? a : b; });
-        high[i] = extreme_near<D>(p, stride, side[0][i], side[1][i], side[D - 1][i], [](double a, double b) { return a > b ? a : b; });
-    }
-}
+using namespace traces;
 
 // Calls f(offset of the first face in its field, position of its centre in cells, number of faces) for pieces of rows, of up
 // to `lanes` owned faces normal to Axis, that make up all of them; planes are shared out over threads.
@@ -349,118 +47,91 @@ void for_owned_pieces(const Grid<D>& grid, const Block<D>& block, F&& f)
     });
 }
 
-// The same, one by one: f(offset of the face, position of its centre).
-template <int D, int Axis, class F>
-void for_owned_faces(const Grid<D>& grid, const Block<D>& block, F&& f)
-{
-    for_owned_pieces<D, Axis>(grid, block, [&](long offset, Point<D> x, int n) {
-        const double x0 = x[0];
-        for (int i = 0; i < n; ++i) {
-            x[0] = x0 + i;
-            f(offset + i, static_cast<const Point<D>&>(x));
-        }
-    });
-}
-
+// What the transport of one component reads and writes. All fields share a block.
 template <int D, int Axis>
-void advect_component(const Grid<D>& grid, CellField<D>& result, const FaceField<D>& u, const CellField<D>& carried, double dt,
-                      AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceFractions<D>* fractions,
-                      const CellField<D, std::int8_t>* plain, const CellField<D>* change, CellField<D>& hat_field,
-                      CellField<D, std::int8_t>& octants)
-{
-    const Tracer<D, Axis> tracer(grid, u);
-    const auto& stride = tracer.stride;
-    const Block<D>& block = carried.block();
-    const double* phi = carried.data();
-    double* out = result.data();
-    const double courant = dt / grid.dx();
-    const bool corrected = scheme == AdvectionScheme::maccormack;
-    const Point<D> centre{};
-    auto value = [&](const double* field, long offset, const Point<D>& d) {
-        return interpolate<D>(cell_at<D>(field + offset, stride, d), stride);
-    };
+struct Transport {
+    const Grid<D>& grid;
+    const Tracer<D, Axis>& tracer;
+    double courant;       // dt / dx
+    const double* phi;    // what is carried
+    const double* change; // null: none
+    double* out;
+    double* hat;          // the semi-Lagrangian value; `out` where nothing corrects it
+    std::int8_t* octant;  // with a correction
 
-    double* hat = corrected ? hat_field.data() : out;
-    std::int8_t* const octant = corrected ? octants.data() : nullptr;
-    const double* const g = change ? change->data() : nullptr;
-    // What the change adds waits in `out` for the correction, unless that is where the values are.
-    auto add_change = [&](long f, double brought) { out[f] = (corrected ? 0.0 : out[f]) + 0.5 * (brought - g[f]); };
-    for_owned_pieces<D, Axis>(grid, block, [&](long first, Point<D> x, int n) {
-        RowTracer<D, Axis> rows(tracer);
+    double value(const double* field, long offset, const Point<D>& d) const
+    {
+        return interpolate<D>(cell_at<D>(field + offset, tracer.stride, d), tracer.stride);
+    }
+};
+
+// hat = A(phi). What the change adds waits in `out` for the correction, unless that is where the values are.
+template <int D, int Axis>
+void carry(const Transport<D, Axis>& t, const Block<D>& block)
+{
+    const double* const g = t.change;
+    auto add_change = [&](long f, double brought) { t.out[f] = (t.octant ? 0.0 : t.out[f]) + 0.5 * (brought - g[f]); };
+    for_owned_pieces<D, Axis>(t.grid, block, [&](long first, Point<D> x, int n) {
+        RowTracer<D, Axis> rows(t.tracer);
         Lanes<D> d;
         rows.start(first, x, n);
-        if (rows.trace(courant, d)) {
-            values_near<D>(phi + first, stride, d, n, hat + first);
-            if (octant)
-                store_octants<D>(d, n, octant + first);
+        if (rows.trace(t.courant, d)) {
+            values_near<D>(t.phi + first, t.tracer.stride, d, n, t.hat + first);
+            if (t.octant)
+                store_octants<D>(d, n, t.octant + first);
             if (g) {
                 std::array<double, lanes> brought;
-                values_near<D>(g + first, stride, d, n, brought.data());
+                values_near<D>(g + first, t.tracer.stride, d, n, brought.data());
                 for (int i = 0; i < n; ++i)
                     add_change(first + i, brought[i]);
             }
             return;
         }
-        if (octant)
-            octant[first] = far_away;
+        if (t.octant)
+            t.octant[first] = far_away;
         for (long f = first; f < first + n; ++f, ++x[0]) {
-            const Point<D> foot = tracer.foot(f, x, centre, tracer.velocity(f), courant);
-            hat[f] = value(phi, f, foot);
+            const Point<D> foot = t.tracer.foot(f, x, t.tracer.velocity(f), t.courant);
+            t.hat[f] = t.value(t.phi, f, foot);
             if (g)
-                add_change(f, value(g, f, foot));
+                add_change(f, t.value(g, f, foot));
         }
     });
-    if (corrected) {
-        fill_velocity_ghosts(grid, Axis, hat_field, sides);
-        const std::int8_t* uncorrected = plain ? plain->data() : nullptr;
-        for_owned_pieces<D, Axis>(grid, block, [&](long first, Point<D> x, int n) {
-            RowTracer<D, Axis> rows(tracer);
-            Lanes<D> back_d;
-            rows.start(first, x, n);
-            std::array<double, lanes> back, low, high;
-            if (octant[first] != far_away && rows.trace(-courant, back_d)) {
-                values_near<D>(hat + first, stride, back_d, n, back.data());
-                ranges_near<D>(phi + first, stride, octant + first, n, low.data(), high.data());
-            } else {
-                for (int i = 0; i < n; ++i, ++x[0]) {
-                    const long f = first + i;
-                    const Point<D> w = tracer.velocity(f);
-                    std::tie(low[i], high[i]) = corner_range<D>(cell_at<D>(phi + f, stride, tracer.foot(f, x, centre, w, courant)), stride);
-                    back[i] = value(hat, f, tracer.foot(f, x, centre, w, -courant));
-                }
-            }
-#pragma omp simd
-            for (int i = 0; i < n; ++i) {
+}
+
+// out = hat + (phi - A^R(hat)) / 2 within the values around the foot, hat where `plain` says so; the change is added.
+template <int D, int Axis>
+void correct(const Transport<D, Axis>& t, const Block<D>& block, const std::int8_t* plain)
+{
+    const auto& stride = t.tracer.stride;
+    const double *phi = t.phi, *hat = t.hat;
+    for_owned_pieces<D, Axis>(t.grid, block, [&](long first, Point<D> x, int n) {
+        RowTracer<D, Axis> rows(t.tracer);
+        Lanes<D> back_d;
+        rows.start(first, x, n);
+        std::array<double, lanes> back, low, high;
+        if (t.octant[first] != far_away && rows.trace(-t.courant, back_d)) {
+            values_near<D>(hat + first, stride, back_d, n, back.data());
+            ranges_near<D>(phi + first, stride, t.octant + first, n, low.data(), high.data());
+        } else {
+            for (int i = 0; i < n; ++i, ++x[0]) {
                 const long f = first + i;
-                const double v = hat[f] + 0.5 * (phi[f] - back[i]), least = v < low[i] ? low[i] : v;
-                back[i] = least > high[i] ? high[i] : least;
+                const Point<D> w = t.tracer.velocity(f);
+                std::tie(low[i], high[i]) = corner_range<D>(cell_at<D>(phi + f, stride, t.tracer.foot(f, x, w, t.courant)), stride);
+                back[i] = t.value(hat, f, t.tracer.foot(f, x, w, -t.courant));
             }
-            if (uncorrected)
-                for (int i = 0; i < n; ++i)
-                    if (uncorrected[first + i])
-                        back[i] = hat[first + i];
-            for (int i = 0; i < n; ++i)
-                out[first + i] = g ? out[first + i] + back[i] : back[i];
-        });
-    }
-    if (!fractions)
-        return;
-    // Cut faces again, now arriving at their open parts; phi_hat stays the field on face centres.
-    const int* cut = fractions->cut[Axis].data();
-    for_owned_faces<D, Axis>(grid, block, [&](long f, const Point<D>& x) {
-        if (cut[f] < 0 || fractions->faces[cut[f]].open == 0)
-            return;
-        Point<D> arrival;
-        for (int k = 0; k < D; ++k)
-            arrival[k] = (fractions->faces[cut[f]].open_centroid[k] - grid.origin()[k]) / grid.dx() - x[k];
-        const Point<D> w = tracer.velocity(f, arrival);
-        const Cell<D> cell = cell_at<D>(phi + f, stride, tracer.foot(f, x, arrival, w, courant));
-        out[f] = interpolate<D>(cell, stride);
-        if (corrected && !(plain && plain->data()[f])) {
-            const double back = value(hat_field.data(), f, tracer.foot(f, x, arrival, w, -courant));
-            const auto [low, high] = corner_range<D>(cell, stride);
-            out[f] = std::clamp(out[f] + 0.5 * (value(phi, f, arrival) - back), low, high);
         }
+#pragma omp simd
+        for (int i = 0; i < n; ++i) {
+            const long f = first + i;
+            const double v = hat[f] + 0.5 * (phi[f] - back[i]), least = v < low[i] ? low[i] : v;
+            back[i] = least > high[i] ? high[i] : least;
+        }
+        if (plain)
+            for (int i = 0; i < n; ++i)
+                if (plain[first + i])
+                    back[i] = hat[first + i];
+        for (int i = 0; i < n; ++i)
+            t.out[first + i] = t.change ? t.out[first + i] + back[i] : back[i];
     });
 }
 
@@ -480,7 +151,7 @@ void advect_marked(const Grid<D>& grid, CellField<D>& result, const FaceField<D>
         for (long f = first; f < first + n; ++f, ++x[0]) {
             if (!marked.data()[f])
                 continue;
-            const Point<D> d = tracer.foot(f, x, Point<D>{}, tracer.velocity(f), dt / grid.dx());
+            const Point<D> d = tracer.foot(f, x, tracer.velocity(f), dt / grid.dx());
             result.data()[f] = interpolate<D>(cell_at<D>(phi + f, tracer.stride, d), tracer.stride);
         }
     });
@@ -499,19 +170,26 @@ void for_each_axis(F&& f)
 
 template <int D>
 void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D>& carried, double dt,
-            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceFractions<D>* fractions,
-            const FaceField<D, std::int8_t>* plain, const FaceField<D>* change)
+            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* plain, const FaceField<D>* change)
 {
-    assert(grid.ghost() >= 2 && &result != &u && &result != &carried && !(fractions && change));
+    assert(grid.ghost() >= 2 && &result != &u && &result != &carried);
+    const bool corrected = scheme == AdvectionScheme::maccormack;
     CellField<D> hat;
     CellField<D, std::int8_t> octants;
-    if (scheme == AdvectionScheme::maccormack) {
+    if (corrected) {
         hat = CellField<D>(grid);
         octants = CellField<D, std::int8_t>(grid);
     }
     for_each_axis<D>([&]<int Axis>(std::integral_constant<int, Axis>) {
-        advect_component<D, Axis>(grid, result[Axis], u, carried[Axis], dt, scheme, sides, fractions,
-                                  plain ? &(*plain)[Axis] : nullptr, change ? &(*change)[Axis] : nullptr, hat, octants);
+        const Tracer<D, Axis> tracer(grid, u);
+        double* const out = result[Axis].data();
+        const Transport<D, Axis> transport{grid, tracer, dt / grid.dx(), carried[Axis].data(), change ? (*change)[Axis].data() : nullptr,
+                                           out, corrected ? hat.data() : out, corrected ? octants.data() : nullptr};
+        carry(transport, carried[Axis].block());
+        if (!corrected)
+            return;
+        fill_velocity_ghosts(grid, Axis, hat, sides);
+        correct(transport, carried[Axis].block(), plain ? (*plain)[Axis].data() : nullptr);
     });
 }
 
@@ -527,8 +205,7 @@ void advect_marked_faces(const Grid<D>& grid, FaceField<D>& result, const FaceFi
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void advect<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D>&, double, AdvectionScheme,  \
-                            const BoundaryVelocity<D>&, const FaceFractions<D>*, const FaceField<D, std::int8_t>*,                  \
-                            const FaceField<D>*);                                                                              \
+                            const BoundaryVelocity<D>&, const FaceField<D, std::int8_t>*, const FaceField<D>*);                \
     template void advect_marked_faces<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D, std::int8_t>&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

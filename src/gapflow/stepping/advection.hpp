@@ -1,7 +1,6 @@
 // Advection of face velocities on the MAC grid.
 #pragma once
 
-#include "gapflow/grid/face_fractions.hpp"
 #include "gapflow/grid/field.hpp"
 #include "gapflow/stepping/velocity_ghosts.hpp"
 
@@ -17,14 +16,13 @@ enum class AdvectionScheme { semi_lagrangian, maccormack };
 /// into the domain, and no foot lies further than ghost() - 1 cells outside the rank's block: traces are exact for
 /// dt |u| <= (ghost() - 1) dx on every axis, and safe for any u.
 ///
-/// fractions (optional): velocities of cut faces arrive at the centroid of the face's open part instead of its centre.
 /// plain (optional): faces marked with nonzero take the semi-Lagrangian value. Collective with MacCormack.
-/// change (optional, not with fractions; ghosts filled): of what this adds to velocities in the step, half acts where the fluid comes
+/// change (optional; ghosts filled): of what this adds to velocities in the step, half acts where the fluid comes
 /// from: result += 1/2 (A(change) - change), A semi-Lagrangian.
 template <int D>
 void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D>& carried, double dt,
-            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceFractions<D>* fractions = nullptr,
-            const FaceField<D, std::int8_t>* plain = nullptr, const FaceField<D>* change = nullptr);
+            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* plain = nullptr,
+            const FaceField<D>* change = nullptr);
 
 /// The semi-Lagrangian result for u itself on the marked faces (nonzero); others are left as they are.
 template <int D>

@@ -142,7 +142,7 @@ FaceField<D> Simulation<D>::advect_bulk(FaceField<D>& u_star, double dt, const F
         if (mark_across_thin_bodies(grid_, old_fractions_->open, sliver(), uncorrected))
             plain = &uncorrected;
     }
-    advect<D>(grid_, u_star, middle, velocity_.grid, dt, scheme, sides, nullptr, plain, &change);
+    advect<D>(grid_, u_star, middle, velocity_.grid, dt, scheme, sides, plain, &change);
     add_inflow_head(grid_, to_vec<D>(scene_.fluid_velocity), dt, u_star);
     return change;
 }
