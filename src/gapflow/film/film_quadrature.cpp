@@ -201,6 +201,30 @@ Vec<D> area_vector(const std::array<Vec<D>, D>& c)
         return 0.5 * (c[1] - c[0]).cross(c[2] - c[0]);
 }
 
+namespace {
+
+struct Divisions {
+    int edge, for_inverse; // of an element's edge; the same for the mean of 1/h
+};
+
+// So fine that pieces are as small as the grid asks for, and their thicknesses alike.
+template <int D>
+Divisions divisions_of(const std::array<Vec<D>, D>& x, const std::array<Vec<D>, D>& y, const Barycentric<D>& h, const FilmMeshOptions& o,
+                       bool flat)
+{
+    double size = 0;
+    for (int k = 0; k < D; ++k)
+        size = std::max({size, (x[k] - x[(k + 1) % D]).norm(), (y[k] - y[(k + 1) % D]).norm()});
+    const double spacing = o.dx * (o.spacing > 0 ? o.spacing : D == 2 ? 0.125 : flat ? 0.5 : 0.25);
+    const auto [lowest, highest] = std::minmax_element(h.begin(), h.end());
+    const int divisions = std::max(1, int(std::ceil(std::min(size / spacing, double(most_divisions)) - 1e-6)));
+    const double for_ratio = std::ceil(std::log(*highest / *lowest) / std::log(thickness_ratio) - 1e-6);
+    return {std::max(divisions, int(std::min(for_ratio, double(most_for_ratio<D>)))),
+            std::max(divisions, int(std::min(for_ratio, double(most_for_inverse))))};
+}
+
+} // namespace
+
 template <int D>
 void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool flat, int e, FilmMesh<D>& film)
 {
@@ -213,15 +237,7 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
         y[k] = film.y[element.nodes[k]];
         h[k] = film.h[element.nodes[k]];
     }
-    double size = 0;
-    for (int k = 0; k < D; ++k)
-        size = std::max({size, (x[k] - x[(k + 1) % D]).norm(), (y[k] - y[(k + 1) % D]).norm()});
-    const double spacing = o.dx * (o.spacing > 0 ? o.spacing : D == 2 ? 0.125 : flat ? 0.5 : 0.25);
-    const auto [lowest, highest] = std::minmax_element(h.begin(), h.end());
-    int divisions = std::max(1, int(std::ceil(std::min(size / spacing, double(most_divisions)) - 1e-6)));
-    const double for_ratio = std::ceil(std::log(*highest / *lowest) / std::log(thickness_ratio) - 1e-6);
-    const int for_inverse = std::max(divisions, int(std::min(for_ratio, double(most_for_inverse))));
-    divisions = std::max(divisions, int(std::min(for_ratio, double(most_for_ratio<D>))));
+    const auto [divisions, for_inverse] = divisions_of<D>(x, y, h, o, flat);
 
     static thread_local std::vector<Piece<D>> pieces;
     pieces.clear();

@@ -1,9 +1,10 @@
 // Base mesh of the gap's surface, its vertices and the points where edges leave the gap.
 #include "gapflow/film/gap_surface.hpp"
 
+#include "gapflow/core/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace gapflow
 {
@@ -19,23 +20,17 @@ double squared_distance(const Bounds<D>& box, const Vec<D>& x)
     return (box.low - x).cwiseMax(x - box.high).cwiseMax(0).squaredNorm();
 }
 
-} // namespace
-
+// Elements of the base mesh, its vertices at x in the world, within reach of the other's bounds; and all elements' centres.
 template <int D>
-GapSurface<D>::GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base)
-    : test_(test), sizes_{}, other_planar_(!test.other.shape().planes().empty())
+std::vector<int> elements_within_reach(const GapTest<D>& test, const SurfaceMesh<D>& base, const std::vector<Vec<D>>& x,
+                                       std::vector<Vec<D>>& centre)
 {
-    const PlacedShape<D>&master = test_.master, &other = test_.other;
+    const PlacedShape<D>&master = test.master, &other = test.other;
     const int n = int(base.elements.size());
-    std::vector<Vec<D>> x(base.vertices.size());
-    for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] = master.to_world(base.vertices[i]);
-
-    // Elements within reach of the other's bounds.
+    centre.resize(n);
     const Bounds<D> bounds = other.shape().bounds();
-    const bool bounded = !other.shape().inside_out() && !other.shape().complement() && !other_planar_;
+    const bool bounded = !other.shape().inside_out() && !other.shape().complement() && other.shape().planes().empty();
     std::vector<int> kept;
-    std::vector<Vec<D>> centre(n);
     for (int e = 0; e < n; ++e) {
         centre[e].setZero();
         for (int i : base.elements[e])
@@ -45,19 +40,30 @@ GapSurface<D>::GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base)
             square = std::max(square, (x[i] - centre[e]).squaredNorm());
         const double radius = std::sqrt(square);
         const double sagitta = std::min(radius, std::abs(master.shape().curvature(base.patch[e])) * radius * radius);
-        const double reach = test_.options.threshold + radius + sagitta;
+        const double reach = test.options.threshold + radius + sagitta;
         if (!bounded || squared_distance<D>(bounds, other.to_body(centre[e])) < reach * reach)
             kept.push_back(e);
     }
+    return kept;
+}
+
+} // namespace
+
+template <int D>
+GapSurface<D>::GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base)
+    : test_(test), sizes_{}, other_planar_(!test.other.shape().planes().empty())
+{
+    const PlacedShape<D>& master = test_.master;
+    const int n = int(base.elements.size());
+    std::vector<Vec<D>> x(base.vertices.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] = master.to_world(base.vertices[i]);
+
+    std::vector<Vec<D>> centre;
+    const std::vector<int> kept = elements_within_reach(test_, base, x, centre);
 
     // Corners of elements that share a vertex on a smooth junction become one vertex.
-    std::vector<int> root(D * n);
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&](int i) {
-        while (root[i] != i)
-            i = root[i] = root[root[i]];
-        return i;
-    };
+    DisjointSets corners(D * n);
     const auto corner = [&](int e, int vertex) {
         return D * e + int(std::find(base.elements[e].begin(), base.elements[e].end(), vertex) - base.elements[e].begin());
     };
@@ -79,7 +85,7 @@ GapSurface<D>::GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base)
             const Vec<D> middle = 0.5 * (x[a] + x[b]);
             if (p == q || master.patch_normal(middle, p).dot(master.patch_normal(middle, q)) > smooth_cosine) {
                 for (int v : {a, b})
-                    root[find(corner(e, v))] = find(corner(neighbour, v));
+                    corners.join(corner(e, v), corner(neighbour, v));
             } else {
                 creases.push_back({neighbour, a, b, q});
                 creases.push_back({e, a, b, p});
@@ -90,7 +96,7 @@ GapSurface<D>::GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base)
     for (int e : kept) {
         Element element{{}, base.patch[e]};
         for (int k = 0; k < D; ++k) {
-            int& id = number[find(D * e + k)];
+            int& id = number[corners.find(D * e + k)];
             if (id < 0)
                 id = add_vertex(x[base.elements[e][k]], Vec<D>::Zero(), base.patch[e], false, false);
             element.nodes[k] = id;
@@ -98,7 +104,7 @@ GapSurface<D>::GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base)
         elements_.push_back(element);
     }
     for (const Crease& c : creases) {
-        const int a = number[find(corner(c.element, c.a))], b = number[find(corner(c.element, c.b))];
+        const int a = number[corners.find(corner(c.element, c.a))], b = number[corners.find(corner(c.element, c.b))];
         if (D == 3)
             creases_.insert(a, b) = c.across;
         for (int v : {a, b}) {

@@ -207,6 +207,52 @@ double true_residual(const CoupledOperator<D>& matrix, const NullSpace<D>& null_
     return std::sqrt(dot(grid, r, r));
 }
 
+namespace {
+
+enum class Stop { reached, broken, bodies_added };
+
+// Iterations from the residual r of norm `start` until it falls to nine tenths of the target, the preconditioner or the matrix is found not
+// to be positive (with the reason), or the preconditioner has taken the bodies in.
+template <int D>
+Stop iterate(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner, const NullSpace<D>& null_space,
+             KrylovVectors<D>& vectors, UnknownVector<D>& x, double start, double target, int max_iterations, int& iterations,
+             std::string& reason)
+{
+    const CoupledSystem<D>& system = matrix.system();
+    const Grid<D>& grid = *system.grid;
+    auto& [r, z, p, q] = vectors;
+    const bool in_z = !null_space.empty() && system.components.size() > 1;
+    double residual = start, zr = 0, alpha = 0, loaded_size = start;
+    for (int k = 0; residual > 0.9 * target && iterations < max_iterations; ++k, ++iterations) {
+        preconditioner.apply_in_place(r, z, loaded_size, k > 0, in_z);
+        if (in_z)
+            null_space.project(z);
+        const auto [zr_new, zq, shift] = dots(system, null_space, preconditioner, z, r, q);
+        if (!(zr_new > 0) || !std::isfinite(zr_new)) {
+            reason = describe("the preconditioner is not positive: r.Br = %g", zr_new);
+            return Stop::broken;
+        }
+        const double beta = k == 0 ? 0.0 : -alpha * zq / zr;
+        zr = zr_new;
+        const double energy = turn(matrix, preconditioner, z, shift, beta, p, q);
+        if (!(energy > 0) || !std::isfinite(energy)) {
+            reason = describe("the matrix is not positive definite: p.Ap = %g", energy);
+            return Stop::broken;
+        }
+        alpha = zr / energy;
+        loaded_size = residual;
+        residual = std::sqrt(advance(grid, preconditioner, x, r, alpha, p, q, loaded_size));
+        if (k >= 4 && preconditioner.wants_bodies(expected_iterations(k + 1, residual / start, target / start))) {
+            preconditioner.add_bodies();
+            ++iterations;
+            return Stop::bodies_added;
+        }
+    }
+    return Stop::reached;
+}
+
+} // namespace
+
 template <int D>
 SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner,
                                 const NullSpace<D>& null_space, KrylovVectors<D>& vectors, UnknownVector<D>& x,
@@ -245,7 +291,6 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
     }
     bool fresh = !(guess > 0); // r is the residual already
 
-    const bool in_z = !null_space.empty() && system.components.size() > 1;
     std::string reason;
     constexpr int most_restarts = 2; // by a residual that drifted from the true one, or by a breakdown
     for (int restarts = 0; restarts <= most_restarts;) {
@@ -263,44 +308,16 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
         fresh = false;
         if (start <= target || (reached && start <= matrix.round_off(x)))
             break;
-        double residual = start, zr = 0, alpha = 0, loaded_size = start;
-        bool broken = false, bodies_added = false;
-        for (int k = 0; residual > 0.9 * target && report.iterations < options.max_iterations; ++k, ++report.iterations) {
-            preconditioner.apply_in_place(r, z, loaded_size, k > 0, in_z);
-            if (in_z)
-                null_space.project(z);
-            const auto [zr_new, zq, shift] = dots(system, null_space, preconditioner, z, r, q);
-            if (!(zr_new > 0) || !std::isfinite(zr_new)) {
-                reason = describe("the preconditioner is not positive: r.Br = %g", zr_new);
-                broken = true;
-                break;
-            }
-            const double beta = k == 0 ? 0.0 : -alpha * zq / zr;
-            zr = zr_new;
-            const double energy = turn(matrix, preconditioner, z, shift, beta, p, q);
-            if (!(energy > 0) || !std::isfinite(energy)) {
-                reason = describe("the matrix is not positive definite: p.Ap = %g", energy);
-                broken = true;
-                break;
-            }
-            alpha = zr / energy;
-            loaded_size = residual;
-            residual = std::sqrt(advance(grid, preconditioner, x, r, alpha, p, q, loaded_size));
-            if (k >= 4 && preconditioner.wants_bodies(expected_iterations(k + 1, residual / start, target / start))) {
-                preconditioner.add_bodies();
-                bodies_added = true;
-                ++report.iterations;
-                break;
-            }
-        }
+        const Stop stop =
+            iterate(matrix, preconditioner, null_space, vectors, x, start, target, options.max_iterations, report.iterations, reason);
         if (report.iterations >= options.max_iterations) {
             reason = describe("not converged after %g iterations", report.iterations);
             break;
         }
-        if (bodies_added)
+        if (stop == Stop::bodies_added)
             continue;
         ++restarts;
-        reached = !broken;
+        reached = stop == Stop::reached;
         if (reached)
             reason = "the true residual stays above the recursive one: the system is too badly conditioned";
     }

@@ -19,6 +19,57 @@ double now()
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// The master of a film is chosen by how its bodies move in the scene; with all twists given no body is an unknown.
+template <int D>
+Coupling<D> coupling_of_given_twists(const Scene& scene, const Grid<D>& grid, const std::vector<Solid<D>>& solids,
+                                     const std::function<GapSettings(int, int)>& gaps)
+{
+    const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
+    Coupling<D> c = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)}, gaps, {});
+    c.system.bodies = 0;
+    std::fill(c.free_body.begin(), c.free_body.end(), -1);
+    c.system.cell_flux.clear();
+    c.system.node_flux.clear();
+    c.system.mass.resize(0, 0);
+    find_components(c);
+    return c;
+}
+
+template <int D>
+struct Response {
+    std::vector<Twist<D>> impulse; // that accelerates the fluid from rest, of every solid
+    SolveReport solve;
+};
+
+// What it takes to give the solids these twists.
+template <int D>
+Response<D> response(const Coupling<D>& coupling, const CoupledSolver<D>& solver, const std::vector<Twist<D>>& twists)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const FluidVelocity<D> still{FaceField<D>(grid), std::vector<Vec<D>>(coupling.network.elements, Vec<D>::Zero()),
+                                 std::vector<double>(coupling.network.elements, 0.0),
+                                 std::vector<double>(coupling.network.mouths.conduits.size(), 0.0)};
+    UnknownVector<D> rhs;
+    double squares = 0;
+    outflow(coupling, still, twists, rhs, &squares);
+    for (long i = 0; i < rhs.cells.size(); ++i)
+        rhs.cells.data()[i] *= -1;
+    rhs.nodes *= -1;
+    UnknownVector<D> p{CellField<D>(grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
+    const SolveReport solve = solver.solve(p, rhs, 1e-13 * std::sqrt(squares));
+    std::vector<Twist<D>> impulse = impulses(coupling, p);
+    for (Twist<D>& one : impulse)
+        one = -one;
+    for (const NormalInertia<D>& inertia : coupling.normal_inertia) {
+        const double speed = inertia.row_master.dot(twists[inertia.master]) + inertia.row_other.dot(twists[inertia.other]);
+        if (speed == 0)
+            continue;
+        impulse[inertia.master] += inertia.mass * speed * inertia.row_master;
+        impulse[inertia.other] += inertia.mass * speed * inertia.row_other;
+    }
+    return {std::move(impulse), solve};
+}
+
 template <int D>
 AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
 {
@@ -36,18 +87,7 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
     for (std::size_t s = 0; s < bodies.size(); ++s)
         if (solids[s].motion != Motion::fixed)
             moving.push_back(static_cast<int>(s));
-    // The master of a film is chosen by how its bodies move in the scene; with all twists given no body is an unknown.
-    const Coupling<D> coupling = [&] {
-        std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
-        Coupling<D> c = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)}, gaps, {});
-        c.system.bodies = 0;
-        std::fill(c.free_body.begin(), c.free_body.end(), -1);
-        c.system.cell_flux.clear();
-        c.system.node_flux.clear();
-        c.system.mass.resize(0, 0);
-        find_components(c);
-        return c;
-    }();
+    const Coupling<D> coupling = coupling_of_given_twists(scene, grid, solids, gaps);
 
     SolverOptions options;
     options.tolerance = std::min(scene.tolerance, 1e-8);
@@ -58,40 +98,18 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
     static const std::array<const char*, 6> names3{"vx", "vy", "vz", "wx", "wy", "wz"};
     const int dofs = n * static_cast<int>(moving.size());
     result.matrix = Eigen::MatrixXd::Zero(dofs, dofs);
-    FluidVelocity<D> still{FaceField<D>(grid), std::vector<Vec<D>>(coupling.network.elements, Vec<D>::Zero()),
-                           std::vector<double>(coupling.network.elements, 0.0),
-                           std::vector<double>(coupling.network.mouths.conduits.size(), 0.0)};
-    UnknownVector<D> rhs;
     for (int j = 0; j < dofs; ++j) {
         const int solid = moving[j / n];
         std::vector<Twist<D>> twists(solids.size(), Twist<D>::Zero());
         twists[solid][j % n] = 1;
-        double squares = 0;
-        outflow(coupling, still, twists, rhs, &squares);
-        for (long i = 0; i < rhs.cells.size(); ++i)
-            rhs.cells.data()[i] *= -1;
-        rhs.nodes *= -1;
-        UnknownVector<D> p{CellField<D>(grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
-        const SolveReport report = solver.solve(p, rhs, 1e-13 * std::sqrt(squares));
-        if (!report.converged)
+        const auto [impulse, solve] = response(coupling, solver, twists);
+        if (!solve.converged)
             throw ComputationError("the pressure solve for the added mass of " + solids[solid].name + " (" +
-                                   (D == 2 ? names2[j % n] : names3[j % n]) + ") did not converge: " + report.message +
-                                   " (" + std::to_string(report.iterations) + " iterations)");
-        result.iterations.push_back(report.iterations);
-        const std::vector<Twist<D>> impulse = impulses(coupling, p);
+                                   (D == 2 ? names2[j % n] : names3[j % n]) + ") did not converge: " + solve.message +
+                                   " (" + std::to_string(solve.iterations) + " iterations)");
+        result.iterations.push_back(solve.iterations);
         for (int i = 0; i < dofs; ++i)
-            result.matrix(i, j) = -impulse[moving[i / n]][i % n];
-        for (const NormalInertia<D>& inertia : coupling.normal_inertia) {
-            const double speed = inertia.row_master.dot(twists[inertia.master]) + inertia.row_other.dot(twists[inertia.other]);
-            if (speed == 0)
-                continue;
-            for (std::size_t b = 0; b < moving.size(); ++b) {
-                if (moving[b] == inertia.master)
-                    result.matrix.col(j).segment<n>(n * static_cast<long>(b)) += inertia.mass * speed * inertia.row_master;
-                if (moving[b] == inertia.other)
-                    result.matrix.col(j).segment<n>(n * static_cast<long>(b)) += inertia.mass * speed * inertia.row_other;
-            }
-        }
+            result.matrix(i, j) = impulse[moving[i / n]][i % n];
     }
     for (int body : moving) {
         result.bodies.push_back(solids[body].name);
