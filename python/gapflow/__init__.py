@@ -18,8 +18,8 @@ from . import _core
 from ._core import ComputationError, InputError
 from .scene import (Ball, Body, Box, Capsule, Contact, Cylinder, Domain, Fluid, Gap, GridOptions, HalfSpace, Hinge, Mesh, Output,
                     Pair, Scene, SceneLike, Sides, Solver, Spring, Time, Toml)
-from .simulation import (AddedMass, BodyState, Budget, Films, Grid, SceneWarning, SealedPocket, Simulation, StepReport,
-                         added_mass, check, rank)
+from .records import AddedMass, Budget, Films, Grid, SealedPocket, StepReport
+from .simulation import BodyState, SceneWarning, Simulation, added_mass, check, rank
 
 __version__: str = _core.__version__
 
