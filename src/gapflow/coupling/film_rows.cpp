@@ -11,6 +11,9 @@ namespace gapflow {
 
 namespace {
 
+// Faces that a film closes up to this far from a mouth, in dx, are its.
+constexpr double mouth_reach = 4;
+
 template <int D>
 class FilmAssembler {
 public:
@@ -22,6 +25,7 @@ public:
     void assemble()
     {
         rows_.nodes.assign(network_.nodes, {});
+        closed_areas_.assign(network_.films.size(), {});
         find_mouths();
         assemble_elements();
         assemble_closed_faces();
@@ -31,6 +35,13 @@ public:
     }
 
 private:
+    using CellWeights = std::vector<std::pair<long, double>>;
+    /// A closed face as a cell beside the film sees it; `area` leads out of the cell. In the film's frame.
+    struct ClosedArea {
+        long key;
+        Vec<D> x, area;
+    };
+
     const Film<D>& film(int k) const { return network_.films[k]; }
     const Vec<D>& centre(int solid) const { return coupling_.solids[solid].centre; }
     Vec<D> other_centre(const FilmMesh<D>& mesh) const { return centre(mesh.other) + mesh.shift; }
@@ -106,7 +117,7 @@ private:
     }
 
     // The same in a mouth: theta length h nu . U_w leaves the film, with both walls' velocities at mid-gap.
-    void add_entrainment(const Conduit<D>& conduit, const Drag& drag)
+    void add_entrainment(const Conduit<D>& conduit, const Drag& drag, const CellWeights& cells)
     {
         const FilmMesh<D>& mesh = film(conduit.film).mesh;
         const Vec<D> flux = drag.theta * conduit.length * conduit.h * conduit.outward;
@@ -116,19 +127,49 @@ private:
             rows_.add_node(conduit.nodes[i], mesh.master, conduit.shape[i] * of_master);
             rows_.add_node(conduit.nodes[i], mesh.other, conduit.shape[i] * of_other);
         }
-        const std::vector<double> lean = leaning(conduit, mesh);
-        for (std::size_t k = 0; k < conduit.cells.size(); ++k) {
-            const auto& [key, weight] = conduit.cells[k];
+        const std::vector<double> lean = leaning(conduit, mesh, cells);
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            const auto& [key, weight] = cells[k];
             rows_.add_cell(key, mesh.master, -(weight + lean[k]) * of_master);
             rows_.add_cell(key, mesh.other, -(weight - lean[k]) * of_other);
         }
     }
 
+    // The cells into which a mouth's walls carry its fluid: those behind the faces that the film closes there, by the area of each across the film. To
+    // the grid such a face is the master's, which brings in the master's velocity; what both walls carry takes its place face by face. In the
+    // pressure's stencil around the mouth it would flow on from cell to cell through a gap of a cell, and what drives it there drags the walls.
+    CellWeights carried_to(const Conduit<D>& conduit) const
+    {
+        if (D == 3 || conduit.kind != ConduitKind::smooth || coupling_.conduit_drag.empty())
+            return conduit.cells;
+        const std::vector<Vec<D>>& places = conduit_places_[conduit.film];
+        CellWeights cells;
+        double total = 0;
+        for (const ClosedArea& face : closed_areas_[conduit.film]) {
+            const double distance = (face.x - conduit.x).norm();
+            if (distance > mouth_reach * grid_.dx() ||
+                std::any_of(places.begin(), places.end(), [&](const Vec<D>& x) { return (face.x - x).norm() < distance; }))
+                continue;
+            const double across = -face.area.dot(conduit.outward);
+            total += across;
+            const auto known = std::find_if(cells.begin(), cells.end(), [&](const auto& entry) { return entry.first == face.key; });
+            if (known != cells.end())
+                known->second += across;
+            else
+                cells.emplace_back(face.key, across);
+        }
+        if (total < 0.5 * conduit.length * conduit.h) // other films close most of it
+            return conduit.cells;
+        for (auto& entry : cells)
+            entry.second /= total;
+        return cells;
+    }
+
     // What a wall carries out of a mouth falls linearly towards the other wall, which shows where the mouth is thicker than two cells: what of the
     // weights goes from the cells beside the other to those beside the master.
-    std::vector<double> leaning(const Conduit<D>& conduit, const FilmMesh<D>& mesh) const
+    std::vector<double> leaning(const Conduit<D>& conduit, const FilmMesh<D>& mesh, const CellWeights& cells) const
     {
-        std::vector<double> lean(conduit.cells.size(), 0.0);
+        std::vector<double> lean(cells.size(), 0.0);
         if (conduit.kind != ConduitKind::smooth || conduit.h <= 2 * grid_.dx())
             return lean;
         Vec<D> across = Vec<D>::Zero();
@@ -138,7 +179,7 @@ private:
         }
         double mean = 0;
         for (std::size_t k = 0; k < lean.size(); ++k) {
-            const auto& [key, weight] = conduit.cells[k];
+            const auto& [key, weight] = cells[k];
             Vec<D> to = grid_.cell_centre(grid_.cell_of_key(key)) - conduit.x;
             for (int axis = 0; axis < D; ++axis)
                 if (grid_.periodic(axis))
@@ -147,7 +188,7 @@ private:
             mean += weight * lean[k];
         }
         for (std::size_t k = 0; k < lean.size(); ++k)
-            lean[k] = -2 * conduit.cells[k].second * (lean[k] - mean);
+            lean[k] = -2 * cells[k].second * (lean[k] - mean);
         return lean;
     }
 
@@ -218,6 +259,8 @@ private:
         const Vec<D> area = sign * faces_.open(side.axis, side.face) * grid_.face_area() * unit<D>(side.axis);
         closed_flux_[key].push_back({master, wrench<D>(area, x - centre(master)),
                                      centre(master) - grid_.dx() * offset.template cast<double>()});
+        if (D == 2 && network_.cells.kind(key, CellKind::bulk) != CellKind::film)
+            closed_areas_[k].push_back({key, x, area});
     }
 
     struct CellFlux {
@@ -400,22 +443,23 @@ private:
         links.clear();
         for (const Conduit<D>& conduit : network_.mouths.conduits) {
             const FilmMesh<D>& mesh = film(conduit.film).mesh;
+            const CellWeights cells = carried_to(conduit);
             const Twist<D> carried = conduit.length * conduit.h * wrench<D>(conduit.outward, conduit.x - centre(mesh.master));
             Link link{conduit.length / (coupling_.density * conduit.resistance), {}, {}};
             if (conduit.kind == ConduitKind::inflow)
                 link.conductance = 0;
             if (!coupling_.conduit_drag.empty()) {
                 link.conductance *= coupling_.conduit_drag[links.size()].kappa;
-                add_entrainment(conduit, coupling_.conduit_drag[links.size()]);
+                add_entrainment(conduit, coupling_.conduit_drag[links.size()], cells);
             }
             for (int i = 0; i < D - 1; ++i) {
                 link.nodes.emplace_back(conduit.nodes[i], conduit.shape[i]);
                 rows_.add_node(conduit.nodes[i], mesh.master, -conduit.shape[i] * carried);
             }
-            for (const auto& [key, weight] : conduit.cells) {
+            for (const auto& [key, weight] : conduit.cells)
                 link.cells.emplace_back(key, -weight);
+            for (const auto& [key, weight] : cells)
                 rows_.add_cell(key, mesh.master, weight * carried);
-            }
             links.push_back(std::move(link));
         }
         for (const Joint<D>& joint : network_.mouths.joints) {
@@ -443,6 +487,7 @@ private:
     std::vector<std::vector<const Conduit<D>*>> conduits_;    ///< of each film, those that end in cells
     std::vector<std::vector<Vec<D>>> conduit_places_;         ///< where they are
     KeyMap<std::vector<CellFlux>> closed_flux_;
+    std::vector<std::vector<ClosedArea>> closed_areas_;       ///< of each film
     std::vector<Third> third_;
 };
 
