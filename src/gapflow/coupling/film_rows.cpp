@@ -1,6 +1,7 @@
 #include "gapflow/coupling/film_rows.hpp"
 
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/coupling/mouth_cells.hpp"
 #include "gapflow/film/film_cells.hpp"
 #include "gapflow/film/film_motion.hpp"
 
@@ -10,9 +11,6 @@
 namespace gapflow {
 
 namespace {
-
-// Faces that a film closes up to this far from a mouth, in dx, are its.
-constexpr double mouth_reach = 4;
 
 template <int D>
 class FilmAssembler {
@@ -35,13 +33,6 @@ public:
     }
 
 private:
-    using CellWeights = std::vector<std::pair<long, double>>;
-    /// A closed face as a cell beside the film sees it; `area` leads out of the cell. In the film's frame.
-    struct ClosedArea {
-        long key;
-        Vec<D> x, area;
-    };
-
     const Film<D>& film(int k) const { return network_.films[k]; }
     const Vec<D>& centre(int solid) const { return coupling_.solids[solid].centre; }
     Vec<D> other_centre(const FilmMesh<D>& mesh) const { return centre(mesh.other) + mesh.shift; }
@@ -116,80 +107,31 @@ private:
         }
     }
 
-    // The same in a mouth: theta length h nu . U_w leaves the film, with both walls' velocities at mid-gap.
-    void add_entrainment(const Conduit<D>& conduit, const Drag& drag, const CellWeights& cells)
+    // The same in a mouth: theta length h nu . U_w leaves the film, with both walls' velocities at mid-gap. With cells of its own to go to (`behind`) all
+    // of length h nu . U_w does, and the 1 - theta of it that the mouth's flux has kept does not take the pressure's way.
+    void add_entrainment(const Conduit<D>& conduit, const Drag& drag, const std::vector<CarriedCell>& behind)
     {
         const FilmMesh<D>& mesh = film(conduit.film).mesh;
-        const Vec<D> flux = drag.theta * conduit.length * conduit.h * conduit.outward;
+        const Vec<D> flux = conduit.length * conduit.h * conduit.outward;
         const Twist<D> of_master = (1 - 0.5 * drag.wet) * wrench<D>(flux, conduit.x - centre(mesh.master));
         const Twist<D> of_other = 0.5 * drag.wet * wrench<D>(flux, conduit.x - other_centre(mesh));
         for (int i = 0; i < D - 1; ++i) {
-            rows_.add_node(conduit.nodes[i], mesh.master, conduit.shape[i] * of_master);
-            rows_.add_node(conduit.nodes[i], mesh.other, conduit.shape[i] * of_other);
+            rows_.add_node(conduit.nodes[i], mesh.master, drag.theta * conduit.shape[i] * of_master);
+            rows_.add_node(conduit.nodes[i], mesh.other, drag.theta * conduit.shape[i] * of_other);
         }
-        const std::vector<double> lean = leaning(conduit, mesh, cells);
-        for (std::size_t k = 0; k < cells.size(); ++k) {
-            const auto& [key, weight] = cells[k];
-            rows_.add_cell(key, mesh.master, -(weight + lean[k]) * of_master);
-            rows_.add_cell(key, mesh.other, -(weight - lean[k]) * of_other);
+        const auto add = [&](const CarriedCell& cell, double share) {
+            rows_.add_cell(cell.key, mesh.master, share * (cell.weight + cell.lean) * of_master);
+            rows_.add_cell(cell.key, mesh.other, share * (cell.weight - cell.lean) * of_other);
+        };
+        if (behind.empty()) {
+            for (const CarriedCell& cell : cells_around(grid_, conduit, film(conduit.film)))
+                add(cell, -drag.theta);
+            return;
         }
-    }
-
-    // The cells into which a mouth's walls carry its fluid: those behind the faces that the film closes there, by the area of each across the film. To
-    // the grid such a face is the master's, which brings in the master's velocity; what both walls carry takes its place face by face. In the
-    // pressure's stencil around the mouth it would flow on from cell to cell through a gap of a cell, and what drives it there drags the walls.
-    CellWeights carried_to(const Conduit<D>& conduit) const
-    {
-        if (D == 3 || conduit.kind != ConduitKind::smooth || coupling_.conduit_drag.empty())
-            return conduit.cells;
-        const std::vector<Vec<D>>& places = conduit_places_[conduit.film];
-        CellWeights cells;
-        double total = 0;
-        for (const ClosedArea& face : closed_areas_[conduit.film]) {
-            const double distance = (face.x - conduit.x).norm();
-            if (distance > mouth_reach * grid_.dx() ||
-                std::any_of(places.begin(), places.end(), [&](const Vec<D>& x) { return (face.x - x).norm() < distance; }))
-                continue;
-            const double across = -face.area.dot(conduit.outward);
-            total += across;
-            const auto known = std::find_if(cells.begin(), cells.end(), [&](const auto& entry) { return entry.first == face.key; });
-            if (known != cells.end())
-                known->second += across;
-            else
-                cells.emplace_back(face.key, across);
-        }
-        if (total < 0.5 * conduit.length * conduit.h) // other films close most of it
-            return conduit.cells;
-        for (auto& entry : cells)
-            entry.second /= total;
-        return cells;
-    }
-
-    // What a wall carries out of a mouth falls linearly towards the other wall, which shows where the mouth is thicker than two cells: what of the
-    // weights goes from the cells beside the other to those beside the master.
-    std::vector<double> leaning(const Conduit<D>& conduit, const FilmMesh<D>& mesh, const CellWeights& cells) const
-    {
-        std::vector<double> lean(cells.size(), 0.0);
-        if (conduit.kind != ConduitKind::smooth || conduit.h <= 2 * grid_.dx())
-            return lean;
-        Vec<D> across = Vec<D>::Zero();
-        for (int i = 0; i < D - 1; ++i) {
-            const int node = conduit.nodes[i] - film(conduit.film).first_node;
-            across += conduit.shape[i] * (mesh.y[node] - mesh.x[node]);
-        }
-        double mean = 0;
-        for (std::size_t k = 0; k < lean.size(); ++k) {
-            const auto& [key, weight] = cells[k];
-            Vec<D> to = grid_.cell_centre(grid_.cell_of_key(key)) - conduit.x;
-            for (int axis = 0; axis < D; ++axis)
-                if (grid_.periodic(axis))
-                    to[axis] -= grid_.size()[axis] * std::round(to[axis] / grid_.size()[axis]);
-            lean[k] = std::clamp(to.dot(across) / across.squaredNorm(), -0.5, 0.5);
-            mean += weight * lean[k];
-        }
-        for (std::size_t k = 0; k < lean.size(); ++k)
-            lean[k] = -2 * cells[k].second * (lean[k] - mean);
-        return lean;
+        for (const CarriedCell& cell : behind)
+            add(cell, -1);
+        for (const auto& [key, weight] : conduit.cells)
+            add({key, weight, 0.0}, 1 - drag.theta);
     }
 
     // Appends the columns of a film's nodes, which know none but each other.
@@ -443,23 +385,31 @@ private:
         links.clear();
         for (const Conduit<D>& conduit : network_.mouths.conduits) {
             const FilmMesh<D>& mesh = film(conduit.film).mesh;
-            const CellWeights cells = carried_to(conduit);
+            // To the grid the faces that a film closes are its master's and bring in the master's velocity. What viscosity makes both walls carry
+            // takes its place face by face: led through the pressure's stencil, from cell to cell in a gap of a cell, it would drag the walls.
+            const bool goes_on = D == 2 && conduit.kind == ConduitKind::smooth && !coupling_.conduit_drag.empty();
+            const std::vector<CarriedCell> behind =
+                goes_on ? cells_behind<D>(conduit, film(conduit.film), closed_areas_[conduit.film], conduit_places_[conduit.film], grid_.dx())
+                        : std::vector<CarriedCell>();
             const Twist<D> carried = conduit.length * conduit.h * wrench<D>(conduit.outward, conduit.x - centre(mesh.master));
             Link link{conduit.length / (coupling_.density * conduit.resistance), {}, {}};
             if (conduit.kind == ConduitKind::inflow)
                 link.conductance = 0;
             if (!coupling_.conduit_drag.empty()) {
                 link.conductance *= coupling_.conduit_drag[links.size()].kappa;
-                add_entrainment(conduit, coupling_.conduit_drag[links.size()], cells);
+                add_entrainment(conduit, coupling_.conduit_drag[links.size()], behind);
             }
             for (int i = 0; i < D - 1; ++i) {
                 link.nodes.emplace_back(conduit.nodes[i], conduit.shape[i]);
                 rows_.add_node(conduit.nodes[i], mesh.master, -conduit.shape[i] * carried);
             }
-            for (const auto& [key, weight] : conduit.cells)
+            for (const auto& [key, weight] : conduit.cells) {
                 link.cells.emplace_back(key, -weight);
-            for (const auto& [key, weight] : cells)
-                rows_.add_cell(key, mesh.master, weight * carried);
+                if (behind.empty())
+                    rows_.add_cell(key, mesh.master, weight * carried);
+            }
+            for (const CarriedCell& cell : behind)
+                rows_.add_cell(cell.key, mesh.master, cell.weight * carried);
             links.push_back(std::move(link));
         }
         for (const Joint<D>& joint : network_.mouths.joints) {
@@ -487,7 +437,7 @@ private:
     std::vector<std::vector<const Conduit<D>*>> conduits_;    ///< of each film, those that end in cells
     std::vector<std::vector<Vec<D>>> conduit_places_;         ///< where they are
     KeyMap<std::vector<CellFlux>> closed_flux_;
-    std::vector<std::vector<ClosedArea>> closed_areas_;       ///< of each film
+    std::vector<std::vector<ClosedArea<D>>> closed_areas_;    ///< of each film
     std::vector<Third> third_;
 };
 

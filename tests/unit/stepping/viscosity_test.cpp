@@ -453,14 +453,15 @@ TEST(Viscosity, TurningCylinderNearItsContainer)
     EXPECT_NEAR(load(0.99) / 125.603824106705, 1.0, 0.03);
 }
 
-// Clearance a tenth: a film from 1.06 cells to mouths of 1.5, askew to the grid. What the walls carry out of it enters the grid face by face: led around by
-// the pressure's stencil instead, the fluid drags the cylinder (6.3 % at the second place, 1.8 % at the first).
+// Clearance a tenth: a film from 1.06 cells to mouths of 1.5, askew to the grid. What the walls carry out of it enters the grid face by face, with the walls'
+// linear profile: led through the pressure's stencil instead, the fluid drags the cylinder (6.3 % at the second place, 1.8 % at the first). So in short
+// steps, in which the mouth keeps half of its flux.
 TEST(Viscosity, MouthsOfACellDragNothing)
 {
-    for (const Vec<2>& offset : {Vec<2>(0.41, 0.23), Vec<2>(0.1, 0.3)}) {
-        const LoadAndTorque found = turning_cylinder_near_its_container(1.0, 0.1, 0.6, 64, offset, 1e-9);
-        EXPECT_NEAR(found.load / 1256.77960505794, 1.0, 0.01);
-        EXPECT_NEAR(found.torque / 124.517972485064, 1.0, 0.02);
+    for (const auto& [offset, dt] : {std::pair(Vec<2>(0.41, 0.23), 1e-9), std::pair(Vec<2>(0.1, 0.3), 1e-9), std::pair(Vec<2>(0.1, 0.3), 2.5e-10)}) {
+        const LoadAndTorque found = turning_cylinder_near_its_container(1.0, 0.1, 0.6, 64, offset, dt);
+        EXPECT_NEAR(found.load / 1256.77960505794, 1.0, 0.005);
+        EXPECT_NEAR(found.torque / 124.517972485064, 1.0, 0.01);
     }
 }
 
