@@ -8,6 +8,7 @@ import harness
 from harness import REFERENCE, Row
 
 CYLINDERS = "Viscosity: turning cylinder in a cylinder (Wannier), radius ratio 0.5"
+CONFORMAL = "Viscosity: turning cylinder in a cylinder (Wannier), clearance 0.3 to 0.003 of the radius"
 APPROACH = "Viscosity: cylinder towards a wall, Stokes flow (V2)"
 SPHERE = "Viscosity: sphere near a wall, Stokes flow (V1; along the wall: Goldman, Cox & Brenner 1967)"
 FILMS = "Viscosity: squeeze films (V3) and journal bearing"
@@ -78,6 +79,32 @@ def wannier(quick):
         for what, measured, exact in (("load", math.hypot(last["fx"], last["fy"]), abs(row["force_on_inner_y"])),
                                       ("torque", abs(last["torque"]), abs(row["torque_on_inner"]))):
             yield error_row(CYLINDERS, f"eccentricity {e:g}, {what} on the inner one, 16 cells a radius", 0.03, measured / exact - 1)
+
+
+def conformal_errors(clearance, eccentricity, cells, offset, exact):
+    """Of load and torque; without eccentricity the load over the torque's force."""
+    step = 1e-6 * max(0.025 * clearance**2, 5e-4 * clearance)
+    last = last_state(cylinders(eccentricity, cells, offset, clearance=clearance, radius=1.0), 120, step, "inner")
+    load = math.hypot(last["fx"], last["fy"])
+    return load / exact["force_on_inner"] - 1 if eccentricity > 0 else load / exact["torque_on_inner"], abs(last["torque"]) / exact["torque_on_inner"] - 1
+
+
+def conformal(quick):
+    """Films from nothing to the whole circumference, with mouths of one to one and a half cells. Worst of the eccentricities and of two places on the grid."""
+    table = harness.read_table(REFERENCE / "V4_wannier_conformal.csv")
+    places = ((0.41, 0.23), (0.1, 0.3))
+    worst = {}
+    for cells in (64,) if quick else (64, 128):
+        for clearance in (0.1, 0.01) if quick else (0.3, 0.1, 0.03, 0.01, 0.003):
+            rows = [row for row in table if row["clearance"] == clearance and (not quick or row["eccentricity_ratio"] in (0.6, 0.99))]
+            errors = [conformal_errors(clearance, row["eccentricity_ratio"], cells, place, row) for row in rows for place in places]
+            for what, of in (("load", 0), ("torque", 1)):
+                error = max((e[of] for e in errors), key=abs)
+                worst.setdefault((clearance, what), []).append(abs(error))
+                yield error_row(CONFORMAL, f"clearance {clearance:g}, {cells}²: {what}, worst of {len(rows)} eccentricities and {len(places)} places", 0.03, error)
+    for what in () if quick else ("load", "torque"):
+        coarse, fine = (max(worst[key][i] for key in worst if key[1] == what) for i in (0, 1))
+        yield Row(CONFORMAL, f"{what}: the worst of all from 64² to 128²", "falls", f"{100 * coarse:.2f} to {100 * fine:.2f} %", bool(fine <= coarse))
 
 
 def cylinder_and_wall(gap, axis, offset, cells, side=8.0, viscosity=1.0):
@@ -241,4 +268,4 @@ def cavity(quick):
             yield Row(CAVITY, f"{name}: Ghia's centre lines: worst, of the lid's speed (his v against {source}: {100 * own:.1f} %)", "", f"{100 * ghia:+.2f} %", True)
 
 
-ALL = [wannier, approach, sphere_near_wall, squeeze, journal, cavity]
+ALL = [wannier, conformal, approach, sphere_near_wall, squeeze, journal, cavity]

@@ -1,6 +1,7 @@
 #include "gapflow/coupling/film_rows.hpp"
 
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/coupling/mouth_cells.hpp"
 #include "gapflow/film/film_cells.hpp"
 #include "gapflow/film/film_motion.hpp"
 
@@ -22,6 +23,7 @@ public:
     void assemble()
     {
         rows_.nodes.assign(network_.nodes, {});
+        closed_areas_.assign(network_.films.size(), {});
         find_mouths();
         assemble_elements();
         assemble_closed_faces();
@@ -105,50 +107,31 @@ private:
         }
     }
 
-    // The same in a mouth: theta length h nu . U_w leaves the film, with both walls' velocities at mid-gap.
-    void add_entrainment(const Conduit<D>& conduit, const Drag& drag)
+    // The same in a mouth: theta length h nu . U_w leaves the film, with both walls' velocities at mid-gap. With cells of its own to go to (`behind`) all
+    // of length h nu . U_w does, and the 1 - theta of it that the mouth's flux has kept does not take the pressure's way.
+    void add_entrainment(const Conduit<D>& conduit, const Drag& drag, const std::vector<CarriedCell>& behind)
     {
         const FilmMesh<D>& mesh = film(conduit.film).mesh;
-        const Vec<D> flux = drag.theta * conduit.length * conduit.h * conduit.outward;
+        const Vec<D> flux = conduit.length * conduit.h * conduit.outward;
         const Twist<D> of_master = (1 - 0.5 * drag.wet) * wrench<D>(flux, conduit.x - centre(mesh.master));
         const Twist<D> of_other = 0.5 * drag.wet * wrench<D>(flux, conduit.x - other_centre(mesh));
         for (int i = 0; i < D - 1; ++i) {
-            rows_.add_node(conduit.nodes[i], mesh.master, conduit.shape[i] * of_master);
-            rows_.add_node(conduit.nodes[i], mesh.other, conduit.shape[i] * of_other);
+            rows_.add_node(conduit.nodes[i], mesh.master, drag.theta * conduit.shape[i] * of_master);
+            rows_.add_node(conduit.nodes[i], mesh.other, drag.theta * conduit.shape[i] * of_other);
         }
-        const std::vector<double> lean = leaning(conduit, mesh);
-        for (std::size_t k = 0; k < conduit.cells.size(); ++k) {
-            const auto& [key, weight] = conduit.cells[k];
-            rows_.add_cell(key, mesh.master, -(weight + lean[k]) * of_master);
-            rows_.add_cell(key, mesh.other, -(weight - lean[k]) * of_other);
+        const auto add = [&](const CarriedCell& cell, double share) {
+            rows_.add_cell(cell.key, mesh.master, share * (cell.weight + cell.lean) * of_master);
+            rows_.add_cell(cell.key, mesh.other, share * (cell.weight - cell.lean) * of_other);
+        };
+        if (behind.empty()) {
+            for (const CarriedCell& cell : cells_around(grid_, conduit, film(conduit.film)))
+                add(cell, -drag.theta);
+            return;
         }
-    }
-
-    // What a wall carries out of a mouth falls linearly towards the other wall, which shows where the mouth is thicker than two cells: what of the
-    // weights goes from the cells beside the other to those beside the master.
-    std::vector<double> leaning(const Conduit<D>& conduit, const FilmMesh<D>& mesh) const
-    {
-        std::vector<double> lean(conduit.cells.size(), 0.0);
-        if (conduit.kind != ConduitKind::smooth || conduit.h <= 2 * grid_.dx())
-            return lean;
-        Vec<D> across = Vec<D>::Zero();
-        for (int i = 0; i < D - 1; ++i) {
-            const int node = conduit.nodes[i] - film(conduit.film).first_node;
-            across += conduit.shape[i] * (mesh.y[node] - mesh.x[node]);
-        }
-        double mean = 0;
-        for (std::size_t k = 0; k < lean.size(); ++k) {
-            const auto& [key, weight] = conduit.cells[k];
-            Vec<D> to = grid_.cell_centre(grid_.cell_of_key(key)) - conduit.x;
-            for (int axis = 0; axis < D; ++axis)
-                if (grid_.periodic(axis))
-                    to[axis] -= grid_.size()[axis] * std::round(to[axis] / grid_.size()[axis]);
-            lean[k] = std::clamp(to.dot(across) / across.squaredNorm(), -0.5, 0.5);
-            mean += weight * lean[k];
-        }
-        for (std::size_t k = 0; k < lean.size(); ++k)
-            lean[k] = -2 * conduit.cells[k].second * (lean[k] - mean);
-        return lean;
+        for (const CarriedCell& cell : behind)
+            add(cell, -1);
+        for (const auto& [key, weight] : conduit.cells)
+            add({key, weight, 0.0}, 1 - drag.theta);
     }
 
     // Appends the columns of a film's nodes, which know none but each other.
@@ -218,6 +201,8 @@ private:
         const Vec<D> area = sign * faces_.open(side.axis, side.face) * grid_.face_area() * unit<D>(side.axis);
         closed_flux_[key].push_back({master, wrench<D>(area, x - centre(master)),
                                      centre(master) - grid_.dx() * offset.template cast<double>()});
+        if (D == 2 && network_.cells.kind(key, CellKind::bulk) != CellKind::film)
+            closed_areas_[k].push_back({key, x, area});
     }
 
     struct CellFlux {
@@ -400,13 +385,19 @@ private:
         links.clear();
         for (const Conduit<D>& conduit : network_.mouths.conduits) {
             const FilmMesh<D>& mesh = film(conduit.film).mesh;
+            // To the grid the faces that a film closes are its master's and bring in the master's velocity. What viscosity makes both walls carry
+            // takes its place face by face: led through the pressure's stencil, from cell to cell in a gap of a cell, it would drag the walls.
+            const bool goes_on = D == 2 && conduit.kind == ConduitKind::smooth && !coupling_.conduit_drag.empty();
+            const std::vector<CarriedCell> behind =
+                goes_on ? cells_behind<D>(conduit, film(conduit.film), closed_areas_[conduit.film], conduit_places_[conduit.film], grid_.dx())
+                        : std::vector<CarriedCell>();
             const Twist<D> carried = conduit.length * conduit.h * wrench<D>(conduit.outward, conduit.x - centre(mesh.master));
             Link link{conduit.length / (coupling_.density * conduit.resistance), {}, {}};
             if (conduit.kind == ConduitKind::inflow)
                 link.conductance = 0;
             if (!coupling_.conduit_drag.empty()) {
                 link.conductance *= coupling_.conduit_drag[links.size()].kappa;
-                add_entrainment(conduit, coupling_.conduit_drag[links.size()]);
+                add_entrainment(conduit, coupling_.conduit_drag[links.size()], behind);
             }
             for (int i = 0; i < D - 1; ++i) {
                 link.nodes.emplace_back(conduit.nodes[i], conduit.shape[i]);
@@ -414,8 +405,11 @@ private:
             }
             for (const auto& [key, weight] : conduit.cells) {
                 link.cells.emplace_back(key, -weight);
-                rows_.add_cell(key, mesh.master, weight * carried);
+                if (behind.empty())
+                    rows_.add_cell(key, mesh.master, weight * carried);
             }
+            for (const CarriedCell& cell : behind)
+                rows_.add_cell(cell.key, mesh.master, cell.weight * carried);
             links.push_back(std::move(link));
         }
         for (const Joint<D>& joint : network_.mouths.joints) {
@@ -443,6 +437,7 @@ private:
     std::vector<std::vector<const Conduit<D>*>> conduits_;    ///< of each film, those that end in cells
     std::vector<std::vector<Vec<D>>> conduit_places_;         ///< where they are
     KeyMap<std::vector<CellFlux>> closed_flux_;
+    std::vector<std::vector<ClosedArea<D>>> closed_areas_;    ///< of each film
     std::vector<Third> third_;
 };
 

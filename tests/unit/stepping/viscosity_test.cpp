@@ -422,28 +422,47 @@ TEST(Viscosity, LightBodyRisesAtOnceInLongSteps)
     EXPECT_NEAR(height_after(0.04) / exact, 1, 0.15); // nu dt / dx^2 = 23; the first step starts from rest
 }
 
-// A cylinder of radius 1/2 that turns in one of radius 1, nearly touching it (Wannier): load. At 0.9 no film, at 0.99 a film of up to 2 cells.
-double load_of_turning_cylinder(double eccentricity)
+// A cylinder that turns in another, with the surface speed 1 (Wannier): what acts on it. Its centre lies `offset` cells from the box's.
+struct LoadAndTorque {
+    double load, torque;
+};
+LoadAndTorque turning_cylinder_near_its_container(double radius, double clearance, double eccentricity, int cells, const Vec<2>& offset, double dt)
 {
-    Scene scene = closed_box(2, 2.2, 70);
-    const double dx = 2.2 / 70;
+    const double outer = radius + clearance, side = 2.2 * outer, dx = side / cells;
+    const Vec<2> centre = Vec<2>::Constant(0.5 * side) + dx * offset;
+    Scene scene = closed_box(2, side, cells);
     scene.density = 1e-6;
-    scene.max_step = 5e-9;
-    scene.bodies = {ball("inner", 0.5, {1.1 + 0.41 * dx + 0.5 * eccentricity, 1.1 + 0.23 * dx, 0}), ball("outer", 1.0, {1.1 + 0.41 * dx, 1.1 + 0.23 * dx, 0})};
+    scene.max_step = dt;
+    scene.bodies = {ball("inner", radius, {centre[0] + eccentricity * clearance, centre[1], 0}), ball("outer", outer, {centre[0], centre[1], 0})};
     scene.bodies[0].motion = BodyScene::Motion::prescribed;
-    scene.bodies[0].angular_velocity = {2, 0, 0};
+    scene.bodies[0].angular_velocity = {1 / radius, 0, 0};
     scene.bodies[1].motion = BodyScene::Motion::fixed;
     scene.bodies[1].inside_out = true;
     Simulation<2> simulation(scene, Communicator());
     for (int i = 0; i < 80; ++i)
         simulation.step(1e9);
-    return simulation.fluid_wrenches()[0].head<2>().norm();
+    const Twist<2>& wrench = simulation.fluid_wrenches()[0];
+    return {wrench.head<2>().norm(), std::abs(wrench[2])};
 }
 
+// Nearly touching: at 0.9 no film, at 0.99 a film of up to 2 cells.
 TEST(Viscosity, TurningCylinderNearItsContainer)
 {
-    EXPECT_NEAR(load_of_turning_cylinder(0.9) / 39.3203945895357, 1.0, 0.02);
-    EXPECT_NEAR(load_of_turning_cylinder(0.99) / 125.603824106705, 1.0, 0.03);
+    const auto load = [](double eccentricity) { return turning_cylinder_near_its_container(0.5, 0.5, eccentricity, 70, {0.41, 0.23}, 5e-9).load; };
+    EXPECT_NEAR(load(0.9) / 39.3203945895357, 1.0, 0.02);
+    EXPECT_NEAR(load(0.99) / 125.603824106705, 1.0, 0.03);
+}
+
+// Clearance a tenth: a film from 1.06 cells to mouths of 1.5, askew to the grid. What the walls carry out of it enters the grid face by face, with the walls'
+// linear profile: led through the pressure's stencil instead, the fluid drags the cylinder (6.3 % at the second place, 1.8 % at the first). So in short
+// steps, in which the mouth keeps half of its flux.
+TEST(Viscosity, MouthsOfACellDragNothing)
+{
+    for (const auto& [offset, dt] : {std::pair(Vec<2>(0.41, 0.23), 1e-9), std::pair(Vec<2>(0.1, 0.3), 1e-9), std::pair(Vec<2>(0.1, 0.3), 2.5e-10)}) {
+        const LoadAndTorque found = turning_cylinder_near_its_container(1.0, 0.1, 0.6, 64, offset, dt);
+        EXPECT_NEAR(found.load / 1256.77960505794, 1.0, 0.005);
+        EXPECT_NEAR(found.torque / 124.517972485064, 1.0, 0.01);
+    }
 }
 
 } // namespace

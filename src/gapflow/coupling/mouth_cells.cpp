@@ -1,0 +1,97 @@
+#include "gapflow/coupling/mouth_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// Faces that a film closes up to this far from a mouth, in dx, are its.
+constexpr double mouth_reach = 4;
+
+// From the master to the other wall, at the mouth.
+template <int D>
+Vec<D> way_across(const Conduit<D>& conduit, const Film<D>& film)
+{
+    Vec<D> across = Vec<D>::Zero();
+    for (int i = 0; i < D - 1; ++i) {
+        const int node = conduit.nodes[i] - film.first_node;
+        across += conduit.shape[i] * (film.mesh.y[node] - film.mesh.x[node]);
+    }
+    return across;
+}
+
+// Place on that way, -1/2 at the master.
+template <int D>
+double place_across(const Vec<D>& from_middle, const Vec<D>& across)
+{
+    return std::clamp(from_middle.dot(across) / across.squaredNorm(), -0.5, 0.5);
+}
+
+} // namespace
+
+template <int D>
+std::vector<CarriedCell> cells_behind(const Conduit<D>& conduit, const Film<D>& film, std::span<const ClosedArea<D>> closed, std::span<const Vec<D>> places,
+                                      double dx)
+{
+    const Vec<D> across = way_across(conduit, film);
+    std::vector<CarriedCell> cells; // lean: so far the weighted sum of places
+    double total = 0, mean = 0;
+    for (const ClosedArea<D>& face : closed) {
+        const double distance = (face.x - conduit.x).norm();
+        if (distance > mouth_reach * dx || std::any_of(places.begin(), places.end(), [&](const Vec<D>& x) { return (face.x - x).norm() < distance; }))
+            continue;
+        const double weight = -face.area.dot(conduit.outward), place = weight * place_across<D>(face.x - conduit.x, across);
+        total += weight;
+        mean += place;
+        const auto known = std::find_if(cells.begin(), cells.end(), [&](const CarriedCell& cell) { return cell.key == face.key; });
+        if (known == cells.end()) {
+            cells.push_back({face.key, weight, place});
+        } else {
+            known->weight += weight;
+            known->lean += place;
+        }
+    }
+    if (total < 0.5 * conduit.length * conduit.h)
+        return {};
+    mean /= total;
+    for (CarriedCell& cell : cells) {
+        cell.weight /= total;
+        cell.lean = -2 * (cell.lean / total - mean * cell.weight);
+    }
+    return cells;
+}
+
+template <int D>
+std::vector<CarriedCell> cells_around(const Grid<D>& grid, const Conduit<D>& conduit, const Film<D>& film)
+{
+    std::vector<CarriedCell> cells;
+    for (const auto& [key, weight] : conduit.cells)
+        cells.push_back({key, weight, 0.0});
+    if (conduit.kind != ConduitKind::smooth || conduit.h <= 2 * grid.dx())
+        return cells;
+    const Vec<D> across = way_across(conduit, film);
+    double mean = 0;
+    for (CarriedCell& cell : cells) {
+        Vec<D> to = grid.cell_centre(grid.cell_of_key(cell.key)) - conduit.x;
+        for (int axis = 0; axis < D; ++axis)
+            if (grid.periodic(axis))
+                to[axis] -= grid.size()[axis] * std::round(to[axis] / grid.size()[axis]);
+        cell.lean = place_across(to, across);
+        mean += cell.weight * cell.lean;
+    }
+    for (CarriedCell& cell : cells)
+        cell.lean = -2 * cell.weight * (cell.lean - mean);
+    return cells;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::vector<CarriedCell> cells_behind<D>(const Conduit<D>&, const Film<D>&, std::span<const ClosedArea<D>>,       \
+                                                      std::span<const Vec<D>>, double);                                        \
+    template std::vector<CarriedCell> cells_around<D>(const Grid<D>&, const Conduit<D>&, const Film<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
