@@ -22,7 +22,7 @@ constexpr double rough = 0.01;           // in cells: a floor of a film that cou
 constexpr double touching = 1.05;        // of the floor, or of the distance at which a contact holds
 constexpr double round_off = 1e-7;       // in cells, of thicknesses
 constexpr double nothing = 1e-2;         // of what moves about: changes of a pocket's volume that are errors of its surface
-constexpr double parting = 1e-6;         // of the largest speed
+constexpr double parting = 1e-4;         // of the largest speed: a ball held in its seat spins by what the solver leaves
 constexpr double immovable = 5e-3;       // of a pocket's surface: the part that a body may give way with, and seem not to
 constexpr std::size_t most_bodies = 150; // that hang together around a pocket; with more nothing is said
 
