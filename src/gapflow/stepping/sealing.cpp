@@ -22,17 +22,35 @@ constexpr double rough = 0.01;           // in cells: a floor of a film that cou
 constexpr double touching = 1.05;        // of the floor, or of the distance at which a contact holds
 constexpr double round_off = 1e-7;       // in cells, of thicknesses
 constexpr double nothing = 1e-2;         // of what moves about: changes of a pocket's volume that are errors of its surface
-constexpr double parting = 1e-6;         // of the largest speed
+constexpr double parting = 1e-4;         // of the largest speed: a ball held in its seat spins by what the solver leaves
 constexpr double immovable = 5e-3;       // of a pocket's surface: the part that a body may give way with, and seem not to
 constexpr std::size_t most_bodies = 150; // that hang together around a pocket; with more nothing is said
+
+// The largest normal speed at inflow sides.
+template <int D>
+double speed_of_inflows(const Grid<D>& grid, const FluidVelocity<D>& u)
+{
+    double fastest = 0;
+    for (int axis = 0; axis < D; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            const int last = end * (grid.cells()[axis] - 1);
+            if (grid.side(axis, end) != SideKind::inflow || last < grid.low()[axis] || last >= grid.high()[axis])
+                continue;
+            Index<D> low = grid.low(), high = grid.high();
+            low[axis] = last + end;
+            high[axis] = last + end + 1;
+            for_each_index<D>(low, high, [&](const Index<D>& f) { fastest = std::max(fastest, std::abs(u.grid(axis, f))); });
+        }
+    return grid.comm().max(fastest);
+}
 
 // Film nodes where the surfaces touch and do not part, and the pairs that do.
 template <int D>
 std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
-                             const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& V,
+                             const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& V, const FluidVelocity<D>& u,
                              std::set<std::pair<int, int>>& pairs)
 {
-    double fastest = 0;
+    double fastest = speed_of_inflows(*coupling.grid, u);
     for (const Twist<D>& twist : V)
         fastest = std::max(fastest, twist.template head<D>().norm());
     const double dx = coupling.grid->dx();
@@ -49,15 +67,18 @@ std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<Ga
         const auto contact = held.find(std::minmax(mesh.master, mesh.other));
         const double most = touching * (contact == held.end() ? floor : std::max(floor, contact->second)) + round_off * dx;
         std::vector<char> parts(mesh.h.size(), 0);
+        std::vector<double> slope(mesh.h.size(), 1.0); // at an edge h is along the normal of the face beside it: the surfaces are nearer
         for (const FilmElement<D>& e : mesh.elements) {
             const Vec<D> of_master = velocity_at<D>(V[mesh.master], e.centroid - coupling.solids[mesh.master].centre);
             const Vec<D> of_other = velocity_at<D>(V[mesh.other], e.centroid - coupling.solids[mesh.other].centre - mesh.shift);
-            if (e.normal.dot(of_other - of_master) > parting * fastest)
-                for (int node : e.nodes)
-                    parts[node] = 1;
+            const double half = std::clamp(e.normal.dot(e.into_other), 0.0, 1.0);
+            for (int node : e.nodes) {
+                parts[node] = parts[node] || e.normal.dot(of_other - of_master) > parting * fastest;
+                slope[node] = std::min(slope[node], std::max(2 * half * half - 1, -facing_cosine));
+            }
         }
         for (std::size_t i = 0; i < mesh.h.size(); ++i)
-            if (!parts[i] && mesh.h[i] + mesh.skin <= most) {
+            if (!parts[i] && slope[i] * (mesh.h[i] + mesh.skin) <= most) {
                 shut[film.first_node + static_cast<int>(i)] = 1;
                 pairs.insert({mesh.master, mesh.other});
             }
@@ -168,7 +189,7 @@ std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<Gap
     if (!any)
         return {};
     std::set<std::pair<int, int>> pairs;
-    const std::vector<char> shut = shut_nodes(coupling, gaps, contacts, twists, pairs);
+    const std::vector<char> shut = shut_nodes(coupling, gaps, contacts, twists, u, pairs);
     if (pairs.empty())
         return {};
     const FluidParts<D> parts = find_parts(coupling, shut);

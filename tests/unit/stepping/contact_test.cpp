@@ -378,6 +378,69 @@ TEST(ContactLaw, FilmHoldsBackWhatLetsGo)
 }
 
 // Between flat faces of length L, h apart, ideal flow weighs rho L^3 / (12 h) against squeezing and rho L^5 / (720 h) against turning.
+// A light block under a heavy one, on films that resist a million times as much as either: the laws hold, and bodies and films answer.
+TEST(ContactLaw, StackOnHeavyFilmsObeysTheLaws)
+{
+    constexpr int floor = 2;
+    NearInertia<2> inertia;
+    const Eigen::Vector3d mass[] = {{1, 1, 0.1}, {5000, 5000, 400}};
+    for (const Eigen::Vector3d& m : mass)
+        inertia.mobility.push_back(TwistMatrix<2>(m.cwiseInverse().asDiagonal()));
+    inertia.mobility.push_back(TwistMatrix<2>::Zero());
+    std::vector<Contact<2>> contacts;
+    for (int lower : {floor, 0}) {
+        const int upper = lower == floor ? 0 : 1;
+        FilmInertia<2> film{std::min(upper, lower), std::max(upper, lower), PairMatrix<2>::Zero()};
+        for (double arm : {-0.4, 0.1, 0.5}) {
+            Eigen::Matrix<double, 6, 1> row;
+            const Twist<2> of_upper(0.01, 1, arm), of_lower(-0.01, -1, 0.02 - arm);
+            row << (upper < lower ? of_upper : of_lower), (upper < lower ? of_lower : of_upper);
+            film.matrix += 1e6 * row * row.transpose();
+        }
+        inertia.films.push_back(film);
+        for (double arm : {-0.5, 0.5}) {
+            Contact<2> c;
+            c.point.a = upper;
+            c.point.b = lower;
+            c.normal = {Twist<2>(0, 1, arm), lower == floor ? Twist<2>(Twist<2>::Zero()) : Twist<2>(0, -1, -arm)};
+            c.tangents[0] = {Twist<2>(1, 0, 0.5), lower == floor ? Twist<2>(Twist<2>::Zero()) : Twist<2>(-1, 0, 0.5)};
+            c.friction = 0.1;
+            contacts.push_back(c);
+        }
+    }
+    const std::vector<ContactImpulse<2>> none(contacts.size());
+    const std::vector<Twist<2>> start{Twist<2>(1e-3, -1e-3, 2e-3), Twist<2>(2e-3, -1e-3, 1e-3), Twist<2>::Zero()};
+    const ContactForecast<2> found = forecast_contacts<2>(contacts, none, start, inertia, 1e-15);
+
+    std::vector<Twist<2>> left(3, Twist<2>::Zero()); // of every body's momentum balance
+    for (int b : {0, 1})
+        left[b] = mass[b].asDiagonal() * Twist<2>(found.twists[b] - start[b]);
+    for (const FilmInertia<2>& film : inertia.films) {
+        Eigen::Matrix<double, 6, 1> change;
+        change << found.twists[film.a] - start[film.a], found.twists[film.b] - start[film.b];
+        left[film.a] += (film.matrix * change).head<3>();
+        left[film.b] += (film.matrix * change).tail<3>();
+    }
+    double largest = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact<2>& c = contacts[i];
+        const ContactImpulse<2>& impulse = found.impulses[i];
+        auto speed = [&](const RelativeRow<2>& row) { return row.a.dot(found.twists[c.point.a]) + row.b.dot(found.twists[c.point.b]); };
+        EXPECT_GE(impulse.normal, 0);
+        EXPECT_GE(speed(c.normal), -1e-11);
+        EXPECT_NEAR(impulse.normal > 0 ? speed(c.normal) : 0, 0, 1e-11);
+        EXPECT_LE(std::abs(impulse.tangential[0]), c.friction * impulse.normal * (1 + 1e-6));
+        const bool sticks = std::abs(impulse.tangential[0]) < c.friction * impulse.normal * (1 - 1e-6);
+        EXPECT_NEAR(sticks ? speed(c.tangents[0]) : 0, 0, 1e-11);
+        largest = std::max(largest, impulse.normal);
+        left[c.point.a] -= impulse.normal * c.normal.a + impulse.tangential[0] * c.tangents[0].a;
+        left[c.point.b] -= impulse.normal * c.normal.b + impulse.tangential[0] * c.tangents[0].b;
+    }
+    EXPECT_GT(largest, 0);
+    for (int b : {0, 1})
+        EXPECT_LT(left[b].norm(), 1e-6 * largest) << b;
+}
+
 TEST(NearInertia, OfAFlatFilm)
 {
     Scene scene = tank(2);

@@ -1,10 +1,12 @@
 // Bodies that touch in viscous fluid, with no roughness that would keep their films from closing: the solver finds pressure and motion.
+#include "gapflow/core/error.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace gapflow {
 namespace {
@@ -84,6 +86,31 @@ TEST(Touching, DryBallsInARowArePulled)
         simulation.step(1e9);
     for (const RigidBody<2>& body : simulation.bodies())
         EXPECT_LT(body.twist.norm(), 0.1) << body.name;
+}
+
+// A ball closes the hole between two boxes against suction: it touches their corners, where no film is as thin as the roughness.
+TEST(Touching, BallOnTheCornersOfItsSeatSealsTheInflow)
+{
+    Scene scene = tank(32, 0);
+    scene.sides[2].kind = SideScene::Kind::inflow;
+    scene.sides[2].velocity = {0, -0.05, 0};
+    scene.sides[3].kind = SideScene::Kind::open;
+    scene.gap.roughness = 0.005 / 32;
+    for (double x : {0.18, 0.82}) {
+        scene.bodies.push_back(box(x < 0.5 ? "left" : "right", 0.36, 0.2, x, 0.3, 1));
+        scene.bodies.back().motion = BodyScene::Motion::fixed;
+    }
+    scene.bodies.push_back(ball("valve", 0.23, 0.5, 0.4 + std::sqrt(0.231 * 0.231 - 0.14 * 0.14), 1.1));
+    Simulation<2> simulation(scene, Communicator());
+    std::string message;
+    try {
+        for (int i = 0; i < 150; ++i)
+            simulation.step(1e9);
+    } catch (const ComputationError& error) {
+        message = error.what();
+    }
+    EXPECT_NE(message.find("the inflow at y_low changes the volume of fluid sealed in"), std::string::npos) << message;
+    EXPECT_NE(message.find("'valve' and 'left', 'valve' and 'right' touch"), std::string::npos) << message;
 }
 
 } // namespace
