@@ -1,4 +1,4 @@
-// Into which cells a mouth's walls carry its fluid (method, section 7.2).
+// Into which cells a mouth's walls carry its fluid (method, "Films of viscous fluid").
 #pragma once
 
 #include "gapflow/film/conduits.hpp"
