@@ -5,11 +5,41 @@
 #include "gapflow/film/film_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gapflow {
 
 namespace {
+
+// What of a mouth's weights goes from the cells beside the other wall to those beside the master: what a wall carries out of a smooth mouth
+// thicker than two cells falls linearly towards the other wall.
+template <int D>
+std::vector<double> leaning(const Grid<D>& grid, const Conduit<D>& conduit, const Film<D>& film)
+{
+    const FilmMesh<D>& mesh = film.mesh;
+    std::vector<double> lean(conduit.cells.size(), 0.0);
+    if (conduit.kind != ConduitKind::smooth || conduit.h <= 2 * grid.dx())
+        return lean;
+    Vec<D> across = Vec<D>::Zero();
+    for (int i = 0; i < D - 1; ++i) {
+        const int node = conduit.nodes[i] - film.first_node;
+        across += conduit.shape[i] * (mesh.y[node] - mesh.x[node]);
+    }
+    double mean = 0;
+    for (std::size_t k = 0; k < lean.size(); ++k) {
+        const auto& [key, weight] = conduit.cells[k];
+        Vec<D> to = grid.cell_centre(grid.cell_of_key(key)) - conduit.x;
+        for (int axis = 0; axis < D; ++axis)
+            if (grid.periodic(axis))
+                to[axis] -= grid.size()[axis] * std::round(to[axis] / grid.size()[axis]);
+        lean[k] = std::clamp(to.dot(across) / across.squaredNorm(), -0.5, 0.5);
+        mean += weight * lean[k];
+    }
+    for (std::size_t k = 0; k < lean.size(); ++k)
+        lean[k] = -2 * conduit.cells[k].second * (lean[k] - mean);
+    return lean;
+}
 
 template <int D>
 class FilmAssembler {
@@ -103,52 +133,6 @@ private:
             rows_.add_node(f.first_node + e.nodes[i], mesh.master, rows.master);
             rows_.add_node(f.first_node + e.nodes[i], mesh.other, rows.other);
         }
-    }
-
-    // The same in a mouth: theta length h nu . U_w leaves the film, with both walls' velocities at mid-gap.
-    void add_entrainment(const Conduit<D>& conduit, const Drag& drag)
-    {
-        const FilmMesh<D>& mesh = film(conduit.film).mesh;
-        const Vec<D> flux = drag.theta * conduit.length * conduit.h * conduit.outward;
-        const Twist<D> of_master = (1 - 0.5 * drag.wet) * wrench<D>(flux, conduit.x - centre(mesh.master));
-        const Twist<D> of_other = 0.5 * drag.wet * wrench<D>(flux, conduit.x - other_centre(mesh));
-        for (int i = 0; i < D - 1; ++i) {
-            rows_.add_node(conduit.nodes[i], mesh.master, conduit.shape[i] * of_master);
-            rows_.add_node(conduit.nodes[i], mesh.other, conduit.shape[i] * of_other);
-        }
-        const std::vector<double> lean = leaning(conduit, mesh);
-        for (std::size_t k = 0; k < conduit.cells.size(); ++k) {
-            const auto& [key, weight] = conduit.cells[k];
-            rows_.add_cell(key, mesh.master, -(weight + lean[k]) * of_master);
-            rows_.add_cell(key, mesh.other, -(weight - lean[k]) * of_other);
-        }
-    }
-
-    // What a wall carries out of a mouth falls linearly towards the other wall, which shows where the mouth is thicker than two cells: what of the
-    // weights goes from the cells beside the other to those beside the master.
-    std::vector<double> leaning(const Conduit<D>& conduit, const FilmMesh<D>& mesh) const
-    {
-        std::vector<double> lean(conduit.cells.size(), 0.0);
-        if (conduit.kind != ConduitKind::smooth || conduit.h <= 2 * grid_.dx())
-            return lean;
-        Vec<D> across = Vec<D>::Zero();
-        for (int i = 0; i < D - 1; ++i) {
-            const int node = conduit.nodes[i] - film(conduit.film).first_node;
-            across += conduit.shape[i] * (mesh.y[node] - mesh.x[node]);
-        }
-        double mean = 0;
-        for (std::size_t k = 0; k < lean.size(); ++k) {
-            const auto& [key, weight] = conduit.cells[k];
-            Vec<D> to = grid_.cell_centre(grid_.cell_of_key(key)) - conduit.x;
-            for (int axis = 0; axis < D; ++axis)
-                if (grid_.periodic(axis))
-                    to[axis] -= grid_.size()[axis] * std::round(to[axis] / grid_.size()[axis]);
-            lean[k] = std::clamp(to.dot(across) / across.squaredNorm(), -0.5, 0.5);
-            mean += weight * lean[k];
-        }
-        for (std::size_t k = 0; k < lean.size(); ++k)
-            lean[k] = -2 * conduit.cells[k].second * (lean[k] - mean);
-        return lean;
     }
 
     // Appends the columns of a film's nodes, which know none but each other.
@@ -399,23 +383,16 @@ private:
         std::vector<Link>& links = coupling_.system.links;
         links.clear();
         for (const Conduit<D>& conduit : network_.mouths.conduits) {
-            const FilmMesh<D>& mesh = film(conduit.film).mesh;
-            const Twist<D> carried = conduit.length * conduit.h * wrench<D>(conduit.outward, conduit.x - centre(mesh.master));
             Link link{conduit.length / (coupling_.density * conduit.resistance), {}, {}};
             if (conduit.kind == ConduitKind::inflow)
                 link.conductance = 0;
-            if (!coupling_.conduit_drag.empty()) {
+            if (!coupling_.conduit_drag.empty())
                 link.conductance *= coupling_.conduit_drag[links.size()].kappa;
-                add_entrainment(conduit, coupling_.conduit_drag[links.size()]);
-            }
-            for (int i = 0; i < D - 1; ++i) {
+            for (int i = 0; i < D - 1; ++i)
                 link.nodes.emplace_back(conduit.nodes[i], conduit.shape[i]);
-                rows_.add_node(conduit.nodes[i], mesh.master, -conduit.shape[i] * carried);
-            }
-            for (const auto& [key, weight] : conduit.cells) {
+            for (const auto& [key, weight] : conduit.cells)
                 link.cells.emplace_back(key, -weight);
-                rows_.add_cell(key, mesh.master, weight * carried);
-            }
+            add_mouth(coupling_, links.size(), 1.0, rows_);
             links.push_back(std::move(link));
         }
         for (const Joint<D>& joint : network_.mouths.joints) {
@@ -448,12 +425,46 @@ private:
 
 } // namespace
 
+// What both walls carry along, theta length h nu . U_w, leaves the film, with their velocities at mid-gap; what the master carries does not pass.
+template <int D>
+void add_mouth(const Coupling<D>& coupling, std::size_t r, double share, FluxRows<D>& rows)
+{
+    const Conduit<D>& conduit = coupling.network.mouths.conduits[r];
+    const Film<D>& film = coupling.network.films[conduit.film];
+    const FilmMesh<D>& mesh = film.mesh;
+    const Vec<D> other_centre = coupling.solids[mesh.other].centre + mesh.shift;
+    const Vec<D> at_master = conduit.x - coupling.solids[mesh.master].centre, at_other = conduit.x - other_centre;
+    if (!coupling.conduit_drag.empty()) {
+        const Drag& drag = coupling.conduit_drag[r];
+        const Vec<D> flux = share * drag.theta * conduit.length * conduit.h * conduit.outward;
+        const Twist<D> of_master = (1 - 0.5 * drag.wet) * wrench<D>(flux, at_master);
+        const Twist<D> of_other = 0.5 * drag.wet * wrench<D>(flux, at_other);
+        for (int i = 0; i < D - 1; ++i) {
+            rows.add_node(conduit.nodes[i], mesh.master, conduit.shape[i] * of_master);
+            rows.add_node(conduit.nodes[i], mesh.other, conduit.shape[i] * of_other);
+        }
+        const std::vector<double> lean = leaning(*coupling.grid, conduit, film);
+        for (std::size_t k = 0; k < conduit.cells.size(); ++k) {
+            const auto& [key, weight] = conduit.cells[k];
+            rows.add_cell(key, mesh.master, -(weight + lean[k]) * of_master);
+            rows.add_cell(key, mesh.other, -(weight - lean[k]) * of_other);
+        }
+    }
+    const Twist<D> carried = share * conduit.length * conduit.h * wrench<D>(conduit.outward, at_master);
+    for (int i = 0; i < D - 1; ++i)
+        rows.add_node(conduit.nodes[i], mesh.master, -conduit.shape[i] * carried);
+    for (const auto& [key, weight] : conduit.cells)
+        rows.add_cell(key, mesh.master, weight * carried);
+}
+
 template <int D>
 void assemble_films(Coupling<D>& coupling, FluxRows<D>& rows)
 {
     FilmAssembler<D>(coupling, rows).assemble();
 }
 
+template void add_mouth<2>(const Coupling<2>&, std::size_t, double, FluxRows<2>&);
+template void add_mouth<3>(const Coupling<3>&, std::size_t, double, FluxRows<3>&);
 template void assemble_films<2>(Coupling<2>&, FluxRows<2>&);
 template void assemble_films<3>(Coupling<3>&, FluxRows<3>&);
 
