@@ -19,7 +19,8 @@ WetSystem<D>::WetSystem(Coupling<D>& coupling)
     : coupling_(coupling), is_void_(coupling.system.nodes, 0),
       b_{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)}, film_(coupling.system.film), links_(coupling.system.links),
       node_flux_(coupling.system.node_flux),
-      entries_{coupling.cell_flux.size(), coupling.node_flux.size(), coupling.system.cell_flux.size(), node_flux_.size()}, components_(coupling.system.components), null_space_(coupling.system.null_space)
+      entries_{coupling.cell_flux.size(), coupling.node_flux.size(), coupling.system.cell_flux.size(), node_flux_.size()},
+      components_(coupling.system.components), null_space_(coupling.system.null_space)
 {
     for (const Link& link : links_)
         open_conductance_.push_back(link.conductance);
