@@ -4,6 +4,7 @@
 
 #include "gapflow/core/timer.hpp"
 #include "gapflow/coupling/body_response.hpp"
+#include "gapflow/coupling/mouth_cells.hpp"
 #include "gapflow/coupling/system.hpp"
 #include "gapflow/film/conduits.hpp"
 #include "gapflow/grid/face_fractions.hpp"
@@ -81,6 +82,7 @@ struct Coupling {
     std::vector<BodyFlux<D, int>> node_flux;
     std::vector<NormalInertia<D>> normal_inertia; ///< one a film element
     std::vector<Drag> element_drag, conduit_drag; ///< one a film element or conduit; empty without viscosity
+    std::vector<std::vector<CarriedCell>> cells_behind; ///< of each conduit: those that what walls carry goes to; empty: those of its pressure
     std::vector<DragInertia<D>> drag_inertia;
     BodyResponse response;        ///< of the free bodies: M^-1 of `system`
     Eigen::VectorXd held_speed;   ///< of the contacts in system.contact, less the share of solids that are not free

@@ -107,33 +107,6 @@ private:
         }
     }
 
-    // The same in a mouth: theta length h nu . U_w leaves the film, with both walls' velocities at mid-gap. With cells of its own to go to (`behind`) all
-    // of length h nu . U_w does, and the 1 - theta of it that the mouth's flux has kept does not take the pressure's way.
-    void add_entrainment(const Conduit<D>& conduit, const Drag& drag, const std::vector<CarriedCell>& behind)
-    {
-        const FilmMesh<D>& mesh = film(conduit.film).mesh;
-        const Vec<D> flux = conduit.length * conduit.h * conduit.outward;
-        const Twist<D> of_master = (1 - 0.5 * drag.wet) * wrench<D>(flux, conduit.x - centre(mesh.master));
-        const Twist<D> of_other = 0.5 * drag.wet * wrench<D>(flux, conduit.x - other_centre(mesh));
-        for (int i = 0; i < D - 1; ++i) {
-            rows_.add_node(conduit.nodes[i], mesh.master, drag.theta * conduit.shape[i] * of_master);
-            rows_.add_node(conduit.nodes[i], mesh.other, drag.theta * conduit.shape[i] * of_other);
-        }
-        const auto add = [&](const CarriedCell& cell, double share) {
-            rows_.add_cell(cell.key, mesh.master, share * (cell.weight + cell.lean) * of_master);
-            rows_.add_cell(cell.key, mesh.other, share * (cell.weight - cell.lean) * of_other);
-        };
-        if (behind.empty()) {
-            for (const CarriedCell& cell : cells_around(grid_, conduit, film(conduit.film)))
-                add(cell, -drag.theta);
-            return;
-        }
-        for (const CarriedCell& cell : behind)
-            add(cell, -1);
-        for (const auto& [key, weight] : conduit.cells)
-            add({key, weight, 0.0}, 1 - drag.theta);
-    }
-
     // Appends the columns of a film's nodes, which know none but each other.
     void append_stiffness(const Film<D>& f, Eigen::SparseMatrix<double>& matrix)
     {
@@ -383,33 +356,23 @@ private:
     {
         std::vector<Link>& links = coupling_.system.links;
         links.clear();
+        coupling_.cells_behind.assign(network_.mouths.conduits.size(), {});
         for (const Conduit<D>& conduit : network_.mouths.conduits) {
-            const FilmMesh<D>& mesh = film(conduit.film).mesh;
             // To the grid the faces that a film closes are its master's and bring in the master's velocity. What viscosity makes both walls carry
             // takes its place face by face: led through the pressure's stencil, from cell to cell in a gap of a cell, it would drag the walls.
-            const bool goes_on = D == 2 && conduit.kind == ConduitKind::smooth && !coupling_.conduit_drag.empty();
-            const std::vector<CarriedCell> behind =
-                goes_on ? cells_behind<D>(conduit, film(conduit.film), closed_areas_[conduit.film], conduit_places_[conduit.film], grid_.dx())
-                        : std::vector<CarriedCell>();
-            const Twist<D> carried = conduit.length * conduit.h * wrench<D>(conduit.outward, conduit.x - centre(mesh.master));
+            if (D == 2 && conduit.kind == ConduitKind::smooth && !coupling_.conduit_drag.empty())
+                coupling_.cells_behind[links.size()] =
+                    cells_behind<D>(conduit, film(conduit.film), closed_areas_[conduit.film], conduit_places_[conduit.film], grid_.dx());
             Link link{conduit.length / (coupling_.density * conduit.resistance), {}, {}};
             if (conduit.kind == ConduitKind::inflow)
                 link.conductance = 0;
-            if (!coupling_.conduit_drag.empty()) {
+            if (!coupling_.conduit_drag.empty())
                 link.conductance *= coupling_.conduit_drag[links.size()].kappa;
-                add_entrainment(conduit, coupling_.conduit_drag[links.size()], behind);
-            }
-            for (int i = 0; i < D - 1; ++i) {
+            for (int i = 0; i < D - 1; ++i)
                 link.nodes.emplace_back(conduit.nodes[i], conduit.shape[i]);
-                rows_.add_node(conduit.nodes[i], mesh.master, -conduit.shape[i] * carried);
-            }
-            for (const auto& [key, weight] : conduit.cells) {
+            for (const auto& [key, weight] : conduit.cells)
                 link.cells.emplace_back(key, -weight);
-                if (behind.empty())
-                    rows_.add_cell(key, mesh.master, weight * carried);
-            }
-            for (const CarriedCell& cell : behind)
-                rows_.add_cell(cell.key, mesh.master, cell.weight * carried);
+            add_mouth(coupling_, links.size(), 1.0, rows_);
             links.push_back(std::move(link));
         }
         for (const Joint<D>& joint : network_.mouths.joints) {
@@ -443,12 +406,57 @@ private:
 
 } // namespace
 
+// What both walls carry along, theta length h nu . U_w, leaves the film, with their velocities at mid-gap; what the master carries does not pass. With
+// cells behind the mouth all of length h nu . U_w goes there, and the 1 - theta of it that the mouth's flux has kept does not take the pressure's way.
+template <int D>
+void add_mouth(const Coupling<D>& coupling, std::size_t r, double share, FluxRows<D>& rows)
+{
+    const Conduit<D>& conduit = coupling.network.mouths.conduits[r];
+    const Film<D>& film = coupling.network.films[conduit.film];
+    const FilmMesh<D>& mesh = film.mesh;
+    const std::vector<CarriedCell>& behind = coupling.cells_behind[r];
+    const Vec<D> flux = share * conduit.length * conduit.h * conduit.outward;
+    const Vec<D> other_centre = coupling.solids[mesh.other].centre + mesh.shift;
+    const Vec<D> at_master = conduit.x - coupling.solids[mesh.master].centre, at_other = conduit.x - other_centre;
+    if (!coupling.conduit_drag.empty()) {
+        const Drag& drag = coupling.conduit_drag[r];
+        const Twist<D> of_master = (1 - 0.5 * drag.wet) * wrench<D>(flux, at_master);
+        const Twist<D> of_other = 0.5 * drag.wet * wrench<D>(flux, at_other);
+        for (int i = 0; i < D - 1; ++i) {
+            rows.add_node(conduit.nodes[i], mesh.master, drag.theta * conduit.shape[i] * of_master);
+            rows.add_node(conduit.nodes[i], mesh.other, drag.theta * conduit.shape[i] * of_other);
+        }
+        const auto add = [&](const CarriedCell& cell, double part) {
+            rows.add_cell(cell.key, mesh.master, part * (cell.weight + cell.lean) * of_master);
+            rows.add_cell(cell.key, mesh.other, part * (cell.weight - cell.lean) * of_other);
+        };
+        if (behind.empty())
+            for (const CarriedCell& cell : cells_around(*coupling.grid, conduit, film))
+                add(cell, -drag.theta);
+        for (const CarriedCell& cell : behind)
+            add(cell, -1);
+        if (!behind.empty())
+            for (const auto& [key, weight] : conduit.cells)
+                add({key, weight, 0.0}, 1 - drag.theta);
+    }
+    const Twist<D> carried = share * conduit.length * conduit.h * wrench<D>(conduit.outward, at_master);
+    for (int i = 0; i < D - 1; ++i)
+        rows.add_node(conduit.nodes[i], mesh.master, -conduit.shape[i] * carried);
+    if (behind.empty())
+        for (const auto& [key, weight] : conduit.cells)
+            rows.add_cell(key, mesh.master, weight * carried);
+    for (const CarriedCell& cell : behind)
+        rows.add_cell(cell.key, mesh.master, cell.weight * carried);
+}
+
 template <int D>
 void assemble_films(Coupling<D>& coupling, FluxRows<D>& rows)
 {
     FilmAssembler<D>(coupling, rows).assemble();
 }
 
+template void add_mouth<2>(const Coupling<2>&, std::size_t, double, FluxRows<2>&);
+template void add_mouth<3>(const Coupling<3>&, std::size_t, double, FluxRows<3>&);
 template void assemble_films<2>(Coupling<2>&, FluxRows<2>&);
 template void assemble_films<3>(Coupling<3>&, FluxRows<3>&);
 

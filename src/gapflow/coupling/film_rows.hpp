@@ -36,4 +36,8 @@ private:
 template <int D>
 void assemble_films(Coupling<D>& coupling, FluxRows<D>& rows);
 
+/// Adds `share` times what a conduit contributes to K.
+template <int D>
+void add_mouth(const Coupling<D>& coupling, std::size_t conduit, double share, FluxRows<D>& rows);
+
 } // namespace gapflow

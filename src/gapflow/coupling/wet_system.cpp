@@ -1,6 +1,7 @@
 #include "gapflow/coupling/wet_system.hpp"
 
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/coupling/film_rows.hpp"
 
 #include <algorithm>
 
@@ -17,7 +18,9 @@ template <int D>
 WetSystem<D>::WetSystem(Coupling<D>& coupling)
     : coupling_(coupling), is_void_(coupling.system.nodes, 0),
       b_{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)}, film_(coupling.system.film), links_(coupling.system.links),
-      node_flux_(coupling.system.node_flux), components_(coupling.system.components), null_space_(coupling.system.null_space)
+      node_flux_(coupling.system.node_flux),
+      entries_{coupling.cell_flux.size(), coupling.node_flux.size(), coupling.system.cell_flux.size(), node_flux_.size()},
+      components_(coupling.system.components), null_space_(coupling.system.null_space)
 {
     for (const Link& link : links_)
         open_conductance_.push_back(link.conductance);
@@ -41,6 +44,7 @@ void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::Vecto
     b_.nodes = b;
     for (std::size_t r = 0; r < shut.size(); ++r)
         links_[r].conductance = (shut[r] ? shut_share : 1.0) * open_conductance_[r];
+    close(shut);
     CoupledSystem<D>& system = coupling_.system;
     std::vector<Eigen::Triplet<double>> entries;
     for (int column = 0; column < film_.outerSize(); ++column)
@@ -65,6 +69,35 @@ void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::Vecto
         if (is_void[node])
             system.components[system.node_component[node]].grounded = true;
     find_null_space(coupling_);
+}
+
+// Takes the shut conduits out of K.
+template <int D>
+void WetSystem<D>::close(const std::vector<char>& shut)
+{
+    const Grid<D>& grid = *coupling_.grid;
+    CoupledSystem<D>& system = coupling_.system;
+    coupling_.cell_flux.resize(entries_[0]);
+    coupling_.node_flux.resize(entries_[1]);
+    system.cell_flux.resize(entries_[2]);
+    node_flux_.resize(entries_[3]);
+    FluxRows<D> rows;
+    rows.nodes.resize(system.nodes);
+    for (std::size_t r = 0; r < shut.size(); ++r)
+        if (shut[r])
+            add_mouth(coupling_, r, -1.0, rows);
+    auto add = [&](auto& all, auto& free, const auto& row, const auto& fluxes) {
+        for (const auto& [solid, flux] : fluxes) {
+            all.push_back({row, solid, flux});
+            if (const int b = coupling_.free_body[solid]; b >= 0)
+                free.push_back({row, b, coupling_.solids[solid].admissible * flux});
+        }
+    };
+    for (const auto& [key, fluxes] : rows.cells)
+        if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+            add(coupling_.cell_flux, system.cell_flux, c, fluxes);
+    for (int node = 0; node < system.nodes; ++node)
+        add(coupling_.node_flux, node_flux_, node, rows.nodes[node]);
 }
 
 template <int D>

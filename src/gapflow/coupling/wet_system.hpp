@@ -9,6 +9,7 @@
 
 #include "gapflow/coupling/coupling.hpp"
 
+#include <array>
 #include <vector>
 
 namespace gapflow {
@@ -23,7 +24,8 @@ public:
     WetSystem& operator=(const WetSystem&) = delete;
 
     /// From now on these nodes are the voids, with pressure impulses b (0 elsewhere): their rows in coupling.system stand alone;
-    /// and the conduits marked in `shut` conduct next to nothing, also when this is gone. Collective.
+    /// and the conduits marked in `shut` conduct next to nothing and are no part of K (what the master carries through one does not pass it),
+    /// also when this is gone. Collective.
     void take_out(const std::vector<char>& is_void, const Eigen::VectorXd& b, const std::vector<char>& shut);
     const Eigen::VectorXd& given() const { return b_.nodes; }
     double conductance(std::size_t link) const { return links_[link].conductance; }
@@ -39,6 +41,7 @@ public:
     Outcome outcome(const UnknownVector<D>& p, const std::vector<Twist<D>>& twists) const;
 
 private:
+    void close(const std::vector<char>& shut);
     UnknownVector<D> film_outflow(const UnknownVector<D>& p, std::vector<double>* drop = nullptr) const;
 
     Coupling<D>& coupling_;
@@ -49,7 +52,8 @@ private:
     Eigen::SparseMatrix<double> film_;
     std::vector<Link> links_;
     std::vector<double> open_conductance_; ///< of the links
-    std::vector<BodyFlux<D, int>> node_flux_;
+    std::vector<BodyFlux<D, int>> node_flux_; ///< of the system, voids and all
+    std::array<std::size_t, 4> entries_;      ///< of K with all conduits open: in cells and nodes, of all solids and of the system
     std::vector<Component> components_;
     Eigen::MatrixXd null_space_;
 };

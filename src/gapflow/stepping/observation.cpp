@@ -4,6 +4,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 
 #include <algorithm>
@@ -208,11 +209,16 @@ void Simulation<D>::finish_report(StepReport& report, double dt)
     if (dt > 0)
         report.dissipation_film = film_loss(*coupling_, twists(), velocity_) / dt;
     UnknownVector<D> rest;
-    if (coupling_->element_drag.empty()) {
+    const std::vector<char>& shut = voids_.shut();
+    const bool any_shut = std::find(shut.begin(), shut.end(), 1) != shut.end();
+    if (coupling_->element_drag.empty() && !any_shut) {
         outflow(*coupling_, velocity_, twists(), rest);
-    } else { // the walls' entrainment is in K
+    } else { // the walls' entrainment is in K, shut mouths are not
         FluidVelocity<D> driven = velocity_;
         add_entrainment(*coupling_, twists(), -1, driven);
+        for (std::size_t r = 0; r < shut.size(); ++r)
+            if (shut[r])
+                driven.conduit[r] += entrained_flux(*coupling_, r, twists()) - carried_flux<D>(*coupling_, coupling_->network.mouths.conduits[r], twists());
         outflow(*coupling_, driven, twists(), rest);
     }
     if (node_outflow_.size() > 0) { // velocities at a void's front have moved on since

@@ -424,7 +424,7 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
             }
             without_pressure = intermediate_twists(*coupling_, masses(), pushed, u_star.film_normal, held_impulse);
             if (new_voids) {
-                hold_voids(*wet, open_flux, without_pressure, dt, u_star);
+                hold_voids(*wet, open_flux, dt, u_star);
                 solver.reset();
             }
             if (wet)
@@ -511,6 +511,9 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     remember_push(without_push, dt);
     add_entrainment(*coupling_, V, 1, velocity_);
     if (voids) {
+        for (std::size_t r = 0; r < velocity_.conduit.size(); ++r)
+            if (voids_.shut()[r])
+                velocity_.conduit[r] += carried_flux<D>(*coupling_, coupling_->network.mouths.conduits[r], V) - entrained_flux(*coupling_, r, V);
         const std::vector<char> is_empty = voids_.empty_elements(coupling_->network);
         rest_in_voids<D>(*coupling_, is_empty, V, velocity_.film);
         follow_front<D>(*coupling_, was_empty, is_empty, voids_.is_void(), V, velocity_);
@@ -534,15 +537,13 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     stages_.add("projection", now() - start - solver_seconds);
 }
 
-// The voids as the active set has them leave the system, and shut mouths carry only what moves with their masters.
+// The voids as the active set has them leave the system, and shut mouths with them: what their masters carry does not pass them.
 template <int D>
-void Simulation<D>::hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, const std::vector<Twist<D>>& V, double dt,
-                               FluidVelocity<D>& u_star)
+void Simulation<D>::hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, double dt, FluidVelocity<D>& u_star)
 {
     wet.take_out(voids_.is_void(), voids_.impulses(dt), voids_.shut());
-    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
-    for (std::size_t r = 0; r < conduits.size(); ++r)
-        u_star.conduit[r] = voids_.shut()[r] ? carried_flux<D>(*coupling_, conduits[r], V) - entrained_flux(*coupling_, r, V) : open_flux[r];
+    for (std::size_t r = 0; r < open_flux.size(); ++r)
+        u_star.conduit[r] = voids_.shut()[r] ? 0.0 : open_flux[r];
     for (int node = 0; node < coupling_->network.nodes; ++node)
         if (voids_.is_void()[node])
             impulse_.nodes[node] = 0;
@@ -564,8 +565,8 @@ bool Simulation<D>::update_voids(const WetSystem<D>& wet, const FluidVelocity<D>
     const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
     std::vector<double> flux; // seen from the masters
     for (std::size_t r = 0; r < conduits.size(); ++r)
-        flux.push_back(u_star.conduit[r] + wet.conductance(r) * drop[r] + entrained_flux(*coupling_, r, V) -
-                       carried_flux<D>(*coupling_, conduits[r], V));
+        flux.push_back(u_star.conduit[r] + wet.conductance(r) * drop[r] +
+                       (voids_.shut()[r] ? 0.0 : entrained_flux(*coupling_, r, V) - carried_flux<D>(*coupling_, conduits[r], V)));
     return voids_.update_mouths(conduits, flux, drop, accuracy, at_once) || nodes;
 }
 

@@ -136,8 +136,7 @@ private:
     void add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>>& V_star, double dt, StepReport& report);
     void remember_projection(const std::vector<Twist<D>>& V_star, double dt);
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
-    void hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, const std::vector<Twist<D>>& V, double dt,
-                    FluidVelocity<D>& u_star);
+    void hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, double dt, FluidVelocity<D>& u_star);
     bool update_voids(const WetSystem<D>& wet, const FluidVelocity<D>& u_star, const std::vector<Twist<D>>& V, double dt,
                       double accuracy, int round, bool contacts_changed);
     void remember_push(const std::vector<Vec<D>>& without, double dt);

@@ -90,6 +90,8 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const St
         static_cast<int>(voids_.volume().size()) != network.nodes || voids_.shut().size() != velocity_.conduit.size() ||
         (node_outflow_.size() != 0 && node_outflow_.size() != network.nodes))
         throw StateError("its films are not those that its bodies' positions give");
+    if (voids_.any()) // mouths that the last step shut
+        WetSystem<D>(*coupling_).take_out(voids_.is_void(), voids_.impulses(dt_), voids_.shut());
     fill_velocity_ghosts(grid_, velocity_.grid, side_velocities(time_));
     exchange(grid_, impulse_.cells);
     continue_velocities();
