@@ -1,0 +1,166 @@
+#include "gapflow/stepping/projection.hpp"
+
+#include "gapflow/body/forces.hpp"
+#include "gapflow/core/error.hpp"
+#include "gapflow/coupling/film_drag.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace gapflow {
+
+namespace {
+
+// A pocket that a prescribed body squeezes has no solution: name it. `magnitude`: of the right-hand side's parts.
+template <int D>
+void check_compatibility(const Coupling<D>& coupling, const UnknownVector<D>& rhs, double magnitude, long step)
+{
+    const CoupledSystem<D>& system = coupling.system;
+    const Grid<D>& grid = *coupling.grid;
+    const int count = static_cast<int>(system.components.size());
+    std::vector<double> sums(count, 0.0);
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (system.component(c) >= 0)
+            sums[system.component(c)] += rhs.cells(c);
+    });
+    grid.comm().sum(sums);
+    for (int node = 0; node < system.nodes; ++node)
+        sums[system.node_component[node]] += rhs.nodes[node];
+    for (long j = 0; j < system.null_space.cols(); ++j) {
+        double defect = 0;
+        for (int k = 0; k < count; ++k)
+            defect += system.null_space(k, j) * sums[k];
+        if (std::abs(defect) <= 1e-6 * magnitude)
+            continue;
+        std::string where = "the fluid of the closed domain";
+        for (const SealedPocket& pocket : coupling.sealed) {
+            where = "fluid sealed in between";
+            for (const std::string& name : pocket.bodies)
+                where += " " + name;
+            where += " (" + std::to_string(pocket.cells) + " cells)";
+        }
+        throw ComputationError("step " + std::to_string(step) + ": prescribed motion or inflow changes the volume of " + where +
+                               ", and incompressible fluid has no way out; open a side or correct the motion");
+    }
+}
+
+} // namespace
+
+template <int D>
+Projection<D>::Projection(const ProjectionStart<D>& start, FluidVelocity<D>& velocity, UnknownVector<D>& impulse,
+                          const SolverOptions& options, StageTimers& stages)
+    : start_(start), velocity_(velocity), impulse_(impulse), options_(options), stages_(stages), open_flux_(velocity.conduit)
+{
+    impulse_.cells.fill(0); // a guess would keep errors of the solver from step to step: symmetric scenes would tell
+    impulse_.nodes.setZero(start_.coupling.system.nodes);
+    if (start_.voids)
+        wet_.emplace(start_.coupling);
+}
+
+template <int D>
+void Projection<D>::assemble(bool voids_changed)
+{
+    Coupling<D>& coupling = start_.coupling;
+    std::vector<Twist<D>> pushed = start_.forced;
+    if (start_.contacts) {
+        hold_contacts(coupling, start_.contacts->held(), start_.forced);
+        const std::vector<Twist<D>> sliding = start_.contacts->sliding_impulses(coupling.solids.size());
+        for (std::size_t b = 0; b < start_.bodies.size(); ++b)
+            if (start_.bodies[b].motion == Motion::free)
+                pushed[b] += impulse_response(start_.bodies[b], sliding[b], start_.dt);
+    }
+    without_pressure_ = intermediate_twists(coupling, start_.masses, pushed, velocity_.film_normal, held_impulse_);
+    if (voids_changed) {
+        hold_voids();
+        solver_.reset();
+    }
+    if (wet_)
+        wet_->push(without_pressure_, held_impulse_);
+    outflow(coupling, velocity_, without_pressure_, rhs_, &squares_);
+    for (long i = 0; i < rhs_.cells.size(); ++i)
+        rhs_.cells.data()[i] *= -1;
+    rhs_.nodes *= -1;
+    if (wet_)
+        wet_->reduce(without_pressure_, start_.voids->filling(start_.dt), rhs_);
+    check_compatibility(coupling, rhs_, std::sqrt(squares_), start_.step);
+    if (solver_) {
+        solver_->update_bodies();
+        return;
+    }
+    solver_.emplace(coupling.system, options_);
+    stages_.add("solver set-up", solver_->setup_seconds());
+    solver_seconds_ += solver_->setup_seconds();
+}
+
+template <int D>
+SolveReport Projection<D>::solve(double tolerance)
+{
+    SolveReport report = solver_->solve(impulse_, rhs_, 1e-13 * std::sqrt(squares_), tolerance);
+    stages_.add("solve", report.seconds);
+    solver_seconds_ += report.seconds;
+    if (!report.converged)
+        return report;
+    twists_ = without_pressure_;
+    contact_impulse_ = held_impulse_;
+    add_pressure_impulse(start_.coupling, impulse_, twists_, contact_impulse_);
+    return report;
+}
+
+template <int D>
+ContactChange Projection<D>::update_contacts(const NearInertia<D>& inertia, double tolerance, const Rounds& rounds)
+{
+    return start_.contacts ? start_.contacts->update(twists_, contact_impulse_, inertia, rounds.accuracy(tolerance), rounds.exact(), rounds.number())
+                           : ContactChange::none;
+}
+
+// The voids as the active set has them leave the system, and shut mouths with them: what their masters carry does not pass them.
+template <int D>
+void Projection<D>::hold_voids()
+{
+    const VoidSet<D>& voids = *start_.voids;
+    wet_->take_out(voids.is_void(), voids.impulses(start_.dt), voids.shut());
+    for (std::size_t r = 0; r < open_flux_.size(); ++r)
+        velocity_.conduit[r] = voids.shut()[r] ? 0.0 : open_flux_[r];
+    for (int node = 0; node < start_.coupling.network.nodes; ++node)
+        if (voids.is_void()[node])
+            impulse_.nodes[node] = 0;
+}
+
+template <int D>
+bool Projection<D>::update_voids(double tolerance, const Rounds& rounds, bool contacts_changed)
+{
+    if (!start_.voids)
+        return false;
+    VoidSet<D>& voids = *start_.voids;
+    const double accuracy = 10 * tolerance;
+    const auto [outflow, drop] = wet_->outcome(impulse_, twists_);
+    node_outflow_ = outflow;
+    const bool at_once = rounds.voids_at_once();
+    if (rounds.last() || (contacts_changed && !at_once))
+        return false;
+    const bool nodes = voids.update(impulse_.nodes + wet_->given(), outflow, start_.dt, accuracy, at_once);
+    if (nodes && !at_once)
+        return true;
+    const std::vector<Conduit<D>>& conduits = start_.coupling.network.mouths.conduits;
+    std::vector<double> flux; // seen from the masters
+    for (std::size_t r = 0; r < conduits.size(); ++r)
+        flux.push_back(velocity_.conduit[r] + wet_->conductance(r) * drop[r] +
+                       (voids.shut()[r] ? 0.0
+                                        : entrained_flux(start_.coupling, r, twists_) - carried_flux<D>(start_.coupling, conduits[r], twists_)));
+    return voids.update_mouths(conduits, flux, drop, accuracy, at_once) || nodes;
+}
+
+template <int D>
+void Projection<D>::finish_voids()
+{
+    if (!wet_)
+        return;
+    impulse_.nodes += wet_->given();
+    wet_.reset();
+    start_.voids->finish(start_.coupling, impulse_.nodes, node_outflow_, start_.dt);
+}
+
+template class Projection<2>;
+template class Projection<3>;
+
+} // namespace gapflow

@@ -1,0 +1,39 @@
+#include "gapflow/stepping/rounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+double Rounds::tolerance(double full, bool holds) const
+{
+    if (!exact())
+        return std::max(full, rough_tolerances[level_]);
+    return holds ? settled_tolerance * full : full;
+}
+
+double Rounds::accuracy(double tolerance) const
+{
+    return std::max({10 * tolerance, 1e-6 * std::exp2(round_ - 20), circles_ > 0 ? 1e-6 * std::exp2(circles_ - 1) : 0.0});
+}
+
+bool Rounds::go_on(ContactChange contacts, bool voids)
+{
+    if (!sets_)
+        return false;
+    const bool exactly = exact();
+    circles_ += exactly && contacts == ContactChange::repeats;
+    voids_changed_ = voids;
+    changed_ = voids || contacts != ContactChange::none;
+    unsettled_ = last();
+    if (unsettled_ || (exactly && !changed_))
+        return false;
+    if (round_ > most_rounds / 2)
+        level_ = rough_tolerances.size(); // the fluid's balance holds whatever contacts do
+    else if (!exactly && !voids && contacts != ContactChange::states)
+        ++level_; // pulls settle on the way
+    ++round_;
+    return true;
+}
+
+} // namespace gapflow
