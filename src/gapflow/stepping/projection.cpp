@@ -3,6 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/stepping/flooding.hpp"
 
 #include <cmath>
 #include <string>

@@ -12,8 +12,11 @@ namespace gapflow {
 
 class Rounds {
 public:
-    /// `sets`: there are contacts or voids at all. `expect_none`: they are not expected to change; the first solve is exact then.
-    Rounds(bool sets, bool expect_none) : level_(sets ? 0 : rough_tolerances.size()), sets_(sets), expect_none_(expect_none) {}
+    /// Whether there are contacts and voids at all. `expect_none`: they are not expected to change; the first solve is exact then.
+    Rounds(bool contacts, bool voids, bool expect_none)
+        : level_(contacts || voids ? 0 : rough_tolerances.size()), sets_(contacts || voids), expect_none_(expect_none), voids_changed_(voids)
+    {
+    }
 
     /// Number of the round under way, from 0.
     int number() const { return round_; }
@@ -50,7 +53,7 @@ private:
     int round_ = 0;
     std::size_t level_; ///< rough tolerances to which the sets were right
     int circles_ = 0;   ///< how often they came round to what they were, in exact solves
-    bool sets_, expect_none_, changed_ = true, voids_changed_ = true, unsettled_ = false;
+    bool sets_, expect_none_, changed_ = true, voids_changed_, unsettled_ = false;
 };
 
 } // namespace gapflow

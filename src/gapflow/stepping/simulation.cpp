@@ -13,6 +13,7 @@
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/placement.hpp"
+#include "gapflow/stepping/projection.hpp"
 #include "gapflow/stepping/start_flow.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
 
@@ -25,18 +26,11 @@ namespace gapflow {
 
 namespace {
 
-// While contacts change, their solves go to this relative residual only; and so many times at most.
-constexpr std::array<double, 3> rough_tolerances = {1e-2, 1e-4, 1e-6};
-// Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
-constexpr double settled_tolerance = 0.1;
-constexpr int most_rounds = 60;
 constexpr int most_pushes = 10; // that take out the overlaps of a step
 // Of the fluid that a body displaces: what it adds to its inertia where contacts are forecast. In a crowd; found by trial.
 constexpr double bulk_share = 2;
 constexpr std::size_t many_points = 1000000; // of films: what they leave behind in small pieces is worth collecting
 constexpr int few_iterations = 12; // of a solve without a correction for bodies: the next one asks no more for their lightness
-// Voids change all at once in the first rounds, then one at a time.
-constexpr int void_rounds_at_once = 40;
 // Masses in the initial projection, which holds the bodies to their velocities.
 constexpr double held_mass_factor = 1e12;
 
@@ -379,130 +373,81 @@ template <int D>
 void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report)
 {
     const double start = now();
-    double solver_seconds = 0;
+    const bool contacts = dt > 0 && !contacts_.empty(), voids = dt > 0 && voids_.any();
+    const std::vector<TwistMatrix<D>> mass = masses();
+    NearInertia<D> inertia;
+    if (contacts) {
+        contacts_.prepare(twists(), forced, dt, last_dt_);
+        std::vector<TwistMatrix<D>> loaded = mass;
+        for (std::size_t b = 0; b < bodies_.size(); ++b)
+            loaded[b] *= 1 + bulk_share * scene_.density * std::abs(bodies_[b].volume) / bodies_[b].mass;
+        inertia = near_inertia(*coupling_, loaded, voids_.is_void());
+    }
+    const std::vector<char> was_empty = voids ? voids_.empty_elements(coupling_->network) : std::vector<char>();
     SolverOptions options;
     options.tolerance = scene_.tolerance;
     options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
     options.ask_lightness = light_bodies_;
-    const bool contacts = dt > 0 && !contacts_.empty();
-    NearInertia<D> inertia;
-    if (contacts) {
-        contacts_.prepare(twists(), forced, dt, last_dt_);
-        std::vector<TwistMatrix<D>> mass = masses();
-        for (std::size_t b = 0; b < bodies_.size(); ++b)
-            mass[b] *= 1 + bulk_share * scene_.density * std::abs(bodies_[b].volume) / bodies_[b].mass;
-        inertia = near_inertia(*coupling_, mass, voids_.is_void());
-    }
-    impulse_.cells.fill(0); // a guess would keep errors of the solver from step to step: symmetric scenes would tell
-    impulse_.nodes.setZero(coupling_->system.nodes);
-    const bool voids = dt > 0 && voids_.any(), sets = contacts || voids; // active sets to find
-    node_outflow_.resize(0);
-    const std::vector<char> was_empty = voids ? voids_.empty_elements(coupling_->network) : std::vector<char>();
-    std::optional<WetSystem<D>> wet;
-    if (voids)
-        wet.emplace(*coupling_);
-    bool new_voids = voids;
-    const std::vector<double> open_flux = u_star.conduit;
-    std::optional<CoupledSolver<D>> solver;
-    std::vector<Twist<D>> V, without_pressure;
-    Eigen::VectorXd contact_impulse, held_impulse;
-    UnknownVector<D> rhs;
-    double squares = 0;
-    std::size_t level = sets ? 0 : rough_tolerances.size(); // rough tolerances to which the sets were right
-    bool changed = true;  // whether the sets are others than those of the last solve
-    int circles = 0;      // how often they came round to what they were, in exact solves
-    const bool expect_none = !voids && !(contacts && contacts_.likely_to_change(predicted_twists(dt)));
-    for (int round = 0;; ++round) {
-        if (changed) {
-            std::vector<Twist<D>> pushed = forced;
-            if (contacts) {
-                hold_contacts(*coupling_, contacts_.held(), forced);
-                const std::vector<Twist<D>> sliding = contacts_.sliding_impulses(coupling_->solids.size());
-                for (std::size_t b = 0; b < bodies_.size(); ++b)
-                    if (bodies_[b].motion == Motion::free)
-                        pushed[b] += impulse_response(bodies_[b], sliding[b], dt);
-            }
-            without_pressure = intermediate_twists(*coupling_, masses(), pushed, u_star.film_normal, held_impulse);
-            if (new_voids) {
-                hold_voids(*wet, open_flux, dt, u_star);
-                solver.reset();
-            }
-            if (wet)
-                wet->push(without_pressure, held_impulse);
-            outflow(*coupling_, u_star, without_pressure, rhs, &squares);
-            for (long i = 0; i < rhs.cells.size(); ++i)
-                rhs.cells.data()[i] *= -1;
-            rhs.nodes *= -1;
-            if (wet)
-                wet->reduce(without_pressure, voids_.filling(dt), rhs);
-            check_compatibility(rhs, std::sqrt(squares));
-            if (solver) {
-                solver->update_bodies();
-            } else {
-                solver.emplace(coupling_->system, options);
-                stages_.add("solver set-up", solver->setup_seconds());
-                solver_seconds += solver->setup_seconds();
-            }
-        }
-        const bool exact = level == rough_tolerances.size() || (round == 0 && expect_none);
-        const bool holds = voids || coupling_->system.contact.rows() > 0;
-        const double tolerance = !exact  ? std::max(options.tolerance, rough_tolerances[level])
-                                 : holds ? settled_tolerance * options.tolerance
-                                         : options.tolerance;
-        const SolveReport solve = solver->solve(impulse_, rhs, 1e-13 * std::sqrt(squares), tolerance);
+    Projection<D> projection({*coupling_, bodies_, mass, forced, contacts ? &contacts_ : nullptr, voids ? &voids_ : nullptr, dt, steps_ + 1},
+                             u_star, impulse_, options, stages_);
+    Rounds rounds(contacts, voids, !voids && !(contacts && contacts_.likely_to_change(predicted_twists(dt))));
+    ContactChange change;
+    bool new_voids;
+    do {
+        if (rounds.changed())
+            projection.assemble(rounds.voids_changed());
+        const double tolerance = rounds.tolerance(options.tolerance, projection.holds());
+        const SolveReport solve = projection.solve(tolerance);
         report.iterations += solve.iterations;
-        light_bodies_ = solver->corrects_bodies() || solve.iterations > few_iterations;
-        stages_.add("solve", solve.seconds);
-        solver_seconds += solve.seconds;
         report.residual = solve.residual;
+        light_bodies_ = projection.corrects_bodies() || solve.iterations > few_iterations;
         if (!solve.converged && dt > 0 && !voids)
-            check_sealing(u_star, without_pressure, GivesWay::unblocked);
+            check_sealing(u_star, projection.without_pressure(), GivesWay::unblocked);
         if (!solve.converged)
             throw ComputationError("the pressure solve of step " + std::to_string(steps_ + 1) + " did not converge: " +
                                    solve.message + " (" + std::to_string(solve.iterations) + " iterations, relative residual " +
                                    std::to_string(solve.residual) + ")");
-        V = without_pressure;
-        contact_impulse = held_impulse;
-        add_pressure_impulse(*coupling_, impulse_, V, contact_impulse);
-        if (!sets)
-            break;
-        // A contact whose impulse is next to nothing may flip for ever: what counts as nothing grows with the rounds, and as they repeat.
-        const double accuracy = std::max({10 * tolerance, 1e-6 * std::exp2(round - 20), circles > 0 ? 1e-6 * std::exp2(circles - 1) : 0.0});
-        const ContactChange change = contacts ? contacts_.update(V, contact_impulse, inertia, accuracy, exact, round) : ContactChange::none;
-        changed = change != ContactChange::none;
-        circles += exact && change == ContactChange::repeats;
-        if (wet) {
-            new_voids = update_voids(*wet, u_star, V, dt, 10 * tolerance, round, changed);
-            changed = changed || new_voids;
-            if (new_voids)
-                contacts_.forget_rounds();
-        }
-        if (round == most_rounds) {
-            report.notes.push_back(std::string(voids ? "contacts and voids" : "contacts") + " did not settle within " +
-                                   std::to_string(most_rounds) + " rounds of a step");
-            break;
-        }
-        if (exact && !changed)
-            break;
-        if (round > most_rounds / 2)
-            level = rough_tolerances.size(); // the fluid's balance holds whatever contacts do
-        else if (!exact && !new_voids && change != ContactChange::states)
-            ++level; // pulls settle on the way
-    }
+        change = projection.update_contacts(inertia, tolerance, rounds);
+        new_voids = projection.update_voids(tolerance, rounds, change != ContactChange::none);
+        if (new_voids)
+            contacts_.forget_rounds();
+    } while (rounds.go_on(change, new_voids));
+    if (rounds.unsettled())
+        report.notes.push_back(std::string(voids ? "contacts and voids" : "contacts") + " did not settle within " +
+                               std::to_string(Rounds::most_rounds) + " rounds of a step");
+    const std::vector<Twist<D>>& V = projection.twists();
     if (dt > 0 && !voids)
-        check_sealing(u_star, without_pressure, GivesWay::unblocked);
-    if (const Contact<D>* c = contacts ? contacts_.crushed(V, dt) : nullptr) {
-        const std::string pair = "'" + coupling_->solids[c->point.a].name + "' and '" + coupling_->solids[c->point.b].name + "'";
-        if (contacts_.driven(*c, coupling_->solids, V))
-            throw ComputationError("prescribed motion drives " + pair + " into each other in step " + std::to_string(steps_ + 1) +
-                                   ", and neither can give way; let it stop before they touch");
-        report.notes.push_back("contacts ask for more than the bodies can do: " + pair + " overlap, and are pushed apart again"); // nothing drives them
-    }
-    if (wet) {
-        impulse_.nodes += wet->given();
-        wet.reset();
-        voids_.finish(*coupling_, impulse_.nodes, node_outflow_, dt);
-    }
+        check_sealing(u_star, projection.without_pressure(), GivesWay::unblocked);
+    if (contacts)
+        check_crushing(V, dt, report);
+    projection.finish_voids();
+    node_outflow_ = projection.node_outflow();
+    take_velocities(std::move(u_star), V, was_empty, dt);
+    if (dt > 0)
+        finish_bodies(V, dt);
+    find_wrenches(V, dt);
+    stages_.add("projection", now() - start - projection.solver_seconds());
+}
+
+// Contacts that cannot hold what is driven into them.
+template <int D>
+void Simulation<D>::check_crushing(const std::vector<Twist<D>>& V, double dt, StepReport& report) const
+{
+    const Contact<D>* c = contacts_.crushed(V, dt);
+    if (!c)
+        return;
+    const std::string pair = "'" + coupling_->solids[c->point.a].name + "' and '" + coupling_->solids[c->point.b].name + "'";
+    if (contacts_.driven(*c, coupling_->solids, V))
+        throw ComputationError("prescribed motion drives " + pair + " into each other in step " + std::to_string(steps_ + 1) +
+                               ", and neither can give way; let it stop before they touch");
+    report.notes.push_back("contacts ask for more than the bodies can do: " + pair + " overlap, and are pushed apart again"); // nothing drives them
+}
+
+// Velocities of the end of the step: what the pressure leaves of u*, and what both walls of films and mouths carry along. `was_empty`: elements
+// without fluid before the step; empty where there are no voids.
+template <int D>
+void Simulation<D>::take_velocities(FluidVelocity<D> u_star, const std::vector<Twist<D>>& V, const std::vector<char>& was_empty, double dt)
+{
     std::vector<Vec<D>> without_push;
     if (D == 2 && scene_.viscosity == 0 && dt > 0)
         without_push = u_star.film;
@@ -510,16 +455,20 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     subtract_gradient(*coupling_, impulse_, velocity_);
     remember_push(without_push, dt);
     add_entrainment(*coupling_, V, 1, velocity_);
-    if (voids) {
-        for (std::size_t r = 0; r < velocity_.conduit.size(); ++r)
-            if (voids_.shut()[r])
-                velocity_.conduit[r] += carried_flux<D>(*coupling_, coupling_->network.mouths.conduits[r], V) - entrained_flux(*coupling_, r, V);
-        const std::vector<char> is_empty = voids_.empty_elements(coupling_->network);
-        rest_in_voids<D>(*coupling_, is_empty, V, velocity_.film);
-        follow_front<D>(*coupling_, was_empty, is_empty, voids_.is_void(), V, velocity_);
-    }
-    if (dt > 0)
-        finish_bodies(V, dt);
+    if (!(dt > 0 && voids_.any()))
+        return;
+    for (std::size_t r = 0; r < velocity_.conduit.size(); ++r)
+        if (voids_.shut()[r])
+            velocity_.conduit[r] += carried_flux<D>(*coupling_, coupling_->network.mouths.conduits[r], V) - entrained_flux(*coupling_, r, V);
+    const std::vector<char> is_empty = voids_.empty_elements(coupling_->network);
+    rest_in_voids<D>(*coupling_, is_empty, V, velocity_.film);
+    follow_front<D>(*coupling_, was_empty, is_empty, voids_.is_void(), V, velocity_);
+}
+
+// Force and torque of the fluid on every body, mean over the step: pressure, buoyancy, shear of films.
+template <int D>
+void Simulation<D>::find_wrenches(const std::vector<Twist<D>>& V, double dt)
+{
     std::vector<Twist<D>> impulse = impulses(*coupling_, impulse_);
     if (!coupling_->drag_inertia.empty()) {
         const std::vector<Twist<D>> shear = drag_impulses(*coupling_, V);
@@ -534,40 +483,6 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         if (dt > 0)
             wrenches_[b] += impulse[b] / dt;
     }
-    stages_.add("projection", now() - start - solver_seconds);
-}
-
-// The voids as the active set has them leave the system, and shut mouths with them: what their masters carry does not pass them.
-template <int D>
-void Simulation<D>::hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, double dt, FluidVelocity<D>& u_star)
-{
-    wet.take_out(voids_.is_void(), voids_.impulses(dt), voids_.shut());
-    for (std::size_t r = 0; r < open_flux.size(); ++r)
-        u_star.conduit[r] = voids_.shut()[r] ? 0.0 : open_flux[r];
-    for (int node = 0; node < coupling_->network.nodes; ++node)
-        if (voids_.is_void()[node])
-            impulse_.nodes[node] = 0;
-}
-
-// Void nodes and their mouths after a solve. True if some changed; one at a time, after the contacts, once that must be.
-template <int D>
-bool Simulation<D>::update_voids(const WetSystem<D>& wet, const FluidVelocity<D>& u_star, const std::vector<Twist<D>>& V, double dt,
-                                 double accuracy, int round, bool contacts_changed)
-{
-    const auto [outflow, drop] = wet.outcome(impulse_, V);
-    node_outflow_ = outflow;
-    const bool at_once = round < void_rounds_at_once;
-    if (round == most_rounds || (contacts_changed && !at_once))
-        return false;
-    const bool nodes = voids_.update(impulse_.nodes + wet.given(), outflow, dt, accuracy, at_once);
-    if (nodes && !at_once)
-        return true;
-    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
-    std::vector<double> flux; // seen from the masters
-    for (std::size_t r = 0; r < conduits.size(); ++r)
-        flux.push_back(u_star.conduit[r] + wet.conductance(r) * drop[r] +
-                       (voids_.shut()[r] ? 0.0 : entrained_flux(*coupling_, r, V) - carried_flux<D>(*coupling_, conduits[r], V)));
-    return voids_.update_mouths(conduits, flux, drop, accuracy, at_once) || nodes;
 }
 
 // Nor has one that is shut by surfaces that touch.
@@ -577,38 +492,6 @@ void Simulation<D>::check_sealing(const FluidVelocity<D>& u, const std::vector<T
     const std::string squeezed = squeezed_pocket<D>(*coupling_, gaps_, contacts_.contacts(), V, u, gives_way);
     if (!squeezed.empty())
         throw ComputationError("step " + std::to_string(steps_ + 1) + ": " + squeezed);
-}
-
-// A pocket that a prescribed body squeezes has no solution: name it.
-template <int D>
-void Simulation<D>::check_compatibility(const UnknownVector<D>& rhs, double magnitude) const
-{
-    const CoupledSystem<D>& system = coupling_->system;
-    const int count = static_cast<int>(system.components.size());
-    std::vector<double> sums(count, 0.0);
-    for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
-        if (system.component(c) >= 0)
-            sums[system.component(c)] += rhs.cells(c);
-    });
-    grid_.comm().sum(sums);
-    for (int node = 0; node < system.nodes; ++node)
-        sums[system.node_component[node]] += rhs.nodes[node];
-    for (long j = 0; j < system.null_space.cols(); ++j) {
-        double defect = 0;
-        for (int k = 0; k < count; ++k)
-            defect += system.null_space(k, j) * sums[k];
-        if (std::abs(defect) <= 1e-6 * magnitude)
-            continue;
-        std::string where = "the fluid of the closed domain";
-        for (const SealedPocket& pocket : coupling_->sealed) {
-            where = "fluid sealed in between";
-            for (const std::string& name : pocket.bodies)
-                where += " " + name;
-            where += " (" + std::to_string(pocket.cells) + " cells)";
-        }
-        throw ComputationError("step " + std::to_string(steps_ + 1) + ": prescribed motion or inflow changes the volume of " +
-                               where + ", and incompressible fluid has no way out; open a side or correct the motion");
-    }
 }
 
 template <int D>

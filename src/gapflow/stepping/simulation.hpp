@@ -136,9 +136,9 @@ private:
     void add_viscosity(FluidVelocity<D>& u_star, std::vector<Twist<D>>& V_star, double dt, StepReport& report);
     void remember_projection(const std::vector<Twist<D>>& V_star, double dt);
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
-    void hold_voids(WetSystem<D>& wet, const std::vector<double>& open_flux, double dt, FluidVelocity<D>& u_star);
-    bool update_voids(const WetSystem<D>& wet, const FluidVelocity<D>& u_star, const std::vector<Twist<D>>& V, double dt,
-                      double accuracy, int round, bool contacts_changed);
+    void check_crushing(const std::vector<Twist<D>>& V, double dt, StepReport& report) const;
+    void take_velocities(FluidVelocity<D> u_star, const std::vector<Twist<D>>& V, const std::vector<char>& was_empty, double dt);
+    void find_wrenches(const std::vector<Twist<D>>& V, double dt);
     void remember_push(const std::vector<Vec<D>>& without, double dt);
     void continue_velocities();
     void paint_films(FaceField<D, std::int8_t>& valid);
@@ -150,7 +150,6 @@ private:
     std::vector<Twist<D>> twists() const;
     std::vector<TwistMatrix<D>> masses() const;
     void check_sealing(const FluidVelocity<D>& u, const std::vector<Twist<D>>& V, GivesWay gives_way) const;
-    void check_compatibility(const UnknownVector<D>& rhs, double magnitude) const;
     BoundaryVelocity<D> side_velocities(double time) const;
     std::vector<Vec<D>> sample(const std::vector<Vec<D>>& points) const;
 
