@@ -37,30 +37,100 @@ std::string short_text(double value)
     return text;
 }
 
+constexpr double tiny = std::numeric_limits<double>::min();
+
+// Largest speed on this rank's faces that are open by more than a share.
+template <int D>
+double largest_speed(const Grid<D>& grid, const FaceField<D>& open_share, const FaceField<D>& velocity, double share)
+{
+    double speed = 0;
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
+        speed = std::max(speed, max_over_planes(low[D - 1], end[D - 1], [&](int plane) {
+            double largest = 0;
+            for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
+                const double *open = &open_share(axis, row), *u = &velocity(axis, row);
+#pragma omp simd reduction(max : largest)
+                for (int i = 0; i < end[0] - low[0]; ++i)
+                    largest = std::max(largest, open[i] > share ? std::abs(u[i]) : 0.0);
+            });
+            return largest;
+        }));
+    }
+    return speed;
+}
+
+// A free body's swing about its hinge or its centre of volume, and its oscillation on a spring unless that is invisible.
+template <int D>
+double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const Twist<D>& A, const Scene& scene, double dx)
+{
+    double frequency = swing_frequency<D>(body, to_vec<D>(scene.gravity), scene.density);
+    if (const double spring = spring_frequency(body); spring > 0) {
+        const Vec<D> arm = body.pose.position - body.centre();
+        const double amplitude = std::hypot(velocity_at<D>(V, arm).norm() / spring, velocity_at<D>(A, arm).norm() / (spring * spring));
+        if (amplitude > invisible_amplitude * dx)
+            frequency = std::hypot(frequency, spring);
+    }
+    return 2 * std::numbers::pi / (steps_a_period * std::max(frequency, tiny));
+}
+
+// What a film's thickness may change in a step, at speeds V and accelerations A of the solids. Throws ComputationError where prescribed bodies
+// have met and go on.
+template <int D>
+double limit_of_closing(const FilmMesh<D>& mesh, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& V,
+                        const std::vector<Twist<D>>& A, const Scene& scene, double floor, double time, double dx)
+{
+    const Solid<D>&master = solids[mesh.master], &other = solids[mesh.other];
+    const double thickness = scene.contact_of(master.name, other.name).thickness;
+    const double least = std::max({thickness, floor, smallest_limiting_gap * dx});
+    // Neither can give way: they have met where the film is still rough.
+    const double met = std::max(scene.least_distance(master.name, other.name), smallest_limiting_gap * dx);
+    const bool unstoppable = master.motion != Motion::free && other.motion != Motion::free;
+    double dt = std::numeric_limits<double>::infinity();
+    for (const FilmPoint<D>& q : mesh.points) {
+        const Vec<D> arm_a = q.x - master.centre, arm_b = q.y - other.centre - mesh.shift;
+        auto opening = [&](const std::vector<Twist<D>>& twist) {
+            return q.other_normal.dot(velocity_at<D>(twist[mesh.master], arm_a) - velocity_at<D>(twist[mesh.other], arm_b));
+        };
+        auto rate = [&](const std::vector<Twist<D>>& twist) { return std::abs(opening(twist)); };
+        const double distance = q.h + mesh.skin, h = std::max(distance, least);
+        if (unstoppable && q.other_normal.dot(q.x - q.y) < met && scene.gap_cfl * met < driven_step * scene.max_step * -opening(V))
+            throw ComputationError("prescribed motion drives '" + master.name + "' and '" + other.name + "' into each other at time " +
+                                   short_text(time) + "; let it stop before they touch, or let one of them be free");
+        // What is left to the contact thickness limits the step too.
+        const double left = thickness > 0 ? std::max(distance - thickness, smallest_limiting_gap * dx) : h;
+        dt = std::min(dt, scene.gap_cfl * std::min(h, left) / std::max(rate(V), tiny));
+        dt = std::min(dt, std::sqrt(2 * scene.gap_cfl * h / std::max(rate(A), tiny)));
+    }
+    return dt;
+}
+
+// How far the flow of a curved film may go in a step. `first`: of its elements in its pair's memory.
+template <int D>
+double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const FilmMemory<D>& memory, int first, double dx)
+{
+    const double curvature = std::abs(master.shape.shape().curvature(0));
+    double dt = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const FilmElement<D>& element = mesh.elements[e];
+        const double h = element.volume / element.measure;
+        if (element.coarse || !(curvature > 0 && h > smallest_limiting_gap * dx)) // thinner, it holds next to nothing
+            continue;
+        const double relative = memory.speed_about(first + static_cast<int>(e));
+        dt = std::min(dt, curved_film_cfl * std::max(std::sqrt(2 * h / curvature), least_film_length<D> * dx) / std::max(relative, tiny));
+    }
+    return dt;
+}
+
 } // namespace
 
 // Stage 1.
 template <int D>
 double Simulation<D>::choose_step(double next_output) const
 {
-    const double dx = grid_.dx(), tiny = std::numeric_limits<double>::min();
-    double dt = scene_.max_step;
-    double speed = 0;
-    const double narrow = sliver();
-    for (int axis = 0; axis < D; ++axis) {
-        const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
-        speed = std::max(speed, max_over_planes(low[D - 1], end[D - 1], [&](int plane) {
-            double largest = 0;
-            for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
-                const double *open = &coupling_->open(axis, row), *u = &velocity_.grid(axis, row);
-#pragma omp simd reduction(max : largest)
-                for (int i = 0; i < end[0] - low[0]; ++i)
-                    largest = std::max(largest, open[i] > narrow ? std::abs(u[i]) : 0.0);
-            });
-            return largest;
-        }));
-    }
-    dt = std::min(dt, scene_.cfl * dx / std::max(grid_.comm().max(speed), tiny));
+    const double dx = grid_.dx();
+    const double speed = grid_.comm().max(largest_speed(grid_, coupling_->open, velocity_.grid, sliver()));
+    double dt = std::min(scene_.max_step, scene_.cfl * dx / std::max(speed, tiny));
 
     // The first step knows no pressure: viscosity crosses a cell in it, and twice as much in each one after it.
     if (scene_.viscosity > 0)
@@ -74,62 +144,18 @@ double Simulation<D>::choose_step(double next_output) const
                 A[b] = twist_after<D>(bodies_[b], explicit_wrench<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density) +
                                                       spring_wrench(bodies_[b])) -
                        bodies_[b].twist;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const RigidBody<D>& body = bodies_[b];
-        if (body.motion != Motion::free)
-            continue;
-        double frequency = swing_frequency<D>(body, to_vec<D>(scene_.gravity), scene_.density);
-        if (const double spring = spring_frequency(body); spring > 0) {
-            const Vec<D> arm = body.pose.position - body.centre();
-            const double amplitude = std::hypot(velocity_at<D>(V[b], arm).norm() / spring,
-                                                velocity_at<D>(A[b], arm).norm() / (spring * spring));
-            if (amplitude > invisible_amplitude * dx)
-                frequency = std::hypot(frequency, spring);
-        }
-        dt = std::min(dt, 2 * std::numbers::pi / (steps_a_period * std::max(frequency, tiny)));
-    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        if (bodies_[b].motion == Motion::free)
+            dt = std::min(dt, limit_of_oscillation(bodies_[b], V[b], A[b], scene_, dx));
     const std::vector<Solid<D>>& solids = coupling_->solids;
     std::map<FilmPair<D>, int> counted; // elements of each pair's films so far, as its memory has them
     for (const Film<D>& film : coupling_->network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const int first = counted[film.pair];
         counted[film.pair] += static_cast<int>(mesh.elements.size());
-        const double thickness = scene_.contact_of(solids[mesh.master].name, solids[mesh.other].name).thickness;
-        const double least = std::max({thickness, gaps_(mesh.master, mesh.other).floor, smallest_limiting_gap * dx});
-        // Neither can give way: they have met where the film is still rough.
-        const double met = std::max(scene_.least_distance(solids[mesh.master].name, solids[mesh.other].name), smallest_limiting_gap * dx);
-        const auto moves_freely = [&](int solid) { return solids[solid].motion == Motion::free; };
-        const bool unstoppable = !moves_freely(mesh.master) && !moves_freely(mesh.other);
-        for (const FilmPoint<D>& q : mesh.points) {
-            const Vec<D> arm_a = q.x - solids[mesh.master].centre, arm_b = q.y - solids[mesh.other].centre - mesh.shift;
-            auto opening = [&](const std::vector<Twist<D>>& twist) {
-                return q.other_normal.dot(velocity_at<D>(twist[mesh.master], arm_a) - velocity_at<D>(twist[mesh.other], arm_b));
-            };
-            auto rate = [&](const std::vector<Twist<D>>& twist) { return std::abs(opening(twist)); };
-            const double distance = q.h + mesh.skin, h = std::max(distance, least);
-            if (unstoppable && q.other_normal.dot(q.x - q.y) < met && scene_.gap_cfl * met < driven_step * scene_.max_step * -opening(V))
-                throw ComputationError("prescribed motion drives '" + solids[mesh.master].name + "' and '" +
-                                       solids[mesh.other].name + "' into each other at time " + short_text(time_) +
-                                       "; let it stop before they touch, or let one of them be free");
-            // What is left to the contact thickness limits the step too.
-            const double left = thickness > 0 ? std::max(distance - thickness, smallest_limiting_gap * dx) : h;
-            dt = std::min(dt, scene_.gap_cfl * std::min(h, left) / std::max(rate(V), tiny));
-            dt = std::min(dt, std::sqrt(2 * scene_.gap_cfl * h / std::max(rate(A), tiny)));
-        }
-        if (mesh.flat)
-            continue;
-        const double curvature = std::abs(solids[mesh.master].shape.shape().curvature(0));
-        const FilmMemory<D>& memory = *memories_.at(film.pair);
-        for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-            const FilmElement<D>& element = mesh.elements[e];
-            if (element.coarse)
-                continue;
-            const double h = element.volume / element.measure;
-            const double relative = memory.speed_about(first + static_cast<int>(e));
-            if (curvature > 0 && h > smallest_limiting_gap * dx) // thinner, it holds next to nothing
-                dt = std::min(dt, curved_film_cfl * std::max(std::sqrt(2 * h / curvature), least_film_length<D> * dx) /
-                                      std::max(relative, tiny));
-        }
+        dt = std::min(dt, limit_of_closing(mesh, solids, V, A, scene_, gaps_(mesh.master, mesh.other).floor, time_, dx));
+        if (!mesh.flat)
+            dt = std::min(dt, limit_of_film_flow(mesh, solids[mesh.master], *memories_.at(film.pair), first, dx));
     }
     if (!(dt > smallest_step * scene_.max_step))
         throw ComputationError("the time step fell to " + short_text(dt) + " at time " + short_text(time_) +
