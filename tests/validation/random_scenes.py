@@ -172,12 +172,14 @@ def not_finite(tables):
 
 
 def thrown(tank, bodies):
-    """Bodies that a step moves by more than JUMP cells."""
+    """Bodies in the tank that a step moves by more than JUMP cells. (One that has left through an open side only falls.)"""
+    reach = {body.name: body.shape.extent for body in tank.bodies}
     last = {}
     for row in bodies:
         x = np.array([row[a] for a in "xyz"[:tank.dimension]])
         way = np.abs(x - last.get(row["body"], x)).max() / tank.dx
-        if JUMP < way < 0.5 * min(tank.cells):    # more: from one end of a periodic tank to the other
+        outside = (last.get(row["body"], x) < -reach[row["body"]]).any() or (last.get(row["body"], x) > tank.size + reach[row["body"]]).any()
+        if JUMP < way < 0.5 * min(tank.cells) and not outside:    # more: from one end of a periodic tank to the other
             return [f"{row['body']} moves {way:.3g} cells in step {row['step']:.0f}"]
         last[row["body"]] = x
     return []
