@@ -119,6 +119,184 @@ std::vector<std::pair<int, int>> gathered(const Communicator& comm, const std::s
     return result;
 }
 
+// Does the link join its nodes and cells? Not where a node of it is shut.
+bool leads_on(const Link& link, const std::vector<char>& shut)
+{
+    return link.conductance > 0 && (shut.empty() || std::none_of(link.nodes.begin(), link.nodes.end(), [&](const auto& node) { return shut[node.first]; }));
+}
+
+// Labels all cells, each rank its own block's components, on from those of the ranks before. Returns the number of labels.
+template <int D>
+int label_cells(const Coupling<D>& coupling, CellField<D, int>& label)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const Communicator& comm = grid.comm();
+    const int mine = label_block(coupling, label);
+    int start = 0;
+    MPI_Exscan(&mine, &start, 1, MPI_INT, MPI_SUM, comm.mpi());
+    if (comm.root())
+        start = 0;
+    const int labels = static_cast<int>(comm.sum(static_cast<long>(mine)));
+    if (start > 0)
+        for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+            if (label(c) >= 0)
+                label(c) += start;
+        });
+    exchange(grid, label, 1);
+    return labels;
+}
+
+// Pairs of labels joined across the lower sides of this rank's block.
+template <int D>
+std::set<std::pair<int, int>> pairs_across_sides(const Coupling<D>& coupling, const CellField<D, int>& label)
+{
+    const Grid<D>& grid = *coupling.grid;
+    std::set<std::pair<int, int>> pairs;
+    for (int axis = 0; axis < D; ++axis) {
+        Index<D> high = grid.high();
+        high[axis] = grid.low()[axis] + 1;
+        for_each_index<D>(grid.low(), high, [&](const Index<D>& f) {
+            const Index<D> below = f - step<D>(axis);
+            if (coupling.system.conductance(axis, f) > 0 && label(f) >= 0 && label(below) >= 0)
+                pairs.insert({label(below), label(f)});
+        });
+    }
+    return pairs;
+}
+
+// Pairs of labels and nodes that links from this rank's cells join; nodes count after all cells' labels.
+template <int D>
+std::set<std::pair<int, int>> pairs_of_links(const Coupling<D>& coupling, const std::vector<char>& shut, const CellField<D, int>& label,
+                                             int labels)
+{
+    const Grid<D>& grid = *coupling.grid;
+    std::set<std::pair<int, int>> pairs;
+    for (const Link& link : coupling.system.links) {
+        if (!leads_on(link, shut) || link.nodes.empty())
+            continue;
+        for (const auto& [key, weight] : link.cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && label(c) >= 0)
+                pairs.insert({label(c), labels + link.nodes.front().first});
+    }
+    return pairs;
+}
+
+// Joins film nodes by the films' elements and by links between films; nodes count after all cells' labels.
+template <int D>
+void join_nodes(const Coupling<D>& coupling, const std::vector<char>& shut, int labels, DisjointSets& sets)
+{
+    for (const Film<D>& film : coupling.network.films)
+        for (const FilmElement<D>& e : film.mesh.elements)
+            for (int i = 1; i < D && (shut.empty() || std::none_of(e.nodes.begin(), e.nodes.end(), [&](int node) { return shut[film.first_node + node]; })); ++i)
+                sets.join(labels + film.first_node + e.nodes[0], labels + film.first_node + e.nodes[i]);
+    for (const Link& link : coupling.system.links)
+        for (std::size_t i = 1; i < link.nodes.size() && leads_on(link, shut); ++i)
+            sets.join(labels + link.nodes[0].first, labels + link.nodes[i].first);
+}
+
+// The component of each label and, after these, of each film node.
+struct Numbering {
+    int labels = 0, components = 0;
+    std::vector<int> component;
+    std::vector<int> grid_parts; ///< of each component: parts that the grid's faces alone join
+};
+
+template <int D>
+Numbering join_labels(const Coupling<D>& coupling, const std::vector<char>& shut, const CellField<D, int>& label, int labels)
+{
+    const Communicator& comm = coupling.grid->comm();
+    DisjointSets parts(labels), sets(labels + coupling.system.nodes);
+    for (const auto& [a, b] : gathered(comm, pairs_across_sides(coupling, label))) {
+        parts.join(a, b);
+        sets.join(a, b);
+    }
+    for (const auto& [a, b] : gathered(comm, pairs_of_links(coupling, shut, label, labels)))
+        sets.join(a, b);
+    join_nodes(coupling, shut, labels, sets);
+    Numbering numbering;
+    numbering.labels = labels;
+    numbering.component = sets.numbers(numbering.components);
+    numbering.grid_parts.assign(numbering.components, 0);
+    int part_count = 0;
+    const std::vector<int> part = parts.numbers(part_count);
+    std::vector<char> counted(part_count, 0);
+    for (int l = 0; l < labels; ++l)
+        if (!counted[part[l]]) {
+            counted[part[l]] = 1;
+            ++numbering.grid_parts[numbering.component[l]];
+        }
+    return numbering;
+}
+
+// Turns the labels of this rank's cells into components; adds the numbers of cells to `facts`.
+template <int D>
+void number_cells(const Grid<D>& grid, const std::vector<int>& number, CellField<D, int>& label, std::vector<double>& facts)
+{
+    for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+        const int n = grid.high()[0] - grid.low()[0];
+        int* l = &label(row);
+        for (int i = 0, end; i < n; i = end) { // runs of one label
+            end = i + 1;
+            while (end < n && l[end] == l[i])
+                ++end;
+            if (l[i] < 0)
+                continue;
+            const int k = number[l[i]];
+            std::fill(l + i, l + end, k);
+            facts[2 * k] += end - i;
+        }
+    });
+}
+
+// Adds the numbers of this rank's faces on open sides to `facts`.
+template <int D>
+void count_open_faces(const Coupling<D>& coupling, const CellField<D, int>& component, std::vector<double>& facts)
+{
+    const Grid<D>& grid = *coupling.grid;
+    for (int axis = 0; axis < D; ++axis)
+        for (int end = 0; end < 2 && !grid.periodic(axis); ++end) {
+            const int last = end * (grid.cells()[axis] - 1);
+            if (last < grid.low()[axis] || last >= grid.high()[axis])
+                continue;
+            Index<D> low = grid.low(), high = grid.high();
+            low[axis] = last;
+            high[axis] = last + 1;
+            for_each_index<D>(low, high, [&](const Index<D>& c) {
+                if (const int k = component(c); k >= 0 && coupling.system.conductance(axis, c + end * step<D>(axis)) > 0)
+                    ++facts[2 * k + 1];
+            });
+        }
+}
+
+// Turns the cells' labels into components, and counts what belongs to each.
+template <int D>
+void number_parts(const Coupling<D>& coupling, const std::vector<char>& shut, const Numbering& numbering, FluidParts<D>& parts)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const CoupledSystem<D>& system = coupling.system;
+    parts.components.assign(numbering.components, {});
+    std::vector<double> facts(2 * static_cast<std::size_t>(numbering.components), 0.0); // unknowns; ways out by open sides
+    number_cells(grid, numbering.component, parts.component, facts);
+    count_open_faces(coupling, parts.component, facts);
+    grid.comm().sum(facts);
+    for (int k = 0; k < numbering.components; ++k)
+        parts.components[k].open_faces = facts[2 * k + 1] > 0;
+    exchange(grid, parts.component, 1);
+    parts.node_component.resize(system.nodes);
+    for (int node = 0; node < system.nodes; ++node) {
+        parts.node_component[node] = numbering.component[numbering.labels + node];
+        ++facts[2 * parts.node_component[node]];
+    }
+    for (const Link& link : system.links)
+        if (link.cells.empty() && leads_on(link, shut) && link.nodes.size() == D - 1) // conduit to an open side
+            ++facts[2 * parts.node_component[link.nodes.front().first] + 1];
+    for (int k = 0; k < numbering.components; ++k) {
+        parts.components[k].grid_parts = numbering.grid_parts[k];
+        parts.components[k].unknowns = std::lround(facts[2 * k]);
+        parts.components[k].grounded = facts[2 * k + 1] > 0;
+    }
+}
+
 // K^T 1_k of the free bodies, one column a component, and the size of its terms before constraints took their part.
 template <int D>
 Eigen::MatrixXd component_impulses(const Coupling<D>& coupling, Eigen::VectorXd& magnitude)
@@ -254,122 +432,12 @@ void find_null_space(Coupling<D>& coupling)
 template <int D>
 FluidParts<D> find_parts(const Coupling<D>& coupling, const std::vector<char>& shut)
 {
-    const Grid<D>& grid = *coupling.grid;
-    const Communicator& comm = grid.comm();
-    const CoupledSystem<D>& system = coupling.system;
-    FluidParts<D> parts_found;
-    CellField<D, int>& label = parts_found.component;
-    label = CellField<D, int>(grid, -1);
-    auto leads_on = [&](const Link& link) {
-        return link.conductance > 0 && (shut.empty() || std::none_of(link.nodes.begin(), link.nodes.end(), [&](const auto& node) { return shut[node.first]; }));
-    };
-    const int mine = label_block(coupling, label);
-
-    int start = 0;
-    MPI_Exscan(&mine, &start, 1, MPI_INT, MPI_SUM, comm.mpi());
-    if (comm.root())
-        start = 0;
-    const int cells_total = static_cast<int>(comm.sum(static_cast<long>(mine)));
-    if (start > 0)
-        for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-            if (label(c) >= 0)
-                label(c) += start;
-        });
-    exchange(grid, label, 1);
-
-    // Pairs of labels joined across the block's sides or by links; nodes count after all cells' labels.
-    std::set<std::pair<int, int>> pairs;
-    for (int axis = 0; axis < D; ++axis) {
-        Index<D> high = grid.high();
-        high[axis] = grid.low()[axis] + 1;
-        for_each_index<D>(grid.low(), high, [&](const Index<D>& f) {
-            const Index<D> below = f - step<D>(axis);
-            if (system.conductance(axis, f) > 0 && label(f) >= 0 && label(below) >= 0)
-                pairs.insert({label(below), label(f)});
-        });
-    }
-    std::set<std::pair<int, int>> links;
-    for (const Link& link : system.links) {
-        if (!leads_on(link) || link.nodes.empty())
-            continue;
-        for (const auto& [key, weight] : link.cells)
-            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && label(c) >= 0)
-                links.insert({label(c), cells_total + link.nodes.front().first});
-    }
-    DisjointSets parts(cells_total), sets(cells_total + system.nodes);
-    for (const auto& [a, b] : gathered(comm, pairs)) {
-        parts.join(a, b);
-        sets.join(a, b);
-    }
-    for (const auto& [a, b] : gathered(comm, links))
-        sets.join(a, b);
-    for (const Film<D>& film : coupling.network.films)
-        for (const FilmElement<D>& e : film.mesh.elements)
-            for (int i = 1; i < D && (shut.empty() || std::none_of(e.nodes.begin(), e.nodes.end(), [&](int node) { return shut[film.first_node + node]; })); ++i)
-                sets.join(cells_total + film.first_node + e.nodes[0], cells_total + film.first_node + e.nodes[i]);
-    for (const Link& link : system.links)
-        for (std::size_t i = 1; i < link.nodes.size() && leads_on(link); ++i)
-            sets.join(cells_total + link.nodes[0].first, cells_total + link.nodes[i].first);
-    int count = 0;
-    const std::vector<int> number = sets.numbers(count);
-
-    std::vector<Component>& components = parts_found.components;
-    components.assign(count, {});
-    int part_count = 0;
-    const std::vector<int> part = parts.numbers(part_count);
-    std::vector<char> counted(part_count, 0);
-    for (Component& component : components)
-        component.grid_parts = 0;
-    for (int l = 0; l < cells_total; ++l)
-        if (!counted[part[l]]) {
-            counted[part[l]] = 1;
-            ++components[number[l]].grid_parts;
-        }
-    std::vector<double> facts(2 * static_cast<std::size_t>(count), 0.0); // cells; faces on open sides
-    for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
-        const int n = grid.high()[0] - grid.low()[0];
-        int* l = &label(row);
-        for (int i = 0, end; i < n; i = end) { // runs of one label
-            end = i + 1;
-            while (end < n && l[end] == l[i])
-                ++end;
-            if (l[i] < 0)
-                continue;
-            const int k = number[l[i]];
-            std::fill(l + i, l + end, k);
-            facts[2 * k] += end - i;
-        }
-    });
-    for (int axis = 0; axis < D; ++axis)
-        for (int end = 0; end < 2 && !grid.periodic(axis); ++end) {
-            const int last = end * (grid.cells()[axis] - 1);
-            if (last < grid.low()[axis] || last >= grid.high()[axis])
-                continue;
-            Index<D> low = grid.low(), high = grid.high();
-            low[axis] = last;
-            high[axis] = last + 1;
-            for_each_index<D>(low, high, [&](const Index<D>& c) {
-                if (const int k = label(c); k >= 0 && system.conductance(axis, c + end * step<D>(axis)) > 0)
-                    ++facts[2 * k + 1];
-            });
-        }
-    comm.sum(facts);
-    for (int k = 0; k < count; ++k)
-        components[k].open_faces = facts[2 * k + 1] > 0;
-    exchange(grid, label, 1);
-    parts_found.node_component.resize(system.nodes);
-    for (int node = 0; node < system.nodes; ++node) {
-        parts_found.node_component[node] = number[cells_total + node];
-        ++facts[2 * parts_found.node_component[node]];
-    }
-    for (const Link& link : system.links)
-        if (link.cells.empty() && leads_on(link) && link.nodes.size() == D - 1) // conduit to an open side
-            ++facts[2 * parts_found.node_component[link.nodes.front().first] + 1];
-    for (int k = 0; k < count; ++k) {
-        components[k].unknowns = std::lround(facts[2 * k]);
-        components[k].grounded = facts[2 * k + 1] > 0;
-    }
-    return parts_found;
+    FluidParts<D> parts;
+    parts.component = CellField<D, int>(*coupling.grid, -1);
+    const int labels = label_cells(coupling, parts.component);
+    const Numbering numbering = join_labels(coupling, shut, parts.component, labels);
+    number_parts(coupling, shut, numbering, parts);
+    return parts;
 }
 
 template <int D>

@@ -1,5 +1,9 @@
 #include "gapflow/film/conduits.hpp"
 
+#include "gapflow/film/mouth_stencil.hpp"
+#include "gapflow/film/rim_joints.hpp"
+#include "gapflow/film/rim_points.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,73 +18,16 @@ constexpr double sample_distance = 0.5;     // of a conduit's grid pressure beyo
 constexpr double mouth_radius = 0.8;        // r in the mouth formulas, in dx: what the grid itself resolves
 constexpr double open_resistance = 0.2;      // of a mouth on an open side
 constexpr double minimum_resistance = 0.02;  // keeps wide mouths positive
-constexpr double rim_spacing = 0.125;       // of points along a rim, in dx
-constexpr double smooth_rim_spacing = 0.5;  // the same where the film goes out between curved surfaces
-constexpr double full_aperture = 0.25;      // a cell counts in full for a conduit if its open fractions sum to this
-constexpr double minimum_weight = 0.02;     // of a stencil: below, there is none
 constexpr double touching = 1e-6;           // distance to a third body that closes a rim, in dx
 constexpr double joint_reach = 1.5;         // in (h + h_other), else in dx
-template <int D>
-constexpr double joint_length = D == 2 ? 0.01 : 0.05; // film length whose resistance a joint has, in dx
-
-template <int D>
-struct RimPoint {
-    int film;
-    const RimEdge<D>* edge;
-    std::array<double, D - 1> shape;
-    Vec<D> x;
-    double length, h;
-};
-
-template <int D>
-std::array<int, D - 1> global_nodes(const Film<D>& film, const std::array<int, D - 1>& nodes)
-{
-    std::array<int, D - 1> result = nodes;
-    for (int& n : result)
-        n += film.first_node;
-    return result;
-}
-
-template <int D>
-std::vector<RimPoint<D>> rim_points(std::span<const Film<D>> films, double dx)
-{
-    std::vector<RimPoint<D>> points;
-    for (int k = 0; k < static_cast<int>(films.size()); ++k) {
-        const FilmMesh<D>& mesh = films[k].mesh;
-        for (const RimEdge<D>& edge : mesh.rim) {
-            if constexpr (D == 2) {
-                points.push_back({k, &edge, {1.0}, mesh.mid[edge.nodes[0]], 1.0, mesh.h[edge.nodes[0]]});
-            } else {
-                const auto [a, b] = edge.nodes;
-                const bool smooth = !mesh.flat && (edge.end == RimEnd::thickness || edge.end == RimEnd::normals ||
-                                                   edge.end == RimEnd::third_body);
-                const double spacing = (smooth ? smooth_rim_spacing : rim_spacing) * dx;
-                const int count = std::max(1, static_cast<int>(std::ceil(edge.length / spacing - 1e-9)));
-                for (int i = 0; i < count; ++i) {
-                    const double s = (i + 0.5) / count;
-                    points.push_back({k, &edge, {1 - s, s}, (1 - s) * mesh.mid[a] + s * mesh.mid[b], edge.length / count,
-                                      (1 - s) * mesh.h[a] + s * mesh.h[b]});
-                }
-            }
-        }
-    }
-    return points;
-}
 
 template <int D>
 class MouthFinder {
 public:
     MouthFinder(const Grid<D>& grid, const FaceClipper<D>& clipper, const FilmGaps<D>& gaps, const FilmCells<D>& cells)
         : grid_(grid), clipper_(clipper), gaps_(gaps), films_(gaps.films()), cells_(cells),
-          points_(rim_points(films_, grid_.dx())), ends_(points_.size())
+          points_(rim_points(films_, grid_.dx())), ends_(points_.size()), joints_(grid, films_, points_)
     {
-        for (int i = 0; i < static_cast<int>(points_.size()); ++i)
-            bins_[bin(grid_.wrapped(grid_.cell_of(points_[i].x)))].push_back(i);
-        for (const RimPoint<D>& point : points_) {
-            largest_h_ = std::max(largest_h_, point.h);
-            if (D == 3)
-                longest_edge_ = std::max(longest_edge_, point.edge->length);
-        }
     }
 
     /// Finds what each point of the rims ends at; after the first time only for points near the cells that changed since.
@@ -160,12 +107,12 @@ private:
             add_conduit(point, kind_of_rim(point), std::move(cells), end);
             return;
         }
-        if (add_joints(point, joint_reach, 0, end))
+        if (joints_.add(point, joint_reach, 0, end.joints))
             return;
         if (!cells.empty())
             add_conduit(point, kind_of_rim(point), std::move(cells), end);
         else
-            add_joints(point, 0, joint_reach * dx, end);
+            joints_.add(point, 0, joint_reach * dx, end.joints);
     }
 
     // The rim abuts a third solid: going on would enter it. Or the surfaces touch there and are one solid.
@@ -256,7 +203,7 @@ private:
     {
         const int count = static_cast<int>(std::ceil(point.h / grid_.dx() - 1e-9));
         if (point.h <= 2 * grid_.dx() || kind_of_rim(point) != ConduitKind::smooth)
-            return stencil(y);
+            return mouth_stencil(*states_, y);
         const FilmMesh<D>& mesh = films_[point.film].mesh;
         Vec<D> across = Vec<D>::Zero();
         for (int i = 0; i < D - 1; ++i)
@@ -264,7 +211,7 @@ private:
         std::vector<std::pair<long, double>> result;
         int found = 0;
         for (int k = 0; k < count; ++k) {
-            const auto cells = stencil(Vec<D>(y + ((k + 0.5) / count - 0.5) * across));
+            const auto cells = mouth_stencil(*states_, Vec<D>(y + ((k + 0.5) / count - 0.5) * across));
             found += !cells.empty();
             for (const auto& [key, weight] : cells) {
                 const auto known = std::find_if(result.begin(), result.end(), [&](const auto& entry) { return entry.first == key; });
@@ -277,103 +224,6 @@ private:
         for (auto& entry : result)
             entry.second /= found;
         return result;
-    }
-
-    // Multilinear weights over bulk and mixed cells around y, those connected to the heaviest one through open faces
-    // nearby (within one cell of the stencil: nothing leaks through a thin wall).
-    std::vector<std::pair<long, double>> stencil(const Vec<D>& y)
-    {
-        constexpr int count = 1 << D;
-        const Vec<D> place = (y - grid_.origin()) / grid_.dx() - Vec<D>::Constant(0.5);
-        const Index<D> base = place.array().floor().template cast<int>();
-        std::array<Index<D>, count> cell;
-        std::array<double, count> weights;
-        unsigned wanted = 0; // bit k: corner k has weight
-        int heaviest = -1;
-        for (int corner = 0; corner < count; ++corner) {
-            Index<D> c = base;
-            double weight = 1;
-            for (int axis = 0; axis < D; ++axis) {
-                const double f = place[axis] - base[axis];
-                const bool high = corner >> axis & 1;
-                c[axis] += high;
-                weight *= high ? f : 1 - f;
-            }
-            cell[corner] = c;
-            if (weight <= 1e-9 || !grid_.in_domain(grid_.wrapped(c)))
-                continue;
-            const auto state = (*states_)(c);
-            if (state.kind != CellKind::bulk && state.kind != CellKind::mixed)
-                continue;
-            weight *= std::min(1.0, state.aperture / full_aperture);
-            if (weight <= 0)
-                continue;
-            weights[corner] = weight;
-            wanted |= 1u << corner;
-            if (heaviest < 0 || weight > weights[heaviest])
-                heaviest = corner;
-        }
-        if (heaviest < 0)
-            return {};
-        unsigned connected = connected_corners(cell, heaviest);
-        if (wanted & ~connected) {
-            const std::vector<Index<D>> around = connected_around(cell[heaviest], base);
-            for (int corner = 0; corner < count; ++corner)
-                if (std::find(around.begin(), around.end(), cell[corner]) != around.end())
-                    connected |= 1u << corner;
-        }
-        std::vector<std::pair<long, double>> result;
-        double total = 0;
-        for (int corner = 0; corner < count; ++corner)
-            if (wanted & connected & 1u << corner) {
-                result.emplace_back(grid_.key(grid_.wrapped(cell[corner])), weights[corner]);
-                total += weights[corner];
-            }
-        if (total < minimum_weight)
-            return {};
-        for (auto& entry : result)
-            entry.second /= total;
-        return result;
-    }
-
-    // Corners of the stencil joined to `start` through open faces between corners.
-    unsigned connected_corners(const std::array<Index<D>, 1 << D>& cell, int start)
-    {
-        unsigned found = 1u << start, next = found;
-        while (next) {
-            const unsigned now = next;
-            next = 0;
-            for (int corner = 0; corner < 1 << D; ++corner)
-                if (now >> corner & 1) {
-                    const unsigned open = (*states_)(cell[corner]).open;
-                    for (int axis = 0; axis < D; ++axis) {
-                        const bool high = corner >> axis & 1;
-                        if (open >> (2 * axis + !high) & 1)
-                            next |= 1u << (corner ^ 1 << axis);
-                    }
-                }
-            next &= ~found;
-            found |= next;
-        }
-        return found;
-    }
-
-    // Cells joined to `start` through open faces within one cell of the stencil at base .. base + 1.
-    std::vector<Index<D>> connected_around(const Index<D>& start, const Index<D>& base)
-    {
-        std::vector<Index<D>> found{start};
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            const unsigned open = (*states_)(found[i]).open;
-            for (int side = 0; side < 2 * D; ++side) {
-                if (!(open >> side & 1))
-                    continue;
-                const Index<D> beyond = found[i] + (side % 2 ? 1 : -1) * step<D>(side / 2), d = beyond - base;
-                if ((d.array() >= -1).all() && (d.array() <= 2).all() &&
-                    std::find(found.begin(), found.end(), beyond) == found.end())
-                    found.push_back(beyond);
-            }
-        }
-        return found;
     }
 
     void add_conduit(const RimPoint<D>& point, ConduitKind kind, std::vector<std::pair<long, double>> cells, End& end) const
@@ -403,93 +253,8 @@ private:
         return std::max(mean + (square - mean * mean) / grid_.dx(), 0.1 * grid_.dx());
     }
 
-    // Ties the point to the nearest rim of other films within factor * (h + h_other) + reach. 2D: to all ends there.
-    bool add_joints(const RimPoint<D>& point, double factor, double reach, End& end) const
-    {
-        const RimPoint<D>* nearest = nullptr;
-        double best = std::numeric_limits<double>::infinity();
-        std::array<double, D - 1> best_shape{};
-        const Index<D> centre = grid_.cell_of(point.x);
-        const double slack = 1e-9 * grid_.dx();
-        const double furthest = factor * (point.h + largest_h_) + reach + slack + 0.5 * longest_edge_;
-        const int cells = std::min(2, static_cast<int>(furthest / grid_.dx()) + 1);
-        for_each_index<D>(Index<D>::Constant(-cells), Index<D>::Constant(cells + 1), [&](const Index<D>& d) {
-            const std::vector<int>* in_bin = bins_.find(bin(grid_.wrapped(centre + d)));
-            if (!in_bin)
-                return;
-            for (int i : *in_bin) {
-                const RimPoint<D>& other = points_[i];
-                if (other.film == point.film)
-                    continue;
-                if (!near(point.x, other, factor * (point.h + other.h) + reach + slack))
-                    continue;
-                std::array<double, D - 1> shape = other.shape;
-                const double distance = distance_to_rim(point.x, other, shape);
-                if (distance > factor * (point.h + other.h) + reach + slack)
-                    continue;
-                if constexpr (D == 2)
-                    end.joints.push_back(tie(point, other, shape));
-                else if (distance < best) {
-                    best = distance;
-                    nearest = &other;
-                    best_shape = shape;
-                }
-            }
-        });
-        if (nearest)
-            end.joints.push_back(tie(point, *nearest, best_shape));
-        return !end.joints.empty();
-    }
-
-    // From the other point to x, or to its nearest image.
-    Vec<D> towards(const Vec<D>& x, const RimPoint<D>& other) const
-    {
-        Vec<D> to = x - other.x;
-        for (int axis = 0; axis < D; ++axis)
-            if (grid_.periodic(axis))
-                to[axis] -= grid_.size()[axis] * std::round(to[axis] / grid_.size()[axis]);
-        return to;
-    }
-
-    // Can the other point's rim edge come within `reach` of x?
-    bool near(const Vec<D>& x, const RimPoint<D>& other, double reach) const
-    {
-        const double all = reach + (D == 3 ? other.edge->length : 0.0);
-        return towards(x, other).squaredNorm() <= all * all;
-    }
-
-    // Distance from x to the other point's rim edge; `shape` becomes the edge's shape functions at the closest point.
-    double distance_to_rim(const Vec<D>& x, const RimPoint<D>& other, std::array<double, D - 1>& shape) const
-    {
-        Vec<D> to = towards(x, other);
-        if constexpr (D == 3) {
-            const FilmMesh<D>& mesh = films_[other.film].mesh;
-            const Vec<D> along = mesh.mid[other.edge->nodes[1]] - mesh.mid[other.edge->nodes[0]];
-            const double s = std::clamp(other.shape[1] + to.dot(along) / along.squaredNorm(), 0.0, 1.0);
-            to -= (s - other.shape[1]) * along;
-            shape = {1 - s, s};
-        }
-        return to.norm();
-    }
-
-    Joint<D> tie(const RimPoint<D>& a, const RimPoint<D>& b, const std::array<double, D - 1>& shape_b) const
-    {
-        const double conductance = a.length * std::min(a.h, b.h) / (joint_length<D> * grid_.dx());
-        return {global_nodes(films_[a.film], a.edge->nodes), global_nodes(films_[b.film], b.edge->nodes), a.shape, shape_b,
-                conductance};
-    }
-
-    // Of a cell in the domain or outside (rims lie on walls, to round-off).
-    static long bin(const Index<D>& cell)
-    {
-        long k = 0;
-        for (int axis = 0; axis < D; ++axis)
-            k = (k << 21) + cell[axis];
-        return k;
-    }
-
     // The block of four cells a side around a cell.
-    long block(const Index<D>& cell) const { return bin(grid_.wrapped(cell).unaryExpr([](int k) { return k >> 2; })); }
+    long block(const Index<D>& cell) const { return cell_number<D>(grid_.wrapped(cell).unaryExpr([](int k) { return k >> 2; })); }
 
     const Grid<D>& grid_;
     const FaceClipper<D>& clipper_;
@@ -499,9 +264,8 @@ private:
     CellStates<D>* states_ = nullptr;
     std::vector<RimPoint<D>> points_;
     std::vector<End> ends_;
+    RimJoints<D> joints_;
     bool found_ = false;
-    KeyMap<std::vector<int>> bins_;
-    double largest_h_ = 0, longest_edge_ = 0;
     std::vector<int> candidates_;
 };
 

@@ -170,6 +170,236 @@ std::string names(const Coupling<D>& coupling, const std::set<std::pair<int, int
     return joined(list, ", ");
 }
 
+// Is there something prescribed that may change a volume?
+template <int D>
+bool anything_prescribed(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, GivesWay gives_way)
+{
+    bool any = false;
+    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
+        any = any || (coupling.solids[s].motion == Motion::prescribed && !twists[s].isZero(0)) ||
+              (gives_way == GivesWay::nothing && !coupling.solids[s].wall && !twists[s].isZero(0));
+    for (int s = 0; s < 2 * D; ++s)
+        any = any || coupling.grid->side(s / 2, s % 2) == SideKind::inflow;
+    return any;
+}
+
+// Parts of the fluid with the shut nodes closed: what goes into them, and what they push at.
+template <int D>
+struct Pockets {
+    Pockets(const Coupling<D>& of, const std::vector<char>& shut, const std::vector<Twist<D>>& twists, const FluidVelocity<D>& u,
+            GivesWay who)
+        : coupling(of), gives_way(who), parts(find_parts(of, shut)), balance(of, parts, twists, u), forces(forces_of(of, parts, area)),
+          largest(balance.magnitude.size() > 0 ? balance.magnitude.maxCoeff() : 0.0), is_pocket(parts.components.size())
+    {
+        for (int k = 0; k < count(); ++k)
+            is_pocket[k] = !parts.components[k].grounded;
+        for (int node = 0; node < coupling.system.nodes; ++node)
+            if (shut[node]) // what squeezes these is contact's affair
+                is_pocket[parts.node_component[node]] = 0;
+    }
+
+    int count() const { return static_cast<int>(parts.components.size()); }
+    bool moves(int k) const
+    {
+        return std::abs(balance.driven.col(k).sum()) > nothing * std::max(balance.magnitude.col(k).maxCoeff(), 1e-6 * largest);
+    }
+    /// Whether a solid or side goes its way whatever the pressure.
+    bool prescribed(int cause) const
+    {
+        return cause >= static_cast<int>(coupling.solids.size()) || coupling.free_body[cause] < 0 || gives_way == GivesWay::nothing;
+    }
+    bool pushes(int k, int b) const { return forces.col(k).template segment<twist_size<D>>(twist_size<D> * b).norm() > 0; }
+
+    const Coupling<D>& coupling;
+    GivesWay gives_way;
+    FluidParts<D> parts;
+    Balance<D> balance;
+    Eigen::VectorXd area;   ///< of each part on free bodies
+    Eigen::MatrixXd forces; ///< of each part on free bodies
+    double largest;
+    std::vector<char> is_pocket;
+};
+
+// Pockets and free bodies that hang together.
+struct Chain {
+    std::set<int> pockets, bodies;
+};
+
+// Pockets that hang together by bodies that can give way, from those on which something prescribed acts on. None if too many bodies do.
+template <int D>
+Chain driven_chain(const Pockets<D>& all, const std::vector<Contact<D>>& contacts)
+{
+    const Coupling<D>& coupling = all.coupling;
+    Chain chain;
+    auto& [pockets, bodies] = chain;
+    for (int k = 0; k < all.count(); ++k)
+        for (int cause = 0; cause < all.balance.driven.rows() && all.is_pocket[k]; ++cause)
+            if (all.prescribed(cause) &&
+                std::abs(all.balance.driven(cause, k)) > nothing * std::max(all.balance.magnitude(cause, k), 1e-6 * all.largest))
+                pockets.insert(k);
+    for (bool grows = !pockets.empty() && all.gives_way != GivesWay::nothing; grows;) {
+        const std::size_t before = pockets.size() + bodies.size();
+        for (int b = 0; b < coupling.system.bodies; ++b)
+            if (std::any_of(pockets.begin(), pockets.end(), [&](int k) { return all.pushes(k, b); }))
+                bodies.insert(b);
+        for (const Contact<D>& c : contacts) {
+            const int a = coupling.free_body[c.point.a], b = coupling.free_body[c.point.b];
+            if (c.closed && all.gives_way == GivesWay::unblocked && a >= 0 && b >= 0 && (bodies.contains(a) || bodies.contains(b))) {
+                bodies.insert(a);
+                bodies.insert(b);
+            }
+        }
+        for (int k = 0; k < all.count(); ++k)
+            if (all.is_pocket[k] && std::any_of(bodies.begin(), bodies.end(), [&](int b) { return all.pushes(k, b); }))
+                pockets.insert(k);
+        if (bodies.size() > most_bodies)
+            return {};
+        grows = pockets.size() + bodies.size() > before;
+    }
+    return chain;
+}
+
+// The bodies of a chain, torques over their sizes.
+template <int D>
+struct ChainBodies {
+    ChainBodies(const Coupling<D>& of, const std::set<int>& bodies) : coupling(of)
+    {
+        for (int b : bodies) {
+            place[b] = static_cast<int>(place.size());
+            const auto solid = std::find(coupling.free_body.begin(), coupling.free_body.end(), b) - coupling.free_body.begin();
+            const double radius = bounding_radius<D>(world_bounds(coupling.solids[solid].shape));
+            size.push_back(std::isfinite(radius) ? radius : coupling.grid->size().maxCoeff());
+        }
+    }
+
+    long dofs() const { return twist_size<D> * static_cast<long>(place.size()); }
+    Twist<D> scaled(int b, const Twist<D>& force) const
+    {
+        Twist<D> result = force;
+        result.template tail<spin_size<D>>() /= size[place.at(b)];
+        return result;
+    }
+
+    const Coupling<D>& coupling;
+    std::map<int, int> place;
+    std::vector<double> size;
+};
+
+// Takes out of the columns of X what the contacts that hold bear.
+template <int D>
+void take_out_contacts(const ChainBodies<D>& bodies, const std::vector<Contact<D>>& contacts, Eigen::MatrixXd& X)
+{
+    constexpr int n = twist_size<D>;
+    const Coupling<D>& coupling = bodies.coupling;
+    std::vector<Eigen::VectorXd> rows;
+    for (const Contact<D>& c : contacts) {
+        if (!c.closed)
+            continue;
+        Eigen::VectorXd row = Eigen::VectorXd::Zero(bodies.dofs());
+        auto add = [&](int solid, const Twist<D>& part) {
+            if (const int b = coupling.free_body[solid]; b >= 0 && bodies.place.contains(b))
+                row.segment<n>(n * bodies.place.at(b)) += bodies.scaled(b, coupling.solids[solid].admissible * part);
+        };
+        add(c.point.a, c.normal.a);
+        add(c.point.b, c.normal.b);
+        if (row.norm() > 0)
+            rows.push_back(row.normalized());
+    }
+    Eigen::MatrixXd C(bodies.dofs(), static_cast<long>(rows.size()));
+    for (std::size_t r = 0; r < rows.size(); ++r)
+        C.col(static_cast<long>(r)) = rows[r];
+    if (C.cols() == 0)
+        return;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(C, Eigen::ComputeThinU);
+    for (long j = 0; j < svd.singularValues().size(); ++j)
+        if (svd.singularValues()[j] > 1e-6 * svd.singularValues()[0])
+            X -= svd.matrixU().col(j) * (svd.matrixU().col(j).transpose() * X).eval();
+}
+
+// Combinations of the pressures of the pockets in `list` that move no body: one column each.
+template <int D>
+Eigen::MatrixXd idle_pressures(const Pockets<D>& all, const Chain& chain, const std::vector<int>& list,
+                               const std::vector<Contact<D>>& contacts)
+{
+    constexpr int n = twist_size<D>;
+    const ChainBodies<D> bodies(all.coupling, chain.bodies);
+    const long dofs = bodies.dofs(), wide = static_cast<long>(list.size());
+    Eigen::MatrixXd null = Eigen::MatrixXd::Identity(wide, wide);
+    if (dofs == 0)
+        return null;
+    Eigen::MatrixXd X = Eigen::MatrixXd::Zero(dofs, wide);
+    for (long k = 0; k < wide; ++k)
+        for (int b : chain.bodies)
+            if (all.area[list[k]] > 0)
+                X.col(k).segment<n>(n * bodies.place.at(b)) =
+                    bodies.scaled(b, all.forces.col(list[k]).template segment<n>(n * b)) / all.area[list[k]];
+    if (all.gives_way == GivesWay::unblocked)
+        take_out_contacts(bodies, contacts, X);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(X, Eigen::ComputeFullV);
+    long rank = 0;
+    while (rank < svd.singularValues().size() && svd.singularValues()[rank] > immovable)
+        ++rank;
+    null = svd.matrixV().rightCols(wide - rank);
+    for (long j = 0; j < null.cols(); ++j)
+        for (long k = 0; k < wide; ++k)
+            null(k, j) /= all.area[list[k]] > 0 ? all.area[list[k]] : 1.0;
+    return null;
+}
+
+// Where a part of the fluid lies.
+template <int D>
+std::string where_is(const Grid<D>& grid, const FluidParts<D>& parts, int part)
+{
+    long cells = 0;
+    Vec<D> middle = Vec<D>::Zero();
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& at) {
+        if (parts.component(at) == part) {
+            ++cells;
+            middle += grid.cell_centre(at);
+        }
+    });
+    cells = grid.comm().sum(cells);
+    grid.comm().sum(std::span<double>(middle.data(), D));
+    char where[96];
+    if (cells > 0 && D == 2)
+        std::snprintf(where, sizeof where, "%ld cells about (%.3g, %.3g)", cells, middle[0] / cells, middle[1] / cells);
+    else if (cells > 0)
+        std::snprintf(where, sizeof where, "%ld cells about (%.3g, %.3g, %.3g)", cells, middle[0] / cells, middle[1] / cells,
+                      middle[D - 1] / cells);
+    else
+        std::snprintf(where, sizeof where, "a gap");
+    return where;
+}
+
+// What changes the volume of the pockets in `list` under pressures c, and of which most; empty: nothing does.
+template <int D>
+std::string squeeze_by(const Pockets<D>& all, const std::vector<int>& list, const Eigen::VectorXd& c)
+{
+    const Balance<D>& balance = all.balance;
+    const long wide = static_cast<long>(list.size());
+    Eigen::VectorXd of_cause = Eigen::VectorXd::Zero(balance.driven.rows());
+    double most = 0;
+    for (long k = 0; k < wide; ++k) {
+        of_cause += c[k] * balance.driven.col(list[k]);
+        most = std::max(most, std::abs(c[k]) * balance.magnitude.col(list[k]).maxCoeff());
+    }
+    if (!(std::abs(of_cause.sum()) > nothing * most) || !(most > 0))
+        return {};
+    long k = 0; // the pocket that says most
+    for (long i = 0; i < wide; ++i)
+        if (std::abs(c[i] * balance.driven.col(list[i]).sum()) > std::abs(c[k] * balance.driven.col(list[k]).sum()))
+            k = i;
+    if (!all.moves(list[k]))
+        return {};
+    const std::vector<Solid<D>>& solids = all.coupling.solids;
+    const int count = static_cast<int>(solids.size());
+    std::vector<std::string> causes;
+    for (int cause = 0; cause < of_cause.size(); ++cause)
+        if (all.prescribed(cause) && std::abs(of_cause[cause]) > nothing * of_cause.cwiseAbs().maxCoeff())
+            causes.push_back(cause < count ? "the motion of '" + solids[cause].name + "'" : "the inflow at " + side_names[cause - count]);
+    return joined(causes, " and ") + " changes the volume of fluid sealed in (" + where_is(*all.coupling.grid, all.parts, list[k]) + ")";
+}
+
 } // namespace
 
 template <int D>
@@ -177,173 +407,23 @@ std::string squeezed_pocket(const Coupling<D>& coupling, const std::function<Gap
                             const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& twists,
                             const FluidVelocity<D>& u, GivesWay gives_way)
 {
-    constexpr int n = twist_size<D>;
-    const Grid<D>& grid = *coupling.grid;
-    const int solids = static_cast<int>(coupling.solids.size());
-    bool any = false; // something prescribed that may change a volume
-    for (int s = 0; s < solids; ++s)
-        any = any || (coupling.solids[s].motion == Motion::prescribed && !twists[s].isZero(0)) ||
-              (gives_way == GivesWay::nothing && !coupling.solids[s].wall && !twists[s].isZero(0));
-    for (int s = 0; s < 2 * D; ++s)
-        any = any || grid.side(s / 2, s % 2) == SideKind::inflow;
-    if (!any)
+    if (!anything_prescribed(coupling, twists, gives_way))
         return {};
     std::set<std::pair<int, int>> pairs;
     const std::vector<char> shut = shut_nodes(coupling, gaps, contacts, twists, u, pairs);
     if (pairs.empty())
         return {};
-    const FluidParts<D> parts = find_parts(coupling, shut);
-    const int count = static_cast<int>(parts.components.size());
-    std::vector<char> is_pocket(count);
-    for (int k = 0; k < count; ++k)
-        is_pocket[k] = !parts.components[k].grounded;
-    for (int node = 0; node < coupling.system.nodes; ++node)
-        if (shut[node]) // what squeezes these is contact's affair
-            is_pocket[parts.node_component[node]] = 0;
-    const Balance<D> balance(coupling, parts, twists, u);
-    Eigen::VectorXd area;
-    const Eigen::MatrixXd forces = forces_of(coupling, parts, area);
-    const double largest = balance.magnitude.size() > 0 ? balance.magnitude.maxCoeff() : 0.0;
-    auto moves = [&](int k) {
-        return std::abs(balance.driven.col(k).sum()) > nothing * std::max(balance.magnitude.col(k).maxCoeff(), 1e-6 * largest);
-    };
-
-    // Pockets that hang together by bodies that can give way, from those on which something prescribed acts on.
-    std::set<int> pockets, bodies;
-    auto prescribed = [&](int cause) {
-        return cause >= solids || coupling.free_body[cause] < 0 || gives_way == GivesWay::nothing;
-    };
-    for (int k = 0; k < count; ++k)
-        for (int cause = 0; cause < balance.driven.rows() && is_pocket[k]; ++cause)
-            if (prescribed(cause) &&
-                std::abs(balance.driven(cause, k)) > nothing * std::max(balance.magnitude(cause, k), 1e-6 * largest))
-                pockets.insert(k);
-    for (bool grows = !pockets.empty() && gives_way != GivesWay::nothing; grows;) {
-        const std::size_t before = pockets.size() + bodies.size();
-        for (int b = 0; b < coupling.system.bodies; ++b)
-            if (std::any_of(pockets.begin(), pockets.end(), [&](int k) { return forces.col(k).segment<n>(n * b).norm() > 0; }))
-                bodies.insert(b);
-        for (const Contact<D>& c : contacts) {
-            const int a = coupling.free_body[c.point.a], b = coupling.free_body[c.point.b];
-            if (c.closed && gives_way == GivesWay::unblocked && a >= 0 && b >= 0 &&
-                (bodies.contains(a) || bodies.contains(b))) {
-                bodies.insert(a);
-                bodies.insert(b);
-            }
-        }
-        for (int k = 0; k < count; ++k)
-            if (is_pocket[k] &&
-                std::any_of(bodies.begin(), bodies.end(), [&](int b) { return forces.col(k).segment<n>(n * b).norm() > 0; }))
-                pockets.insert(k);
-        if (bodies.size() > most_bodies)
-            return {};
-        grows = pockets.size() + bodies.size() > before;
-    }
-    if (pockets.empty())
+    const Pockets<D> all(coupling, shut, twists, u, gives_way);
+    const Chain chain = driven_chain(all, contacts);
+    if (chain.pockets.empty())
         return {};
-
-    // Combinations of the pockets' pressures that move no body: one column each.
-    const std::vector<int> list(pockets.begin(), pockets.end());
-    std::map<int, int> place;
-    std::vector<double> size; // of the bodies
-    for (int b : bodies) {
-        place[b] = static_cast<int>(place.size());
-        const auto solid = std::find(coupling.free_body.begin(), coupling.free_body.end(), b) - coupling.free_body.begin();
-        const double radius = bounding_radius<D>(world_bounds(coupling.solids[solid].shape));
-        size.push_back(std::isfinite(radius) ? radius : grid.size().maxCoeff());
-    }
-    const long dofs = n * static_cast<long>(bodies.size()), wide = static_cast<long>(list.size());
-    auto scaled = [&](int b, const Twist<D>& force) {
-        Twist<D> result = force;
-        result.template tail<spin_size<D>>() /= size[place.at(b)];
-        return result;
-    };
-    Eigen::MatrixXd X = Eigen::MatrixXd::Zero(dofs, wide);
-    for (long k = 0; k < wide; ++k)
-        for (int b : bodies)
-            if (area[list[k]] > 0)
-                X.col(k).segment<n>(n * place[b]) = scaled(b, forces.col(list[k]).segment<n>(n * b)) / area[list[k]];
-    if (gives_way == GivesWay::unblocked && dofs > 0) {
-        std::vector<Eigen::VectorXd> rows;
-        for (const Contact<D>& c : contacts) {
-            if (!c.closed)
-                continue;
-            Eigen::VectorXd row = Eigen::VectorXd::Zero(dofs);
-            auto add = [&](int solid, const Twist<D>& part) {
-                if (const int b = coupling.free_body[solid]; b >= 0 && bodies.contains(b))
-                    row.segment<n>(n * place[b]) += scaled(b, coupling.solids[solid].admissible * part);
-            };
-            add(c.point.a, c.normal.a);
-            add(c.point.b, c.normal.b);
-            if (row.norm() > 0)
-                rows.push_back(row.normalized());
-        }
-        Eigen::MatrixXd C(dofs, static_cast<long>(rows.size()));
-        for (std::size_t r = 0; r < rows.size(); ++r)
-            C.col(static_cast<long>(r)) = rows[r];
-        if (C.cols() > 0) {
-            const Eigen::JacobiSVD<Eigen::MatrixXd> svd(C, Eigen::ComputeThinU);
-            for (long j = 0; j < svd.singularValues().size(); ++j)
-                if (svd.singularValues()[j] > 1e-6 * svd.singularValues()[0])
-                    X -= svd.matrixU().col(j) * (svd.matrixU().col(j).transpose() * X).eval();
-        }
-    }
-    Eigen::MatrixXd null = Eigen::MatrixXd::Identity(wide, wide);
-    if (dofs > 0) {
-        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(X, Eigen::ComputeFullV);
-        long rank = 0;
-        while (rank < svd.singularValues().size() && svd.singularValues()[rank] > immovable)
-            ++rank;
-        null = svd.matrixV().rightCols(wide - rank);
-    }
-    std::string found;
-    for (long j = 0; j < null.cols(); ++j) {
-        Eigen::VectorXd c = null.col(j);
-        for (long k = 0; k < wide; ++k)
-            c[k] /= dofs > 0 && area[list[k]] > 0 ? area[list[k]] : 1.0;
-        Eigen::VectorXd of_cause = Eigen::VectorXd::Zero(balance.driven.rows());
-        double most = 0;
-        for (long k = 0; k < wide; ++k) {
-            of_cause += c[k] * balance.driven.col(list[k]);
-            most = std::max(most, std::abs(c[k]) * balance.magnitude.col(list[k]).maxCoeff());
-        }
-        if (!(std::abs(of_cause.sum()) > nothing * most) || !(most > 0))
-            continue;
-        long k = 0; // the pocket that says most
-        for (long i = 0; i < wide; ++i)
-            if (std::abs(c[i] * balance.driven.col(list[i]).sum()) > std::abs(c[k] * balance.driven.col(list[k]).sum()))
-                k = i;
-        if (!moves(list[k]))
-            continue;
-        std::vector<std::string> causes;
-        for (int cause = 0; cause < of_cause.size(); ++cause)
-            if (prescribed(cause) && std::abs(of_cause[cause]) > nothing * of_cause.cwiseAbs().maxCoeff())
-                causes.push_back(cause < solids ? "the motion of '" + coupling.solids[cause].name + "'"
-                                                : "the inflow at " + side_names[cause - solids]);
-        long cells = 0;
-        Vec<D> middle = Vec<D>::Zero();
-        for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& at) {
-            if (parts.component(at) == list[k]) {
-                ++cells;
-                middle += grid.cell_centre(at);
-            }
-        });
-        cells = grid.comm().sum(cells);
-        grid.comm().sum(std::span<double>(middle.data(), D));
-        char where[96];
-        if (cells > 0 && D == 2)
-            std::snprintf(where, sizeof where, "%ld cells about (%.3g, %.3g)", cells, middle[0] / cells, middle[1] / cells);
-        else if (cells > 0)
-            std::snprintf(where, sizeof where, "%ld cells about (%.3g, %.3g, %.3g)", cells, middle[0] / cells,
-                          middle[1] / cells, middle[D - 1] / cells);
-        else
-            std::snprintf(where, sizeof where, "a gap");
-        found = joined(causes, " and ") + " changes the volume of fluid sealed in (" + where +
-                "), which has no way out where " + names(coupling, pairs) +
-                " touch; open a side, correct the motion or the inflow, or leave a gap";
-        break;
-    }
-    return found;
+    const std::vector<int> list(chain.pockets.begin(), chain.pockets.end());
+    const Eigen::MatrixXd idle = idle_pressures(all, chain, list, contacts);
+    for (long j = 0; j < idle.cols(); ++j)
+        if (const std::string squeeze = squeeze_by<D>(all, list, idle.col(j)); !squeeze.empty())
+            return squeeze + ", which has no way out where " + names(coupling, pairs) +
+                   " touch; open a side, correct the motion or the inflow, or leave a gap";
+    return {};
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \

@@ -1,0 +1,42 @@
+// Ties films where their rims meet (method, "Conduits and joints").
+#pragma once
+
+#include "gapflow/film/conduits.hpp"
+#include "gapflow/film/rim_points.hpp"
+
+namespace gapflow {
+
+/// Number of a cell in the domain or outside (rims lie on walls, to round-off).
+template <int D>
+long cell_number(const Index<D>& cell)
+{
+    long k = 0;
+    for (int axis = 0; axis < D; ++axis)
+        k = (k << 21) + cell[axis];
+    return k;
+}
+
+/// Finds the rims next to points of rims.
+template <int D>
+class RimJoints {
+public:
+    /// `films` and `points` must last.
+    RimJoints(const Grid<D>& grid, std::span<const Film<D>> films, const std::vector<RimPoint<D>>& points);
+
+    /// Ties the point to the nearest rim of other films within factor * (h + h_other) + reach. 2D: to all ends there. Whether there is one.
+    bool add(const RimPoint<D>& point, double factor, double reach, std::vector<Joint<D>>& joints) const;
+
+private:
+    Vec<D> towards(const Vec<D>& x, const RimPoint<D>& other) const;
+    bool near(const Vec<D>& x, const RimPoint<D>& other, double reach) const;
+    double distance_to_rim(const Vec<D>& x, const RimPoint<D>& other, std::array<double, D - 1>& shape) const;
+    Joint<D> tie(const RimPoint<D>& a, const RimPoint<D>& b, const std::array<double, D - 1>& shape_b) const;
+
+    const Grid<D>& grid_;
+    std::span<const Film<D>> films_;
+    const std::vector<RimPoint<D>>& points_;
+    KeyMap<std::vector<int>> bins_; ///< points by the cell they lie in
+    double largest_h_ = 0, longest_edge_ = 0;
+};
+
+} // namespace gapflow

@@ -1,0 +1,54 @@
+// Rows of a contact and its state, as the parts of ContactSet share them (method, "Contact").
+#pragma once
+
+#include "gapflow/stepping/contact_set.hpp"
+
+#include <vector>
+
+namespace gapflow {
+
+constexpr double overlap_left = 1e-6; // in dx: overlaps below this are left
+
+template <int D>
+double rate(const RelativeRow<D>& row, const Contact<D>& contact, const std::vector<Twist<D>>& twists)
+{
+    return row.a.dot(twists[contact.point.a]) + row.b.dot(twists[contact.point.b]);
+}
+
+// Sliding friction turns with the slip: -bound (slip / |slip|). To first order that is a given pull against the slip of the round
+// before, and across it the resistance bound / |slip|, part of the solve: explicit it would grow without bound where bodies
+// barely slide.
+template <int D>
+bool resists_turning(const Contact<D>& c)
+{
+    return D == 3 && c.closed && c.slides && c.pull.squaredNorm() > 0;
+}
+
+// Open, sticks, slides.
+template <int D>
+char state_of(const Contact<D>& c)
+{
+    return static_cast<char>(c.closed + (c.closed && c.slides));
+}
+
+template <int D>
+Vec<D - 1> across_pull(const Contact<D>& c)
+{
+    if constexpr (D == 3)
+        return Vec<2>(-c.pull[1], c.pull[0]).normalized();
+    else
+        return Vec<1>::Zero();
+}
+
+template <int D>
+RelativeRow<D> row_along(const Contact<D>& c, const Vec<D - 1>& direction)
+{
+    RelativeRow<D> row{Twist<D>::Zero(), Twist<D>::Zero()};
+    for (int k = 0; k < D - 1; ++k) {
+        row.a += direction[k] * c.tangents[k].a;
+        row.b += direction[k] * c.tangents[k].b;
+    }
+    return row;
+}
+
+} // namespace gapflow

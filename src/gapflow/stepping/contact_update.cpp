@@ -1,0 +1,247 @@
+// Active set around the coupled solve (method, "Contact"): the bodies' laws of contact, with the fluid's answer as it was, forecast which
+// contacts hold, stick and slide; all change at once while that settles, the worst alone once they would go round in circles.
+#include "gapflow/stepping/contact_law.hpp"
+#include "gapflow/stepping/contact_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace gapflow {
+
+namespace {
+
+// Rounds after which contacts change one at a time; or as soon as they would be again what they were in an exact solve before.
+constexpr int rounds_at_once = 15;
+constexpr double friction_accuracy = 1e-3; // of the largest bound of friction on the body
+constexpr double least_relaxation = 0.3;   // of sliding pulls
+constexpr double forecast_accuracy = 1e-2; // of what is asked of the speeds
+
+// What the laws of contact make of a solve, and how far the solve is from that.
+template <int D>
+class ContactCheck {
+public:
+    ContactCheck(const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia,
+                 double accuracy)
+        : contacts_(contacts), twists_(twists), mobility_(inertia.mobility)
+    {
+        double largest_speed = 0, largest_impulse = 0;
+        for (const Contact<D>& c : contacts) {
+            given_.push_back({c.impulse, c.tangential});
+            largest_speed = std::max({largest_speed, std::abs(c.approach), std::abs(c.target), std::abs(rate(c.normal, c, twists))});
+            largest_impulse = std::max(largest_impulse, std::abs(c.impulse));
+        }
+        speed_ = accuracy * largest_speed;
+        impulse_ = accuracy * largest_impulse;
+        forecast_ = forecast_contacts<D>(contacts, given_, twists, inertia, forecast_accuracy * speed_);
+        friction_.assign(mobility_.size(), 0.0);
+        for (std::size_t i = 0; i < contacts.size(); ++i)
+            for (int solid : {contacts[i].point.a, contacts[i].point.b})
+                friction_[solid] = std::max(friction_[solid], friction_accuracy * contacts[i].friction * forecast_.impulses[i].normal);
+    }
+
+    const ContactForecast<D>& forecast() const { return forecast_; }
+
+    /// Friction is right to a part of what friction may do to the body, not of what it may do at the contact: the least of many.
+    double nothing_along(const Contact<D>& c) const
+    {
+        const int a = c.point.a, b = c.point.b;
+        const double friction = mobility_[a].isZero(0)   ? friction_[b]
+                                : mobility_[b].isZero(0) ? friction_[a]
+                                                         : std::min(friction_[a], friction_[b]);
+        return impulse_ + friction;
+    }
+
+    /// Wrong is a contact that closes too fast, and one at which the forecast's impulses move the bodies. (Impulses alone do not
+    /// tell: redundant contacts may share theirs in many ways.) In units of what is allowed.
+    double wrong(std::size_t i) const
+    {
+        const Contact<D>& c = contacts_[i];
+        if (!c.closed)
+            return (c.least - rate(c.normal, c, twists_)) / speed_;
+        double most = change(c, c.normal) / (speed_ + impulse_ * yield_of(c, c.normal));
+        if (c.friction > 0)
+            for (const RelativeRow<D>& t : c.tangents)
+                most = std::max(most, change(c, t) / (nothing_along(c) * yield_of(c, t)));
+        return most;
+    }
+
+    /// The contact that is most wrong, if any is.
+    std::optional<std::size_t> worst() const
+    {
+        std::size_t worst = 0;
+        double most = 0;
+        for (std::size_t i = 0; i < contacts_.size(); ++i)
+            if (const double w = wrong(i); w > most) {
+                most = w;
+                worst = i;
+            }
+        return most > 1 ? std::optional(worst) : std::nullopt;
+    }
+
+    /// Do some of the solve's impulses pull?
+    bool any_pulls() const
+    {
+        return std::any_of(given_.begin(), given_.end(), [&](const ContactImpulse<D>& g) { return g.normal < -impulse_; });
+    }
+
+private:
+    double change(const Contact<D>& c, const RelativeRow<D>& row) const
+    {
+        return std::abs(rate(row, c, forecast_.twists) - rate(row, c, twists_));
+    }
+    double yield_of(const Contact<D>& c, const RelativeRow<D>& row) const
+    {
+        return row.a.dot(mobility_[c.point.a] * row.a) + row.b.dot(mobility_[c.point.b] * row.b);
+    }
+
+    const std::vector<Contact<D>>& contacts_;
+    const std::vector<Twist<D>>& twists_;
+    const std::vector<TwistMatrix<D>>& mobility_;
+    std::vector<ContactImpulse<D>> given_;
+    double speed_, impulse_; ///< that count as nothing
+    ContactForecast<D> forecast_;
+    std::vector<double> friction_; ///< of each solid: impulses of friction that count as nothing
+};
+
+template <int D>
+bool slides_next(const Contact<D>& c, const ContactImpulse<D>& next)
+{
+    return c.solved && next.normal > 0 && c.friction > 0 && next.slides;
+}
+
+// Of all contacts, or of `only` this one and the others as they are. `changed` receives whether the forecast has other states anywhere.
+template <int D>
+std::vector<char> next_states(const std::vector<Contact<D>>& contacts, const ContactForecast<D>& forecast,
+                              std::optional<std::size_t> only, bool& changed)
+{
+    changed = false;
+    std::vector<char> states;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact<D>& c = contacts[i];
+        const bool closed = forecast.impulses[i].normal > 0, slides = slides_next(c, forecast.impulses[i]);
+        changed = changed || c.closed != closed || c.slides != slides;
+        states.push_back(!only || i == *only ? static_cast<char>(closed + slides) : state_of(c));
+    }
+    return states;
+}
+
+// The forecast knows the bulk's answer only nearly, and pulls can swing about their values for long: dynamic relaxation (Irons & Tuck,
+// Int. J. Numer. Methods Eng. 1, 1969). Takes the round's lacks; `pulls`: only these are to change, all at once; `last`: of the round before.
+template <int D>
+double relaxation_of_pulls(std::vector<Contact<D>>& contacts, const ContactCheck<D>& check, bool pulls, double last)
+{
+    double turn = 0, square = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        Contact<D>& c = contacts[i];
+        const Vec<D - 1> lack = check.forecast().impulses[i].tangential - c.pull;
+        if (!pulls || !c.closed || !c.slides) {
+            c.lack.setZero();
+            continue;
+        }
+        if (!c.lack.isZero(0)) {
+            const double scale = 1 / check.nothing_along(c);
+            turn += scale * scale * c.lack.dot(lack - c.lack);
+            square += scale * scale * (lack - c.lack).squaredNorm();
+        }
+        c.lack = lack;
+    }
+    return square > 0 ? std::clamp(-last * turn / square, least_relaxation, 1.0) : 1.0;
+}
+
+// Gives a contact the forecast's state; `relaxation`: how far its pull goes there, if it goes on sliding.
+template <int D>
+void take_state(Contact<D>& c, const ContactImpulse<D>& next, const std::vector<Twist<D>>& twists, std::optional<double> relaxation)
+{
+    c.slides = slides_next(c, next);
+    c.closed = next.normal > 0;
+    if (relaxation && c.slides)
+        c.pull += *relaxation * (next.tangential - c.pull);
+    else
+        c.pull = c.slides ? next.tangential : Vec<D - 1>(Vec<D - 1>::Zero());
+    c.slip = 0;
+    for (const RelativeRow<D>& t : c.tangents)
+        c.slip = std::hypot(c.slip, rate(t, c, twists));
+}
+
+} // namespace
+
+template <int D>
+void ContactSet<D>::take_impulses(const Eigen::VectorXd& impulses)
+{
+    int row = 0;
+    for (Contact<D>& c : contacts_) {
+        c.impulse = 0;
+        c.tangential.setZero();
+        if (!c.closed)
+            continue;
+        c.solved = true;
+        c.impulse = impulses[row++];
+        if (c.friction > 0 && !c.slides)
+            for (int k = 0; k < D - 1; ++k)
+                c.tangential[k] = impulses[row++];
+        if (c.slides)
+            c.tangential = c.pull;
+        if (resists_turning(c))
+            c.tangential += impulses[row++] * across_pull(c);
+    }
+}
+
+// Remembers the states of the solve just made, and tells whether an earlier one was made with those that are to be next.
+template <int D>
+bool ContactSet<D>::repeats(const States& next, bool exact)
+{
+    if (exact != seen_exact_)
+        seen_.clear();
+    seen_exact_ = exact;
+    States now;
+    for (const Contact<D>& c : contacts_)
+        now.push_back(state_of(c));
+    seen_.insert(std::move(now));
+    return seen_.contains(next);
+}
+
+template <int D>
+ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses,
+                                    const NearInertia<D>& inertia, double accuracy, bool exact, int round)
+{
+    take_impulses(impulses);
+    const ContactCheck<D> check(contacts_, twists, inertia, accuracy);
+    const ContactForecast<D>& forecast = check.forecast();
+    const std::optional<std::size_t> worst = check.worst();
+    if (!worst) {
+        // Where contacts share a force in many ways, as floor and ceiling of a body wedged in between do, the solve's may have pulling
+        // ones among them: the forecast's push, and move nothing.
+        if (check.any_pulls())
+            for (std::size_t i = 0; i < contacts_.size(); ++i) {
+                contacts_[i].impulse = forecast.impulses[i].normal;
+                contacts_[i].tangential = forecast.impulses[i].tangential;
+            }
+        return ContactChange::none;
+    }
+    bool at_once = round < rounds_at_once && !one_at_a_time_, other_states = false;
+    const States next = next_states<D>(contacts_, forecast, at_once ? std::nullopt : worst, other_states);
+    ContactChange changed = other_states ? ContactChange::states : ContactChange::pulls;
+    if (other_states && repeats(next, exact)) {
+        changed = ContactChange::repeats;
+        one_at_a_time_ = one_at_a_time_ || exact;
+    }
+    const bool pulls = changed == ContactChange::pulls;
+    at_once = round < rounds_at_once && (!one_at_a_time_ || pulls);
+    relaxation_ = relaxation_of_pulls<D>(contacts_, check, pulls && at_once, relaxation_);
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+        if (at_once || i == *worst)
+            take_state<D>(contacts_[i], forecast.impulses[i], forecast.twists, pulls ? std::optional(relaxation_) : std::nullopt);
+    return changed;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void ContactSet<D>::take_impulses(const Eigen::VectorXd&);                                                        \
+    template bool ContactSet<D>::repeats(const States&, bool);                                                                 \
+    template ContactChange ContactSet<D>::update(const std::vector<Twist<D>>&, const Eigen::VectorXd&, const NearInertia<D>&,  \
+                                                 double, bool, int);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
