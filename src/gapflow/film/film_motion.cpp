@@ -21,6 +21,11 @@ constexpr double thin_mouth = 0.5, blocked_mouth = 0.1;
 // Of the angle between an element's normal and the other's, which is 30 degrees at most where there is a film; else its mean normal says nothing.
 constexpr double least_cosine = 0.5;
 
+double square(double x)
+{
+    return x * x;
+}
+
 } // namespace
 
 template <int D>
@@ -86,7 +91,7 @@ public:
         });
     }
 
-    // The bulk's velocity where no old film is near: elements, then conduits.
+    // The bulk's velocity: at elements that no old film is near, then at all conduits.
     std::vector<Vec<D>> from_grid(const VelocitySampler<D>& grid_velocity) const
     {
         std::vector<Vec<D>> places;
@@ -94,9 +99,9 @@ public:
             for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
                 if (!at_element_[film.first_element + e].near)
                     places.push_back(film.mesh.elements[e].centroid);
-        for (std::size_t r = 0; r < conduits_.size(); ++r)
-            if (!at_conduit_[r].near)
-                places.push_back(conduits_[r].x);
+        for (const Conduit<D>& conduit : conduits_) // at smooth ends beyond the cells that the film takes
+            places.push_back(at_conduit_[&conduit - conduits_.data()].near && conduit.kind == ConduitKind::smooth
+                                 ? Vec<D>(conduit.x + 0.5 * conduit.h * conduit.outward) : conduit.x);
         return grid_velocity(places);
     }
 
@@ -139,11 +144,12 @@ public:
         for (std::size_t r = 0; r < conduits_.size(); ++r) {
             const Conduit<D>& conduit = conduits_[r];
             const FilmPair<D>& pair = network_.films[conduit.film].pair;
+            const Vec<D> bulk = *next++;
             double q = 0, scale = 1.0;
             if (at_conduit_[r].near)
-                std::tie(q, scale, head[r]) = mouth(static_cast<int>(r), thickness[conduit.film], law(pair.master, pair.other));
+                std::tie(q, scale, head[r]) = mouth(static_cast<int>(r), thickness[conduit.film], bulk, law(pair.master, pair.other));
             else
-                q = conduit.length * conduit.h * conduit.outward.dot(*next++);
+                q = conduit.length * conduit.h * conduit.outward.dot(bulk);
             flow.conduit.push_back(q);
             flow.conduit_scale.push_back(scale);
         }
@@ -175,8 +181,8 @@ private:
         return mean;
     }
 
-    // Flux, factor of the conductance and flux by the outflow's head of a mouth that an old film is near to.
-    std::tuple<double, double, double> mouth(int r, double mean_thickness, const MouthLaw& law) const
+    // Flux, factor of the conductance and flux by the outflow's head of a mouth that an old film is near to. `bulk`: its velocity there.
+    std::tuple<double, double, double> mouth(int r, double mean_thickness, const Vec<D>& bulk, const MouthLaw& law) const
     {
         const Conduit<D>& conduit = conduits_[r];
         const FilmMemory<D>& memory = *memory_[conduit.film];
@@ -192,18 +198,23 @@ private:
             const double with_master = section * conduit.outward.dot(U), most = mouth_bound * section * at_conduit_[r].fastest;
             q = conduit.h < mean_thickness ? with_master + std::clamp(flux - with_master, -most, most) : flux;
         }
-        const bool sharp = conduit.kind != ConduitKind::smooth && conduit.kind != ConduitKind::inflow;
-        if (sharp && u < 0) { // entrance, semi-implicit
-            const double k = 1 + law.entrance_loss;
+        // Without losses, fluid that passes a mouth has the film's kinetic energy on one side of it and the bulk's on the other, which the bulk's
+        // transport gives or takes. The head is the difference: where fluid leaves by a sharp mouth, and where it enters by a smooth one.
+        const bool smooth = conduit.kind == ConduitKind::smooth;
+        const double beyond = conduit.kind == ConduitKind::open_side ? 0.0 : square(conduit.outward.dot(bulk - U));
+        const bool enters = u < 0 && conduit.kind != ConduitKind::inflow && (!smooth || !law.jet);
+        const bool regains = u >= 0 && conduit.kind != ConduitKind::inflow && !smooth && !law.jet;
+        if (enters) { // semi-implicit
+            const double k = smooth ? std::max(1 - beyond / square(u), 0.0) : 1 + law.entrance_loss;
             scale = 1 / (1 + dt_ * k * -u / (2 * conduit.resistance * conduit.h));
             q = scale * q + (1 - scale) * section * conduit.outward.dot(U);
-        } else if (sharp && !law.jet) {
+        } else if (regains) {
             int hint = -1;
             if (memory.second_order())
                 u = std::max(conduit.outward.dot(memory.half_way(place, dt_, hint) - U), 0.0);
             const double thickness = conduit.h / mean_thickness;
             const double open = std::min(1.0, thickness / blocked_mouth);
-            head = open * open * conduit.length * dt_ * 0.5 * u * u / conduit.resistance;
+            head = open * open * conduit.length * dt_ * 0.5 * std::max(square(u) - beyond, 0.0) / conduit.resistance;
             if (thickness < thin_mouth)
                 head = std::min(head, section * u);
         }
