@@ -32,12 +32,13 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     std::vector<std::string> warnings = thickness_warnings<D>(scene, bodies, walls, Scene::Thin::allow);
     for (std::string& warning : placement_warnings<D>(scene, bodies, walls))
         warnings.push_back(std::move(warning));
-    const std::vector<std::string> moved = scene.end > 0 ? take_out_overlaps<D>(scene, grid, bodies, walls) : std::vector<std::string>();
+    const std::vector<std::string> moved =
+        scene.end > 0 ? take_out_overlaps<D>(scene, grid, bodies, walls) : std::vector<std::string>();
     warnings.insert(warnings.end(), moved.begin(), moved.end());
     const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
     const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
-    const Coupling<D> coupling = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)},
-                                           gap_settings<D>(scene, solids, scene.end > 0), {});
+    const Coupling<D> coupling =
+        couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)}, gap_settings<D>(scene, solids, scene.end > 0), {});
     if (!comm.root())
         return;
     for (const std::string& warning : warnings)
@@ -60,8 +61,8 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     std::printf("unknowns  %ld pressures, %d of them in films\n", unknowns - coupling.network.nodes, coupling.network.nodes);
     for (const auto& [pair, sum] : pairs)
         std::printf("film      %s - %s: thinnest %.4g (%.4g cells), where thinner than %.4g cells, %zu nodes\n",
-                    solids[pair.first].name.c_str(), solids[pair.second].name.c_str(), sum.thinnest,
-                    sum.thinnest / grid.dx(), sum.threshold / grid.dx(), sum.nodes);
+                    solids[pair.first].name.c_str(), solids[pair.second].name.c_str(), sum.thinnest, sum.thinnest / grid.dx(),
+                    sum.threshold / grid.dx(), sum.nodes);
     std::set<FilmPair<D>> told;
     if (moved.empty()) // what was pushed apart touches nearly
         for (const std::string& note : rough_gap_notes(scene, coupling))

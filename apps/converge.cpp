@@ -54,7 +54,8 @@ std::vector<int> grids_of(const std::string& list, const Scene& scene)
     }
     std::sort(grids.begin(), grids.end());
     if (grids.size() < 2 || std::adjacent_find(grids.begin(), grids.end()) != grids.end())
-        throw InputError("--cells " + list + ": an order takes two different grids or more; write for example --cells 32,64,128");
+        throw InputError("--cells " + list +
+                         ": an order takes two different grids or more; write for example --cells 32,64,128");
     return grids;
 }
 
@@ -65,8 +66,8 @@ TimeWindow window_of(const std::string& text, const Scene& scene)
     const auto parts = split(text, ',');
     const auto from = parse_number(parts[0]), to = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
     if (!from || !to || !(*from >= 0 && *from < *to && *to <= scene.end))
-        throw InputError("--window " + text + ": two times FROM,TO are needed, 0 <= FROM < TO <= time.end = " +
-                         number_text(scene.end));
+        throw InputError("--window " + text +
+                         ": two times FROM,TO are needed, 0 <= FROM < TO <= time.end = " + number_text(scene.end));
     return {*from, *to};
 }
 
@@ -102,10 +103,10 @@ Quantity quantity_of(const std::string& name, const Scene& scene)
                 return {name, column, a, b, ""};
             }
     const std::string near = nearest_name(owner, bodies);
-    throw InputError("quantity " + name + ": no body and no gap is named '" + owner + "'" +
-                     (near.empty() ? "" : ", did you mean '" + near + "." + column + "'?") +
-                     "; write BODY.COLUMN, as upper.y, or BODY-BODY.COLUMN, as lower-upper.thickness; the bodies are: " +
-                     joined(bodies));
+    throw InputError(
+        "quantity " + name + ": no body and no gap is named '" + owner + "'" +
+        (near.empty() ? "" : ", did you mean '" + near + "." + column + "'?") +
+        "; write BODY.COLUMN, as upper.y, or BODY-BODY.COLUMN, as lower-upper.thickness; the bodies are: " + joined(bodies));
 }
 
 /// Positions and velocities of the free bodies.
@@ -227,8 +228,8 @@ std::optional<ConvergenceOf> compare(std::size_t number, const Quantity& q, cons
     }
     ConvergenceOf result;
     result.quantity = q.name;
-    result.reference = finest ? fmt::format("the run with {} cells", runs.back().cells)
-                              : reference_file->file + ", column " + q.reference;
+    result.reference =
+        finest ? fmt::format("the run with {} cells", runs.back().cells) : reference_file->file + ", column " + q.reference;
     result.window = window;
     result.range = range_of(reference, window);
     // What moves by rounding and solver tolerance only has no order.

@@ -6,11 +6,9 @@
 
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 /// Subcommands that help lists.
 std::vector<const CLI::App*> commands_of(const CLI::App& app)

@@ -3,13 +3,11 @@
 
 #include <string>
 
-namespace CLI
-{
+namespace CLI {
 class App;
 }
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Kinds of text that describe() makes.
 inline constexpr const char* description_kinds[] = {"man", "markdown", "bash", "zsh", "fish", "scene-man", "scene-markdown"};

@@ -63,8 +63,7 @@ int run(const Arguments& arguments)
 int converge(Arguments& arguments)
 {
     arguments.converge.quiet = arguments.quiet;
-    return converge_command([&](const Overrides& more) { return scene_of(arguments, Purpose::run, more); },
-                            arguments.converge);
+    return converge_command([&](const Overrides& more) { return scene_of(arguments, Purpose::run, more); }, arguments.converge);
 }
 
 int keys(const Arguments& arguments)
@@ -114,33 +113,37 @@ void add_run(const CommandLine& line)
                      "Continue from a checkpoint.h5; tables and fields in the output folder are cut back to it first")
         ->type_name("FILE");
     run_app->add_flag("-q,--quiet", arguments.quiet, "Only warnings and errors");
-    run_app->footer("Writes checkpoint.h5 at the end, every output.checkpoint_every of simulated time, and when interrupted: Ctrl-C "
-                    "and SIGTERM end the run after the current step (a second one at once). With --resume only title, time, "
-                    "solver and output may differ from the scene that the checkpoint is of.");
+    run_app->footer(
+        "Writes checkpoint.h5 at the end, every output.checkpoint_every of simulated time, and when interrupted: Ctrl-C "
+        "and SIGTERM end the run after the current step (a second one at once). With --resume only title, time, "
+        "solver and output may differ from the scene that the checkpoint is of.");
 }
 
 void add_check_and_added_mass(const CommandLine& line)
 {
     Arguments& arguments = line.arguments;
     line.add_of_scene("check", "Validate a scene; print cells, unknowns and expected memory",
-                          [&arguments] { return check_command(scene_of(arguments, Purpose::check)); });
+                      [&arguments] { return check_command(scene_of(arguments, Purpose::check)); });
 
-    CLI::App* mass = line.add_of_scene("added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses",
-                         [&arguments] { return added_mass_command(scene_of(arguments, Purpose::added_mass), arguments.json); });
+    CLI::App* mass = line.add_of_scene(
+        "added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses",
+        [&arguments] { return added_mass_command(scene_of(arguments, Purpose::added_mass), arguments.json); });
     mass->add_flag("--json", arguments.json, "Print JSON");
 }
 
 void add_converge(const CommandLine& line)
 {
     Arguments& arguments = line.arguments;
-    CLI::App* converge_app = line.add_of_scene("converge", "Run a scene on several grids; errors and observed orders of its motion",
-                                 [&arguments] { return converge(arguments); });
+    CLI::App* converge_app =
+        line.add_of_scene("converge", "Run a scene on several grids; errors and observed orders of its motion",
+                          [&arguments] { return converge(arguments); });
     ConvergeOptions& options = arguments.converge;
     converge_app->add_option("--cells", options.cells, "Cells along x of each run, as 32,64,128; others in proportion")
         ->required()
         ->type_name("LIST");
-    converge_app->add_option("--reference", options.reference,
-                             "Table to compare with: a line of column names, one of them time; without it, the finest run")
+    converge_app
+        ->add_option("--reference", options.reference,
+                     "Table to compare with: a line of column names, one of them time; without it, the finest run")
         ->type_name("FILE.csv");
     converge_app
         ->add_option("--quantity", options.quantities,
@@ -153,31 +156,35 @@ void add_converge(const CommandLine& line)
         ->allow_extra_args(false)
         ->type_name("QUANTITY=NAME");
     converge_app->add_option("--window", options.window, "Times to compare over, as 0,0.5")->type_name("FROM,TO");
-    converge_app->add_option("-o,--output", arguments.directory, "Folder for the runs and the table, instead of output.directory")
+    converge_app
+        ->add_option("-o,--output", arguments.directory, "Folder for the runs and the table, instead of output.directory")
         ->type_name("DIR");
     converge_app->add_flag("-q,--quiet", arguments.quiet, "No progress, only the table");
-    converge_app->footer("Runs with domain.cells in proportion, time.max_step and time.gap_cfl scaled with the spacing, into "
-                         "folders cells_N; writes converge.csv and converge.json. Errors are divided by the reference's range.");
+    converge_app->footer(
+        "Runs with domain.cells in proportion, time.max_step and time.gap_cfl scaled with the spacing, into "
+        "folders cells_N; writes converge.csv and converge.json. Errors are divided by the reference's range.");
 }
 
 void add_keys_and_generate(const CommandLine& line)
 {
     Arguments& arguments = line.arguments;
-    CLI::App* keys_app = line.add("keys", "List the keys of scene files: meaning, allowed values, default", [&arguments] { return keys(arguments); });
+    CLI::App* keys_app = line.add("keys", "List the keys of scene files: meaning, allowed values, default",
+                                  [&arguments] { return keys(arguments); });
     keys_app->add_option("table", arguments.table, "Only this table or key, as gap or body.spring")->type_name("TABLE");
     keys_app->add_flag("--names", arguments.names, "Names alone, as --set takes them");
 
     CLI::App* generate =
-        line.add("generate", "Print a man page, a reference page or a shell's completion, made from this command's own tables", [&arguments, &app = line.app] {
-            on_root(Communicator(), [&] {
-                const std::string text = describe(app, arguments.kind, GAPFLOW_VERSION);
-                if (arguments.directory.empty())
-                    std::cout << text;
-                else
-                    write_atomically(arguments.directory, text);
-            });
-            return 0;
-        });
+        line.add("generate", "Print a man page, a reference page or a shell's completion, made from this command's own tables",
+                 [&arguments, &app = line.app] {
+                     on_root(Communicator(), [&] {
+                         const std::string text = describe(app, arguments.kind, GAPFLOW_VERSION);
+                         if (arguments.directory.empty())
+                             std::cout << text;
+                         else
+                             write_atomically(arguments.directory, text);
+                     });
+                     return 0;
+                 });
     generate->group(""); // for the build and the docs, not in --help
     generate->add_option("-o,--output", arguments.directory);
     generate->add_option("kind", arguments.kind)
@@ -189,12 +196,13 @@ void add_report(const CommandLine& line)
 {
     Arguments& arguments = line.arguments;
     CLI::App* report = line.add("report", "One HTML page of a run, with plots and a view to play; or pictures of it",
-                           [&arguments] { return report_command(arguments.report); });
+                                [&arguments] { return report_command(arguments.report); });
     report->add_option("directory", arguments.report.directory, "Folder of the run")->required()->type_name("DIR");
-    CLI::Option* page =
-        report->add_option("-o,--output", arguments.report.page, "The page, instead of DIR/report.html")->type_name("FILE.html");
+    CLI::Option* page = report->add_option("-o,--output", arguments.report.page, "The page, instead of DIR/report.html")
+                            ->type_name("FILE.html");
     report->add_flag("-q,--quiet", arguments.report.quiet, "Only warnings and errors");
-    report->add_flag("--png", arguments.report.png, "Key frames as pictures DIR/frames/*.png instead of a page")->excludes(page);
+    report->add_flag("--png", arguments.report.png, "Key frames as pictures DIR/frames/*.png instead of a page")
+        ->excludes(page);
     report->footer("Reads what the run has written so far, also of a run that is going on or was stopped. The page needs no "
                    "network.");
 }

@@ -81,8 +81,9 @@ int drive(const Scene& scene, const RunOptions& options)
     Logger log(comm, options.quiet);
     Run<D> run(scene, comm, {scene.output_directory, options.resume, GAPFLOW_VERSION});
     const Simulation<D>& simulation = run.simulation();
-    log.info(fmt::format("{}: {} cells, {} film nodes, {} rank(s) of {} thread(s)", scene.title.empty() ? scene.file : scene.title,
-                         simulation.initial_report().cells, simulation.initial_report().film_nodes, comm.size(), thread_count()));
+    log.info(fmt::format("{}: {} cells, {} film nodes, {} rank(s) of {} thread(s)",
+                         scene.title.empty() ? scene.file : scene.title, simulation.initial_report().cells,
+                         simulation.initial_report().film_nodes, comm.size(), thread_count()));
     const auto& sealed = simulation.coupling().sealed;
     for (std::size_t i = 0; i < std::min(sealed.size(), most_pockets_told); ++i)
         log.info("sealed in: " + sealed_text(sealed[i]));
@@ -110,9 +111,10 @@ int drive(const Scene& scene, const RunOptions& options)
                 const int signal = static_cast<int>(comm.max(static_cast<long>(stop_signal)));
                 progress.clear();
                 run.interrupt();
-                log.warning(fmt::format("interrupted at time {0:.6g}; files are complete up to there; to go on: gapflow run {1} "
-                                        "--resume {2}/checkpoint.h5 -o {2}, with the same --set",
-                                        simulation.time(), scene.file, scene.output_directory));
+                log.warning(
+                    fmt::format("interrupted at time {0:.6g}; files are complete up to there; to go on: gapflow run {1} "
+                                "--resume {2}/checkpoint.h5 -o {2}, with the same --set",
+                                simulation.time(), scene.file, scene.output_directory));
                 return 128 + signal;
             }
         }

@@ -188,7 +188,8 @@ int bench(int argc, char** argv)
         command->add_option("scene", arguments.scene, "Scene file")->required();
     step->add_option("--steps", arguments.steps, "Steps to measure, after one that is not")->check(CLI::PositiveNumber);
     solve->add_option("--backend", arguments.backend, "multigrid or petsc")->check(CLI::IsMember({"multigrid", "petsc"}));
-    solve->add_option("--bodies", arguments.bodies, "Correction for bodies")->check(CLI::IsMember({"automatic", "always", "never"}));
+    solve->add_option("--bodies", arguments.bodies, "Correction for bodies")
+        ->check(CLI::IsMember({"automatic", "always", "never"}));
     solve->add_option("--repeat", arguments.repeat, "Solves; the fastest counts")->check(CLI::PositiveNumber);
     app.add_option("--bandwidth-megabytes", arguments.bandwidth_megabytes, "Size of the two arrays that are copied")
         ->check(CLI::PositiveNumber);

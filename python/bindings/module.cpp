@@ -34,7 +34,8 @@ py::dict added_mass_dict(const Scene& scene)
             matrix.mutable_at(i, j) = result.matrix(i, j);
     py::list sealed;
     for (const SealedPocket& pocket : result.sealed)
-        sealed.append(py::dict("cells"_a = pocket.cells, "film_nodes"_a = pocket.nodes, "bodies"_a = pocket.bodies, "at"_a = pocket.at));
+        sealed.append(
+            py::dict("cells"_a = pocket.cells, "film_nodes"_a = pocket.nodes, "bodies"_a = pocket.bodies, "at"_a = pocket.at));
     return py::dict("bodies"_a = result.bodies, "labels"_a = result.labels, "matrix"_a = matrix, "cells"_a = result.cells,
                     "film_nodes"_a = result.film_nodes, "iterations"_a = result.iterations, "sealed"_a = sealed,
                     "warnings"_a = result.warnings, "seconds"_a = result.seconds);

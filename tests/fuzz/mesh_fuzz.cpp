@@ -9,10 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 void demand(bool good, const char* what)
 {

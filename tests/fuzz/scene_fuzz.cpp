@@ -9,8 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace
-{
+namespace {
 
 void demand(bool good, const char* what, const std::string& detail)
 {

@@ -18,7 +18,7 @@ constexpr double round_off = 1e-9;
 // Most points a pair: a patch of contact needs its corners.
 template <int D>
 constexpr int most_points = D == 2 ? 4 : 8;
-constexpr double nearly_beyond = 0.02; // of a body's size
+constexpr double nearly_beyond = 0.02;  // of a body's size
 constexpr int parts_against_hollow = 4; // of a long feature, against shapes with several nearest places
 
 /// A touches B's surface; collects points as (x on A, y on B, normal out of B, distance).

@@ -112,8 +112,8 @@ Twist<D> forced_twist(const RigidBody<D>& body, const Vec<D>& gravity, double fl
     at_middle += elastic_wrench(middle);
     const double stiffness = w.beta * dt * dt * body.spring->stiffness, damping = dt * body.spring->damping;
     const PointJacobian<D> J = origin_jacobian(body);
-    const Twist<D> p = momentum(body) + dt * carried(at_middle, middle) +
-                       (stiffness - (1 - w.gamma) * damping) * (J.transpose() * (J * V));
+    const Twist<D> p =
+        momentum(body) + dt * carried(at_middle, middle) + (stiffness - (1 - w.gamma) * damping) * (J.transpose() * (J * V));
     return impulse_response(body, p, dt);
 }
 
@@ -137,7 +137,8 @@ double swing_frequency(const RigidBody<D>& body, const Vec<D>& gravity, double f
     const Twist<D> turn = hinged_twist(body, 1.0), w = explicit_wrench(body, gravity, fluid_density);
     double moment = w.template head<D>().norm() * turn.template head<D>().norm();
     if (body.spring)
-        moment += body.spring->stiffness * (body.spring->anchor - body.pose.position).norm() * (origin_jacobian(body) * turn).norm();
+        moment +=
+            body.spring->stiffness * (body.spring->anchor - body.pose.position).norm() * (origin_jacobian(body) * turn).norm();
     return std::sqrt(moment / turn.dot(mass_matrix(body) * turn));
 }
 

@@ -50,8 +50,10 @@ template <int D>
 void steer(RigidBody<D>& body, const SteeredMotion<D>& motion)
 {
     body.steered = motion;
-    const PrescribedMotion<D> course = constant_motion<D>(motion.start, body.centre_of_mass, motion.velocity, motion.angular_velocity);
-    body.prescribed = std::make_shared<PrescribedMotion<D>>([course, since = motion.since](double time) { return course(time - since); });
+    const PrescribedMotion<D> course =
+        constant_motion<D>(motion.start, body.centre_of_mass, motion.velocity, motion.angular_velocity);
+    body.prescribed =
+        std::make_shared<PrescribedMotion<D>>([course, since = motion.since](double time) { return course(time - since); });
 }
 
 template <int D>
@@ -170,8 +172,7 @@ Twist<D> twist_after(const RigidBody<D>& body, const Twist<D>& impulse)
     if (constrained(body))
         return admissible_response<D>(admissible_twists(body), mass_matrix(body), p);
     Twist<D> twist;
-    twist << p.template head<D>() / body.mass,
-        angular_velocity<D>(body, body.pose.rotation, p.template tail<spin_size<D>>());
+    twist << p.template head<D>() / body.mass, angular_velocity<D>(body, body.pose.rotation, p.template tail<spin_size<D>>());
     return twist;
 }
 
@@ -204,7 +205,7 @@ Solid<D> solid_of(const RigidBody<D>& body)
     template void set_density<D>(RigidBody<D>&, double);                                                                       \
     template void set_mass<D>(RigidBody<D>&, double, const SpinMatrix<D>&);                                                    \
     template void place<D>(RigidBody<D>&, const Vec<D>&, const Rotation<D>&);                                                  \
-    template void steer<D>(RigidBody<D>&, const SteeredMotion<D>&);\
+    template void steer<D>(RigidBody<D>&, const SteeredMotion<D>&);                                                            \
     template void attach_hinge<D>(RigidBody<D>&, const Vec<D>&, const Spin<D>&);                                               \
     template void displace<D>(RigidBody<D>&, const Vec<D>&, const Spin<D>&);                                                   \
     template Twist<D> hinged_twist<D>(const RigidBody<D>&, double);                                                            \

@@ -37,7 +37,7 @@ template <int D>
 struct SteeredMotion {
     double since = 0.0;
     Pose<D> start;
-    Vec<D> velocity = Vec<D>::Zero();          ///< of the centre of mass
+    Vec<D> velocity = Vec<D>::Zero(); ///< of the centre of mass
     Spin<D> angular_velocity = Spin<D>::Zero();
 };
 
@@ -47,24 +47,24 @@ struct RigidBody {
     std::shared_ptr<const Shape<D>> shape;
     Motion motion = Motion::free;
 
-    Pose<D> pose;                                 ///< of the shape's origin
-    Vec<D> centre_of_mass = Vec<D>::Zero();       ///< in the shape's frame
-    Vec<D> centre_of_volume = Vec<D>::Zero();     ///< in the shape's frame
-    double volume = 0.0;                          ///< of fluid displaced; negative for a container (shape inside out)
+    Pose<D> pose;                             ///< of the shape's origin
+    Vec<D> centre_of_mass = Vec<D>::Zero();   ///< in the shape's frame
+    Vec<D> centre_of_volume = Vec<D>::Zero(); ///< in the shape's frame
+    double volume = 0.0;                      ///< of fluid displaced; negative for a container (shape inside out)
     double mass = 1.0;
     SpinMatrix<D> inertia = SpinMatrix<D>::Identity(); ///< about the centre of mass, body axes
-    std::array<bool, twist_size<D>> can_move;     ///< false: this component of the twist is held at 0
-    std::optional<Hinge<D>> hinge;                ///< needs can_move all true
+    std::array<bool, twist_size<D>> can_move;          ///< false: this component of the twist is held at 0
+    std::optional<Hinge<D>> hinge;                     ///< needs can_move all true
     std::optional<Spring<D>> spring;
 
     Twist<D> twist = Twist<D>::Zero();
     /// L: kept from step to step, so that free tumbling conserves it; inertia(R) omega = L in the components that move.
     Spin<D> angular_momentum = Spin<D>::Zero();
-    Vec<D> acceleration = Vec<D>::Zero();         ///< over the last step, as far as it goes on; 0 at the start and after an impact
+    Vec<D> acceleration = Vec<D>::Zero(); ///< over the last step, as far as it goes on; 0 at the start and after an impact
     Spin<D> angular_momentum_rate = Spin<D>::Zero(); ///< likewise
 
-    Vec<D> force = Vec<D>::Zero();                ///< constant external force at the centre of mass
-    Spin<D> torque = Spin<D>::Zero();             ///< constant external torque about the centre of mass
+    Vec<D> force = Vec<D>::Zero();                         ///< constant external force at the centre of mass
+    Spin<D> torque = Spin<D>::Zero();                      ///< constant external torque about the centre of mass
     std::shared_ptr<const PrescribedMotion<D>> prescribed; ///< where motion is prescribed
     std::optional<SteeredMotion<D>> steered;               ///< what `prescribed` is, once a controller has set it
 

@@ -16,7 +16,8 @@ namespace gapflow {
 namespace {
 
 constexpr std::size_t small_page = 4096, huge_page = std::size_t{1} << 21;
-constexpr std::size_t slack = 16; // a sixteenth of the most ever used may be kept on top: a few blocks change size from step to step
+constexpr std::size_t slack =
+    16; // a sixteenth of the most ever used may be kept on top: a few blocks change size from step to step
 class BlockStore {
 public:
     void* take(std::size_t bytes)

@@ -31,9 +31,18 @@ Logger::Logger(const Communicator& comm, bool quiet, std::ostream& out)
 }
 
 // The message is an argument, not a format: it may hold braces.
-void Logger::info(std::string_view message) const { logger_->info("{}", message); }
-void Logger::warning(std::string_view message) const { logger_->warn("{}", message); }
-void Logger::error(std::string_view message) const { logger_->error("{}", message); }
+void Logger::info(std::string_view message) const
+{
+    logger_->info("{}", message);
+}
+void Logger::warning(std::string_view message) const
+{
+    logger_->warn("{}", message);
+}
+void Logger::error(std::string_view message) const
+{
+    logger_->error("{}", message);
+}
 
 void Logger::warn_once(const std::string& message)
 {

@@ -9,8 +9,7 @@
 #include <malloc.h>
 #endif
 
-namespace gapflow
-{
+namespace gapflow {
 
 double machine_memory()
 {

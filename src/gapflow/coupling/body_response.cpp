@@ -37,8 +37,8 @@ BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen:
                 stiffness_[r] = resistance[r];
                 rigid_[r] = 0;
             }
-        factor_ = std::make_shared<Factor>(mass +
-                                           Eigen::SparseMatrix<double>(contact.transpose() * stiffness_.asDiagonal() * contact));
+        factor_ = std::make_shared<Factor>(
+            mass + Eigen::SparseMatrix<double>(contact.transpose() * stiffness_.asDiagonal() * contact));
     }
     if (factor_->info() != Eigen::Success)
         throw ComputationError("the mass matrix of the free bodies is not positive definite");

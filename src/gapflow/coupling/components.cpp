@@ -122,7 +122,8 @@ std::vector<std::pair<int, int>> gathered(const Communicator& comm, const std::s
 // Does the link join its nodes and cells? Not where a node of it is shut.
 bool leads_on(const Link& link, const std::vector<char>& shut)
 {
-    return link.conductance > 0 && (shut.empty() || std::none_of(link.nodes.begin(), link.nodes.end(), [&](const auto& node) { return shut[node.first]; }));
+    return link.conductance > 0 && (shut.empty() || std::none_of(link.nodes.begin(), link.nodes.end(),
+                                                                 [&](const auto& node) { return shut[node.first]; }));
 }
 
 // Labels all cells, each rank its own block's components, on from those of the ranks before. Returns the number of labels.
@@ -166,8 +167,8 @@ std::set<std::pair<int, int>> pairs_across_sides(const Coupling<D>& coupling, co
 
 // Pairs of labels and nodes that links from this rank's cells join; nodes count after all cells' labels.
 template <int D>
-std::set<std::pair<int, int>> pairs_of_links(const Coupling<D>& coupling, const std::vector<char>& shut, const CellField<D, int>& label,
-                                             int labels)
+std::set<std::pair<int, int>> pairs_of_links(const Coupling<D>& coupling, const std::vector<char>& shut,
+                                             const CellField<D, int>& label, int labels)
 {
     const Grid<D>& grid = *coupling.grid;
     std::set<std::pair<int, int>> pairs;
@@ -187,7 +188,9 @@ void join_nodes(const Coupling<D>& coupling, const std::vector<char>& shut, int 
 {
     for (const Film<D>& film : coupling.network.films)
         for (const FilmElement<D>& e : film.mesh.elements)
-            for (int i = 1; i < D && (shut.empty() || std::none_of(e.nodes.begin(), e.nodes.end(), [&](int node) { return shut[film.first_node + node]; })); ++i)
+            for (int i = 1; i < D && (shut.empty() || std::none_of(e.nodes.begin(), e.nodes.end(),
+                                                                   [&](int node) { return shut[film.first_node + node]; }));
+                 ++i)
                 sets.join(labels + film.first_node + e.nodes[0], labels + film.first_node + e.nodes[i]);
     for (const Link& link : coupling.system.links)
         for (std::size_t i = 1; i < link.nodes.size() && leads_on(link, shut); ++i)

@@ -20,17 +20,17 @@ namespace gapflow {
 /// Velocities of the fluid where they live.
 template <int D>
 struct FluidVelocity {
-    FaceField<D> grid;                ///< normal component, mean over the open part of a face; traces take it for the face centre's
-    std::vector<Vec<D>> film;         ///< tangential velocity of every film element, absolute, world axes
-    std::vector<double> film_normal;  ///< normal speed of the fluid of every film element (method: w_n*)
-    std::vector<double> conduit;      ///< flux out of the film through every conduit, absolute
+    FaceField<D> grid;        ///< normal component, mean over the open part of a face; traces take it for the face centre's
+    std::vector<Vec<D>> film; ///< tangential velocity of every film element, absolute, world axes
+    std::vector<double> film_normal; ///< normal speed of the fluid of every film element (method: w_n*)
+    std::vector<double> conduit;     ///< flux out of the film through every conduit, absolute
 };
 
 /// The film's fluid moves with the mean of its two walls normal to the gap: a mass (rho S) on the rows of their twists that
 /// normal_rows gives.
 template <int D>
 struct NormalInertia {
-    int master, other;           ///< solids
+    int master, other; ///< solids
     Twist<D> row_master, row_other;
     double mass;
 };
@@ -69,24 +69,25 @@ struct Coupling {
     const Grid<D>* grid = nullptr;
     double density = 1;
     std::vector<Solid<D>> solids;
-    FaceField<D> open;            ///< fraction of every face that the grid sees open: after films closed theirs
+    FaceField<D> open;              ///< fraction of every face that the grid sees open: after films closed theirs
     CellField<D, std::int8_t> kind; ///< CellKind
     FilmNetwork<D> network;
     std::shared_ptr<const FaceFractions<D>> fractions; ///< before closing
     std::shared_ptr<const FaceClipper<D>> clipper;     ///< finds the solids near a point
 
-    CoupledSystem<D> system;      ///< the free bodies' part, with rows K_b P_b and masses P M P + m (1 - P) (Solid::admissible)
-    std::vector<int> free_body;   ///< number of each solid among the free bodies, -1: none
+    CoupledSystem<D> system;    ///< the free bodies' part, with rows K_b P_b and masses P M P + m (1 - P) (Solid::admissible)
+    std::vector<int> free_body; ///< number of each solid among the free bodies, -1: none
     /// K of all solids but walls; `body` is the solid. What the system has of them is the free bodies' share.
     std::vector<BodyFlux<D, Index<D>>> cell_flux;
     std::vector<BodyFlux<D, int>> node_flux;
     std::vector<NormalInertia<D>> normal_inertia; ///< one a film element
     std::vector<Drag> element_drag, conduit_drag; ///< one a film element or conduit; empty without viscosity
-    std::vector<std::vector<CarriedCell>> cells_behind; ///< of each conduit: those that what walls carry goes to; empty: those of its pressure
+    std::vector<std::vector<CarriedCell>>
+        cells_behind; ///< of each conduit: those that what walls carry goes to; empty: those of its pressure
     std::vector<DragInertia<D>> drag_inertia;
-    BodyResponse response;        ///< of the free bodies: M^-1 of `system`
-    Eigen::VectorXd held_speed;   ///< of the contacts in system.contact, less the share of solids that are not free
-    std::vector<SealedPocket> sealed;             ///< components that touch no open side, but the first (largest) one
+    BodyResponse response;            ///< of the free bodies: M^-1 of `system`
+    Eigen::VectorXd held_speed;       ///< of the contacts in system.contact, less the share of solids that are not free
+    std::vector<SealedPocket> sealed; ///< components that touch no open side, but the first (largest) one
 };
 
 struct CouplingOptions {

@@ -97,7 +97,8 @@ Vec<D> widening(const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& 
 double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double h, double resistance)
 {
     const double scale = viscosity_dt / (density * h * h);
-    return kind == ConduitKind::edge_edge || kind == ConduitKind::edge_face ? 16 * scale / (std::numbers::pi * resistance) : 12 * scale;
+    return kind == ConduitKind::edge_edge || kind == ConduitKind::edge_face ? 16 * scale / (std::numbers::pi * resistance)
+                                                                            : 12 * scale;
 }
 
 // A film is shut where viscosity makes it heavier than this many times the lighter of the bodies that it lies between, one that it could
@@ -123,15 +124,18 @@ struct Shut {
     Vec<D> thinnest;
     double dx;
 
-    Shut(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<TwistMatrix<D>>& masses) : dx(coupling.grid->dx())
+    Shut(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<TwistMatrix<D>>& masses)
+        : dx(coupling.grid->dx())
     {
         for (int solid : {mesh.master, mesh.other})
             if (coupling.solids[solid].motion == Motion::free) {
                 mass = std::min(mass, masses[solid](0, 0));
-                section = std::max(section, std::pow(2 * bounding_radius<D>(world_bounds(coupling.solids[solid].shape)), D - 1));
+                section =
+                    std::max(section, std::pow(2 * bounding_radius<D>(world_bounds(coupling.solids[solid].shape)), D - 1));
             }
         const auto thickness = [](const FilmElement<D>& e) { return e.volume / e.measure; };
-        const auto least = std::min_element(mesh.elements.begin(), mesh.elements.end(), [&](const auto& a, const auto& b) { return thickness(a) < thickness(b); });
+        const auto least = std::min_element(mesh.elements.begin(), mesh.elements.end(),
+                                            [&](const auto& a, const auto& b) { return thickness(a) < thickness(b); });
         thinnest = least == mesh.elements.end() ? Vec<D>(Vec<D>::Zero()) : least->centroid;
     }
 
@@ -156,7 +160,8 @@ struct Shut {
 //
 // (theory 7.2; D t in 2D only). What a common rotation would make of it beside t.U at mid-gap is taken away from both by half.
 template <int D>
-WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t, double wet)
+WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t,
+                      double wet)
 {
     const Vec<D> g = tilt(e);
     const Vec<D> bent = D == 2 ? widening(mesh, e, t) : Vec<D>(Vec<D>::Zero());
@@ -164,8 +169,9 @@ WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, cons
     Twist<D> turned = Twist<D>::Zero();
     turned.template tail<spin_size<D>>() = -0.5 * (moment<D>(Vec<D>(e.centroid_master - e.centroid), of_master) +
                                                    moment<D>(Vec<D>(e.centroid_other - e.centroid), of_other));
-    const Vec<D> &centre = coupling.solids[mesh.master].centre, other_centre = coupling.solids[mesh.other].centre + mesh.shift;
-    WallRows<D> rows{wrench<D>(of_master, e.centroid_master - centre) + turned, wrench<D>(of_other, e.centroid_other - other_centre) + turned};
+    const Vec<D>&centre = coupling.solids[mesh.master].centre, other_centre = coupling.solids[mesh.other].centre + mesh.shift;
+    WallRows<D> rows{wrench<D>(of_master, e.centroid_master - centre) + turned,
+                     wrench<D>(of_other, e.centroid_other - other_centre) + turned};
     Twist<D> about_master = rows.other;
     about_master.template tail<spin_size<D>>() += moment<D>(Vec<D>(other_centre - centre), of_other);
     rows.master += (1 - wet) * about_master;
@@ -189,13 +195,17 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
             const int number = static_cast<int>(coupling.element_drag.size());
             const double resistance = D == 3 ? cubic[k] * e.conductance() / (e.measure * e.measure) : e.inverse / e.volume;
             const double beta = 12 * viscosity_dt / rho * resistance;
-            Drag drag = drag_of(beta / std::pow(slant(e), slant_power), shut.beta(rho * e.measure * e.measure / e.conductance(), e.centroid));
+            Drag drag = drag_of(beta / std::pow(slant(e), slant_power),
+                                shut.beta(rho * e.measure * e.measure / e.conductance(), e.centroid));
             drag.wet = wet.elements.empty() ? 1.0 : wet.elements[number];
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
                 const WallRows<D> rows = wall_rows(coupling, mesh, e, t, drag.wet);
-                coupling.drag_inertia.push_back({{mesh.master, mesh.other, rows.master, rows.other, drag.wet * rho * e.volume * drag.theta},
-                                                 number, -1, t});
+                coupling.drag_inertia.push_back(
+                    {{mesh.master, mesh.other, rows.master, rows.other, drag.wet * rho * e.volume * drag.theta},
+                     number,
+                     -1,
+                     t});
                 coupling.drag_inertia.push_back({{mesh.master, mesh.other, wrench<D>(t, e.centroid - centre),
                                                   -wrench<D>(t, e.centroid - other), drag.wet * viscosity_dt * e.inverse}});
             }
@@ -205,14 +215,16 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& c = conduits[r];
         const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
-        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance), shuts[c.film].mouth_beta(rho * c.resistance / c.length));
+        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance),
+                            shuts[c.film].mouth_beta(rho * c.resistance / c.length));
         drag.wet = wet.conduits.empty() ? 1.0 : wet.conduits[r];
         coupling.conduit_drag.push_back(drag);
         coupling.drag_inertia.push_back(
             {{mesh.master, mesh.other, (1 - 0.5 * drag.wet) * wrench<D>(c.outward, c.x - coupling.solids[mesh.master].centre),
               0.5 * drag.wet * wrench<D>(c.outward, c.x - coupling.solids[mesh.other].centre - mesh.shift),
               drag.wet * rho * c.resistance * c.h * c.h * c.length * drag.theta},
-             -1, static_cast<int>(r)});
+             -1,
+             static_cast<int>(r)});
     }
 }
 
@@ -243,7 +255,8 @@ namespace {
 
 // Mean of the velocities of a film's two walls at mid-gap; of the share 1 - `wet` of the gap, a void, the master's.
 template <int D>
-Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twists, const Vec<D>& x, double wet)
+Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twists, const Vec<D>& x,
+                     double wet)
 {
     return (1 - 0.5 * wet) * velocity_at<D>(twists[mesh.master], x - coupling.solids[mesh.master].centre) +
            0.5 * wet * velocity_at<D>(twists[mesh.other], x - coupling.solids[mesh.other].centre - mesh.shift);
@@ -258,7 +271,8 @@ double entrained_flux(const Coupling<D>& coupling, std::size_t conduit, const st
         return 0;
     const Conduit<D>& c = coupling.network.mouths.conduits[conduit];
     const Drag& drag = coupling.conduit_drag[conduit];
-    return drag.theta * c.length * c.h * c.outward.dot(mean_velocity(coupling, coupling.network.films[c.film].mesh, twists, c.x, drag.wet));
+    return drag.theta * c.length * c.h *
+           c.outward.dot(mean_velocity(coupling, coupling.network.films[c.film].mesh, twists, c.x, drag.wet));
 }
 
 template <int D>
@@ -296,7 +310,8 @@ double film_loss(const Coupling<D>& coupling, const std::vector<Twist<D>>& twist
             speed = u.conduit[drag.conduit] / (conduits[drag.conduit].length * conduits[drag.conduit].h);
             kappa = coupling.conduit_drag[drag.conduit].kappa;
         }
-        const double lag = speed - inertia.row_master.dot(twists[inertia.master]) - inertia.row_other.dot(twists[inertia.other]);
+        const double lag =
+            speed - inertia.row_master.dot(twists[inertia.master]) - inertia.row_other.dot(twists[inertia.other]);
         loss += inertia.mass / kappa * lag * lag;
     }
     return loss;
@@ -308,7 +323,8 @@ std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vect
     std::vector<Twist<D>> impulse(coupling.solids.size(), Twist<D>::Zero());
     for (const DragInertia<D>& drag : coupling.drag_inertia) {
         const NormalInertia<D>& inertia = drag.inertia;
-        const double lag = drag.speed - inertia.row_master.dot(twists[inertia.master]) - inertia.row_other.dot(twists[inertia.other]);
+        const double lag =
+            drag.speed - inertia.row_master.dot(twists[inertia.master]) - inertia.row_other.dot(twists[inertia.other]);
         impulse[inertia.master] += inertia.mass * lag * inertia.row_master;
         impulse[inertia.other] += inertia.mass * lag * inertia.row_other;
     }
@@ -316,7 +332,7 @@ std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vect
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void find_drag<D>(Coupling<D>&, double, const std::vector<TwistMatrix<D>>&, const WetShares&);                                                        \
+    template void find_drag<D>(Coupling<D>&, double, const std::vector<TwistMatrix<D>>&, const WetShares&);                    \
     template WallRows<D> wall_rows<D>(const Coupling<D>&, const FilmMesh<D>&, const FilmElement<D>&, const Vec<D>&, double);   \
     template double film_conductance<D>(const Coupling<D>&, const Film<D>&, std::size_t);                                      \
     template double entrained_flux<D>(const Coupling<D>&, std::size_t, const std::vector<Twist<D>>&);                          \

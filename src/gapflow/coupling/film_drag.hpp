@@ -36,7 +36,8 @@ struct WallRows {
     Twist<D> master, other;
 };
 template <int D>
-WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t, double wet);
+WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t,
+                      double wet);
 
 /// Takes the speeds of drag_inertia from u*, then makes kappa u* of it: what outflow() wants.
 template <int D>

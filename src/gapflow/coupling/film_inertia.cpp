@@ -9,8 +9,8 @@ namespace gapflow {
 
 namespace {
 
-constexpr int most_nodes = 4000;    // films with more are left out: not worth a second factorisation
-constexpr double shift = 1e-10;     // relative, on the diagonal: films that nothing lets out
+constexpr int most_nodes = 4000; // films with more are left out: not worth a second factorisation
+constexpr double shift = 1e-10;  // relative, on the diagonal: films that nothing lets out
 
 template <int D>
 using PairRow = Eigen::Matrix<double, 2 * twist_size<D>, 1>;
@@ -115,7 +115,8 @@ void add_pressure(const Coupling<D>& coupling, const std::vector<char>& is_void,
 } // namespace
 
 template <int D>
-NearInertia<D> near_inertia(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass, const std::vector<char>& is_void)
+NearInertia<D> near_inertia(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
+                            const std::vector<char>& is_void)
 {
     NearInertia<D> inertia;
     inertia.mobility.assign(coupling.solids.size(), TwistMatrix<D>::Zero());

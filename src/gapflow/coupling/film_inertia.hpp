@@ -29,6 +29,7 @@ struct NearInertia {
 
 /// `mass` of every solid: its own with some of the bulk's. Void nodes do not count. Reads the system as it is without voids.
 template <int D>
-NearInertia<D> near_inertia(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass, const std::vector<char>& is_void);
+NearInertia<D> near_inertia(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
+                            const std::vector<char>& is_void);
 
 } // namespace gapflow

@@ -40,7 +40,8 @@ private:
     // Flux w of the other wall (or a third body's) relative to the master: + for the body, - for the master.
     // Wrenches are about the body's centre (in the film's frame: `centre`); the master's about its own.
     template <class Add>
-    void add_relative(Add&& add, const FilmMesh<D>& mesh, int solid, const Vec<D>& solid_centre, const Twist<D>& flux, double share)
+    void add_relative(Add&& add, const FilmMesh<D>& mesh, int solid, const Vec<D>& solid_centre, const Twist<D>& flux,
+                      double share)
     {
         add(solid, share * flux);
         Twist<D> about_master = flux;
@@ -86,7 +87,8 @@ private:
                     rows_.add_node(f.first_node + e.nodes[i], mesh.master,
                                    e.volume * wrench<D>(e.gradient[i], e.centroid - centre(mesh.master)));
                 const NormalRows<D> normal = normal_rows<D>(mesh, e, coupling_.solids);
-                coupling_.normal_inertia.push_back({mesh.master, mesh.other, normal.master, normal.other, coupling_.density * e.volume});
+                coupling_.normal_inertia.push_back(
+                    {mesh.master, mesh.other, normal.master, normal.other, coupling_.density * e.volume});
                 if (!coupling_.element_drag.empty())
                     add_entrainment(f, e);
             }
@@ -129,8 +131,10 @@ private:
                 const FilmElement<D>& e = mesh.elements[around[at]];
                 const int mine = static_cast<int>(std::find(e.nodes.begin(), e.nodes.end(), j) - e.nodes.begin());
                 for (int i = 0; i < D; ++i) {
-                    const double value = film_conductance(coupling_, f, around[at]) / coupling_.density * e.gradient[i].dot(e.gradient[mine]);
-                    const auto known = std::find_if(column.begin(), column.end(), [&](const auto& c) { return c.first == e.nodes[i]; });
+                    const double value =
+                        film_conductance(coupling_, f, around[at]) / coupling_.density * e.gradient[i].dot(e.gradient[mine]);
+                    const auto known =
+                        std::find_if(column.begin(), column.end(), [&](const auto& c) { return c.first == e.nodes[i]; });
                     if (known == column.end())
                         column.emplace_back(e.nodes[i], value);
                     else
@@ -172,8 +176,8 @@ private:
         const Vec<D> x = faces_.open_centroid(side.axis, side.face) + grid_.dx() * offset.template cast<double>();
         const int master = film(k).mesh.master;
         const Vec<D> area = sign * faces_.open(side.axis, side.face) * grid_.face_area() * unit<D>(side.axis);
-        closed_flux_[key].push_back({master, wrench<D>(area, x - centre(master)),
-                                     centre(master) - grid_.dx() * offset.template cast<double>()});
+        closed_flux_[key].push_back(
+            {master, wrench<D>(area, x - centre(master)), centre(master) - grid_.dx() * offset.template cast<double>()});
         if (D == 2 && network_.cells.kind(key, CellKind::bulk) != CellKind::film)
             closed_areas_[k].push_back({key, x, area});
     }
@@ -217,7 +221,8 @@ private:
     void assemble_other_walls()
     {
         const KeyMap<FilmCell<D>>& cells = network_.cells.cells;
-        std::vector<Twist<D>> remainder(cells.size(), Twist<D>::Zero()); // of film cells: own J of the other wall less what its points took
+        std::vector<Twist<D>> remainder(cells.size(),
+                                        Twist<D>::Zero()); // of film cells: own J of the other wall less what its points took
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const auto& [key, cell] = cells.item(static_cast<int>(i));
             if (cell.kind != CellKind::film)
@@ -239,7 +244,9 @@ private:
                 const Index<D> c = grid_.wrapped(grid_.cell_of(point.y + 1e-9 * grid_.dx() * point.other_normal));
                 const long key = grid_.in_domain(c) ? grid_.key(c) : -1;
                 const int i = cells.index(key);
-                const CellKind kind = key < 0 ? CellKind::solid : i >= 0 ? cells.item(i).second.kind : kind_of(faces_, network_.cells, c);
+                const CellKind kind = key < 0  ? CellKind::solid
+                                      : i >= 0 ? cells.item(i).second.kind
+                                               : kind_of(faces_, network_.cells, c);
                 if (kind == CellKind::bulk || kind == CellKind::mixed)
                     add_relative(to_cell(key), mesh, mesh.other, other_centre(mesh), flux, -1.0);
                 else if (kind == CellKind::film && cells.item(i).second.owner == k)
@@ -252,7 +259,8 @@ private:
         }
         for (std::size_t i = 0; i < cells.size(); ++i)
             if (cells.item(static_cast<int>(i)).second.kind == CellKind::film)
-                add_to_nearest_mouth(cells.item(static_cast<int>(i)).first, cells.item(static_cast<int>(i)).second, remainder[i], lost);
+                add_to_nearest_mouth(cells.item(static_cast<int>(i)).first, cells.item(static_cast<int>(i)).second,
+                                     remainder[i], lost);
         for (int k = 0; k < static_cast<int>(network_.films.size()); ++k)
             if (!lost[k].isZero(0))
                 spread(k, lost[k]);
@@ -299,13 +307,15 @@ private:
     void add_in_film_cell_of(long key, const FilmMesh<D>& mesh, const CellFlux& flux, const Vec<D>& here, Twist<D>& rest)
     {
         const double half = 0.5 * grid_.size().minCoeff();
-        if (flux.solid == mesh.other && (coupling_.solids[flux.solid].wall || (flux.centre + here - other_centre(mesh)).norm() < half))
+        if (flux.solid == mesh.other &&
+            (coupling_.solids[flux.solid].wall || (flux.centre + here - other_centre(mesh)).norm() < half))
             rest += flux.flux;
         else if (flux.solid != mesh.master)
             third_.push_back({key, flux.solid, flux.flux, flux.centre + here});
     }
 
-    void add_at_point(int k, const FilmPoint<D>& point, int solid, const Vec<D>& solid_centre, const Twist<D>& flux, double share)
+    void add_at_point(int k, const FilmPoint<D>& point, int solid, const Vec<D>& solid_centre, const Twist<D>& flux,
+                      double share)
     {
         const Film<D>& f = film(k);
         const FilmElement<D>& e = f.mesh.elements[point.element];
@@ -341,7 +351,8 @@ private:
             if (third.flux.template head<D>().norm() <= 1e-14 * grid_.face_area())
                 continue;
             const FilmCell<D>& cell = *network_.cells.cells.find(third.key);
-            add_at_point(cell.owner, nearest_point(cell, grid_.cell_of_key(third.key)), third.solid, third.centre, third.flux, 1.0);
+            add_at_point(cell.owner, nearest_point(cell, grid_.cell_of_key(third.key)), third.solid, third.centre, third.flux,
+                         1.0);
         }
         for (const auto& [key, fluxes] : closed_flux_) { // bulk and mixed cells beside closed faces
             if (network_.cells.kind(key, CellKind::bulk) == CellKind::film)
@@ -361,8 +372,8 @@ private:
             // To the grid the faces that a film closes are its master's and bring in the master's velocity. What viscosity makes both walls carry
             // takes its place face by face: led through the pressure's stencil, from cell to cell in a gap of a cell, it would drag the walls.
             if (D == 2 && conduit.kind == ConduitKind::smooth && !coupling_.conduit_drag.empty())
-                coupling_.cells_behind[links.size()] =
-                    cells_behind<D>(conduit, film(conduit.film), closed_areas_[conduit.film], conduit_places_[conduit.film], grid_.dx());
+                coupling_.cells_behind[links.size()] = cells_behind<D>(conduit, film(conduit.film), closed_areas_[conduit.film],
+                                                                       conduit_places_[conduit.film], grid_.dx());
             Link link{conduit.length / (coupling_.density * conduit.resistance), {}, {}};
             if (conduit.kind == ConduitKind::inflow)
                 link.conductance = 0;
@@ -397,10 +408,10 @@ private:
     const Grid<D>& grid_;
     const FilmNetwork<D>& network_;
     const FaceCache<D>& faces_;
-    std::vector<std::vector<const Conduit<D>*>> conduits_;    ///< of each film, those that end in cells
-    std::vector<std::vector<Vec<D>>> conduit_places_;         ///< where they are
+    std::vector<std::vector<const Conduit<D>*>> conduits_; ///< of each film, those that end in cells
+    std::vector<std::vector<Vec<D>>> conduit_places_;      ///< where they are
     KeyMap<std::vector<CellFlux>> closed_flux_;
-    std::vector<std::vector<ClosedArea<D>>> closed_areas_;    ///< of each film
+    std::vector<std::vector<ClosedArea<D>>> closed_areas_; ///< of each film
     std::vector<Third> third_;
 };
 

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
 template <int D>
 struct FluidParts {

@@ -32,20 +32,22 @@ double place_across(const Vec<D>& from_middle, const Vec<D>& across)
 } // namespace
 
 template <int D>
-std::vector<CarriedCell> cells_behind(const Conduit<D>& conduit, const Film<D>& film, std::span<const ClosedArea<D>> closed, std::span<const Vec<D>> places,
-                                      double dx)
+std::vector<CarriedCell> cells_behind(const Conduit<D>& conduit, const Film<D>& film, std::span<const ClosedArea<D>> closed,
+                                      std::span<const Vec<D>> places, double dx)
 {
     const Vec<D> across = way_across(conduit, film);
     std::vector<CarriedCell> cells; // lean: so far the weighted sum of places
     double total = 0, mean = 0;
     for (const ClosedArea<D>& face : closed) {
         const double distance = (face.x - conduit.x).norm();
-        if (distance > mouth_reach * dx || std::any_of(places.begin(), places.end(), [&](const Vec<D>& x) { return (face.x - x).norm() < distance; }))
+        if (distance > mouth_reach * dx ||
+            std::any_of(places.begin(), places.end(), [&](const Vec<D>& x) { return (face.x - x).norm() < distance; }))
             continue;
         const double weight = -face.area.dot(conduit.outward), place = weight * place_across<D>(face.x - conduit.x, across);
         total += weight;
         mean += place;
-        const auto known = std::find_if(cells.begin(), cells.end(), [&](const CarriedCell& cell) { return cell.key == face.key; });
+        const auto known =
+            std::find_if(cells.begin(), cells.end(), [&](const CarriedCell& cell) { return cell.key == face.key; });
         if (known == cells.end()) {
             cells.push_back({face.key, weight, place});
         } else {

@@ -19,8 +19,9 @@ double squares_of_round_off(const Coupling<D>& coupling, const std::vector<Twist
     double fastest = 0;
     for (std::size_t s = 0; s < coupling.solids.size(); ++s) {
         const double radius = bounding_radius(world_bounds(coupling.solids[s].shape));
-        fastest = std::max(fastest, twists[s].template head<D>().norm() +
-                                        (std::isfinite(radius) ? radius * twists[s].template tail<spin_size<D>>().norm() : 0.0));
+        fastest =
+            std::max(fastest, twists[s].template head<D>().norm() +
+                                  (std::isfinite(radius) ? radius * twists[s].template tail<spin_size<D>>().norm() : 0.0));
     }
     const double flux = share * coupling.grid->face_area() * fastest;
     return (coupling.system.nodes + 1) * flux * flux;
@@ -128,7 +129,8 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
             Index<D> first = grid.low(), last = grid.high();
             first[axis] = side * grid.cells()[axis];
             last[axis] = first[axis] + 1;
-            for_each_row<D>(first, last, [&](const Index<D>& row) { subtract(row, last[0] - first[0], side ? 0 : 2, side ? 2 : 0); });
+            for_each_row<D>(first, last,
+                            [&](const Index<D>& row) { subtract(row, last[0] - first[0], side ? 0 : 2, side ? 2 : 0); });
         }
     }
     for (const Film<D>& film : coupling.network.films)
@@ -191,8 +193,8 @@ double closure_defect(const Coupling<D>& coupling)
         const Bounds<D> bounds = world_bounds(coupling.solids[s].shape);
         bool inside = !coupling.solids[s].wall && bounds.low.allFinite();
         for (int axis = 0; axis < D && inside; ++axis)
-            inside = grid.periodic(axis) || (bounds.low[axis] >= grid.origin()[axis] &&
-                                             bounds.high[axis] <= grid.origin()[axis] + grid.size()[axis]);
+            inside = grid.periodic(axis) ||
+                     (bounds.low[axis] >= grid.origin()[axis] && bounds.high[axis] <= grid.origin()[axis] + grid.size()[axis]);
         if (inside)
             worst = std::max(worst, sums[s].template head<D>().cwiseAbs().maxCoeff() / grid.face_area());
     }

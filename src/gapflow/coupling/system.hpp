@@ -46,7 +46,7 @@ template <int D>
 struct FilmFace {
     int axis;
     Index<D> face;
-    double conductance; ///< that its open part would have on the grid
+    double conductance;          ///< that its open part would have on the grid
     std::array<bool, 2> unknown; ///< whether the cells below and above hold one
 };
 
@@ -68,19 +68,19 @@ struct CoupledSystem {
     /// cells the films join.
     std::vector<FilmFace<D>> film_faces;
     int nodes = 0;
-    Eigen::SparseMatrix<double> film; ///< nodes x nodes, symmetric, positive semidefinite; the same on all ranks
-    std::vector<Link> links;          ///< the same list on all ranks
-    int bodies = 0;                   ///< free bodies; dof = twist_size<D> * body + component
+    Eigen::SparseMatrix<double> film;             ///< nodes x nodes, symmetric, positive semidefinite; the same on all ranks
+    std::vector<Link> links;                      ///< the same list on all ranks
+    int bodies = 0;                               ///< free bodies; dof = twist_size<D> * body + component
     std::vector<BodyFlux<D, Index<D>>> cell_flux; ///< K in this rank's cells
     std::vector<BodyFlux<D, int>> node_flux;      ///< K in film nodes, the same on all ranks
     Eigen::SparseMatrix<double> mass;             ///< dofs x dofs, symmetric positive definite; the same on all ranks
     /// Contacts that hold the bodies: C, rows x dofs, and what each resists with. M^-1 in this system stands for
     /// BodyResponse(mass, contact, contact_resistance).
     Eigen::SparseMatrix<double> contact;
-    Eigen::VectorXd contact_resistance;           ///< impulse over speed; infinite: rigid
+    Eigen::VectorXd contact_resistance; ///< impulse over speed; infinite: rigid
 
     std::vector<Component> components;
-    CellField<D, int> component;      ///< of each cell, -1: no unknown; valid on owned cells
+    CellField<D, int> component; ///< of each cell, -1: no unknown; valid on owned cells
     std::vector<int> node_component;
     /// Null vectors of L + K M^-1 K^T: combinations of the components' constants, orthonormal coefficients
     /// (components x null vectors), found by coupling (kernel of K^T on the floating components).

@@ -16,10 +16,11 @@ constexpr double shut_share = 1e-6;
 
 template <int D>
 WetSystem<D>::WetSystem(Coupling<D>& coupling)
-    : coupling_(coupling), is_void_(coupling.system.nodes, 0),
-      b_{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)}, film_(coupling.system.film), links_(coupling.system.links),
-      node_flux_(coupling.system.node_flux),
-      entries_{coupling.cell_flux.size(), coupling.node_flux.size(), coupling.system.cell_flux.size(), node_flux_.size()},
+    : coupling_(coupling),
+      is_void_(coupling.system.nodes, 0), b_{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)},
+      film_(coupling.system.film), links_(coupling.system.links),
+      node_flux_(coupling.system.node_flux), entries_{coupling.cell_flux.size(), coupling.node_flux.size(),
+                                                      coupling.system.cell_flux.size(), node_flux_.size()},
       components_(coupling.system.components), null_space_(coupling.system.null_space)
 {
     for (const Link& link : links_)

@@ -34,8 +34,8 @@ public:
     /// Turns `rhs` = -(D u* + K V), with b in V, into that of p'. `filling`: f of every film node. Collective.
     void reduce(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& filling, UnknownVector<D>& rhs);
     struct Outcome {
-        Eigen::VectorXd outflow;   ///< L p + K V + D u* of all film nodes
-        std::vector<double> drop;  ///< pressure impulse of the film less that of the bulk, one a conduit
+        Eigen::VectorXd outflow;  ///< L p + K V + D u* of all film nodes
+        std::vector<double> drop; ///< pressure impulse of the film less that of the bulk, one a conduit
     };
     /// After the solve for p' gave V. Collective.
     Outcome outcome(const UnknownVector<D>& p, const std::vector<Twist<D>>& twists) const;
@@ -47,13 +47,13 @@ private:
     Coupling<D>& coupling_;
     std::vector<char> is_void_;
     UnknownVector<D> b_;
-    Eigen::VectorXd star_outflow_;        ///< D u* + K V* of the film nodes
+    Eigen::VectorXd star_outflow_; ///< D u* + K V* of the film nodes
     std::vector<Twist<D>> star_twists_;
     Eigen::SparseMatrix<double> film_;
     std::vector<Link> links_;
-    std::vector<double> open_conductance_; ///< of the links
+    std::vector<double> open_conductance_;    ///< of the links
     std::vector<BodyFlux<D, int>> node_flux_; ///< of the system, voids and all
-    std::array<std::size_t, 4> entries_;      ///< of K with all conduits open: in cells and nodes, of all solids and of the system
+    std::array<std::size_t, 4> entries_; ///< of K with all conduits open: in cells and nodes, of all solids and of the system
     std::vector<Component> components_;
     Eigen::MatrixXd null_space_;
 };

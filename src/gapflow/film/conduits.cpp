@@ -16,8 +16,8 @@ namespace {
 
 constexpr double sample_distance = 0.5;     // of a conduit's grid pressure beyond the rim, in dx
 constexpr double mouth_radius = 0.8;        // r in the mouth formulas, in dx: what the grid itself resolves
-constexpr double open_resistance = 0.2;      // of a mouth on an open side
-constexpr double minimum_resistance = 0.02;  // keeps wide mouths positive
+constexpr double open_resistance = 0.2;     // of a mouth on an open side
+constexpr double minimum_resistance = 0.02; // keeps wide mouths positive
 constexpr double touching = 1e-6;           // distance to a third body that closes a rim, in dx
 constexpr double joint_reach = 1.5;         // in (h + h_other), else in dx
 
@@ -37,7 +37,8 @@ public:
         KeyMap<char> near;
         for (long key : changed)
             for_each_index<D>(Index<D>::Constant(-2), Index<D>::Constant(3), [&](const Index<D>& d) {
-                const Index<D> c = grid_.cell_of_key(key) + d.unaryExpr([](int k) { return k * std::abs(k); }); // -4, -1, 0, 1, 4
+                const Index<D> c =
+                    grid_.cell_of_key(key) + d.unaryExpr([](int k) { return k * std::abs(k); }); // -4, -1, 0, 1, 4
                 near.insert(block(c));
             });
         for (std::size_t i = 0; i < points_.size(); ++i)
@@ -214,7 +215,8 @@ private:
             const auto cells = mouth_stencil(*states_, Vec<D>(y + ((k + 0.5) / count - 0.5) * across));
             found += !cells.empty();
             for (const auto& [key, weight] : cells) {
-                const auto known = std::find_if(result.begin(), result.end(), [&](const auto& entry) { return entry.first == key; });
+                const auto known =
+                    std::find_if(result.begin(), result.end(), [&](const auto& entry) { return entry.first == key; });
                 if (known != result.end())
                     known->second += weight;
                 else
@@ -229,10 +231,13 @@ private:
     void add_conduit(const RimPoint<D>& point, ConduitKind kind, std::vector<std::pair<long, double>> cells, End& end) const
     {
         const Film<D>& film = films_[point.film];
-        const double resistance = kind == ConduitKind::smooth ? std::max(channel_length(point, cells) / point.h, minimum_resistance)
-                                                              : mouth_resistance(kind, point.h, grid_.dx());
-        end.conduit = {point.film, kind, global_nodes(film, point.edge->nodes), point.shape, point.x,
-                       point.edge->outward, point.length, point.h, resistance, std::move(cells)};
+        const double resistance = kind == ConduitKind::smooth
+                                      ? std::max(channel_length(point, cells) / point.h, minimum_resistance)
+                                      : mouth_resistance(kind, point.h, grid_.dx());
+        end.conduit = {point.film,      kind,    global_nodes(film, point.edge->nodes),
+                       point.shape,     point.x, point.edge->outward,
+                       point.length,    point.h, resistance,
+                       std::move(cells)};
     }
 
     // A smooth end goes on as a channel up to where the stencil takes its pressure: the weighted mean of its cells, along the
@@ -254,7 +259,10 @@ private:
     }
 
     // The block of four cells a side around a cell.
-    long block(const Index<D>& cell) const { return cell_number<D>(grid_.wrapped(cell).unaryExpr([](int k) { return k >> 2; })); }
+    long block(const Index<D>& cell) const
+    {
+        return cell_number<D>(grid_.wrapped(cell).unaryExpr([](int k) { return k >> 2; }));
+    }
 
     const Grid<D>& grid_;
     const FaceClipper<D>& clipper_;

@@ -24,10 +24,10 @@ template <int D>
 struct Conduit {
     int film;
     ConduitKind kind;
-    std::array<int, D - 1> nodes;    ///< numbers among all film nodes
-    std::array<double, D - 1> shape; ///< shape functions of these nodes at x
-    Vec<D> x, outward;               ///< at mid-gap; unit, in the film's tangent plane
-    double length, h, resistance;    ///< share of the rim (2D: 1), thickness, R
+    std::array<int, D - 1> nodes;               ///< numbers among all film nodes
+    std::array<double, D - 1> shape;            ///< shape functions of these nodes at x
+    Vec<D> x, outward;                          ///< at mid-gap; unit, in the film's tangent plane
+    double length, h, resistance;               ///< share of the rim (2D: 1), thickness, R
     std::vector<std::pair<long, double>> cells; ///< Grid::key, weight; sum 1. Empty on open and inflow sides
 };
 
@@ -51,8 +51,8 @@ template <int D>
 struct Mouths {
     std::vector<Conduit<D>> conduits;
     std::vector<Joint<D>> joints;
-    double closed_length = 0; ///< of rim that ends against a wall or a third body (2D: number of ends)
-    double blind_length = 0;  ///< of rim that found nothing to join
+    double closed_length = 0;       ///< of rim that ends against a wall or a third body (2D: number of ends)
+    double blind_length = 0;        ///< of rim that found nothing to join
     std::vector<BlindEnd<D>> blind; ///< one a film that has some
 };
 
@@ -73,7 +73,7 @@ struct FilmNetwork {
 /// cell is dropped (it would only double the open faces beside it).
 template <int D>
 FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
-                                  const FaceFractions<D>& fractions,
-                                  const std::function<GapSettings(int, int)>& settings, const std::set<FilmPair<D>>& alive);
+                                  const FaceFractions<D>& fractions, const std::function<GapSettings(int, int)>& settings,
+                                  const std::set<FilmPair<D>>& alive);
 
 } // namespace gapflow

@@ -6,11 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
-class EdgeTable
-{
+class EdgeTable {
 public:
     /// Empties the table and makes room for n pairs.
     void reset(std::size_t n)

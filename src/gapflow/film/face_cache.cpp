@@ -85,7 +85,8 @@ bool FaceCache<D>::centroid_stands(std::span<const SolidPart<D>> parts, const Ve
         const Solid<D>& solid = solids_[part.solid];
         const Bounds<D> bounds = solid.shape.shape().bounds();
         const Vec<D> image = part.centroid - part.arm - solid.centre;
-        return (bounds.high - bounds.low).minCoeff() >= thick * grid_->dx() && solid.shape.shifted(image).distance(centroid) > 0;
+        return (bounds.high - bounds.low).minCoeff() >= thick * grid_->dx() &&
+               solid.shape.shifted(image).distance(centroid) > 0;
     });
 }
 

@@ -44,7 +44,7 @@ private:
     const FaceClipper<D>* clipper_;
     std::span<const Solid<D>> solids_;
     const FaceFractions<D>* fractions_;
-    mutable KeyMap<int> numbers_;                ///< of other ranks' faces in faces_
+    mutable KeyMap<int> numbers_; ///< of other ranks' faces in faces_
     mutable std::deque<ClippedFace<D>> faces_;
     mutable KeyMap<Vec<D>> open_points_;
 };

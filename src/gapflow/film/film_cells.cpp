@@ -101,7 +101,8 @@ struct Classifier {
         for (int axis = 0; axis < D; ++axis)
             for (int end = 0; end < 2; ++end)
                 if (const Index<D> face = cell + end * step<D>(axis); faces.open(axis, face) > negligible_opening)
-                    open.points[open.size++] = faces.open_point(axis, face) + (1 - 2 * end) * on_plane * grid.dx() * unit<D>(axis);
+                    open.points[open.size++] =
+                        faces.open_point(axis, face) + (1 - 2 * end) * on_plane * grid.dx() * unit<D>(axis);
         return open;
     }
 
@@ -231,10 +232,11 @@ struct Classifier {
             if (cell.touches[0].points == 0)
                 continue;
             for_each_index<D>(Index<D>::Constant(-2), Index<D>::Constant(3), [&](const Index<D>& d) {
-                seen_from(grid.cell_of_key(key), cell, cell.touches[0].film, d, [&](const Index<D>& beyond, const Touch<D>& touch) {
-                    if (is_orphan(beyond, gaps.films()[touch.film].pair) && !result.cells.contains(grid.key(beyond)))
-                        taken.emplace_back(grid.key(beyond), touch);
-                });
+                seen_from(grid.cell_of_key(key), cell, cell.touches[0].film, d,
+                          [&](const Index<D>& beyond, const Touch<D>& touch) {
+                              if (is_orphan(beyond, gaps.films()[touch.film].pair) && !result.cells.contains(grid.key(beyond)))
+                                  taken.emplace_back(grid.key(beyond), touch);
+                          });
             });
         }
         for (const auto& [key, touch] : taken)
@@ -351,7 +353,8 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
             int owner = -1;
             if (film && other_film && cell.owner != other->owner) {
                 const Vec<D> x = faces.open_point(side.axis, side.face);
-                const bool own = holds(cell, cell.owner, x), others = holds(*other, other->owner, x - faces.displacement(side.cell));
+                const bool own = holds(cell, cell.owner, x),
+                           others = holds(*other, other->owner, x - faces.displacement(side.cell));
                 owner = own == others ? std::min(cell.owner, other->owner) : own ? cell.owner : other->owner;
             } else if (film) {
                 owner = cell.owner;

@@ -27,7 +27,7 @@ struct Touch {
 template <int D>
 struct FilmCell {
     CellKind kind = CellKind::bulk;
-    int owner = -1;             ///< film; of mixed cells the one with most points
+    int owner = -1;                    ///< film; of mixed cells the one with most points
     InlineVector<Touch<D>, 2> touches; ///< most points first
 
     /// From the cell in the domain to where a film (one of `touches`) is.

@@ -11,10 +11,10 @@ namespace {
 // Energy that transport adds at most, where the flux is not quite that of the volume balance: by this for each element that the flow
 // crosses, and no more than that. (By the step alone, the noise of the small steps about a point of contact would grow.)
 constexpr double growth_on_the_way = 0.25, most_growth = 0.05;
-constexpr double most_opening = 1.5;  // of a mouth in a step
-constexpr double behind = 2;          // what lies behind a mouth, in shares of the film by its length of the rim
+constexpr double most_opening = 1.5; // of a mouth in a step
+constexpr double behind = 2;         // what lies behind a mouth, in shares of the film by its length of the rim
 constexpr double discretised = 1.01; // what a film's elements are off by
-constexpr double thrown_margin = 10;  // of the energy of the heads' own fluxes over that: plates that meet take up to that much
+constexpr double thrown_margin = 10; // of the energy of the heads' own fluxes over that: plates that meet take up to that much
 
 // Of mouths' heads over what the films gave away in a step that takes the part r of their thickness. Second order: heads of the step's middle
 // take 3 r (1 + r/2) of the flow's energy (plates that nothing but the film stops), and transport, with feet 1 - r of the way to the mouth and
@@ -46,14 +46,15 @@ double fastest_within(std::vector<std::pair<double, double>>& parts, double most
 } // namespace
 
 template <int D>
-GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
-                          const std::vector<typename FilmMemory<D>::Transported>& at_element,
-                          const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
+GivenAway<D>
+limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
+             const std::vector<typename FilmMemory<D>::Transported>& at_element,
+             const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
 {
     struct Sum {
         double area = 0, volume = 0, motion = 0, inflow = 0, beyond = 0; // beyond: volume of elements where no film was
-        double slowness = 0; // sum of area / thickness
-        std::vector<std::pair<double, double>> parts; // speed squared and volume of each element
+        double slowness = 0;                                             // sum of area / thickness
+        std::vector<std::pair<double, double>> parts;                    // speed squared and volume of each element
         double fastest = std::numeric_limits<double>::infinity();
     };
     std::map<const FilmMemory<D>*, Sum> sums;
@@ -104,7 +105,8 @@ GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D
     for (auto& [old, sum] : sums) {
         const double size = std::pow(sum.area / static_cast<double>(sum.parts.size()), 1.0 / (D - 1));
         const double ways = dt * std::sqrt(old->motion() / old->volume()) / size;
-        const double most = sum.inflow + old->motion() * (1 + std::min(most_growth, growth_on_the_way * ways) + sum.beyond / old->volume());
+        const double most =
+            sum.inflow + old->motion() * (1 + std::min(most_growth, growth_on_the_way * ways) + sum.beyond / old->volume());
         if (sum.motion > most)
             sum.fastest = fastest_within(sum.parts, most);
     }
@@ -123,7 +125,8 @@ template <int D>
 void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
                const GivenAway<D>& given_away, const std::vector<double>& head, std::vector<double>& flux)
 {
-    std::map<const FilmMemory<D>*, double> asked, thrown; // twice the work of the whole heads over the density, and the energy of their own fluxes
+    std::map<const FilmMemory<D>*, double> asked,
+        thrown; // twice the work of the whole heads over the density, and the energy of their own fluxes
     const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
     std::map<const FilmMemory<D>*, double> section; // of all mouths
     for (const Conduit<D>& c : conduits)
@@ -144,7 +147,8 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
             continue;
         const FilmMemory<D>* old = memory[conduits[r].film];
         const auto known = given_away.find(old);
-        const double most = known != given_away.end() ? head_margin(known->second.closing, old->second_order()) * known->second.energy : 0.0;
+        const double most =
+            known != given_away.end() ? head_margin(known->second.closing, old->second_order()) * known->second.energy : 0.0;
         double share = asked[old] > most ? most / asked[old] : 1.0;
         if (share * share * thrown[old] > thrown_margin * most)
             share = std::sqrt(thrown_margin * most / thrown[old]);
@@ -153,7 +157,8 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template GivenAway<D> limit_motion<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<const FilmMemory<D>*>&,   \
+    template GivenAway<D> limit_motion<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                                    \
+                                          const std::vector<const FilmMemory<D>*>&,                                            \
                                           const std::vector<FilmMemory<D>::Transported>&,                                      \
                                           const std::vector<FilmMemory<D>::Transported>&, double, std::vector<Vec<D>>&);       \
     template void add_heads<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<const FilmMemory<D>*>&,     \

@@ -21,9 +21,10 @@ using GivenAway = std::map<const FilmMemory<D>*, GivenAwayOf>;
 /// that is swept fast, and is fastest where it is wrong. `memory`: of each film's pair, or null;
 /// `at_element`, `at_conduit`: what the old films carried there. Returns what the films gave away, inflow counted.
 template <int D>
-GivenAway<D> limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
-                          const std::vector<typename FilmMemory<D>::Transported>& at_element,
-                          const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity);
+GivenAway<D>
+limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
+             const std::vector<typename FilmMemory<D>::Transported>& at_element,
+             const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity);
 
 /// Adds the outflow's kinetic head, 1/2 rho u^2 for dt over rho R, to the mouths' fluxes. It hands on the energy that leaves the film
 /// with the fluid, so the mouths of a pair's films get at most what the films gave away:

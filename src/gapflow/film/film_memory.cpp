@@ -63,7 +63,8 @@ double to_simplex(const std::array<Vec<D>, D>& v, const Vec<D>& x, std::array<do
 
 template <int D>
 FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
-                          const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& push, const std::vector<char>& idle, double dx)
+                          const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& push, const std::vector<char>& idle,
+                          double dx)
     : dx_(dx), rotation_(master.shape.rotation()), centre_body_(master.shape.to_body(master.centre)), twist_(master_twist)
 {
     std::vector<double> weight;
@@ -394,7 +395,8 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
         if (second_order()) { // as half of the step makes it
             const Vec<D> x_before = x_middle - 0.5 * dt * on_the_way;
             const Place before = locate(x_before, hint);
-            on_the_way = relative(x_before, before) + rotation_.transpose() * tangential<D>(half_push(before, dt), normal_[before.element]);
+            on_the_way = relative(x_before, before) +
+                         rotation_.transpose() * tangential<D>(half_push(before, dt), normal_[before.element]);
         }
         x_foot = x_body - dt * on_the_way;
         foot = locate(x_foot, hint);
@@ -416,7 +418,7 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
                                                  : std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
                                                        std::max(0.0, 1 - (x_body - x_foot).norm() / size);
     return {vertex_velocity(x_foot, foot) + pushed + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
-            normal_[foot.element], arrival.distance < memory_reach * dx_, arrival.distance > beside_film * dx_, fastest};
+            normal_[foot.element], arrival.distance<memory_reach * dx_, arrival.distance> beside_film * dx_, fastest};
 }
 
 template <int D>

@@ -20,10 +20,10 @@ template <int D>
 class FilmMemory {
 public:
     struct Mouth {
-        Vec<D> place;            ///< in the master's frame
-        Vec<D> outward;          ///< world axes, at the time
-        double h, flux;          ///< thickness and absolute flux out of the film, per length of rim
-        Vec<D> master_velocity;  ///< world, of the master there
+        Vec<D> place;           ///< in the master's frame
+        Vec<D> outward;         ///< world axes, at the time
+        double h, flux;         ///< thickness and absolute flux out of the film, per length of rim
+        Vec<D> master_velocity; ///< world, of the master there
         ConduitKind kind;
     };
 
@@ -36,8 +36,8 @@ public:
     /// Velocity (world axes) transported to a point of the master's frame over dt, with the old normal at its foot.
     struct Transported {
         Vec<D> velocity, normal;
-        bool near; ///< an old film lies within two cells of the arrival point
-        bool beyond; ///< but not there
+        bool near;      ///< an old film lies within two cells of the arrival point
+        bool beyond;    ///< but not there
         double fastest; ///< speed about the arrival point, as speed_about(); infinite where the old film was idle
     };
     /// `hint`: an element near it, or -1; on return the one it arrived in.
@@ -83,18 +83,18 @@ private:
     long bin_key(const Index<D>& bin) const;
 
     double dx_, area_ = 0, volume_ = 0, motion_ = 0;
-    Mat<D> rotation_;       ///< of the master, at the time
-    Vec<D> centre_body_;    ///< the master's reference point in its frame
+    Mat<D> rotation_;    ///< of the master, at the time
+    Vec<D> centre_body_; ///< the master's reference point in its frame
     Twist<D> twist_;
     std::vector<Vec<D>> x_; ///< vertices on the master, its frame
     std::vector<std::array<int, D>> elements_;
     std::vector<std::array<int, D>> beyond_; ///< element across the facet opposite each node, -1: none
-    std::vector<Vec<D>> centroid_; ///< master's frame
-    std::vector<double> radius_;   ///< of elements about their centroids
-    std::vector<double> speed_;    ///< |w - U_m| about a vertex: root of the mean square over the volume of the elements around
-    std::vector<double> h_, h_mean_; ///< thickness at the vertices, mean over the elements
-    std::vector<char> coarse_, idle_; ///< elements too large for their gap; those that say nothing of the flow
-    std::vector<Vec<D>> w_, normal_; ///< of elements, world axes
+    std::vector<Vec<D>> centroid_;           ///< master's frame
+    std::vector<double> radius_;             ///< of elements about their centroids
+    std::vector<double> speed_; ///< |w - U_m| about a vertex: root of the mean square over the volume of the elements around
+    std::vector<double> h_, h_mean_;         ///< thickness at the vertices, mean over the elements
+    std::vector<char> coarse_, idle_;        ///< elements too large for their gap; those that say nothing of the flow
+    std::vector<Vec<D>> w_, normal_;         ///< of elements, world axes
     std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
     std::vector<Vec<D>> push_, push_vertex_; ///< acceleration by the pressure, of elements and vertices, world axes; or none
     KeyMap<std::vector<int>> bins_;

@@ -12,10 +12,8 @@
 #include <limits>
 #include <numeric>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 constexpr double least_element = 1e-14; ///< measure, in dx^(D-1)
 constexpr double least_film = 1e-6;     ///< measure, in dx^(D-1)
@@ -51,8 +49,7 @@ void set_geometry(const Simplex<D>& mid, FilmElement<D>& element)
 
 /// Builds the films of one label of the other.
 template <int D>
-class Assembler
-{
+class Assembler {
 public:
     Assembler(const GapTest<D>& test, const GapCut<D>& cut) : test_(test), cut_(cut)
     {
@@ -183,7 +180,7 @@ private:
             add_rim(e, film);
         }
         film.points.shrink_to_fit(); // most of a film's memory
-        for (int e : piece) // ready for the next piece (pieces may touch in a node)
+        for (int e : piece)          // ready for the next piece (pieces may touch in a node)
             for (int i : elements_[e].nodes)
                 number_[i] = -1;
         return film;
@@ -361,10 +358,10 @@ template void take_skin_off<3>(FilmMesh<3>&, double);
 template FilmMeshOptions coupling_sizes<2>(bool);
 template FilmMeshOptions coupling_sizes<3>(bool);
 template std::vector<FilmMesh<2>> film_meshes(const PlacedShape<2>&, const PlacedShape<2>&,
-                                              const std::function<double(const Vec<2>&, const Vec<2>&)>&, const FilmMeshOptions&,
-                                              const SurfaceMesh<2>*);
+                                              const std::function<double(const Vec<2>&, const Vec<2>&)>&,
+                                              const FilmMeshOptions&, const SurfaceMesh<2>*);
 template std::vector<FilmMesh<3>> film_meshes(const PlacedShape<3>&, const PlacedShape<3>&,
-                                              const std::function<double(const Vec<3>&, const Vec<3>&)>&, const FilmMeshOptions&,
-                                              const SurfaceMesh<3>*);
+                                              const std::function<double(const Vec<3>&, const Vec<3>&)>&,
+                                              const FilmMeshOptions&, const SurfaceMesh<3>*);
 
 } // namespace gapflow

@@ -33,17 +33,17 @@ template <int D>
 struct FilmElement {
     std::array<int, D> nodes;
     std::array<Vec<D>, D> gradient; ///< of the linear shape functions, tangential to the mid-gap element
-    Vec<D> normal;          ///< of the mid-gap element, from the master to the other
-    Vec<D> centroid;        ///< at mid-gap
-    Vec<D> centroid_master; ///< on the master
-    Vec<D> centroid_other;  ///< on the other
-    Vec<D> into_other;      ///< unit normal into the other, mean over the element's points
-    Vec<D> place_on_other;  ///< their mean place on the other
-    double measure;         ///< area (2D: length) at mid-gap
-    double volume;          ///< S = int h
-    double inverse;         ///< I = int 1/h, exact for h linear over each quadrature point's piece
-    double lateral;         ///< over which the gap doubles: sqrt(2 h R), least h of its nodes; infinite between flat surfaces
-    bool coarse;            ///< larger than the gap's lateral scale asks for: uses the harmonic conductance
+    Vec<D> normal;                  ///< of the mid-gap element, from the master to the other
+    Vec<D> centroid;                ///< at mid-gap
+    Vec<D> centroid_master;         ///< on the master
+    Vec<D> centroid_other;          ///< on the other
+    Vec<D> into_other;              ///< unit normal into the other, mean over the element's points
+    Vec<D> place_on_other;          ///< their mean place on the other
+    double measure;                 ///< area (2D: length) at mid-gap
+    double volume;                  ///< S = int h
+    double inverse;                 ///< I = int 1/h, exact for h linear over each quadrature point's piece
+    double lateral; ///< over which the gap doubles: sqrt(2 h R), least h of its nodes; infinite between flat surfaces
+    bool coarse;    ///< larger than the gap's lateral scale asks for: uses the harmonic conductance
 
     /// Conductance at density 1 times the gradients' product: S, on coarse elements the harmonic mean's (measure)^2 / I.
     double conductance() const { return coarse ? measure * measure / inverse : volume; }
@@ -55,8 +55,8 @@ struct RimEdge {
     std::array<int, D - 1> nodes;
     int element;
     RimEnd end;
-    Vec<D> outward;  ///< unit conormal: in the element's plane, out of the film, normal to the edge
-    double length;   ///< 2D: 1
+    Vec<D> outward; ///< unit conormal: in the element's plane, out of the film, normal to the edge
+    double length;  ///< 2D: 1
 };
 
 /// Quadrature point: a piece of an element, cut so that the closest points y lie in one grid cell.
@@ -64,10 +64,10 @@ template <int D>
 struct FilmPoint {
     int element;
     std::array<double, D> shape; ///< shape functions (barycentric coordinates) at the piece's centroid
-    double weight;        ///< measure of the piece at mid-gap
-    double h;             ///< thickness there, not less than the floor
-    Vec<D> x, y;          ///< on the master and on the other
-    Vec<D> other_normal;  ///< unit, out of the other
+    double weight;               ///< measure of the piece at mid-gap
+    double h;                    ///< thickness there, not less than the floor
+    Vec<D> x, y;                 ///< on the master and on the other
+    Vec<D> other_normal;         ///< unit, out of the other
     Vec<D> area;          ///< share of the area vector of the flat simplex of the element's y_0..y_{D-1}, pointing into the
                           ///< other (out of the fluid); pieces sum to the simplex exactly
     Vec<D> area_centroid; ///< of that share, on the flat simplex
@@ -75,33 +75,34 @@ struct FilmPoint {
 
 template <int D>
 struct FilmMesh {
-    int master = -1, other = -1;     ///< solids
-    Vec<D> shift = Vec<D>::Zero();   ///< of the other's image that faces the master's (periodic domains)
-    int other_patch = 0;             ///< of the other; where several join smoothly, the lowest of them
-    std::vector<Vec<D>> x, y, mid;   ///< nodes: on the master, closest point on the other, mid-gap
-    std::vector<double> h;           ///< at the nodes, not less than the floor; less `skin` where that is not 0
-    double skin = 0;                 ///< taken off h everywhere: what of the gap nothing flows in
+    int master = -1, other = -1;   ///< solids
+    Vec<D> shift = Vec<D>::Zero(); ///< of the other's image that faces the master's (periodic domains)
+    int other_patch = 0;           ///< of the other; where several join smoothly, the lowest of them
+    std::vector<Vec<D>> x, y, mid; ///< nodes: on the master, closest point on the other, mid-gap
+    std::vector<double> h;         ///< at the nodes, not less than the floor; less `skin` where that is not 0
+    double skin = 0;               ///< taken off h everywhere: what of the gap nothing flows in
     std::vector<FilmElement<D>> elements;
     std::vector<RimEdge<D>> rim;
     std::vector<FilmPoint<D>> points;
-    bool flat = false;               ///< both surfaces flat here
-    bool capped = false;             ///< the cap on nodes kept elements coarser than asked for
+    bool flat = false;   ///< both surfaces flat here
+    bool capped = false; ///< the cap on nodes kept elements coarser than asked for
 };
 
 struct FilmMeshOptions {
-    double dx = 1;             ///< grid spacing
-    double threshold = 0.5;    ///< h_c, a length
-    double floor = 1e-9;       ///< h_floor, a length
+    double dx = 1;                  ///< grid spacing
+    double threshold = 0.5;         ///< h_c, a length
+    double floor = 1e-9;            ///< h_floor, a length
     std::optional<double> touching; ///< no gap where the distance is no more than this, a length
-    double largest = 0.5;      ///< element size, in dx
-    double largest_curved = 0.5; ///< the same where a surface is curved
-    double curved = 0.2;       ///< element size in sqrt(2 R h), where a surface is curved
-    double smallest = 0.0;     ///< element size, in dx, never refined below; 0: default (2D 1e-4, 3D 1/32)
-    double straddle = 0.125;   ///< size of elements cut by the film's end, in dx
-    double straddle_smooth = 0.125; ///< the same where the film goes out between smooth curved surfaces (no edge, no patch ends it)
-    double kink = 0.03;        ///< of a cut's length: how far the film's end may lie from a straight line (3D)
-    double spacing = 0.0;      ///< of quadrature points, in dx; 0: default (1/8 in 2D; 3D: 1/4, where both are flat 1/2)
-    double ratio = 1.5;        ///< largest change of h over an element
+    double largest = 0.5;           ///< element size, in dx
+    double largest_curved = 0.5;    ///< the same where a surface is curved
+    double curved = 0.2;            ///< element size in sqrt(2 R h), where a surface is curved
+    double smallest = 0.0;          ///< element size, in dx, never refined below; 0: default (2D 1e-4, 3D 1/32)
+    double straddle = 0.125;        ///< size of elements cut by the film's end, in dx
+    double straddle_smooth =
+        0.125;            ///< the same where the film goes out between smooth curved surfaces (no edge, no patch ends it)
+    double kink = 0.03;   ///< of a cut's length: how far the film's end may lie from a straight line (3D)
+    double spacing = 0.0; ///< of quadrature points, in dx; 0: default (1/8 in 2D; 3D: 1/4, where both are flat 1/2)
+    double ratio = 1.5;   ///< largest change of h over an element
     int node_cap = 100000;
     Vec<3> origin = Vec<3>::Zero(); ///< of the grid, to cut points at its planes
 };

@@ -37,7 +37,8 @@ NormalRows<D> normal_rows(const FilmMesh<D>& mesh, const FilmElement<D>& e, std:
     const bool known = across > least_cosine;
     const Vec<D> normal = known ? Vec<D>(e.into_other / (2 * across)) : Vec<D>(0.5 * e.normal);
     const Vec<D>& place = known ? e.place_on_other : e.centroid;
-    return {wrench<D>(e.normal, e.centroid - centre) - wrench<D>(normal, place - centre), wrench<D>(normal, place - other_centre)};
+    return {wrench<D>(e.normal, e.centroid - centre) - wrench<D>(normal, place - centre),
+            wrench<D>(normal, place - other_centre)};
 }
 
 template <int D>
@@ -60,8 +61,9 @@ template <int D>
 class FilmAdvection {
 public:
     FilmAdvection(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories, double dt)
-        : network_(network), solids_(solids), conduits_(network.mouths.conduits), dt_(dt), memory_(network.films.size(), nullptr),
-          at_element_(network.elements, unknown()), at_conduit_(conduits_.size(), unknown())
+        : network_(network), solids_(solids), conduits_(network.mouths.conduits), dt_(dt),
+          memory_(network.films.size(), nullptr), at_element_(network.elements, unknown()),
+          at_conduit_(conduits_.size(), unknown())
     {
         for (std::size_t k = 0; k < network.films.size(); ++k)
             if (auto it = memories.find(network.films[k].pair); it != memories.end())
@@ -83,7 +85,8 @@ public:
         });
         constexpr int chunk = 64;
         for_each_job(static_cast<int>((conduits_.size() + chunk - 1) / chunk), [&](int job) {
-            for (std::size_t r = static_cast<std::size_t>(job) * chunk; r < std::min(conduits_.size(), (job + std::size_t(1)) * chunk); ++r)
+            for (std::size_t r = static_cast<std::size_t>(job) * chunk;
+                 r < std::min(conduits_.size(), (job + std::size_t(1)) * chunk); ++r)
                 if (const int k = conduits_[r].film; memory_[k]) {
                     int hint = -1;
                     at_conduit_[r] = memory_[k]->at(solids_[network_.films[k].pair.master].shape.to_body(conduits_[r].x), hint);
@@ -101,12 +104,14 @@ public:
                     places.push_back(film.mesh.elements[e].centroid);
         for (const Conduit<D>& conduit : conduits_) // at smooth ends beyond the cells that the film takes
             places.push_back(at_conduit_[&conduit - conduits_.data()].near && conduit.kind == ConduitKind::smooth
-                                 ? Vec<D>(conduit.x + 0.5 * conduit.h * conduit.outward) : conduit.x);
+                                 ? Vec<D>(conduit.x + 0.5 * conduit.h * conduit.outward)
+                                 : conduit.x);
         return grid_velocity(places);
     }
 
     // Elements' velocities; what the pairs gave away for their energy's sake.
-    auto move_elements(const std::vector<double>& normal_speed, typename std::vector<Vec<D>>::const_iterator& next, FilmFlow<D>& flow) const
+    auto move_elements(const std::vector<double>& normal_speed, typename std::vector<Vec<D>>::const_iterator& next,
+                       FilmFlow<D>& flow) const
     {
         std::vector<double> turned; // of an element's normal speed: what flowed along the film where it came from
         for (std::size_t k = 0; k < memory_.size(); ++k)
@@ -136,8 +141,8 @@ public:
     }
 
     // Mouths' fluxes and the factors of their conductances; returns the flux that the head of the outflow adds to each.
-    std::vector<double> move_mouths(const std::function<MouthLaw(int, int)>& law, typename std::vector<Vec<D>>::const_iterator& next,
-                                    FilmFlow<D>& flow) const
+    std::vector<double> move_mouths(const std::function<MouthLaw(int, int)>& law,
+                                    typename std::vector<Vec<D>>::const_iterator& next, FilmFlow<D>& flow) const
     {
         const std::vector<double> thickness = mean_thickness();
         std::vector<double> head(conduits_.size(), 0.0);
@@ -147,7 +152,8 @@ public:
             const Vec<D> bulk = *next++;
             double q = 0, scale = 1.0;
             if (at_conduit_[r].near)
-                std::tie(q, scale, head[r]) = mouth(static_cast<int>(r), thickness[conduit.film], bulk, law(pair.master, pair.other));
+                std::tie(q, scale, head[r]) =
+                    mouth(static_cast<int>(r), thickness[conduit.film], bulk, law(pair.master, pair.other));
             else
                 q = conduit.length * conduit.h * conduit.outward.dot(bulk);
             flow.conduit.push_back(q);
@@ -248,9 +254,10 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
 }
 
 template <int D>
-FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<Twist<D>>& twists,
-                               const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx,
-                               const std::vector<char>& idle, const std::vector<Vec<D>>& push)
+FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
+                               const std::vector<Twist<D>>& twists, const std::vector<Vec<D>>& u,
+                               const std::vector<double>& conduit, double dx, const std::vector<char>& idle,
+                               const std::vector<Vec<D>>& push)
 {
     std::vector<Vec<D>> w = u;
     const std::vector<double> normal_speed = wall_normal_speed<D>(network, solids, twists);
@@ -282,7 +289,7 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
         const FilmPair<D>& pair = network.films[c.film].pair;
         const Solid<D>& master = solids[pair.master];
         memories[number[c.film]]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.h, conduit[r] / c.length,
-                                          velocity_at<D>(twists[pair.master], c.x - master.centre), c.kind});
+                                                    velocity_at<D>(twists[pair.master], c.x - master.centre), c.kind});
     }
     FilmMemories<D> by_pair;
     for (std::size_t k = 0; k < list.size(); ++k)
@@ -296,8 +303,8 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
                                          const std::vector<Twist<D>>&, const VelocitySampler<D>&,                              \
                                          const std::function<MouthLaw(int, int)>&, double);                                    \
     template FilmMemories<D> remember_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<Twist<D>>&, \
-                                               const std::vector<Vec<D>>&, const std::vector<double>&, double, const std::vector<char>&, \
-                                               const std::vector<Vec<D>>&);                                                  \
+                                               const std::vector<Vec<D>>&, const std::vector<double>&, double,                 \
+                                               const std::vector<char>&, const std::vector<Vec<D>>&);                          \
     template std::vector<double> wall_normal_speed<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                        \
                                                       const std::vector<Twist<D>>&);
 GAPFLOW_INSTANTIATE(2)

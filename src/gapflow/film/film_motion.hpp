@@ -28,10 +28,10 @@ using FilmMemories = std::map<FilmPair<D>, std::shared_ptr<const FilmMemory<D>>>
 /// Velocities with which films enter the next projection.
 template <int D>
 struct FilmFlow {
-    std::vector<Vec<D>> velocity;        ///< u*, tangential, one an element
-    std::vector<double> normal;          ///< w_n*, one an element
-    std::vector<double> conduit;         ///< q*, absolute, one a conduit
-    std::vector<double> conduit_scale;   ///< factor on the conduit's 1/R (semi-implicit inflow)
+    std::vector<Vec<D>> velocity;      ///< u*, tangential, one an element
+    std::vector<double> normal;        ///< w_n*, one an element
+    std::vector<double> conduit;       ///< q*, absolute, one a conduit
+    std::vector<double> conduit_scale; ///< factor on the conduit's 1/R (semi-implicit inflow)
 };
 
 /// Velocities at a list of points.
@@ -53,9 +53,10 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
 /// Remembers the films after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}; `idle`, `push`: as in
 /// FilmMemory.
 template <int D>
-FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<Twist<D>>& twists,
-                               const std::vector<Vec<D>>& u, const std::vector<double>& conduit, double dx,
-                               const std::vector<char>& idle = {}, const std::vector<Vec<D>>& push = {});
+FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
+                               const std::vector<Twist<D>>& twists, const std::vector<Vec<D>>& u,
+                               const std::vector<double>& conduit, double dx, const std::vector<char>& idle = {},
+                               const std::vector<Vec<D>>& push = {});
 
 /// Speed normal to the gap of an element's fluid: row . twist, master's and other's together. Walls that are parallel give it the mean of
 /// their velocities at mid-gap, n . 1/2 (U_A + U_B). Else the other gives what it moves along its own normal, over twice the cosine between

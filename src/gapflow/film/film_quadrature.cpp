@@ -11,10 +11,8 @@
 #include <cmath>
 #include <span>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 constexpr double thickness_ratio = 1.3; ///< largest change of h over a piece ...
 template <int D>
@@ -209,8 +207,8 @@ struct Divisions {
 
 // So fine that pieces are as small as the grid asks for, and their thicknesses alike.
 template <int D>
-Divisions divisions_of(const std::array<Vec<D>, D>& x, const std::array<Vec<D>, D>& y, const Barycentric<D>& h, const FilmMeshOptions& o,
-                       bool flat)
+Divisions divisions_of(const std::array<Vec<D>, D>& x, const std::array<Vec<D>, D>& y, const Barycentric<D>& h,
+                       const FilmMeshOptions& o, bool flat)
 {
     double size = 0;
     for (int k = 0; k < D; ++k)

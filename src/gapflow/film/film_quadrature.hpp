@@ -3,8 +3,7 @@
 
 #include "gapflow/film/gap_test.hpp"
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Area vector of a simplex: with the master's order of nodes it points out of the master. 2D: length vector.
 template <int D>

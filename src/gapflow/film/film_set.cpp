@@ -53,7 +53,8 @@ double surface_radius(const Shape<D>& shape, const SurfaceMesh<D>& mesh)
             furthest = std::max(furthest, (x - centre).norm());
             longest = std::max(longest, (x - mesh.vertices[mesh.elements[e][(k + 1) % D]]).norm());
         }
-        radius = std::max(radius, furthest + std::min(0.25 * std::abs(shape.curvature(mesh.patch[e])) * longest, 0.5) * longest);
+        radius =
+            std::max(radius, furthest + std::min(0.25 * std::abs(shape.curvature(mesh.patch[e])) * longest, 0.5) * longest);
     }
     return std::min(radius, limit);
 }
@@ -80,7 +81,8 @@ public:
         bool periodic = false;
         for (int axis = 0; axis < D; ++axis) {
             periodic |= grid.periodic(axis);
-            if (grid.periodic(axis) && (low[axis] < grid.origin()[axis] + around[axis] || high[axis] > end[axis] - around[axis]))
+            if (grid.periodic(axis) &&
+                (low[axis] < grid.origin()[axis] + around[axis] || high[axis] > end[axis] - around[axis]))
                 return;
         }
         const Vec<D> centre = 0.5 * (low + high);
@@ -109,7 +111,8 @@ public:
                     periods[axis] = -static_cast<int>(std::floor((x[axis] - grid_.origin()[axis]) / size[axis]));
             } else {
                 const double below = grid_.origin()[axis] - x[axis], above = x[axis] - grid_.origin()[axis] - size[axis];
-                if ((grid_.side(axis, 0) != SideKind::wall && below > 0) || (grid_.side(axis, 1) != SideKind::wall && above > 0))
+                if ((grid_.side(axis, 0) != SideKind::wall && below > 0) ||
+                    (grid_.side(axis, 1) != SideKind::wall && above > 0))
                     return -infinity;
             }
         double nearest = infinity;
@@ -189,14 +192,15 @@ std::vector<FilmPair<D>> close_pairs(const Grid<D>& grid, std::span<const Solid<
 {
     const Vec<D> size = grid.size();
     std::vector<double> radius(solids.size());
-    std::vector<std::array<bool, D>> endless(solids.size()); // axes along which the solid is its own image, as a wall along itself
+    std::vector<std::array<bool, D>> endless(
+        solids.size()); // axes along which the solid is its own image, as a wall along itself
     for (std::size_t s = 0; s < solids.size(); ++s) {
         radius[s] = bounding_radius(world_bounds(solids[s].shape));
         const Vec<D> x = grid.origin() + 0.5 * size;
         for (int axis = 0; axis < D; ++axis)
             endless[s][axis] = !std::isfinite(radius[s]) &&
-                               std::abs(solids[s].shape.distance(x) - solids[s].shape.distance(x + size[axis] * unit<D>(axis))) <
-                                   1e-9 * size[axis];
+                               std::abs(solids[s].shape.distance(x) -
+                                        solids[s].shape.distance(x + size[axis] * unit<D>(axis))) < 1e-9 * size[axis];
     }
 
     std::set<FilmPair<D>> pairs;

@@ -26,9 +26,11 @@ struct GapSettings {
     bool film = true;
     double threshold = 0; ///< h_c, a length; a pair that has a film keeps it up to 1.3 h_c
     double floor = 0;     ///< h_floor, a length
-    std::optional<double> touching; ///< of a pair that stands still: no film where the surfaces are no further apart than this, a length
-    double skin = 0;      ///< of the thickness, less than the floor, nothing flows in (dry contact)
-    bool lasting = false; ///< a film is born as wide as it will be kept: what it covered only later would not know how its fluid moves
+    std::optional<double>
+        touching;    ///< of a pair that stands still: no film where the surfaces are no further apart than this, a length
+    double skin = 0; ///< of the thickness, less than the floor, nothing flows in (dry contact)
+    bool lasting =
+        false; ///< a film is born as wide as it will be kept: what it covered only later would not know how its fluid moves
     bool viscous = false; ///< the film's mesh resolves the peak of pressure that squeezes viscous fluid out
 };
 

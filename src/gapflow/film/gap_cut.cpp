@@ -7,10 +7,8 @@
 
 #include <cmath>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 constexpr double snap = 0.15;  ///< of an edge: a vertex this close to the crossing moves onto it
 constexpr double touch = 1e-6; ///< of an edge: a vertex this close counts as on the crossing without moving

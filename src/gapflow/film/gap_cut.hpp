@@ -3,8 +3,7 @@
 
 #include "gapflow/film/gap_surface.hpp"
 
-namespace gapflow
-{
+namespace gapflow {
 
 template <int D>
 struct GapCut {

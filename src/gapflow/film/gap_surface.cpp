@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 constexpr double nudge_fraction = 1e-9;
 
@@ -155,7 +153,8 @@ void GapSurface<D>::restrict_to(const std::vector<int>& label)
 {
     test_.label = label;
     for (Vertex& v : vertices_) {
-        if (v.fails != RimEnd::thickness && v.fails != RimEnd::touching && v.fails != RimEnd::other_edge && !test_.in_label(v.p.patch))
+        if (v.fails != RimEnd::thickness && v.fails != RimEnd::touching && v.fails != RimEnd::other_edge &&
+            !test_.in_label(v.p.patch))
             v.fails = RimEnd::patch;
     }
 }

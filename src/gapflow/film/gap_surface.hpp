@@ -4,12 +4,10 @@
 #include "gapflow/film/edge_table.hpp"
 #include "gapflow/film/gap_test.hpp"
 
-namespace gapflow
-{
+namespace gapflow {
 
 template <int D>
-class GapSurface
-{
+class GapSurface {
 public:
     static constexpr int edges_per_element = D == 2 ? 1 : 3;
 

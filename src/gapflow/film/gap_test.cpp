@@ -6,8 +6,7 @@
 #include <map>
 #include <numeric>
 
-namespace gapflow
-{
+namespace gapflow {
 
 template <int D>
 bool GapTest<D>::in_label(int patch) const
@@ -49,8 +48,7 @@ Vec<D> GapTest<D>::onto(const Vec<D>& x, int patch, int second) const
     return put(put(put(put(x, patch), second), patch), second);
 }
 
-namespace
-{
+namespace {
 
 /// Sharing one facet (2D: vertex) makes two elements neighbours: the middle of the facet and both patches.
 template <int D, class Visit>

@@ -6,8 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
 template <int D>
 struct GapTest {

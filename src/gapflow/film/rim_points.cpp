@@ -29,7 +29,11 @@ std::vector<RimPoint<D>> rim_points(std::span<const Film<D>> films, double dx)
                 const int count = std::max(1, static_cast<int>(std::ceil(edge.length / spacing - 1e-9)));
                 for (int i = 0; i < count; ++i) {
                     const double s = (i + 0.5) / count;
-                    points.push_back({k, &edge, {1 - s, s}, (1 - s) * mesh.mid[a] + s * mesh.mid[b], edge.length / count,
+                    points.push_back({k,
+                                      &edge,
+                                      {1 - s, s},
+                                      (1 - s) * mesh.mid[a] + s * mesh.mid[b],
+                                      edge.length / count,
                                       (1 - s) * mesh.h[a] + s * mesh.h[b]});
                 }
             }

@@ -13,10 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 constexpr double slack = 1 + 1e-7;
 constexpr double smallest_kink = 1. / 16; ///< of the straddling size: elements with a kink are not refined below
@@ -125,8 +123,8 @@ bool GapSurface<D>::mark_edges(bool coarse)
         if (std::any_of(nodes.begin(), nodes.end(), [&](int v) { return vertices_[v].inside(); }))
             continue;
         Edge& edge = edges_[longest_edge(int(e))];
-        const bool smooth = std::all_of(nodes.begin(), nodes.end(),
-                                        [&](int v) { return goes_out_smoothly(vertices_[v], elements_[e].patch); });
+        const bool smooth =
+            std::all_of(nodes.begin(), nodes.end(), [&](int v) { return goes_out_smoothly(vertices_[v], elements_[e].patch); });
         if (edge.length > slack * (smooth ? sizes_.straddle_smooth : sizes_.straddle))
             any = edge.marked = true;
     }

@@ -9,10 +9,8 @@
 #include <numbers>
 #include <utility>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 /// Icosahedron in the unit sphere, symmetric under reflection in the three coordinate planes.
 SurfaceMesh<3> icosahedron()
@@ -56,8 +54,7 @@ SurfaceMesh<3> subdivided(const SurfaceMesh<3>& coarse)
 }
 
 template <int D>
-class Ball final : public Shape<D>
-{
+class Ball final : public Shape<D> {
 public:
     explicit Ball(double radius) : radius_(radius) {}
 

@@ -3,14 +3,11 @@
 #include "gapflow/geometry/requirement.hpp"
 #include "gapflow/geometry/shape.hpp"
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 template <int D>
-class Box final : public Shape<D>
-{
+class Box final : public Shape<D> {
 public:
     explicit Box(const Vec<D>& size) : half_(0.5 * size), tolerance_(1e-12 * size.maxCoeff()) {}
 

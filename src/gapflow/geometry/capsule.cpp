@@ -8,14 +8,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 template <int D>
-class Capsule final : public Shape<D>
-{
+class Capsule final : public Shape<D> {
 public:
     Capsule(double radius, double length) : radius_(radius), half_(0.5 * length) {}
 

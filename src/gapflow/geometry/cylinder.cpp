@@ -8,13 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
-class Cylinder final : public Shape<3>
-{
+class Cylinder final : public Shape<3> {
 public:
     Cylinder(double radius, double length)
         : radius_(radius), half_(0.5 * length), tolerance_(1e-12 * std::max(2 * radius, length))

@@ -10,10 +10,8 @@
 #include <numeric>
 #include <utility>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 constexpr int leaf_size = 4;
 

@@ -6,8 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
 template <int D>
 struct Facet {
@@ -33,8 +32,7 @@ FacetPoint<D> closest_on(const Facet<D>& facet, const Vec<D>& q);
 
 /// Bounding volume hierarchy over facets (halves along the longest side of the facets' centres).
 template <int D>
-class FacetTree
-{
+class FacetTree {
 public:
     struct Hit {
         int facet = -1; ///< index in the list given

@@ -2,14 +2,11 @@
 #include "gapflow/geometry/requirement.hpp"
 #include "gapflow/geometry/shape.hpp"
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 template <int D>
-class HalfSpace final : public Shape<D>
-{
+class HalfSpace final : public Shape<D> {
 public:
     explicit HalfSpace(const Vec<D>& unit_normal) : normal_(unit_normal) {}
 

@@ -3,10 +3,8 @@
 
 #include <utility>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 template <int D>
 SurfaceMesh<D> turned(SurfaceMesh<D> mesh)
@@ -17,8 +15,7 @@ SurfaceMesh<D> turned(SurfaceMesh<D> mesh)
 }
 
 template <int D>
-class InsideOut final : public Shape<D>
-{
+class InsideOut final : public Shape<D> {
 public:
     explicit InsideOut(std::unique_ptr<Shape<D>> inner) : inner_(std::move(inner)) {}
 

@@ -11,14 +11,11 @@
 #include <cmath>
 #include <utility>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 template <int D>
-class Mesh final : public Shape<D>
-{
+class Mesh final : public Shape<D> {
 public:
     explicit Mesh(ClosedSurface<D> surface)
         : surface_(std::move(surface)), features_(find_features(surface_)), facets_(facets_of()),

@@ -11,10 +11,8 @@
 #include <sstream>
 #include <unordered_map>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 template <int D>
 double extent(const SurfaceMesh<D>& mesh)

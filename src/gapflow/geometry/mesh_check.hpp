@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// For each facet the facet across each ridge (3D: edge, 2D: vertex); ridge i is the one without the facet's vertex i. In 2D
 /// ridge i is thus the vertex 1 - i.

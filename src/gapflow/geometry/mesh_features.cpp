@@ -9,10 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 const double cos_sharp = std::cos(30 * std::numbers::pi / 180) - 1e-12;
 

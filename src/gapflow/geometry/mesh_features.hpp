@@ -6,8 +6,7 @@
 
 #include <span>
 
-namespace gapflow
-{
+namespace gapflow {
 
 template <int D>
 struct MeshFeatures {

@@ -16,10 +16,8 @@
 #include <sstream>
 #include <string_view>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 /// Throws "file:line: parts"; line 0: none.
 template <class... Parts>
@@ -244,7 +242,8 @@ SurfaceMesh<D> parse_surface(const std::string& text, const std::string& file, d
         const std::int64_t count = binary_stl_count(text);
         if (count < 0 && !std::string_view(text).starts_with("solid"))
             fail(file, 0,
-                 "neither ASCII STL (starts with \"solid\") nor binary STL of the length its header tells; it was cut off: export again");
+                 "neither ASCII STL (starts with \"solid\") nor binary STL of the length its header tells; it was cut off: "
+                 "export again");
         mesh = count >= 0 ? read_binary_stl(text, count, file, scale) : read_ascii_stl(text, file, scale);
     } else
         fail(file, 0, "unknown kind of mesh file \"", extension, "\"; use .obj or .stl");

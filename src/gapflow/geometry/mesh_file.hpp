@@ -5,8 +5,7 @@
 
 #include <string>
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Facets as the file has them, coordinates times scale; `patch` empty. 3D: OBJ (v and f lines; polygons become fans) or STL
 /// (ASCII or binary; every triangle with its own vertices, weld them). 2D: loops of "x y" lines. Throws InputError naming

@@ -4,8 +4,7 @@
 // exact (Tonon 2004). The point is the mean of the vertices, which keeps round-off small far from the origin.
 #include "gapflow/geometry/mesh_mass.hpp"
 
-namespace gapflow
-{
+namespace gapflow {
 
 template <int D>
 MassProperties<D> mass_properties_of(const SurfaceMesh<D>& mesh)

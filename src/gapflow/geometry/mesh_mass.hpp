@@ -3,8 +3,7 @@
 
 #include "gapflow/geometry/shape.hpp"
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Volume (signed: positive if oriented outward), centre and inertia at density 1 of the solid in a closed mesh; exact.
 template <int D>

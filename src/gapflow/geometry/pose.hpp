@@ -23,8 +23,7 @@ struct Pose {
 template <int D>
 class PlacedShape {
 public:
-    PlacedShape(const Shape<D>& shape, const Pose<D>& pose)
-        : shape_(&shape), position_(pose.position), rotation_(pose.matrix())
+    PlacedShape(const Shape<D>& shape, const Pose<D>& pose) : shape_(&shape), position_(pose.position), rotation_(pose.matrix())
     {
     }
 

@@ -7,8 +7,7 @@
 #include <sstream>
 #include <string>
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Throws InputError naming shape, parameter and value unless the value is positive and finite.
 inline void require_positive(const std::string& shape, const std::string& parameter, double value)

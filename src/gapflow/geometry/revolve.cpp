@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gapflow
-{
+namespace gapflow {
 
 Vec<2> circle_point(int i, int n)
 {

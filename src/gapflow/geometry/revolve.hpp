@@ -3,8 +3,7 @@
 
 #include "gapflow/geometry/shape.hpp"
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Point i of n on the unit circle, i in [0, n), n a multiple of 4: exact on the axes, exactly symmetric under quarter
 /// turns.

@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// What the closest point lies on. Smooth edges of a mesh (normals within 30 degrees) count as face.
 enum class Feature { face, edge, corner };
@@ -69,8 +68,7 @@ struct Bounds {
 
 /// A solid in its own frame. Immutable; all queries are thread-safe.
 template <int D>
-class Shape
-{
+class Shape {
 public:
     virtual ~Shape() = default;
 

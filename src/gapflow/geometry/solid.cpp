@@ -42,7 +42,8 @@ std::vector<Image<D>> images(std::span<const Solid<D>> solids, const Vec<D>& low
         auto add = [&](const Index<D>& k) {
             const Vec<D> shift = k.template cast<double>().cwiseProduct(period);
             const Bounds<D> moved{bounds.low + shift, bounds.high + shift};
-            const bool meets = (moved.high.array() >= low.array() - margin).all() && (moved.low.array() <= high.array() + margin).all();
+            const bool meets =
+                (moved.high.array() >= low.array() - margin).all() && (moved.low.array() <= high.array() + margin).all();
             if (!meets && !solids[s].shape.shape().inside_out())
                 return;
             Image<D> image{s, shift, solids[s].shape.shifted(shift), moved};
@@ -72,21 +73,20 @@ double bounding_radius(const Bounds<D>& bounds)
 }
 
 template <int D>
-std::vector<std::pair<int, int>> close_images(const std::vector<Image<D>>& images, std::span<const Solid<D>> solids, double reach)
+std::vector<std::pair<int, int>> close_images(const std::vector<Image<D>>& images, std::span<const Solid<D>> solids,
+                                              double reach)
 {
     std::vector<int> bounded, unbounded;
     for (int i = 0; i < static_cast<int>(images.size()); ++i)
         (images[i].bounds.low.allFinite() ? bounded : unbounded).push_back(i);
-    std::sort(bounded.begin(), bounded.end(),
-              [&](int a, int b) { return images[a].bounds.low[0] < images[b].bounds.low[0]; });
+    std::sort(bounded.begin(), bounded.end(), [&](int a, int b) { return images[a].bounds.low[0] < images[b].bounds.low[0]; });
     std::vector<std::pair<int, int>> pairs;
     auto near = [&](int a, int b) { // the smaller one's bounding ball against the other's distance
         if (images[a].solid == images[b].solid || (solids[images[a].solid].wall && solids[images[b].solid].wall))
             return;
         auto apart = [&](const Image<D>& ball, const Image<D>& other) {
             const double radius = bounding_radius<D>(ball.bounds);
-            return std::isfinite(radius) &&
-                   other.shape.distance(0.5 * (ball.bounds.low + ball.bounds.high)) > radius + reach;
+            return std::isfinite(radius) && other.shape.distance(0.5 * (ball.bounds.low + ball.bounds.high)) > radius + reach;
         };
         if (!apart(images[a], images[b]) && !apart(images[b], images[a]))
             pairs.emplace_back(a, b);

@@ -20,7 +20,7 @@ struct Solid {
     PlacedShape<D> shape;
     Vec<D> centre = Vec<D>::Zero(); ///< reference point of its twist and wrench: the centre of mass
     Motion motion = Motion::fixed;
-    bool wall = false;              ///< a closed side of the domain: a half-space that owns the whole side's faces
+    bool wall = false; ///< a closed side of the domain: a half-space that owns the whole side's faces
     /// Of a free body: the orthogonal projector onto the twists that its constraints let it have.
     TwistMatrix<D> admissible = TwistMatrix<D>::Identity();
 };
@@ -28,10 +28,10 @@ struct Solid {
 /// A solid displaced by whole periods.
 template <int D>
 struct Image {
-    int solid;          ///< index into the list of solids
+    int solid; ///< index into the list of solids
     Vec<D> shift;
     PlacedShape<D> shape;
-    Bounds<D> bounds;   ///< of the surface, in the world
+    Bounds<D> bounds; ///< of the surface, in the world
 };
 
 /// World bounds of a placed shape's surface (from the corners of its body-frame bounds).
@@ -51,6 +51,7 @@ double bounding_radius(const Bounds<D>& bounds);
 
 /// Pairs of images of different solids, not both walls, whose surfaces may come within `reach`. Sweep along the first axis.
 template <int D>
-std::vector<std::pair<int, int>> close_images(const std::vector<Image<D>>& images, std::span<const Solid<D>> solids, double reach);
+std::vector<std::pair<int, int>> close_images(const std::vector<Image<D>>& images, std::span<const Solid<D>> solids,
+                                              double reach);
 
 } // namespace gapflow

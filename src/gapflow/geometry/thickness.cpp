@@ -5,11 +5,9 @@
 #include <map>
 #include <set>
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 constexpr double patch_radius = 1.5;              // in cells
 constexpr double sample_spacing = 0.5;            // in cells, and ...
@@ -111,8 +109,7 @@ Sample<D> inscribed(const PlacedShape<D>& solid, const Vec<D>& near, double most
 
 /// Samples by the boxes of a patch's size that they lie in.
 template <int D>
-class Patches
-{
+class Patches {
 public:
     Patches(const std::vector<Sample<D>>& samples, double radius) : samples_(samples), radius_(radius)
     {

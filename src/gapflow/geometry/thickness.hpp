@@ -5,8 +5,7 @@
 
 #include <functional>
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Where a solid is thinnest.
 template <int D>

@@ -140,8 +140,8 @@ private:
     {
         planes_[cutter].clear();
         for (const Plane<3>& plane : cutters_[cutter].planes)
-            planes_[cutter].push_back({(plane.normal.dot(corner_) - plane.offset) / dx_, plane.normal[tangents_[0]],
-                                       plane.normal[tangents_[1]]});
+            planes_[cutter].push_back(
+                {(plane.normal.dot(corner_) - plane.offset) / dx_, plane.normal[tangents_[0]], plane.normal[tangents_[1]]});
     }
 
     void clip_square()
@@ -253,7 +253,8 @@ private:
         const std::uint64_t in = fragment.inside | std::uint64_t(1) << cutter, out = fragment.inside;
         Polygon rest = fragment.polygon, low, high;
         for (const Affine& f : functions) {
-            split(rest, [&](int i) { return f(rest.u[i], rest.v[i]); }, tolerance_, complement, low, high);
+            split(
+                rest, [&](int i) { return f(rest.u[i], rest.v[i]); }, tolerance_, complement, low, high);
             if (high.n > 0)
                 next_.push_back({high, complement ? in : out});
             if (low.n == 0)
@@ -306,9 +307,11 @@ private:
                 for (std::size_t e = 0; e < owners_.size() && mine.n > 0; ++e) {
                     if (e == o)
                         continue;
-                    const Affine f = through(u, v, {phi_at(o, p.n) - phi_at(e, p.n), phi_at(o, k) - phi_at(e, k),
-                                                    phi_at(o, next) - phi_at(e, next)});
-                    split(mine, [&](int i) { return f(mine.u[i], mine.v[i]); }, tolerance_, e < o, low, high);
+                    const Affine f = through(
+                        u, v,
+                        {phi_at(o, p.n) - phi_at(e, p.n), phi_at(o, k) - phi_at(e, k), phi_at(o, next) - phi_at(e, next)});
+                    split(
+                        mine, [&](int i) { return f(mine.u[i], mine.v[i]); }, tolerance_, e < o, low, high);
                     mine = low;
                 }
                 add_area(mine, sums_->solid[owners_[o]]);

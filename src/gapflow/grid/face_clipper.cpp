@@ -58,10 +58,12 @@ int side_of_wall(const Grid<D>& grid, const Plane<D>& plane)
 } // namespace
 
 template <int D>
-FaceClipper<D>::Data::Data(const Grid<D>& grid_, std::span<const Solid<D>> solids, FractionMode mode_) : grid(grid_), mode(mode_)
+FaceClipper<D>::Data::Data(const Grid<D>& grid_, std::span<const Solid<D>> solids, FractionMode mode_)
+    : grid(grid_), mode(mode_)
 {
     const Vec<D> low = grid.origin(), high = grid.origin() + grid.size();
-    tolerance = alignment * grid.dx() + 16 * std::numeric_limits<double>::epsilon() * low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
+    tolerance = alignment * grid.dx() +
+                16 * std::numeric_limits<double>::epsilon() * low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
 
     Vec<D> period = Vec<D>::Zero();
     for (int axis = 0; axis < D; ++axis)

@@ -15,7 +15,7 @@ struct FaceClipper<D>::Data {
 
     Grid<D> grid;
     FractionMode mode;
-    double tolerance;                          ///< points within it of a surface are on it
+    double tolerance; ///< points within it of a surface are on it
     std::vector<Image<D>> images;
     std::vector<Vec<D>> centres;               ///< of the images' solids
     std::vector<std::vector<Plane<D>>> planes; ///< of the images, in the world

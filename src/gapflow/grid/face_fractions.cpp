@@ -95,7 +95,8 @@ private:
                 if ((cell.array() < faces_end_[axis].array()).all() && result_.cut(axis, cell) >= 0)
                     result_.cut(axis, cell) += before;
         surface_cells_.insert(surface_cells_.end(), work.surface_cells.begin(), work.surface_cells.end());
-        result_.faces.insert(result_.faces.end(), std::make_move_iterator(work.faces.begin()), std::make_move_iterator(work.faces.end()));
+        result_.faces.insert(result_.faces.end(), std::make_move_iterator(work.faces.begin()),
+                             std::make_move_iterator(work.faces.end()));
         work = {};
     }
 
@@ -181,7 +182,9 @@ private:
                 continue;
             const int whole = data_.clip(axis, cell, work.parts);
             result_.open(axis, cell) = work.parts.open;
-            result_.cut(axis, cell) = whole >= 0 ? inside(whole) : work.parts.solid.empty() ? -1 : static_cast<int>(work.faces.size());
+            result_.cut(axis, cell) = whole >= 0                 ? inside(whole)
+                                      : work.parts.solid.empty() ? -1
+                                                                 : static_cast<int>(work.faces.size());
             if (result_.cut(axis, cell) >= 0)
                 work.faces.push_back(work.parts);
         }
@@ -275,8 +278,8 @@ private:
     const Grid<D>& grid_;
     const Data& data_;
     FaceFractions<D> result_;
-    Index<D> low_, high_;                  ///< cells all of whose faces are filled
-    std::array<Index<D>, D> faces_end_;    ///< faces normal to an axis: low_ <= f < faces_end_
+    Index<D> low_, high_;               ///< cells all of whose faces are filled
+    std::array<Index<D>, D> faces_end_; ///< faces normal to an axis: low_ <= f < faces_end_
     double padding_;
     std::vector<Index<D>> surface_cells_;
     ClippedFace<D> parts_;

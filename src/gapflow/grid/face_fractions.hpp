@@ -35,8 +35,8 @@ struct SolidPart {
 template <int D>
 struct ClippedFace {
     double open = 1.0;
-    Vec<D> open_centroid;                  ///< face centre where open = 0
-    InlineVector<SolidPart<D>, 2> solid;   ///< at most one part a solid image, in the order of the solids' names
+    Vec<D> open_centroid;                ///< face centre where open = 0
+    InlineVector<SolidPart<D>, 2> solid; ///< at most one part a solid image, in the order of the solids' names
 };
 
 template <int D>
@@ -74,8 +74,8 @@ private:
 /// Fractions of all faces of this rank's cells and of one ghost layer of cells around them.
 template <int D>
 struct FaceFractions {
-    FaceField<D> open;                  ///< a_f; 0 on closed sides of the domain and beyond the faces that are filled
-    FaceField<D, int> cut;              ///< index into `faces`, or -1: wholly open, or solid with only its solid around
+    FaceField<D> open;     ///< a_f; 0 on closed sides of the domain and beyond the faces that are filled
+    FaceField<D, int> cut; ///< index into `faces`, or -1: wholly open, or solid with only its solid around
     std::vector<ClippedFace<D>> faces;
     std::vector<Index<D>> surface_cells; ///< this rank's cells that a solid other than a wall touches, first axis fastest
 };

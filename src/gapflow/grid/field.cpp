@@ -63,9 +63,9 @@ void exchange(const Grid<D>& grid, CellField<D, T>& field, int layers)
                 in.swap(out);
             } else {
                 in.resize((take_high - take_low).template cast<long>().prod());
-                MPI_Sendrecv(out.data(), static_cast<int>(out.size()), mpi_type<T>(), to >= 0 ? to : MPI_PROC_NULL, 2 * axis + end,
-                             in.data(), static_cast<int>(in.size()), mpi_type<T>(), from >= 0 ? from : MPI_PROC_NULL,
-                             2 * axis + end, grid.comm().mpi(), MPI_STATUS_IGNORE);
+                MPI_Sendrecv(out.data(), static_cast<int>(out.size()), mpi_type<T>(), to >= 0 ? to : MPI_PROC_NULL,
+                             2 * axis + end, in.data(), static_cast<int>(in.size()), mpi_type<T>(),
+                             from >= 0 ? from : MPI_PROC_NULL, 2 * axis + end, grid.comm().mpi(), MPI_STATUS_IGNORE);
             }
             if (from >= 0) {
                 const T* value = in.data();

@@ -30,10 +30,7 @@ struct Block {
         }
     }
     long offset(const Index<D>& i) const { return (i - low).dot(stride); }
-    bool contains(const Index<D>& i) const
-    {
-        return (i.array() >= low.array()).all() && (i.array() < high.array()).all();
-    }
+    bool contains(const Index<D>& i) const { return (i.array() >= low.array()).all() && (i.array() < high.array()).all(); }
 };
 
 /// Calls f(index) for every index of the box low <= i < high, first axis fastest.
@@ -124,7 +121,8 @@ private:
 /// Calls f(index) for every entry of the box low <= i < high that is at least `least`, first axis fastest; rows without one cost
 /// a pass over their bytes.
 template <int D, class F>
-void for_each_marked(const CellField<D, std::int8_t>& field, const Index<D>& low, const Index<D>& high, std::int8_t least, F&& f)
+void for_each_marked(const CellField<D, std::int8_t>& field, const Index<D>& low, const Index<D>& high, std::int8_t least,
+                     F&& f)
 {
     const int n = high[0] - low[0];
     for_each_row<D>(low, high, [&](const Index<D>& row) {

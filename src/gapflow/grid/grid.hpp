@@ -46,18 +46,12 @@ public:
     /// Rank across the low (end = 0) or high side of this rank's block along an axis; -1: none.
     int neighbour(int axis, int end) const { return neighbours_[2 * axis + end]; }
 
-    Vec<D> cell_centre(const Index<D>& c) const
-    {
-        return origin_ + dx_ * (c.template cast<double>() + Vec<D>::Constant(0.5));
-    }
+    Vec<D> cell_centre(const Index<D>& c) const { return origin_ + dx_ * (c.template cast<double>() + Vec<D>::Constant(0.5)); }
     Vec<D> face_centre(int axis, const Index<D>& f) const { return cell_centre(f) - 0.5 * dx_ * unit<D>(axis); }
     /// Area of a face (2D: length).
     double face_area() const { return D == 2 ? dx_ : dx_ * dx_; }
     /// Index of the cell that holds a point, not wrapped and not clipped.
-    Index<D> cell_of(const Vec<D>& x) const
-    {
-        return ((x - origin_) / dx_).array().floor().template cast<int>();
-    }
+    Index<D> cell_of(const Vec<D>& x) const { return ((x - origin_) / dx_).array().floor().template cast<int>(); }
     /// The same cell within 0 .. cells-1 along periodic axes.
     Index<D> wrapped(Index<D> c) const
     {

@@ -93,8 +93,8 @@ std::vector<double> scatter(const Grid<D>& grid, const Block<D>& all, const Inde
 namespace {
 
 template <int D>
-void list_values(StateArchive& archive, const std::string& name, const Grid<D>& grid, const Index<D>& whole, const Index<D>& end,
-                 CellField<D>& field)
+void list_values(StateArchive& archive, const std::string& name, const Grid<D>& grid, const Index<D>& whole,
+                 const Index<D>& end, CellField<D>& field)
 {
     const Block<D> all(Index<D>::Zero(), whole);
     if (archive.restoring()) {

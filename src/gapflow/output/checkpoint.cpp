@@ -21,7 +21,8 @@ namespace gapflow {
 namespace {
 
 constexpr const char* format_name = "gapflow checkpoint";
-constexpr std::int64_t format_version = 5; // goes up (in restart_test.py too) whenever a state of before can no longer be restored
+constexpr std::int64_t format_version =
+    5; // goes up (in restart_test.py too) whenever a state of before can no longer be restored
 
 /// What is wrong with a file, without its name.
 class Unreadable : public std::runtime_error {

@@ -12,9 +12,9 @@ namespace gapflow {
 
 /// Where a run's files are.
 struct RunPosition {
-    long step = 0;             ///< last one in the tables
-    int frames = 0;            ///< output times whose fields are written
-    double smallest_gap = 0;   ///< so far; infinite: there was none
+    long step = 0;           ///< last one in the tables
+    int frames = 0;          ///< output times whose fields are written
+    double smallest_gap = 0; ///< so far; infinite: there was none
 };
 
 struct Checkpoint {

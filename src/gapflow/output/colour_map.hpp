@@ -36,8 +36,7 @@ struct ColourRanges {
 /// Collects values of frames for ranges that all frames share. Of every frame the 1 % and the 99 % value, of these over all
 /// frames the 3 % and the 97 % one: neither single cells nor a slam in a single one of many frames set them. Pressure:
 /// symmetric about the reference pressure where that lies inside; speed: from 0.
-class RangeSampler
-{
+class RangeSampler {
 public:
     void add(const FrameView& frame);
     ColourRanges ranges(double reference_pressure) const;

@@ -56,7 +56,8 @@ BodyColumns body_columns(int dimension)
 {
     if (dimension == 2)
         return {{"x", "y"}, {"angle"}, {"vx", "vy", "omega"}, {"fx", "fy", "torque"}};
-    return {{"x", "y", "z"}, {"qw", "qx", "qy", "qz"}, {"vx", "vy", "vz", "wx", "wy", "wz"}, {"fx", "fy", "fz", "tx", "ty", "tz"}};
+    return {
+        {"x", "y", "z"}, {"qw", "qx", "qy", "qz"}, {"vx", "vy", "vz", "wx", "wy", "wz"}, {"fx", "fy", "fz", "tx", "ty", "tz"}};
 }
 
 } // namespace gapflow

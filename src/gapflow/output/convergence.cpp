@@ -243,8 +243,8 @@ std::string convergence_text(const std::vector<ConvergenceOf>& all)
         for (const ConvergenceRow& row : c.rows)
             text += fmt::format("{:>8} {:>12.5g} {:>8} {:>12.4e} {:>7} {:>12.4e} {:>7}\n", row.cells, row.spacing, row.steps,
                                 row.error.max, order_text(row.order_max), row.error.l2, order_text(row.order_l2));
-        text += fmt::format("{:>8} {:>12} {:>8} {:>12} {:>7} {:>12} {:>7}\n\n", "slope", "", "", "", order_text(c.slope_max), "",
-                            order_text(c.slope_l2));
+        text += fmt::format("{:>8} {:>12} {:>8} {:>12} {:>7} {:>12} {:>7}\n\n", "slope", "", "", "", order_text(c.slope_max),
+                            "", order_text(c.slope_l2));
     }
     return text;
 }
@@ -266,12 +266,8 @@ std::string convergence_json(const std::vector<ConvergenceOf>& all)
     const auto number = [](const std::optional<double>& order) { return order ? Json(*order) : Json(nullptr); };
     Json list = Json::array();
     for (const ConvergenceOf& c : all) {
-        Json entry = {{"quantity", c.quantity},
-                      {"reference", c.reference},
-                      {"window", {c.window.from, c.window.to}},
-                      {"range", c.range},
-                      {"slope_max", number(c.slope_max)},
-                      {"slope_l2", number(c.slope_l2)},
+        Json entry = {{"quantity", c.quantity}, {"reference", c.reference},         {"window", {c.window.from, c.window.to}},
+                      {"range", c.range},       {"slope_max", number(c.slope_max)}, {"slope_l2", number(c.slope_l2)},
                       {"rows", Json::array()}};
         for (const ConvergenceRow& row : c.rows)
             entry["rows"].push_back({{"cells", row.cells},

@@ -64,8 +64,8 @@ struct ConvergenceRow {
     int cells = 0; ///< along the first axis
     double spacing = 0;
     long steps = 0;
-    SeriesError error;                           ///< divided by the range
-    std::optional<double> order_max, order_l2;   ///< from the row before to this one
+    SeriesError error;                         ///< divided by the range
+    std::optional<double> order_max, order_l2; ///< from the row before to this one
 };
 
 struct ConvergenceOf {

@@ -20,8 +20,7 @@ struct PixelBox {
     int height() const { return bottom - top; }
 };
 
-class Picture
-{
+class Picture {
 public:
     Picture(int width, int height, Colour background);
 

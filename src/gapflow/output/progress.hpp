@@ -18,7 +18,7 @@ ProgressStyle choose_progress_style(const Communicator& comm, bool quiet);
 struct ProgressState {
     double time = 0, dt = 0; ///< reached; of the last step
     long step = 0;
-    int iterations = 0;      ///< of the last solve
+    int iterations = 0; ///< of the last solve
 };
 
 class Progress {

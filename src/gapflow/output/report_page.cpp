@@ -28,8 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Bytes of arrays and what refers to them.
-class Numbers
-{
+class Numbers {
 public:
     template <class T, class From>
     Json add(const char* type, const std::vector<From>& values)
@@ -364,8 +363,10 @@ std::string warnings_html(const Json& record)
         for (const Json& warning : *warnings)
             if (warning.is_string())
                 items += "<li>" + escaped(warning.get<std::string>()) + "</li>";
-    return items.empty() ? "" : "<section aria-labelledby=\"warnings-title\"><h2 id=\"warnings-title\">Warnings</h2><ul id=\"warnings\" class=\"card\">" +
-                                    items + "</ul></section>";
+    return items.empty() ? ""
+                         : "<section aria-labelledby=\"warnings-title\"><h2 id=\"warnings-title\">Warnings</h2><ul "
+                           "id=\"warnings\" class=\"card\">" +
+                               items + "</ul></section>";
 }
 
 } // namespace

@@ -10,7 +10,8 @@ namespace gapflow {
 namespace {
 
 template <int D>
-std::unique_ptr<Simulation<D>> restored(const Scene& scene, const Communicator& comm, const Checkpoint& from, const std::string& file)
+std::unique_ptr<Simulation<D>> restored(const Scene& scene, const Communicator& comm, const Checkpoint& from,
+                                        const std::string& file)
 {
     try {
         return std::make_unique<Simulation<D>>(scene, comm, from.state);
@@ -22,7 +23,7 @@ std::unique_ptr<Simulation<D>> restored(const Scene& scene, const Communicator& 
 } // namespace
 
 template <int D>
-Run<D>::Run(const Scene& scene, const Communicator& comm, const RunPlace& place) 
+Run<D>::Run(const Scene& scene, const Communicator& comm, const RunPlace& place)
     : version_(place.version), end_(scene.end), resumed_(!place.resume.empty())
 {
     std::optional<Checkpoint> from;

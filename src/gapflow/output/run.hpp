@@ -15,7 +15,8 @@ namespace gapflow {
 /// Where a run's files are.
 struct RunPlace {
     std::string folder; ///< for the files; empty: none are written
-    std::string resume; ///< checkpoint to go on from; empty: from the scene's start. With a folder, its files are cut back to it.
+    std::string
+        resume; ///< checkpoint to go on from; empty: from the scene's start. With a folder, its files are cut back to it.
     std::string version; ///< of the program, for the files
 };
 

@@ -82,7 +82,8 @@ template <int D>
 VtkSurface<D> film_surface(const Simulation<D>& simulation)
 {
     VtkSurface<D> surface;
-    VtkArray thickness{"thickness", 1, {}}, pressure{"pressure", 1, {}}, depth{"void_depth", 1, {}}, velocity{"velocity", D, {}};
+    VtkArray thickness{"thickness", 1, {}}, pressure{"pressure", 1, {}}, depth{"void_depth", 1, {}},
+        velocity{"velocity", D, {}};
     const UnknownVector<D> p = simulation.reduced_pressure();
     for (const Film<D>& film : simulation.coupling().network.films) {
         const int first = static_cast<int>(surface.points.size());
@@ -90,7 +91,8 @@ VtkSurface<D> film_surface(const Simulation<D>& simulation)
             surface.points.push_back(film.mesh.mid[i]);
             thickness.values.push_back(film.mesh.h[i] + film.mesh.skin);
             depth.values.push_back(simulation.voids().depth(film.first_node + static_cast<int>(i)));
-            pressure.values.push_back(p.nodes[film.first_node + static_cast<int>(i)] + simulation.hydrostatic(film.mesh.mid[i]));
+            pressure.values.push_back(p.nodes[film.first_node + static_cast<int>(i)] +
+                                      simulation.hydrostatic(film.mesh.mid[i]));
         }
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
             std::array<int, D> nodes = film.mesh.elements[e].nodes;

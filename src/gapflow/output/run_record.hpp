@@ -30,14 +30,14 @@ PeakMemory peak_memory(const Communicator& comm);
 
 struct RunRecord {
     std::string version;
-    std::string scene;              ///< the resolved scene, as text
-    std::string status = "running"; ///< then "done", "failed" or "interrupted"
-    std::string message;            ///< reason, if failed
+    std::string scene;                 ///< the resolved scene, as text
+    std::string status = "running";    ///< then "done", "failed" or "interrupted"
+    std::string message;               ///< reason, if failed
     std::vector<std::string> warnings; ///< what the user was told, once each
     Machine machine;
-    double time = 0;                ///< reached, in the scene's unit
+    double time = 0; ///< reached, in the scene's unit
     long steps = 0;
-    double seconds = 0;             ///< wall clock
+    double seconds = 0; ///< wall clock
     std::map<std::string, StageTimers::Stage> stages;
     PeakMemory memory;
 };

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <limits>
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 

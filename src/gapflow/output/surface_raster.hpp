@@ -11,8 +11,7 @@
 namespace gapflow {
 
 /// A camera that looks at a box from the front, right and above; z points up.
-class Camera
-{
+class Camera {
 public:
     Camera(const Eigen::Vector3d& box_low, const Eigen::Vector3d& box_size, int width, int height);
 
@@ -27,8 +26,7 @@ private:
 };
 
 /// What is in front, pixel by pixel.
-class SurfaceRaster
-{
+class SurfaceRaster {
 public:
     SurfaceRaster(const Camera& camera, int width, int height);
 

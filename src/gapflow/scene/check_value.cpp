@@ -33,8 +33,9 @@ struct Check {
         if (!std::isfinite(node.number))
             fail("not a finite number");
         if (std::abs(node.number) > largest || (node.number != 0 && std::abs(node.number) < 1 / largest))
-            refuse(value, shown, (&node == &value ? "" : number_text(node.number) + " is ") + std::string("too ") +
-                                     (std::abs(node.number) > 1 ? "large" : "small") + " to compute with",
+            refuse(value, shown,
+                   (&node == &value ? "" : number_text(node.number) + " is ") + std::string("too ") +
+                       (std::abs(node.number) > 1 ? "large" : "small") + " to compute with",
                    "allowed: 0, or between 1e-30 and 1e30 in size; choose other units");
         if (!key.range.contains(node.number))
             fail((&node == &value ? "" : number_text(node.number) + " is ") + std::string("out of range"));

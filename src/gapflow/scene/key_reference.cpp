@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <functional>
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 std::string table_of(const KeyInfo& key)
 {

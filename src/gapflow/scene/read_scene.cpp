@@ -129,7 +129,8 @@ Scene with_plain_messages(Read read)
         return read();
     } catch (const InputError& error) {
         std::string message = error.what();
-        std::replace_if(message.begin(), message.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+        std::replace_if(
+            message.begin(), message.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
         throw InputError(message);
     }
 }

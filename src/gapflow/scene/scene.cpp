@@ -46,8 +46,8 @@ double Scene::least_distance(const std::string& a, const std::string& b) const
 std::string roughness_text(const Scene& scene)
 {
     char text[100];
-    std::snprintf(text, sizeof text, "%.4g (%.3g cells%s)", scene.gap.roughness, scene.gap.roughness * scene.cells[0] / scene.size[0],
-                  scene.gap.automatic_roughness ? ", auto" : "");
+    std::snprintf(text, sizeof text, "%.4g (%.3g cells%s)", scene.gap.roughness,
+                  scene.gap.roughness * scene.cells[0] / scene.size[0], scene.gap.automatic_roughness ? ", auto" : "");
     return text;
 }
 

@@ -23,18 +23,18 @@ struct TimeTable {
 struct SideScene {
     enum class Kind { wall, open, periodic, inflow };
     Kind kind = Kind::wall;
-    Triple velocity{};    ///< of a sliding wall (in its plane), or of a constant inflow
-    TimeTable table;      ///< inflow from a file (time,u,v[,w]); empty if constant
+    Triple velocity{}; ///< of a sliding wall (in its plane), or of a constant inflow
+    TimeTable table;   ///< inflow from a file (time,u,v[,w]); empty if constant
 };
 
 struct GapScene {
     enum class Contact { wet, dry };
     enum class Exit { automatic, reversible, jet };
-    bool film = true;                  ///< gap.model = "film" (else "none")
-    std::optional<double> threshold;   ///< h_c in cells; empty: automatic
+    bool film = true;                ///< gap.model = "film" (else "none")
+    std::optional<double> threshold; ///< h_c in cells; empty: automatic
     Contact contact = Contact::wet;
-    double roughness = 0.0;            ///< length; of "auto" what it stands for
-    bool automatic_roughness = false;  ///< gap.roughness = "auto"
+    double roughness = 0.0;           ///< length; of "auto" what it stands for
+    bool automatic_roughness = false; ///< gap.roughness = "auto"
     double entrance_loss = 0.0;
     Exit exit = Exit::automatic;
 };
@@ -71,27 +71,27 @@ struct BodyScene {
 
     std::string name;
     ShapeKind shape = ShapeKind::ball;
-    Triple size{};                 ///< box
-    double radius = 0.0;           ///< ball, capsule, cylinder
-    double length = 0.0;           ///< capsule (between the centres of its caps), cylinder
-    Triple normal{};               ///< half-space: out of the solid
-    std::string mesh_file;         ///< mesh, resolved against the scene's folder
+    Triple size{};         ///< box
+    double radius = 0.0;   ///< ball, capsule, cylinder
+    double length = 0.0;   ///< capsule (between the centres of its caps), cylinder
+    Triple normal{};       ///< half-space: out of the solid
+    std::string mesh_file; ///< mesh, resolved against the scene's folder
     double mesh_scale = 1.0;
     bool inside_out = false;
 
-    Triple position{};             ///< of the shape's own origin
-    double angle = 0.0;            ///< 2D, radians
+    Triple position{};                            ///< of the shape's own origin
+    double angle = 0.0;                           ///< 2D, radians
     std::array<double, 4> quaternion{1, 0, 0, 0}; ///< 3D, w x y z, normalised
 
     std::optional<double> density;
     std::optional<double> mass;
-    std::vector<double> inertia;   ///< with mass: 1 (2D), 3 (principal, body axes) or 9 (matrix, row by row) numbers
+    std::vector<double> inertia; ///< with mass: 1 (2D), 3 (principal, body axes) or 9 (matrix, row by row) numbers
     Motion motion = Motion::free;
-    TimeTable motion_table;        ///< prescribed from a file: time,x,y,angle or time,x,y,z,qw,qx,qy,qz
+    TimeTable motion_table; ///< prescribed from a file: time,x,y,angle or time,x,y,z,qw,qx,qy,qz
     Triple velocity{};
-    Triple angular_velocity{};     ///< 2D: the first number
+    Triple angular_velocity{}; ///< 2D: the first number
     Triple force{};
-    Triple torque{};               ///< 2D: the first number
+    Triple torque{};                                              ///< 2D: the first number
     std::array<bool, 6> free{true, true, true, true, true, true}; ///< x y z rx ry rz: what a free body can do; 2D uses x y rz
     std::optional<SpringScene> spring;
     std::optional<HingeScene> hinge; ///< only with all of `free`
@@ -104,7 +104,7 @@ struct Scene {
     enum class Initial { rest, potential };
     enum class Backend { multigrid, petsc };
 
-    std::string file;              ///< as given, for messages
+    std::string file; ///< as given, for messages
     std::string title;
     int dimension = 2;
     Triple gravity{};
@@ -123,7 +123,7 @@ struct Scene {
 
     Fractions fractions = Fractions::cut_cell;
     Advection advection = Advection::maccormack;
-    Thin thin = Thin::refuse;      ///< bodies thinner than a cell
+    Thin thin = Thin::refuse; ///< bodies thinner than a cell
 
     GapScene gap;
     ContactScene contact;
@@ -139,9 +139,9 @@ struct Scene {
     Backend backend = Backend::multigrid;
 
     std::string output_directory = "out";
-    double output_every = 0.0;      ///< 0: only the start and the end
+    double output_every = 0.0; ///< 0: only the start and the end
     std::vector<std::string> fields{"velocity", "pressure"};
-    double checkpoint_every = 0.0;  ///< 0: only at the end and when interrupted
+    double checkpoint_every = 0.0; ///< 0: only at the end and when interrupted
 
     std::vector<std::string> warnings; ///< what the reader accepted but did not follow, for the caller to print
 

@@ -11,10 +11,10 @@ namespace gapflow {
 /// Numbers of the unknowns in the whole system: film nodes 0 .. nodes-1 (on rank 0), then cells, rank by rank.
 template <int D>
 struct Numbering {
-    CellField<D, int> cell;  ///< of each owned cell and the ghosts beside it, -1: no unknown
-    int owned = 0;           ///< unknowns of this rank
-    int first = 0;           ///< the first of them
-    int first_cell = 0;      ///< the first that is a cell
+    CellField<D, int> cell; ///< of each owned cell and the ghosts beside it, -1: no unknown
+    int owned = 0;          ///< unknowns of this rank
+    int first = 0;          ///< the first of them
+    int first_cell = 0;     ///< the first that is a cell
     int total = 0;
 };
 

@@ -50,7 +50,8 @@ bool BodyCorrection<D>::set_up(const Inverse& inverse, double bytes_per_cell, st
     const int dofs = matrix_.dofs();
     kept_ = 4.0 * dofs <= bytes_per_cell;
     if (kept_)
-        exact_cells_ = std::move(banded); // a pocket that only films drain has a pressure of 1e8 there, and what is left of it counts
+        exact_cells_ =
+            std::move(banded); // a pocket that only films drain has a pressure of 1e8 there, and what is left of it counts
     if (kept_)
         for (const Link& link : system.links)
             for (const auto& entry : link.cells)

@@ -45,7 +45,8 @@ private:
     const CoupledOperator<D>& matrix_;
     bool ready_ = false, kept_ = false;
     std::vector<Column> columns_;
-    std::vector<Index<D>> exact_cells_; ///< of links and the films' band, on this rank: their entries of the columns are doubles
+    std::vector<Index<D>>
+        exact_cells_;       ///< of links and the films' band, on this rank: their entries of the columns are doubles
     Eigen::MatrixXd added_; ///< K^T B K
     Eigen::LLT<Eigen::MatrixXd> capacitance_;
 };

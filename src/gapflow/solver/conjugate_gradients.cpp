@@ -34,7 +34,7 @@ double advance(const Grid<D>& grid, Preconditioner<D>& preconditioner, UnknownVe
                const UnknownVector<D>& p, const UnknownVector<D>& q, double size)
 {
     const double square = sum_over_pieces<1>(grid, [&](const Index<D>& first, int n) {
-        double *__restrict xs = &x.cells(first), *__restrict rs = &r.cells(first);
+        double* __restrict xs = &x.cells(first), * __restrict rs = &r.cells(first);
         const double *ps = &p.cells(first), *qs = &q.cells(first);
         double sum = 0;
 #pragma omp simd reduction(+ : sum)
@@ -159,7 +159,8 @@ double turn(const CoupledOperator<D>& matrix, const Preconditioner<D>& precondit
 } // namespace
 
 template <int D>
-void compatible(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const UnknownVector<D>& rhs, UnknownVector<D>& v)
+void compatible(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const UnknownVector<D>& rhs,
+                UnknownVector<D>& v)
 {
     for_each_piece(*system.grid, [&](const Index<D>& first, int n) {
         double* row = &v.cells(first);
@@ -308,8 +309,8 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
         fresh = false;
         if (start <= target || (reached && start <= matrix.round_off(x)))
             break;
-        const Stop stop =
-            iterate(matrix, preconditioner, null_space, vectors, x, start, target, options.max_iterations, report.iterations, reason);
+        const Stop stop = iterate(matrix, preconditioner, null_space, vectors, x, start, target, options.max_iterations,
+                                  report.iterations, reason);
         if (report.iterations >= options.max_iterations) {
             reason = describe("not converged after %g iterations", report.iterations);
             break;

@@ -21,7 +21,8 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
 
 /// v = rhs with 0 in cells without unknown and without its part along the null vectors.
 template <int D>
-void compatible(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const UnknownVector<D>& rhs, UnknownVector<D>& v);
+void compatible(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const UnknownVector<D>& rhs,
+                UnknownVector<D>& v);
 
 /// r = rhs - A x in all unknowns; returns the norm of its part that the null vectors leave.
 template <int D>

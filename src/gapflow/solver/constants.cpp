@@ -228,8 +228,7 @@ void ConstantCorrection<D>::set_up_energies()
         }
         energy += flux.transpose() * twists;
     }
-    const Eigen::VectorXd scaling =
-        energy.diagonal().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.0; });
+    const Eigen::VectorXd scaling = energy.diagonal().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.0; });
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaling.asDiagonal() * energy * scaling.asDiagonal());
     const Eigen::VectorXd inverse = eigen.eigenvalues().unaryExpr([](double v) { return v > 1e-10 ? 1 / v : 0.0; });
     const Eigen::MatrixXd vectors = scaling.asDiagonal() * eigen.eigenvectors();

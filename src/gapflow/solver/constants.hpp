@@ -27,9 +27,9 @@ public:
 
 private:
     const CoupledSystem<D>& system_;
-    Eigen::SparseMatrix<double> vectors_;                          ///< components x null vectors
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> gram_;      ///< of the z_j
-    double size_ = 1;                                              ///< unknowns in all components
+    Eigen::SparseMatrix<double> vectors_;                     ///< components x null vectors
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> gram_; ///< of the z_j
+    double size_ = 1;                                         ///< unknowns in all components
     mutable Eigen::VectorXd sums_;
 };
 
@@ -71,12 +71,12 @@ private:
     const CoupledOperator<D>& matrix_;
     const FilmBand<D>& band_;
     int columns_ = 0;
-    int full_ = 0;                      ///< columns with a full energy matrix, the first ones
-    CellField<D, int> part_;            ///< column of each cell's constant, -1: none
-    std::vector<int> node_part_;        ///< column of each node's constant, -1: none
-    Eigen::MatrixXd extension_;         ///< band unknowns x full_: what harmonic continuation adds to the constants
-    Eigen::MatrixXd inverse_energy_;    ///< full_ x full_
-    Eigen::VectorXd inverse_diagonal_;  ///< of the others
+    int full_ = 0;                     ///< columns with a full energy matrix, the first ones
+    CellField<D, int> part_;           ///< column of each cell's constant, -1: none
+    std::vector<int> node_part_;       ///< column of each node's constant, -1: none
+    Eigen::MatrixXd extension_;        ///< band unknowns x full_: what harmonic continuation adds to the constants
+    Eigen::MatrixXd inverse_energy_;   ///< full_ x full_
+    Eigen::VectorXd inverse_diagonal_; ///< of the others
 };
 
 } // namespace gapflow

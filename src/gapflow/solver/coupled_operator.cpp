@@ -16,7 +16,8 @@ namespace gapflow {
 
 template <int D>
 CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
-    : system_(system), dofs_(twist_size<D> * system.bodies), conductance_(shared_conductances(system)), ground_(system.nodes, 0.0)
+    : system_(system), dofs_(twist_size<D> * system.bodies), conductance_(shared_conductances(system)),
+      ground_(system.nodes, 0.0)
 {
     const Grid<D>& grid = *system.grid;
     for (std::size_t r = 0; r < system.links.size(); ++r)
@@ -122,14 +123,14 @@ double CoupledOperator<D>::apply(UnknownVector<D>& p, UnknownVector<D>& y, bool 
     const Grid<D>& grid = *system_.grid;
     begin_product(p);
     exchange(p);
-    const double grid_energy = sum_over_planes(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
-        return product_plane(p.cells, y.cells, plane);
-    });
+    const double grid_energy = sum_over_planes(grid.low()[D - 1], grid.high()[D - 1],
+                                               [&](int plane) { return product_plane(p.cells, y.cells, plane); });
     return finish_product(p, y, grid_energy, with_bodies);
 }
 
 template <int D>
-double CoupledOperator<D>::finish_product(const UnknownVector<D>& p, UnknownVector<D>& y, double grid_energy, bool with_bodies) const
+double CoupledOperator<D>::finish_product(const UnknownVector<D>& p, UnknownVector<D>& y, double grid_energy,
+                                          bool with_bodies) const
 {
     const Grid<D>& grid = *system_.grid;
     const long links = static_cast<long>(system_.links.size());

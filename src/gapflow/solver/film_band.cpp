@@ -22,12 +22,12 @@ namespace gapflow {
 
 namespace {
 
-constexpr int layers = 2;          // cells between a conduit's cells and the band's end
+constexpr int layers = 2; // cells between a conduit's cells and the band's end
 // Where films are everywhere, a band between all of them is a factorisation of the whole fluid: then the conduits' own cells
 // must do. It does where the band has more cells than this, and than a share of the films' nodes.
 constexpr std::size_t few_cells = 8000;
 constexpr double share_of_nodes = 1.0 / 3;
-constexpr double shift = 1e-12;    // relative, on the diagonal: films whose conduits are 1e-12 of their own conductance
+constexpr double shift = 1e-12; // relative, on the diagonal: films whose conduits are 1e-12 of their own conductance
 
 /// All cells within `layers` steps of the links' cells, or the links' cells alone.
 template <int D>
@@ -303,10 +303,9 @@ void FilmBand<D>::first(const UnknownVector<D>& r, double scale, Level<D>& level
         if (block_[i] >= 0)
             mean[block_[i]] += on_band[i] / block_size_[block_[i]];
     for (const OwnedCell& entry : owned_)
-        level.b[entry.level_offset] =
-            block_[entry.row] >= 0 && level.inverse(entry.cell) > 0
-                ? static_cast<float>(scale * mean[block_[entry.row]])
-                : 0.0f;
+        level.b[entry.level_offset] = block_[entry.row] >= 0 && level.inverse(entry.cell) > 0
+                                          ? static_cast<float>(scale * mean[block_[entry.row]])
+                                          : 0.0f;
     for (const Neighbour& entry : outside_)
         level.b[entry.level_offset] += static_cast<float>(scale * entry.conductance * correction_[entry.row]);
 }

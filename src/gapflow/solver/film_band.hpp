@@ -26,7 +26,7 @@ public:
 
     /// A band cell that this rank owns.
     struct OwnedCell {
-        int row;          ///< in the band
+        int row; ///< in the band
         Index<D> cell;
         long level_offset; ///< in the finest level's block
     };
@@ -79,13 +79,13 @@ private:
     const CoupledOperator<D>& matrix_;
     const CoupledSystem<D>& system_;
     int size_ = 0;
-    std::vector<long> keys_;                   ///< of the band's cells, sorted
-    std::vector<OwnedCell> owned_;             ///< in the order of keys_: by planes normal to the last axis
-    std::vector<int> plane_begin_;             ///< first of owned_ in every plane of the rank's block; and the end
-    std::vector<Neighbour> outside_;           ///< this rank's
-    std::vector<LinkCell> link_cells_;         ///< this rank's
+    std::vector<long> keys_;                       ///< of the band's cells, sorted
+    std::vector<OwnedCell> owned_;                 ///< in the order of keys_: by planes normal to the last axis
+    std::vector<int> plane_begin_;                 ///< first of owned_ in every plane of the rank's block; and the end
+    std::vector<Neighbour> outside_;               ///< this rank's
+    std::vector<LinkCell> link_cells_;             ///< this rank's
     std::vector<std::array<double, 2 * D>> faces_; ///< conductances around every band cell
-    std::vector<int> block_;                   ///< number of the floating block of a row, -1: fixed from outside
+    std::vector<int> block_;                       ///< number of the floating block of a row, -1: fixed from outside
     std::vector<long> block_size_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
     Eigen::VectorXd correction_;

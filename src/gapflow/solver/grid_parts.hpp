@@ -9,9 +9,9 @@ namespace gapflow {
 
 template <int D>
 struct GridParts {
-    CellField<D, int> part;      ///< number of each owned cell's part, -1: no unknown
-    std::vector<long> size;      ///< cells of each part, over all ranks; the same on all ranks
-    std::vector<char> grounded;  ///< whether an open side touches it
+    CellField<D, int> part;     ///< number of each owned cell's part, -1: no unknown
+    std::vector<long> size;     ///< cells of each part, over all ranks; the same on all ranks
+    std::vector<char> grounded; ///< whether an open side touches it
 };
 
 /// Numbers the parts, largest first. Collective.

@@ -61,8 +61,8 @@ void Halo<D, T>::exchange(T* data)
     // What leaves through side 1 arrives through side 0 of the neighbour: the tag is the side it left through.
     for (int side = 0; side < 2 * D; ++side)
         if (neighbours_[side] >= 0 && neighbours_[side] != rank_)
-            MPI_Irecv(take_[side].data(), static_cast<int>(take_[side].size() * sizeof(T)), MPI_BYTE, neighbours_[side], side ^ 1,
-                      comm_, &requests[pending++]);
+            MPI_Irecv(take_[side].data(), static_cast<int>(take_[side].size() * sizeof(T)), MPI_BYTE, neighbours_[side],
+                      side ^ 1, comm_, &requests[pending++]);
     for (int side = 0; side < 2 * D; ++side) {
         if (neighbours_[side] < 0)
             continue;

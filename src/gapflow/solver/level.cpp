@@ -282,8 +282,7 @@ Level<D> coarsened(const Level<D>& fine, const Communicator& comm)
                 }
             }
             const long row = coarse.row_number(first);
-            coarse.conductance[axis].set(row, row_values.data(), row - 1,
-                                         first[D - 1] > coarse.low[D - 1] ? row - back : -1);
+            coarse.conductance[axis].set(row, row_values.data(), row - 1, first[D - 1] > coarse.low[D - 1] ? row - back : -1);
         });
     }
     finish(coarse);

@@ -19,16 +19,16 @@ Block<D> block_of_level(const Index<D>& low, const Index<D>& high)
 
 template <int D>
 struct Level {
-    Index<D> cells;                  ///< of the whole level
-    Index<D> low, high;              ///< the cells of this rank; all of them once the level is gathered
-    Index<D> finest_cells;           ///< of the finest level
-    Index<D> unit;                   ///< width of a cell along each axis in cells of the finest level; the last may be narrower
+    Index<D> cells;        ///< of the whole level
+    Index<D> low, high;    ///< the cells of this rank; all of them once the level is gathered
+    Index<D> finest_cells; ///< of the finest level
+    Index<D> unit;         ///< width of a cell along each axis in cells of the finest level; the last may be narrower
     std::array<bool, D> periodic;
     std::array<int, 2 * D> neighbours;
-    Block<D> block;                  ///< what is stored: block_of_level(low, high)
+    Block<D> block;                               ///< what is stored: block_of_level(low, high)
     std::array<SharedRows<float>, D> conductance; ///< of each cell's low face, by row_number; on all faces of this rank's cells
     SharedRows<float> inverse_diagonal;           ///< 0: no unknown here
-    LargeVector<float> x, b;                       ///< correction, right-hand side
+    LargeVector<float> x, b;                      ///< correction, right-hand side
     /// Relaxation weight of each cell of a row: [row on a seam][parity of the first axis' index]. 0: other colour.
     std::array<std::array<std::vector<float>, 2>, 2> weight;
     Halo<D, float> halo;

@@ -36,7 +36,7 @@ private:
     std::size_t first_gathered_ = 0; ///< levels from here on hold all cells on every rank
     std::vector<float> send_, take_;
     std::vector<int> counts_, starts_;
-    std::vector<Block<D>> parts_;    ///< cells of every rank on the first gathered level
+    std::vector<Block<D>> parts_; ///< cells of every rank on the first gathered level
     std::vector<long> coarsest_cells_;
     Eigen::MatrixXd coarsest_inverse_;
     Eigen::VectorXd coarsest_b_, coarsest_x_;

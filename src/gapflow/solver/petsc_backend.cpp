@@ -94,8 +94,20 @@ struct PetscBackend<D>::Data {
 
 template <int D>
 PetscBackend<D>::PetscBackend(const CoupledOperator<D>& matrix, const NullSpace<D>& null_space, const SolverOptions& options)
-    : data_(new Data{matrix, null_space, options, zero_vector(matrix.system()), zero_vector(matrix.system()),
-                     BodyCorrection<D>(matrix), {}, {}, {}, {}, {}, {}, {}, {}})
+    : data_(new Data{matrix,
+                     null_space,
+                     options,
+                     zero_vector(matrix.system()),
+                     zero_vector(matrix.system()),
+                     BodyCorrection<D>(matrix),
+                     {},
+                     {},
+                     {},
+                     {},
+                     {},
+                     {},
+                     {},
+                     {}})
 {
     Data& d = *data_;
     const CoupledSystem<D>& system = matrix.system();
@@ -160,7 +172,8 @@ template <int D>
 PetscBackend<D>::~PetscBackend() = default;
 
 template <int D>
-SolveReport PetscBackend<D>::solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, double magnitude, double tolerance, KrylovVectors<D>& vectors)
+SolveReport PetscBackend<D>::solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, double magnitude, double tolerance,
+                                   KrylovVectors<D>& vectors)
 {
     Data& d = *data_;
     const CoupledSystem<D>& system = d.matrix.system();

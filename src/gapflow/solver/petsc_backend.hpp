@@ -17,7 +17,8 @@ public:
     ~PetscBackend();
 
     /// As CoupledSolver::solve.
-    SolveReport solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, double magnitude, double tolerance, KrylovVectors<D>& vectors);
+    SolveReport solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, double magnitude, double tolerance,
+                      KrylovVectors<D>& vectors);
 
 private:
     struct Data; ///< stays in place: PETSc's shells point to it

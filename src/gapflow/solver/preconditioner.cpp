@@ -14,7 +14,7 @@ double light(int dofs)
 {
     return std::max(2.0, 0.25 * dofs);
 }
-constexpr int few_dofs = 48; // more columns than this only once iterations turn out slow
+constexpr int few_dofs = 48;        // more columns than this only once iterations turn out slow
 constexpr double column_bytes = 96; // a cell, for kept columns
 
 /// Films' cells count as the grid's.

@@ -68,7 +68,7 @@ private:
     const CoupledOperator<D>& matrix_;
     BodyMode mode_;
     std::optional<Multigrid<D>> multigrid_; ///< its cells include those of films, which it joins as the grid would
-    std::vector<long> film_cells_; ///< offsets in its finest level of cells without unknown that films fill
+    std::vector<long> film_cells_;          ///< offsets in its finest level of cells without unknown that films fill
     FilmBand<D> band_;
     std::optional<ConstantCorrection<D>> constants_;
     BodyCorrection<D> bodies_;

@@ -11,8 +11,8 @@ namespace gapflow {
 template <int D>
 struct CoupledSolver<D>::Data {
     Data(const CoupledSystem<D>& system, const SolverOptions& chosen)
-        : options(chosen), matrix(system), null_space(system),
-          vectors{zero_vector(system), zero_vector(system), zero_vector(system), zero_vector(system)}
+        : options(chosen), matrix(system),
+          null_space(system), vectors{zero_vector(system), zero_vector(system), zero_vector(system), zero_vector(system)}
     {
         if (options.backend == Backend::multigrid)
             preconditioner.emplace(matrix, options.bodies, options.ask_lightness);

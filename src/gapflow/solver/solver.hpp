@@ -24,10 +24,10 @@ struct SolverOptions {
 
 struct SolveReport {
     int iterations = 0;
-    double residual = 0;      ///< true final relative residual
-    bool converged = false;   ///< to the tolerance, or to the round-off of the residual itself where films are very stiff
+    double residual = 0;    ///< true final relative residual
+    bool converged = false; ///< to the tolerance, or to the round-off of the residual itself where films are very stiff
     double seconds = 0;
-    std::string message;      ///< reason if not converged; else empty
+    std::string message; ///< reason if not converged; else empty
 };
 
 /// Set up once for a system, then solve for any number of right-hand sides. Keeps a reference to the system. Collective.

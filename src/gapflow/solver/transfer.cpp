@@ -12,7 +12,8 @@ namespace {
 constexpr int chunk = SharedRows<float>::chunk; // even
 
 template <int D, bool full>
-inline void residual_chunk(const Stencil<D>& s, const float* b, const float* x, const std::array<long, D>& stride, int n, float* r)
+inline void residual_chunk(const Stencil<D>& s, const float* b, const float* x, const std::array<long, D>& stride, int n,
+                           float* r)
 {
     if (full)
         n = chunk;

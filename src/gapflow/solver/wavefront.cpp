@@ -22,9 +22,9 @@ namespace gapflow {
 
 namespace {
 
-constexpr int last_stage = 4;              // two sweeps of two colours, and the transfer
+constexpr int last_stage = 4;                    // two sweeps of two colours, and the transfer
 constexpr int least_planes = 2 * last_stage + 2; // of a slab
-constexpr long threaded_cells = 30000;     // of a level: below, threads cost more than they save
+constexpr long threaded_cells = 30000;           // of a level: below, threads cost more than they save
 
 /// Calls stage(s, k) for s = 0 .. last_stage and all planes; `exchange` fills the ghosts of x.
 template <int D, class Stage>

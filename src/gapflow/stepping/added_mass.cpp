@@ -105,8 +105,8 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
         const auto [impulse, solve] = response(coupling, solver, twists);
         if (!solve.converged)
             throw ComputationError("the pressure solve for the added mass of " + solids[solid].name + " (" +
-                                   (D == 2 ? names2[j % n] : names3[j % n]) + ") did not converge: " + solve.message +
-                                   " (" + std::to_string(solve.iterations) + " iterations)");
+                                   (D == 2 ? names2[j % n] : names3[j % n]) + ") did not converge: " + solve.message + " (" +
+                                   std::to_string(solve.iterations) + " iterations)");
         result.iterations.push_back(solve.iterations);
         for (int i = 0; i < dofs; ++i)
             result.matrix(i, j) = impulse[moving[i / n]][i % n];

@@ -17,15 +17,15 @@
 namespace gapflow {
 
 struct AddedMass {
-    std::vector<std::string> bodies;  ///< not fixed, in the scene's order
-    std::vector<std::string> labels;  ///< "name.vx" ... of rows and columns; twists about the centre of mass, world axes
-    Eigen::MatrixXd matrix;           ///< in the scene's fluid density
-    long cells = 0;                   ///< of the grid
+    std::vector<std::string> bodies; ///< not fixed, in the scene's order
+    std::vector<std::string> labels; ///< "name.vx" ... of rows and columns; twists about the centre of mass, world axes
+    Eigen::MatrixXd matrix;          ///< in the scene's fluid density
+    long cells = 0;                  ///< of the grid
     int film_nodes = 0;
-    std::vector<int> iterations;      ///< one a column
+    std::vector<int> iterations; ///< one a column
     std::vector<SealedPocket> sealed;
-    double blind_length = 0;          ///< of film rim that found nothing to join
-    double closure = 0;               ///< largest |sum K| over bodies wholly inside, over dx^(D-1)
+    double blind_length = 0;           ///< of film rim that found nothing to join
+    double closure = 0;                ///< largest |sum K| over bodies wholly inside, over dx^(D-1)
     std::vector<std::string> warnings; ///< for the user: bodies too thin for the grid, blind film ends
     double seconds = 0;
 };

@@ -56,8 +56,8 @@ struct Transport {
     const double* phi;    // what is carried
     const double* change; // null: none
     double* out;
-    double* hat;          // the semi-Lagrangian value; `out` where nothing corrects it
-    std::int8_t* octant;  // with a correction
+    double* hat;         // the semi-Lagrangian value; `out` where nothing corrects it
+    std::int8_t* octant; // with a correction
 
     double value(const double* field, long offset, const Point<D>& d) const
     {
@@ -116,7 +116,8 @@ void correct(const Transport<D, Axis>& t, const Block<D>& block, const std::int8
             for (int i = 0; i < n; ++i, ++x[0]) {
                 const long f = first + i;
                 const Point<D> w = t.tracer.velocity(f);
-                std::tie(low[i], high[i]) = corner_range<D>(cell_at<D>(phi + f, stride, t.tracer.foot(f, x, w, t.courant)), stride);
+                std::tie(low[i], high[i]) =
+                    corner_range<D>(cell_at<D>(phi + f, stride, t.tracer.foot(f, x, w, t.courant)), stride);
                 back[i] = t.value(hat, f, t.tracer.foot(f, x, w, -t.courant));
             }
         }
@@ -137,7 +138,8 @@ void correct(const Transport<D, Axis>& t, const Block<D>& block, const std::int8
 
 // Semi-Lagrangian values of marked faces.
 template <int D, int Axis>
-void advect_marked(const Grid<D>& grid, CellField<D>& result, const FaceField<D>& u, const CellField<D, std::int8_t>& marked, double dt)
+void advect_marked(const Grid<D>& grid, CellField<D>& result, const FaceField<D>& u, const CellField<D, std::int8_t>& marked,
+                   double dt)
 {
     const Tracer<D, Axis> tracer(grid, u);
     const double* phi = u[Axis].data();
@@ -170,7 +172,8 @@ void for_each_axis(F&& f)
 
 template <int D>
 void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D>& carried, double dt,
-            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* plain, const FaceField<D>* change)
+            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* plain,
+            const FaceField<D>* change)
 {
     assert(grid.ghost() >= 2 && &result != &u && &result != &carried);
     const bool corrected = scheme == AdvectionScheme::maccormack;
@@ -183,8 +186,14 @@ void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, co
     for_each_axis<D>([&]<int Axis>(std::integral_constant<int, Axis>) {
         const Tracer<D, Axis> tracer(grid, u);
         double* const out = result[Axis].data();
-        const Transport<D, Axis> transport{grid, tracer, dt / grid.dx(), carried[Axis].data(), change ? (*change)[Axis].data() : nullptr,
-                                           out, corrected ? hat.data() : out, corrected ? octants.data() : nullptr};
+        const Transport<D, Axis> transport{grid,
+                                           tracer,
+                                           dt / grid.dx(),
+                                           carried[Axis].data(),
+                                           change ? (*change)[Axis].data() : nullptr,
+                                           out,
+                                           corrected ? hat.data() : out,
+                                           corrected ? octants.data() : nullptr};
         carry(transport, carried[Axis].block());
         if (!corrected)
             return;
@@ -194,19 +203,19 @@ void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, co
 }
 
 template <int D>
-void advect_marked_faces(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D, std::int8_t>& marked,
-                         double dt)
+void advect_marked_faces(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u,
+                         const FaceField<D, std::int8_t>& marked, double dt)
 {
     assert(&result != &u);
-    for_each_axis<D>([&]<int Axis>(std::integral_constant<int, Axis>) {
-        advect_marked<D, Axis>(grid, result[Axis], u, marked[Axis], dt);
-    });
+    for_each_axis<D>(
+        [&]<int Axis>(std::integral_constant<int, Axis>) { advect_marked<D, Axis>(grid, result[Axis], u, marked[Axis], dt); });
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void advect<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D>&, double, AdvectionScheme,  \
                             const BoundaryVelocity<D>&, const FaceField<D, std::int8_t>*, const FaceField<D>*);                \
-    template void advect_marked_faces<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D, std::int8_t>&, double);
+    template void advect_marked_faces<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D, std::int8_t>&, \
+                                         double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -26,7 +26,7 @@ void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, co
 
 /// The semi-Lagrangian result for u itself on the marked faces (nonzero); others are left as they are.
 template <int D>
-void advect_marked_faces(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D, std::int8_t>& marked,
-                         double dt);
+void advect_marked_faces(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u,
+                         const FaceField<D, std::int8_t>& marked, double dt);
 
 } // namespace gapflow

@@ -20,8 +20,8 @@ enum class State { open, sticks, slides };
 template <int D>
 class Equations {
 public:
-    Equations(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given, const std::vector<Twist<D>>& twists,
-              const NearInertia<D>& inertia, const std::vector<ContactImpulse<D>>& guess)
+    Equations(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
+              const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, const std::vector<ContactImpulse<D>>& guess)
         : contacts_(contacts), twists_(twists), place_(twists.size(), -1), lambda_(static_cast<long>(D * contacts.size())),
           state_(contacts.size(), State::open), pull_(contacts.size(), Vec<D - 1>::Zero())
     {
@@ -35,15 +35,16 @@ public:
             if (place_[s] >= 0) {
                 const Eigen::SelfAdjointEigenSolver<TwistMatrix<D>> eigen(inertia.mobility[s]);
                 H.template block<n, n>(place_[s], place_[s]) = eigen.eigenvectors() *
-                                                                eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
-                                                                eigen.eigenvectors().transpose();
+                                                               eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
+                                                               eigen.eigenvectors().transpose();
             }
         for (const FilmInertia<D>& film : inertia.films) {
             const int solids[] = {film.a, film.b};
             for (int i = 0; i < 2; ++i)
                 for (int j = 0; j < 2; ++j)
                     if (place_[solids[i]] >= 0 && place_[solids[j]] >= 0)
-                        F.template block<n, n>(place_[solids[i]], place_[solids[j]]) += film.matrix.template block<n, n>(n * i, n * j);
+                        F.template block<n, n>(place_[solids[i]], place_[solids[j]]) +=
+                            film.matrix.template block<n, n>(n * i, n * j);
         }
         const Eigen::LLT<Eigen::MatrixXd> factor(Eigen::MatrixXd::Identity(dofs, dofs) + H * F * H);
         sound_ = factor.info() == Eigen::Success;
@@ -129,7 +130,7 @@ public:
     /// Moves the contact that disobeys most into the state that it asks for. False if none does.
     bool correct(double accuracy)
     {
-        const double speed = std::max(accuracy, nothing * fastest_), 
+        const double speed = std::max(accuracy, nothing * fastest_),
                      impulse = std::max(nothing * lambda_.cwiseAbs().maxCoeff(), 1e-300);
         double worst = 1;
         std::size_t which = contacts_.size();
@@ -155,7 +156,8 @@ public:
             look(-lambda_[r] / impulse, i, State::open, pull_[i]);
             obeyed_ = obeyed_ && std::abs(speeds_[r] - c.target) <= speed;
             if (state_[i] == State::sticks) {
-                look((tangential.norm() - c.friction * lambda_[r]) / impulse, i, State::slides, tangential / std::max(tangential.norm(), 1e-300));
+                look((tangential.norm() - c.friction * lambda_[r]) / impulse, i, State::slides,
+                     tangential / std::max(tangential.norm(), 1e-300));
                 obeyed_ = obeyed_ && slip.norm() <= speed;
             } else if (c.friction > 0) {
                 if (slip.dot(pull_[i]) > speed)
@@ -180,7 +182,8 @@ public:
         ContactForecast<D> found{std::vector<ContactImpulse<D>>(contacts_.size()), twists_};
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
             const long r = D * static_cast<long>(i);
-            found.impulses[i] = {std::max(lambda_[r], 0.0), lambda_.template segment<D - 1>(r + 1), contacts_[i].friction > 0 && state_[i] != State::sticks};
+            found.impulses[i] = {std::max(lambda_[r], 0.0), lambda_.template segment<D - 1>(r + 1),
+                                 contacts_[i].friction > 0 && state_[i] != State::sticks};
         }
         for (std::size_t s = 0; s < twists_.size(); ++s)
             if (place_[s] >= 0)
@@ -205,7 +208,7 @@ private:
     int count_ = 0;
     Eigen::VectorXd lambda_; ///< of every contact: normal, tangential
     std::vector<State> state_;
-    std::vector<Vec<D - 1>> pull_; ///< direction of friction where it slides
+    std::vector<Vec<D - 1>> pull_;    ///< direction of friction where it slides
     Eigen::MatrixXd rows_, response_; ///< C, G C^T
     Eigen::VectorXd V_, held_;        ///< twists without contacts; speeds of what does not yield
     Eigen::VectorXd twists_found_, speeds_;
@@ -216,7 +219,8 @@ private:
 } // namespace
 
 template <int D>
-std::optional<ContactForecast<D>> solve_contacts(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
+std::optional<ContactForecast<D>> solve_contacts(const std::vector<Contact<D>>& contacts,
+                                                 const std::vector<ContactImpulse<D>>& given,
                                                  const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia,
                                                  const std::vector<ContactImpulse<D>>& guess, double accuracy)
 {
@@ -232,9 +236,9 @@ std::optional<ContactForecast<D>> solve_contacts(const std::vector<Contact<D>>& 
     return {};
 }
 
-#define GAPFLOW_INSTANTIATE(D)                                                                                             \
-    template std::optional<ContactForecast<D>> solve_contacts<D>(                                                          \
-        const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&, const std::vector<Twist<D>>&,               \
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::optional<ContactForecast<D>> solve_contacts<D>(                                                              \
+        const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&, const std::vector<Twist<D>>&,                   \
         const NearInertia<D>&, const std::vector<ContactImpulse<D>>&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -10,7 +10,8 @@ namespace gapflow {
 /// As forecast_contacts, from the states (pressing, sliding) of `guess` on; impulses that redundant contacts may share in many ways
 /// are those nearest to its. Nothing where no set of states is found that obeys the laws, or contacts are too many.
 template <int D>
-std::optional<ContactForecast<D>> solve_contacts(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
+std::optional<ContactForecast<D>> solve_contacts(const std::vector<Contact<D>>& contacts,
+                                                 const std::vector<ContactImpulse<D>>& given,
                                                  const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia,
                                                  const std::vector<ContactImpulse<D>>& guess, double accuracy);
 

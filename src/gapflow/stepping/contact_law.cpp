@@ -209,8 +209,8 @@ ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, co
     return result;
 }
 
-#define GAPFLOW_INSTANTIATE(D)                                                                                              \
-    template ContactForecast<D> forecast_contacts<D>(const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&, \
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template ContactForecast<D> forecast_contacts<D>(const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&,    \
                                                      const std::vector<Twist<D>>&, const NearInertia<D>&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

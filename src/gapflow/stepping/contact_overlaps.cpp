@@ -29,7 +29,8 @@ bool is_free(const std::vector<RigidBody<D>>& bodies, int solid)
 // Smallest displacements that leave no overlap, by projected Gauss-Seidel: in the metric of mass, or `evenly`, in one that knows no
 // masses. There a push meets a little compliance too, so that bodies wedged in share what overlaps instead of chasing a place where they fit.
 template <int D>
-std::vector<Twist<D>> ContactSet<D>::displacements(const std::vector<RigidBody<D>>& bodies, bool evenly, double longest, double accuracy) const
+std::vector<Twist<D>> ContactSet<D>::displacements(const std::vector<RigidBody<D>>& bodies, bool evenly, double longest,
+                                                   double accuracy) const
 {
     std::vector<Twist<D>> moved(bodies.size(), Twist<D>::Zero());
     auto response = [&](int s, const Twist<D>& row) -> Twist<D> {
@@ -79,7 +80,8 @@ std::vector<Twist<D>> ContactSet<D>::displacements(const std::vector<RigidBody<D
 
 // Whether some body would go further, at its centre or a contact, than the overlaps of all that it hangs together with ask for.
 template <int D>
-bool ContactSet<D>::goes_too_far(const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& moved, double longest) const
+bool ContactSet<D>::goes_too_far(const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& moved,
+                                 double longest) const
 {
     std::vector<int> parent(bodies.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -113,7 +115,8 @@ bool ContactSet<D>::goes_too_far(const std::vector<RigidBody<D>>& bodies, const 
 template <int D>
 bool ContactSet<D>::push_apart(std::vector<RigidBody<D>>& bodies, bool at_start) const
 {
-    const double accuracy = (at_start ? start_overlap_left : overlap_left) * dx_, longest = (at_start ? longest_start_push : longest_push) * dx_;
+    const double accuracy = (at_start ? start_overlap_left : overlap_left) * dx_,
+                 longest = (at_start ? longest_start_push : longest_push) * dx_;
     double deepest = 0;
     for (const Contact<D>& c : contacts_)
         deepest = std::max(deepest, c.least_distance - c.point.distance);

@@ -60,7 +60,8 @@ template <int D>
 typename ContactSet<D>::PairLaw ContactSet<D>::law(int a, int b) const
 {
     const ContactScene& contact = scene_->contact_of(names_[a], names_[b]);
-    return {scene_->held_distance(names_[a], names_[b]), scene_->least_distance(names_[a], names_[b]), contact.restitution, contact.friction};
+    return {scene_->held_distance(names_[a], names_[b]), scene_->least_distance(names_[a], names_[b]), contact.restitution,
+            contact.friction};
 }
 
 template <int D>
@@ -185,15 +186,19 @@ const Contact<D>* ContactSet<D>::crushed(const std::vector<Twist<D>>& twists, do
     double largest = 0;
     for (const Contact<D>& c : contacts_)
         largest = std::max({largest, std::abs(c.approach), c.gained, twists[c.point.a].template head<D>().norm(),
-                            twists[c.point.b].template head<D>().norm()}); // not the rates alone: what slides in contact has none but round-off
+                            twists[c.point.b]
+                                .template head<D>()
+                                .norm()}); // not the rates alone: what slides in contact has none but round-off
     const double most = std::max(crushing * largest, overlap_left * dx_ / dt);
-    const auto found = std::find_if(contacts_.begin(), contacts_.end(),
-                                    [&](const Contact<D>& c) { return c.closed && rate(c.normal, c, twists) < c.least - most; });
+    const auto found = std::find_if(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
+        return c.closed && rate(c.normal, c, twists) < c.least - most;
+    });
     return found == contacts_.end() ? nullptr : &*found;
 }
 
 template <int D>
-bool ContactSet<D>::driven(const Contact<D>& contact, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists) const
+bool ContactSet<D>::driven(const Contact<D>& contact, const std::vector<Solid<D>>& solids,
+                           const std::vector<Twist<D>>& twists) const
 {
     std::set<int> reached{contact.point.a, contact.point.b};
     for (std::size_t before = 0; before < reached.size();) {
@@ -203,7 +208,8 @@ bool ContactSet<D>::driven(const Contact<D>& contact, const std::vector<Solid<D>
                 if (c.closed && reached.contains(from) && solids[from].motion == Motion::free)
                     reached.insert(to);
     }
-    return std::any_of(reached.begin(), reached.end(), [&](int s) { return solids[s].motion == Motion::prescribed && !twists[s].isZero(0); });
+    return std::any_of(reached.begin(), reached.end(),
+                       [&](int s) { return solids[s].motion == Motion::prescribed && !twists[s].isZero(0); });
 }
 
 template <int D>

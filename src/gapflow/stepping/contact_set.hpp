@@ -23,24 +23,25 @@ namespace gapflow {
 template <int D>
 struct Contact {
     ContactPoint<D> point;
-    double hold = 0;                    ///< distance at which surfaces that near each other meet: thickness or roughness
-    double least_distance = 0;          ///< below which they overlap: the same, but 0 of a roughness that is automatic
+    double hold = 0;           ///< distance at which surfaces that near each other meet: thickness or roughness
+    double least_distance = 0; ///< below which they overlap: the same, but 0 of a roughness that is automatic
     double restitution = 0, friction = 0;
     RelativeRow<D> normal;
     std::array<RelativeRow<D>, D - 1> tangents;
-    double approach = 0;                ///< opening rate before the step
-    double gained = 0;                  ///< what the explicit forces add to it in the step, magnitude
-    double least = 0;                   ///< opening rate that the end of the step may not fall below
-    double target = 0;                  ///< opening rate while it holds: `least`, or a rebound
+    double approach = 0; ///< opening rate before the step
+    double gained = 0;   ///< what the explicit forces add to it in the step, magnitude
+    double least = 0;    ///< opening rate that the end of the step may not fall below
+    double target = 0;   ///< opening rate while it holds: `least`, or a rebound
     bool closed = false, was_closed = false;
-    bool solved = false;                ///< some solve of the step held it; before, a forecast leaves out the fluid's part: it sticks
+    bool solved = false; ///< some solve of the step held it; before, a forecast leaves out the fluid's part: it sticks
     bool slides = false;
     Vec<D - 1> pull = Vec<D - 1>::Zero(); ///< friction impulse on a along the tangents while it slides
-    Vec<D - 1> lack = Vec<D - 1>::Zero(); ///< what the last round of the step would have added to `pull`; 0: did not slide before
-    double slip = 0;                    ///< speed at which it slides
-    double impulse = 0;                 ///< normal, on a, over the step
+    Vec<D - 1> lack =
+        Vec<D - 1>::Zero(); ///< what the last round of the step would have added to `pull`; 0: did not slide before
+    double slip = 0;        ///< speed at which it slides
+    double impulse = 0;     ///< normal, on a, over the step
     Vec<D - 1> tangential = Vec<D - 1>::Zero(); ///< friction impulse on a
-    Vec<D> mark = Vec<D>::Zero();       ///< place on a in a's frame, to know the contact again
+    Vec<D> mark = Vec<D>::Zero();               ///< place on a in a's frame, to know the contact again
 };
 
 /// What a solve makes of the contacts: `pulls`: those that hold, stick and slide are the same, but sliding friction is not; `repeats`: others
@@ -71,8 +72,8 @@ public:
     std::vector<Twist<D>> sliding_impulses(std::size_t solids) const;
     /// Takes the twists and the impulses of held() that a solve gave, to full tolerance if `exact`. Unless nothing changes the solve must be
     /// repeated.
-    ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia, double accuracy, bool exact,
-                         int round);
+    ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia,
+                         double accuracy, bool exact, int round);
 
     /// Solves before this no longer tell of what comes round again: voids changed.
     void forget_rounds() { seen_.clear(); }
@@ -95,7 +96,8 @@ private:
         double hold, least_distance, restitution, friction;
     };
     PairLaw law(int a, int b) const;
-    std::vector<Twist<D>> displacements(const std::vector<RigidBody<D>>& bodies, bool evenly, double longest, double accuracy) const;
+    std::vector<Twist<D>> displacements(const std::vector<RigidBody<D>>& bodies, bool evenly, double longest,
+                                        double accuracy) const;
     bool goes_too_far(const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& moved, double longest) const;
     void take_impulses(const Eigen::VectorXd& impulses);
     using States = std::vector<char>; ///< of each contact: open, sticks, slides

@@ -28,7 +28,8 @@ public:
         double largest_speed = 0, largest_impulse = 0;
         for (const Contact<D>& c : contacts) {
             given_.push_back({c.impulse, c.tangential});
-            largest_speed = std::max({largest_speed, std::abs(c.approach), std::abs(c.target), std::abs(rate(c.normal, c, twists))});
+            largest_speed =
+                std::max({largest_speed, std::abs(c.approach), std::abs(c.target), std::abs(rate(c.normal, c, twists))});
             largest_impulse = std::max(largest_impulse, std::abs(c.impulse));
         }
         speed_ = accuracy * largest_speed;
@@ -37,7 +38,8 @@ public:
         friction_.assign(mobility_.size(), 0.0);
         for (std::size_t i = 0; i < contacts.size(); ++i)
             for (int solid : {contacts[i].point.a, contacts[i].point.b})
-                friction_[solid] = std::max(friction_[solid], friction_accuracy * contacts[i].friction * forecast_.impulses[i].normal);
+                friction_[solid] =
+                    std::max(friction_[solid], friction_accuracy * contacts[i].friction * forecast_.impulses[i].normal);
     }
 
     const ContactForecast<D>& forecast() const { return forecast_; }
@@ -151,7 +153,8 @@ double relaxation_of_pulls(std::vector<Contact<D>>& contacts, const ContactCheck
 
 // Gives a contact the forecast's state; `relaxation`: how far its pull goes there, if it goes on sliding.
 template <int D>
-void take_state(Contact<D>& c, const ContactImpulse<D>& next, const std::vector<Twist<D>>& twists, std::optional<double> relaxation)
+void take_state(Contact<D>& c, const ContactImpulse<D>& next, const std::vector<Twist<D>>& twists,
+                std::optional<double> relaxation)
 {
     c.slides = slides_next(c, next);
     c.closed = next.normal > 0;
@@ -231,7 +234,8 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
     relaxation_ = relaxation_of_pulls<D>(contacts_, check, pulls && at_once, relaxation_);
     for (std::size_t i = 0; i < contacts_.size(); ++i)
         if (at_once || i == *worst)
-            take_state<D>(contacts_[i], forecast.impulses[i], forecast.twists, pulls ? std::optional(relaxation_) : std::nullopt);
+            take_state<D>(contacts_[i], forecast.impulses[i], forecast.twists,
+                          pulls ? std::optional(relaxation_) : std::nullopt);
     return changed;
 }
 

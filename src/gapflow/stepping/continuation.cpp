@@ -74,7 +74,7 @@ void Simulation<D>::continue_velocities()
     }
 
     memories_ = remember_films<D>(c.network, c.solids, twists(), velocity_.film, velocity_.conduit, grid_.dx(),
-                                 voids_.empty_elements(c.network), film_push_);
+                                  voids_.empty_elements(c.network), film_push_);
     film_faces_ = FaceField<D, std::int8_t>(grid_);
     any_film_faces_ = !c.network.films.empty();
     if (any_film_faces_) {
@@ -136,7 +136,8 @@ double Simulation<D>::normal_surplus(const FaceField<D>& u, int axis, const Inde
     for (int i : near)
         if (near.size() == 1 || images[i].shape.distance(x) <= distance + 1e-9 * grid_.dx()) {
             const Vec<D> n = images[i].shape.closest(x).normal;
-            const Vec<D> relative = velocity_at<D>(V[images[i].solid], x - c.solids[images[i].solid].centre - images[i].shift) - fluid;
+            const Vec<D> relative =
+                velocity_at<D>(V[images[i].solid], x - c.solids[images[i].solid].centre - images[i].shift) - fluid;
             surplus += n[axis] * n.dot(relative);
             ++count;
         }
@@ -191,8 +192,8 @@ void Simulation<D>::paint_films(FaceField<D, std::int8_t>& valid)
     }
 }
 
-#define GAPFLOW_INSTANTIATE(D) \
-    template void Simulation<D>::continue_velocities(); \
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void Simulation<D>::continue_velocities();                                                                        \
     template void Simulation<D>::share_uncovered_faces(FaceField<D>&) const;
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -38,8 +38,9 @@ void Simulation<D>::set_velocity(int body, const Vec<D>& velocity, const Spin<D>
 {
     RigidBody<D>& b = bodies_.at(body);
     if (b.motion != Motion::prescribed)
-        throw InputError("velocity of body '" + b.name + "': its motion is not \"prescribed\", so it cannot be told how to move; " +
-                         "set body." + b.name + ".motion = \"prescribed\", or push it with a force");
+        throw InputError("velocity of body '" + b.name +
+                         "': its motion is not \"prescribed\", so it cannot be told how to move; " + "set body." + b.name +
+                         ".motion = \"prescribed\", or push it with a force");
     demand_finite(velocity.allFinite() && angular_velocity.allFinite(), b.name, "velocity");
     steer<D>(b, {time_, b.pose, velocity, angular_velocity});
     b.twist << velocity, angular_velocity;

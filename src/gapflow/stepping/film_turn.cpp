@@ -35,9 +35,9 @@ double thinning(const Gap& now, const FilmMemory<D>& before)
 } // namespace
 
 template <int D>
-std::set<FilmPair<D>> turning_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists,
-                                    const std::vector<Twist<D>>& acceleration, const std::function<GapSettings(int, int)>& settings,
-                                    const std::function<MouthLaw(int, int)>& law)
+std::set<FilmPair<D>>
+turning_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, const std::vector<Twist<D>>& acceleration,
+              const std::function<GapSettings(int, int)>& settings, const std::function<MouthLaw(int, int)>& law)
 {
     std::map<FilmPair<D>, Gap> gaps;
     for (const Film<D>& film : coupling.network.films) {
@@ -46,8 +46,9 @@ std::set<FilmPair<D>> turning_films(const Coupling<D>& coupling, const std::vect
         gap.flat = gap.flat && mesh.flat;
         for (const FilmPoint<D>& q : mesh.points) {
             auto rate = [&](const std::vector<Twist<D>>& twist) {
-                return q.other_normal.dot(velocity_at<D>(twist[mesh.master], q.x - coupling.solids[mesh.master].centre) -
-                                          velocity_at<D>(twist[mesh.other], q.y - coupling.solids[mesh.other].centre - mesh.shift));
+                return q.other_normal.dot(
+                    velocity_at<D>(twist[mesh.master], q.x - coupling.solids[mesh.master].centre) -
+                    velocity_at<D>(twist[mesh.other], q.y - coupling.solids[mesh.other].centre - mesh.shift));
             };
             gap.area += q.weight;
             gap.volume += q.weight * q.h;
@@ -61,7 +62,8 @@ std::set<FilmPair<D>> turning_films(const Coupling<D>& coupling, const std::vect
         gap.opening /= gap.area;
         gap.acceleration /= gap.area;
         if (gap.flat && gap.thickness() < smallest_limiting_gap * coupling.grid->dx() &&
-            gap.thickness() > in_contact * settings(pair.master, pair.other).floor && gap.thickest < parallel * gap.thickness() && gap.opening < 0 &&
+            gap.thickness() > in_contact * settings(pair.master, pair.other).floor &&
+            gap.thickest < parallel * gap.thickness() && gap.opening < 0 &&
             gap.thickness() * gap.acceleration > stopping * gap.opening * gap.opening && !law(pair.master, pair.other).jet)
             turning.insert(pair);
     }
@@ -83,7 +85,8 @@ void turn_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
     // The walls' mean velocity.
     auto carried = [&](const Film<D>& film, const Vec<D>& x) {
         const int a = film.pair.master, b = film.pair.other;
-        return Vec<D>(0.5 * (velocity_at<D>(twists[a], x - solids[a].centre) + velocity_at<D>(twists[b], x - solids[b].centre - film.mesh.shift)));
+        return Vec<D>(0.5 * (velocity_at<D>(twists[a], x - solids[a].centre) +
+                             velocity_at<D>(twists[b], x - solids[b].centre - film.mesh.shift)));
     };
     for (const Film<D>& film : network.films) {
         const auto old = memories.find(film.pair);
@@ -116,11 +119,11 @@ void turn_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template std::set<FilmPair<D>> turning_films<D>(const Coupling<D>&, const std::vector<Twist<D>>&, const std::vector<Twist<D>>&, \
-                                                    const std::function<GapSettings(int, int)>&,                               \
+    template std::set<FilmPair<D>> turning_films<D>(const Coupling<D>&, const std::vector<Twist<D>>&,                          \
+                                                    const std::vector<Twist<D>>&, const std::function<GapSettings(int, int)>&, \
                                                     const std::function<MouthLaw(int, int)>&);                                 \
-    template void turn_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmMemories<D>&, const std::set<FilmPair<D>>&, \
-                                const std::vector<Twist<D>>&, FilmFlow<D>&);
+    template void turn_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmMemories<D>&,                      \
+                                const std::set<FilmPair<D>>&, const std::vector<Twist<D>>&, FilmFlow<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

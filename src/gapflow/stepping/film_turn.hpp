@@ -21,9 +21,9 @@ inline constexpr double smallest_limiting_gap = 1e-4;
 /// Pairs whose flat film is thinner than that (but not in contact), gives back at its mouths what it takes up, and is about to stop what closes
 /// it, as `twists` and the `acceleration` of all solids tell.
 template <int D>
-std::set<FilmPair<D>> turning_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists,
-                                    const std::vector<Twist<D>>& acceleration, const std::function<GapSettings(int, int)>& settings,
-                                    const std::function<MouthLaw(int, int)>& law);
+std::set<FilmPair<D>>
+turning_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, const std::vector<Twist<D>>& acceleration,
+              const std::function<GapSettings(int, int)>& settings, const std::function<MouthLaw(int, int)>& law);
 
 /// Turns the flow of these pairs' films round, as seen from their walls.
 template <int D>

@@ -13,7 +13,8 @@ constexpr double handed_on = 0.95;
 
 // The master's velocity along an element.
 template <int D>
-Vec<D> along_master(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const std::vector<Twist<D>>& twists)
+Vec<D> along_master(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e,
+                    const std::vector<Twist<D>>& twists)
 {
     const Vec<D> U = velocity_at<D>(twists[mesh.master], e.centroid - coupling.solids[mesh.master].centre);
     return U - U.dot(e.normal) * e.normal;
@@ -89,8 +90,8 @@ void limit_inflow(const Coupling<D>& coupling, const VoidSet<D>& voids, const Fi
         if (!sharp || !(at_void || film.mesh.skin > 0) || memory == memories.end())
             continue;
         const PlacedShape<D>& master = coupling.solids[film.pair.master].shape;
-        const double along = conduit.length * conduit.h *
-                             conduit.outward.dot(memory->second->master_velocity(master.to_body(conduit.x)));
+        const double along =
+            conduit.length * conduit.h * conduit.outward.dot(memory->second->master_velocity(master.to_body(conduit.x)));
         double& q = flow.conduit[r];
         double& scale = flow.conduit_scale[r];
         const double before = (q - (1 - scale) * along) / scale; // q^n, without the head that advection took
@@ -150,7 +151,8 @@ void pass_on(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::ve
         for (const Place& at : around.elements[node]) {
             const Film<D>& film = network.films[at.film];
             const FilmElement<D>& e = film.mesh.elements[at.element];
-            const Vec<D> relative = flow.velocity[film.first_element + at.element] - along_master(coupling, film.mesh, e, twists);
+            const Vec<D> relative =
+                flow.velocity[film.first_element + at.element] - along_master(coupling, film.mesh, e, twists);
             add(e.volume * e.gradient[place_of_node(e, node - film.first_node)].dot(relative), relative);
         }
         for (const auto& [r, shape] : around.conduits[node]) {
@@ -212,7 +214,8 @@ void follow_front(const Coupling<D>& coupling, const std::vector<char>& was_empt
                     const FilmElement<D>& from = other.mesh.elements[at.element];
                     if (was_empty[other.first_element + at.element])
                         continue;
-                    behind += from.volume * (before[other.first_element + at.element] - along_master(coupling, other.mesh, from, twists));
+                    behind += from.volume *
+                              (before[other.first_element + at.element] - along_master(coupling, other.mesh, from, twists));
                     volume += from.volume;
                 }
                 for (const auto& [r, shape] : around.conduits[film.first_node + node]) {

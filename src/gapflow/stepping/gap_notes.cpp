@@ -6,8 +6,7 @@
 #include <cstdio>
 #include <map>
 
-namespace gapflow
-{
+namespace gapflow {
 
 std::string place_text(const std::vector<double>& x)
 {
@@ -22,10 +21,12 @@ std::string place_text(const std::vector<double>& x)
 
 std::string sealed_text(const SealedPocket& pocket)
 {
-    const std::string what = pocket.cells > 0 ? std::to_string(pocket.cells) + (pocket.cells == 1 ? " cell" : " cells") + " of fluid"
-                                              : std::string("a film");
+    const std::string what = pocket.cells > 0
+                                 ? std::to_string(pocket.cells) + (pocket.cells == 1 ? " cell" : " cells") + " of fluid"
+                                 : std::string("a film");
     return what + " at " + place_text(pocket.at) + (pocket.bodies.empty() ? "" : " between " + joined(pocket.bodies, ", ")) +
-           ": nothing lets this fluid out, so its volume holds what bounds it; if that is not meant, leave a gap or an open side";
+           ": nothing lets this fluid out, so its volume holds what bounds it; if that is not meant, leave a gap or an open "
+           "side";
 }
 
 template <int D>
@@ -36,10 +37,11 @@ std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<F
         const Film<D>& film = coupling.network.films[end.film];
         if (!told.insert(film.pair).second)
             continue;
-        notes.push_back("the film between '" + coupling.solids[film.mesh.master].name + "' and '" + coupling.solids[film.mesh.other].name +
-                        "' ends at " + place_text<D>(end.x) +
-                        " where nothing continues it (no cell with fluid, no other film, no side): the flow there may be too stiff; "
-                        "use a finer grid (domain.cells), or another gap.threshold for this pair");
+        notes.push_back(
+            "the film between '" + coupling.solids[film.mesh.master].name + "' and '" + coupling.solids[film.mesh.other].name +
+            "' ends at " + place_text<D>(end.x) +
+            " where nothing continues it (no cell with fluid, no other film, no side): the flow there may be too stiff; "
+            "use a finer grid (domain.cells), or another gap.threshold for this pair");
     }
     return notes;
 }
@@ -63,8 +65,10 @@ std::vector<std::string> rough_gap_notes(const Scene& scene, const Coupling<D>& 
         if (!gap.automatic_roughness || distance <= touch * dx || distance >= gap.roughness)
             continue;
         char text[300];
-        std::snprintf(text, sizeof text, " are %.3g (%.3g cells) apart, and their film counts as %.3g (%.3g cells) thick, which gap.roughness is by default; "
-                                         "give a smaller gap.roughness, down to 0, if the film shall be as thin as the gap",
+        std::snprintf(text, sizeof text,
+                      " are %.3g (%.3g cells) apart, and their film counts as %.3g (%.3g cells) thick, which gap.roughness is "
+                      "by default; "
+                      "give a smaller gap.roughness, down to 0, if the film shall be as thin as the gap",
                       distance, distance / dx, gap.roughness, gap.roughness / dx);
         notes.push_back("'" + a + "' and '" + b + "'" + text);
     }

@@ -74,8 +74,8 @@ std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<Rigid
 }
 
 template <int D>
-std::vector<std::string> leaving_notes(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
-                                       bool first)
+std::vector<std::string> leaving_notes(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
+                                       const std::vector<Whereabouts>& before, bool first)
 {
     std::vector<std::string> notes;
     const std::vector<Whereabouts> now = whereabouts(scene, bodies);
@@ -83,7 +83,8 @@ std::vector<std::string> leaving_notes(const Scene& scene, const std::vector<Rig
         const std::string name = "body '" + bodies[b].name + "' ";
         if (now[b].outside) {
             if (!before[b].outside)
-                notes.push_back(name + "has left the domain: no flow acts on it there, only gravity and the pressure of fluid at rest");
+                notes.push_back(
+                    name + "has left the domain: no flow acts on it there, only gravity and the pressure of fluid at rest");
             continue;
         }
         for (int side : now[b].crossed) {

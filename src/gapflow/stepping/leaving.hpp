@@ -10,7 +10,7 @@ namespace gapflow {
 
 /// Where a body lies as seen from the domain.
 struct Whereabouts {
-    bool outside = false; ///< wholly beyond a side that is not periodic
+    bool outside = false;     ///< wholly beyond a side that is not periodic
     std::vector<int> crossed; ///< open and inflow sides beyond which a part of it lies: 2 * axis + end
 };
 
@@ -22,7 +22,7 @@ std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<Rigid
 /// once it reaches through; one that is wholly outside and was not has left. `first`: of the first step, when bodies that reach
 /// through already count.
 template <int D>
-std::vector<std::string> leaving_notes(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
-                                       bool first);
+std::vector<std::string> leaving_notes(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
+                                       const std::vector<Whereabouts>& before, bool first);
 
 } // namespace gapflow

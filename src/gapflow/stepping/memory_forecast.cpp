@@ -1,7 +1,6 @@
 #include "gapflow/stepping/memory_forecast.hpp"
 
-namespace gapflow
-{
+namespace gapflow {
 
 double forecast_memory(const Scene& scene, long film_nodes)
 {

@@ -126,7 +126,8 @@ Budget<D> Simulation<D>::budget() const
         auto of_plane = [&](int plane) {
             Sums sum = Sums::Zero();
             for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
-                const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row), *u = &velocity_.grid(axis, row);
+                const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row),
+                             *u = &velocity_.grid(axis, row);
                 const int* cut = &c.fractions->cut(axis, row);
                 double flow = 0, along = 0, square = 0; // sums of a u, i a u, a u^2
                 int cuts = 0;
@@ -218,7 +219,8 @@ void Simulation<D>::finish_report(StepReport& report, double dt)
         add_entrainment(*coupling_, twists(), -1, driven);
         for (std::size_t r = 0; r < shut.size(); ++r)
             if (shut[r])
-                driven.conduit[r] += entrained_flux(*coupling_, r, twists()) - carried_flux<D>(*coupling_, coupling_->network.mouths.conduits[r], twists());
+                driven.conduit[r] += entrained_flux(*coupling_, r, twists()) -
+                                     carried_flux<D>(*coupling_, coupling_->network.mouths.conduits[r], twists());
         outflow(*coupling_, driven, twists(), rest);
     }
     if (node_outflow_.size() > 0) { // velocities at a void's front have moved on since
@@ -236,15 +238,15 @@ void Simulation<D>::finish_report(StepReport& report, double dt)
     }
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
     worst = std::max(worst, max_over_planes(grid_.low()[D - 1], grid_.high()[D - 1], [&](int plane) {
-        double largest = 0;
-        for_each_row_of_plane<D>(grid_.low(), grid_.high(), plane, [&](const Index<D>& row) {
-            const double* value = &rest.cells(row);
+                         double largest = 0;
+                         for_each_row_of_plane<D>(grid_.low(), grid_.high(), plane, [&](const Index<D>& row) {
+                             const double* value = &rest.cells(row);
 #pragma omp simd reduction(max : largest)
-            for (int i = 0; i < grid_.high()[0] - grid_.low()[0]; ++i)
-                largest = std::max(largest, std::abs(value[i]));
-        });
-        return largest;
-    }));
+                             for (int i = 0; i < grid_.high()[0] - grid_.low()[0]; ++i)
+                                 largest = std::max(largest, std::abs(value[i]));
+                         });
+                         return largest;
+                     }));
     report.divergence_max = grid_.comm().max(worst) / std::pow(grid_.dx(), D);
     for (std::string& note : blind_end_notes(*coupling_, blind_told_))
         report.notes.push_back(std::move(note));

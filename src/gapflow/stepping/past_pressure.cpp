@@ -75,7 +75,8 @@ void subtract_known_gradient(const Coupling<D>& coupling, const PastPressure<D>&
             double* to = &u(axis, first);
             const double up = scale * above * (2 - below), down = scale * below * (2 - above);
             for (int i = 0; i < n; ++i) {
-                const double counts = a[i] > 0 ? 1.0 : 0.0, above_known = 1 + above * (k[i] - 1), below_known = 1 + below * (k[i - back] - 1);
+                const double counts = a[i] > 0 ? 1.0 : 0.0, above_known = 1 + above * (k[i] - 1),
+                             below_known = 1 + below * (k[i - back] - 1);
                 to[i] -= counts * above_known * below_known * (up * p[i] - down * p[i - back]);
             }
             if (!changed)
@@ -143,10 +144,9 @@ void limit_to_inertia(const Grid<D>& grid, const FaceField<D>& u, FaceField<D>& 
     }
 }
 
-
 template <int D>
-std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const FaceField<D>& change, const FaceFractions<D>& before,
-                                   const FaceFractions<D>& after, std::size_t bodies)
+std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const FaceField<D>& change,
+                                   const FaceFractions<D>& before, const FaceFractions<D>& after, std::size_t bodies)
 {
     std::vector<double> sums(D * bodies, 0.0);
     const double scale = 0.5 * density * std::pow(grid.dx(), D);
@@ -185,7 +185,7 @@ std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const Fa
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void continue_pressure<D>(const Coupling<D>&, PastPressure<D>&);                                                  \
-    template void subtract_known_gradient<D>(const Coupling<D>&, const PastPressure<D>&, double, FaceField<D>&,                 \
+    template void subtract_known_gradient<D>(const Coupling<D>&, const PastPressure<D>&, double, FaceField<D>&,                \
                                              FaceField<D, std::int8_t>*);                                                      \
     template FaceField<D> velocity_change<D>(const Coupling<D>&, const PastPressure<D>&, double);                              \
     template void limit_to_inertia<D>(const Grid<D>&, const FaceField<D>&, FaceField<D>&, FaceField<D>&);                      \

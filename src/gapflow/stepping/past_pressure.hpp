@@ -51,7 +51,7 @@ void limit_to_inertia(const Grid<D>& grid, const FaceField<D>& u, FaceField<D>& 
 /// 1/2 (F(S^n) - F(S^{n+1})) of the first `bodies` solids, impulses. (Torques are left as they are: a ball in ideal flow must not turn, to
 /// round-off, and the bulk's share of a body's pressure alone does not say so.) Collective.
 template <int D>
-std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const FaceField<D>& change, const FaceFractions<D>& before,
-                                   const FaceFractions<D>& after, std::size_t bodies);
+std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const FaceField<D>& change,
+                                   const FaceFractions<D>& before, const FaceFractions<D>& after, std::size_t bodies);
 
 } // namespace gapflow

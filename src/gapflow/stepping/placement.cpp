@@ -7,11 +7,9 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 template <int D>
 bool bounded(const RigidBody<D>& body)
@@ -20,8 +18,8 @@ bool bounded(const RigidBody<D>& body)
     return bounds.low.allFinite() && bounds.high.allFinite() && !(bounds.low.array() > bounds.high.array()).any();
 }
 
-constexpr int most_passes = 200; // that take overlaps out
-constexpr double seen = 1e-6;    // in cells: overlaps that are round-off
+constexpr int most_passes = 200;    // that take overlaps out
+constexpr double seen = 1e-6;       // in cells: overlaps that are round-off
 constexpr double left_alone = 1e-2; // in cells: what may stay wedged in without a word
 constexpr std::size_t most_named = 6;
 
@@ -155,7 +153,8 @@ std::vector<std::string> take_out_overlaps(const Scene& scene, const Grid<D>& gr
         overlap = find();
     }
     if (overlap > dx)
-        throw InputError(scene.file + ": " + pair() + " overlap by " + cells(overlap) + " at the start, and cannot be pushed apart; move them");
+        throw InputError(scene.file + ": " + pair() + " overlap by " + cells(overlap) +
+                         " at the start, and cannot be pushed apart; move them");
     std::vector<std::pair<double, std::string>> moves; // longest first
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (const double way = (bodies[b].centre() - before[b].centre()).norm(); way > seen * dx)
@@ -167,8 +166,8 @@ std::vector<std::string> take_out_overlaps(const Scene& scene, const Grid<D>& gr
     if (moves.size() > most_named)
         named.push_back(std::to_string(moves.size() - most_named) + " more");
     std::vector<std::string> notes;
-    notes.push_back("bodies overlap at the start (most " + start + ") and were pushed apart before it: moved by " + joined(named, ", ") +
-                    "; better place them so that they do not overlap");
+    notes.push_back("bodies overlap at the start (most " + start + ") and were pushed apart before it: moved by " +
+                    joined(named, ", ") + "; better place them so that they do not overlap");
     if (overlap > left_alone * dx)
         notes.push_back(pair() + " still overlap by " + cells(overlap) + ": nothing there can give way; move them");
     return notes;
@@ -177,7 +176,9 @@ std::vector<std::string> take_out_overlaps(const Scene& scene, const Grid<D>& gr
 template std::vector<std::string> placement_warnings<2>(const Scene&, const std::vector<RigidBody<2>>&, const DomainWalls<2>&);
 template std::vector<std::string> placement_warnings<3>(const Scene&, const std::vector<RigidBody<3>>&, const DomainWalls<3>&);
 
-template std::vector<std::string> take_out_overlaps<2>(const Scene&, const Grid<2>&, std::vector<RigidBody<2>>&, const DomainWalls<2>&);
-template std::vector<std::string> take_out_overlaps<3>(const Scene&, const Grid<3>&, std::vector<RigidBody<3>>&, const DomainWalls<3>&);
+template std::vector<std::string> take_out_overlaps<2>(const Scene&, const Grid<2>&, std::vector<RigidBody<2>>&,
+                                                       const DomainWalls<2>&);
+template std::vector<std::string> take_out_overlaps<3>(const Scene&, const Grid<3>&, std::vector<RigidBody<3>>&,
+                                                       const DomainWalls<3>&);
 
 } // namespace gapflow

@@ -12,7 +12,8 @@ namespace gapflow {
 /// overlap by more than a cell (fixed and prescribed bodies may reach out through walls). Overlaps are looked for at the bodies'
 /// centres and the vertices of their surfaces.
 template <int D>
-std::vector<std::string> placement_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls);
+std::vector<std::string> placement_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
+                                            const DomainWalls<D>& walls);
 
 /// Moves free bodies out of what they overlap at the start, about as far as the overlaps ask for and whatever their masses. Returns what the
 /// user should know: who was moved and how far, what still overlaps. Where bodies only touch, or none can give way, nothing moves. Throws

@@ -110,7 +110,8 @@ SolveReport Projection<D>::solve(double tolerance)
 template <int D>
 ContactChange Projection<D>::update_contacts(const NearInertia<D>& inertia, double tolerance, const Rounds& rounds)
 {
-    return start_.contacts ? start_.contacts->update(twists_, contact_impulse_, inertia, rounds.accuracy(tolerance), rounds.exact(), rounds.number())
+    return start_.contacts ? start_.contacts->update(twists_, contact_impulse_, inertia, rounds.accuracy(tolerance),
+                                                     rounds.exact(), rounds.number())
                            : ContactChange::none;
 }
 
@@ -147,7 +148,8 @@ bool Projection<D>::update_voids(double tolerance, const Rounds& rounds, bool co
     for (std::size_t r = 0; r < conduits.size(); ++r)
         flux.push_back(velocity_.conduit[r] + wet_->conductance(r) * drop[r] +
                        (voids.shut()[r] ? 0.0
-                                        : entrained_flux(start_.coupling, r, twists_) - carried_flux<D>(start_.coupling, conduits[r], twists_)));
+                                        : entrained_flux(start_.coupling, r, twists_) -
+                                              carried_flux<D>(start_.coupling, conduits[r], twists_)));
     return voids.update_mouths(conduits, flux, drop, accuracy, at_once) || nodes;
 }
 

@@ -20,20 +20,20 @@ template <int D>
 struct ProjectionStart {
     Coupling<D>& coupling;
     const std::vector<RigidBody<D>>& bodies;
-    const std::vector<TwistMatrix<D>>& masses;  ///< of all solids
-    const std::vector<Twist<D>>& forced;        ///< of all solids after all forces but the fluid's and the contacts'
-    ContactSet<D>* contacts;                    ///< null: none
-    VoidSet<D>* voids;                          ///< null: none
-    double dt;                                  ///< 0: the initial projection
-    long step;                                  ///< its number, for messages
+    const std::vector<TwistMatrix<D>>& masses; ///< of all solids
+    const std::vector<Twist<D>>& forced;       ///< of all solids after all forces but the fluid's and the contacts'
+    ContactSet<D>* contacts;                   ///< null: none
+    VoidSet<D>* voids;                         ///< null: none
+    double dt;                                 ///< 0: the initial projection
+    long step;                                 ///< its number, for messages
 };
 
 template <int D>
 class Projection {
 public:
     /// `velocity`: u*; mouths that voids shut lose theirs. `impulse`: becomes that of the pressure.
-    Projection(const ProjectionStart<D>& start, FluidVelocity<D>& velocity, UnknownVector<D>& impulse, const SolverOptions& options,
-               StageTimers& stages);
+    Projection(const ProjectionStart<D>& start, FluidVelocity<D>& velocity, UnknownVector<D>& impulse,
+               const SolverOptions& options, StageTimers& stages);
 
     /// The system as the sets are now: held contacts, sliding pulls, voids; V* and the right-hand side. Throws ComputationError where incompressible
     /// fluid has no way out. Collective.

@@ -14,7 +14,8 @@ class Rounds {
 public:
     /// Whether there are contacts and voids at all. `expect_none`: they are not expected to change; the first solve is exact then.
     Rounds(bool contacts, bool voids, bool expect_none)
-        : level_(contacts || voids ? 0 : rough_tolerances.size()), sets_(contacts || voids), expect_none_(expect_none), voids_changed_(voids)
+        : level_(contacts || voids ? 0 : rough_tolerances.size()), sets_(contacts || voids), expect_none_(expect_none),
+          voids_changed_(voids)
     {
     }
 

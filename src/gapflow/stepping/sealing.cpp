@@ -12,11 +12,9 @@
 #include <map>
 #include <set>
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 constexpr double rough = 0.01;           // in cells: a floor of a film that counts as a way out
 constexpr double touching = 1.05;        // of the floor, or of the distance at which a contact holds
@@ -67,7 +65,8 @@ std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<Ga
         const auto contact = held.find(std::minmax(mesh.master, mesh.other));
         const double most = touching * (contact == held.end() ? floor : std::max(floor, contact->second)) + round_off * dx;
         std::vector<char> parts(mesh.h.size(), 0);
-        std::vector<double> slope(mesh.h.size(), 1.0); // at an edge h is along the normal of the face beside it: the surfaces are nearer
+        std::vector<double> slope(mesh.h.size(),
+                                  1.0); // at an edge h is along the normal of the face beside it: the surfaces are nearer
         for (const FilmElement<D>& e : mesh.elements) {
             const Vec<D> of_master = velocity_at<D>(V[mesh.master], e.centroid - coupling.solids[mesh.master].centre);
             const Vec<D> of_other = velocity_at<D>(V[mesh.other], e.centroid - coupling.solids[mesh.other].centre - mesh.shift);
@@ -88,8 +87,7 @@ std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<Ga
 
 // What goes into the pockets: of every part, from every solid and side, and the sums of magnitudes.
 template <int D>
-class Balance
-{
+class Balance {
 public:
     Balance(const Coupling<D>& coupling, const FluidParts<D>& parts, const std::vector<Twist<D>>& twists,
             const FluidVelocity<D>& u)
@@ -186,10 +184,11 @@ bool anything_prescribed(const Coupling<D>& coupling, const std::vector<Twist<D>
 // Parts of the fluid with the shut nodes closed: what goes into them, and what they push at.
 template <int D>
 struct Pockets {
-    Pockets(const Coupling<D>& of, const std::vector<char>& shut, const std::vector<Twist<D>>& twists, const FluidVelocity<D>& u,
-            GivesWay who)
-        : coupling(of), gives_way(who), parts(find_parts(of, shut)), balance(of, parts, twists, u), forces(forces_of(of, parts, area)),
-          largest(balance.magnitude.size() > 0 ? balance.magnitude.maxCoeff() : 0.0), is_pocket(parts.components.size())
+    Pockets(const Coupling<D>& of, const std::vector<char>& shut, const std::vector<Twist<D>>& twists,
+            const FluidVelocity<D>& u, GivesWay who)
+        : coupling(of), gives_way(who), parts(find_parts(of, shut)), balance(of, parts, twists, u),
+          forces(forces_of(of, parts, area)), largest(balance.magnitude.size() > 0 ? balance.magnitude.maxCoeff() : 0.0),
+          is_pocket(parts.components.size())
     {
         for (int k = 0; k < count(); ++k)
             is_pocket[k] = !parts.components[k].grounded;
@@ -206,7 +205,8 @@ struct Pockets {
     /// Whether a solid or side goes its way whatever the pressure.
     bool prescribed(int cause) const
     {
-        return cause >= static_cast<int>(coupling.solids.size()) || coupling.free_body[cause] < 0 || gives_way == GivesWay::nothing;
+        return cause >= static_cast<int>(coupling.solids.size()) || coupling.free_body[cause] < 0 ||
+               gives_way == GivesWay::nothing;
     }
     bool pushes(int k, int b) const { return forces.col(k).template segment<twist_size<D>>(twist_size<D> * b).norm() > 0; }
 
@@ -234,8 +234,8 @@ Chain driven_chain(const Pockets<D>& all, const std::vector<Contact<D>>& contact
     auto& [pockets, bodies] = chain;
     for (int k = 0; k < all.count(); ++k)
         for (int cause = 0; cause < all.balance.driven.rows() && all.is_pocket[k]; ++cause)
-            if (all.prescribed(cause) &&
-                std::abs(all.balance.driven(cause, k)) > nothing * std::max(all.balance.magnitude(cause, k), 1e-6 * all.largest))
+            if (all.prescribed(cause) && std::abs(all.balance.driven(cause, k)) >
+                                             nothing * std::max(all.balance.magnitude(cause, k), 1e-6 * all.largest))
                 pockets.insert(k);
     for (bool grows = !pockets.empty() && all.gives_way != GivesWay::nothing; grows;) {
         const std::size_t before = pockets.size() + bodies.size();
@@ -244,7 +244,8 @@ Chain driven_chain(const Pockets<D>& all, const std::vector<Contact<D>>& contact
                 bodies.insert(b);
         for (const Contact<D>& c : contacts) {
             const int a = coupling.free_body[c.point.a], b = coupling.free_body[c.point.b];
-            if (c.closed && all.gives_way == GivesWay::unblocked && a >= 0 && b >= 0 && (bodies.contains(a) || bodies.contains(b))) {
+            if (c.closed && all.gives_way == GivesWay::unblocked && a >= 0 && b >= 0 &&
+                (bodies.contains(a) || bodies.contains(b))) {
                 bodies.insert(a);
                 bodies.insert(b);
             }
@@ -396,8 +397,10 @@ std::string squeeze_by(const Pockets<D>& all, const std::vector<int>& list, cons
     std::vector<std::string> causes;
     for (int cause = 0; cause < of_cause.size(); ++cause)
         if (all.prescribed(cause) && std::abs(of_cause[cause]) > nothing * of_cause.cwiseAbs().maxCoeff())
-            causes.push_back(cause < count ? "the motion of '" + solids[cause].name + "'" : "the inflow at " + side_names[cause - count]);
-    return joined(causes, " and ") + " changes the volume of fluid sealed in (" + where_is(*all.coupling.grid, all.parts, list[k]) + ")";
+            causes.push_back(cause < count ? "the motion of '" + solids[cause].name + "'"
+                                           : "the inflow at " + side_names[cause - count]);
+    return joined(causes, " and ") + " changes the volume of fluid sealed in (" +
+           where_is(*all.coupling.grid, all.parts, list[k]) + ")";
 }
 
 } // namespace

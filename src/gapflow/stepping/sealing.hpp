@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Who can give way to the fluid's pressure.
 enum class GivesWay {

@@ -47,7 +47,8 @@ bool mark_across_thin_bodies(const Grid<D>& grid, const FaceField<D>& open, doub
             if (!between(axis, f))
                 return;
             for (int other = 0; other < D; ++other)
-                for_each_index<D>((f - one).cwiseMax(block.low), (f + 2 * one).cwiseMin(block.high), [&](const Index<D>& g) { marks(other, g) = 1; });
+                for_each_index<D>((f - one).cwiseMax(block.low), (f + 2 * one).cwiseMin(block.high),
+                                  [&](const Index<D>& g) { marks(other, g) = 1; });
         });
     }
     return true;
@@ -82,8 +83,9 @@ void add_inflow_head(const Grid<D>& grid, const Vec<D>& outside, double dt, Face
 template <int D>
 bool Simulation<D>::met_something(int body) const
 {
-    return contacts_.impact_on(body) ||
-           std::any_of(turning_.begin(), turning_.end(), [&](const FilmPair<D>& pair) { return pair.master == body || pair.other == body; });
+    return contacts_.impact_on(body) || std::any_of(turning_.begin(), turning_.end(), [&](const FilmPair<D>& pair) {
+               return pair.master == body || pair.other == body;
+           });
 }
 
 // The bulk's pressure at the end of the last step; none where bodies met: what stopped them does not go on. Nor where a body crosses an open
@@ -124,8 +126,8 @@ template <int D>
 FaceField<D> Simulation<D>::advect_bulk(FaceField<D>& u_star, double dt, const FaceField<D, std::int8_t>* plain)
 {
     const BoundaryVelocity<D> sides = side_velocities(time_);
-    const AdvectionScheme scheme = scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack
-                                                                                    : AdvectionScheme::semi_lagrangian;
+    const AdvectionScheme scheme =
+        scene_.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack : AdvectionScheme::semi_lagrangian;
     continue_pressure(*coupling_, past_);
     FaceField<D> change = velocity_change(*coupling_, past_, dt);
     if (scene_.viscosity == 0)

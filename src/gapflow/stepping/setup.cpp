@@ -40,8 +40,9 @@ bool slides(const Scene& scene, const std::string& name)
 bool has_pair(const Scene& scene, const std::string& a, const std::string& b)
 {
     const std::array<std::string, 2> names{a, b};
-    return std::any_of(scene.pairs.begin(), scene.pairs.end(),
-                       [&](const PairScene& pair) { return std::is_permutation(names.begin(), names.end(), pair.bodies.begin()); });
+    return std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const PairScene& pair) {
+        return std::is_permutation(names.begin(), names.end(), pair.bodies.begin());
+    });
 }
 
 bool is_flat(const auto& shape)
@@ -68,10 +69,11 @@ void require_memory(const Scene& scene, const Communicator& comm, double availab
         return;
     constexpr double gib = 1073741824.0;
     char text[256];
-    std::snprintf(text, sizeof text,
-                  ": domain.cells: %.3g cells need about %.3g GiB of memory, %.3g GiB of it on a machine that has %.3g GiB; use "
-                  "fewer cells, or ranks on more machines",
-                  cells, needed / gib, comm.max(here > available ? here : 0.0) / gib, comm.min(available) / gib);
+    std::snprintf(
+        text, sizeof text,
+        ": domain.cells: %.3g cells need about %.3g GiB of memory, %.3g GiB of it on a machine that has %.3g GiB; use "
+        "fewer cells, or ranks on more machines",
+        cells, needed / gib, comm.max(here > available ? here : 0.0) / gib, comm.min(available) / gib);
     throw InputError(scene.file + text);
 }
 
@@ -235,10 +237,10 @@ std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std:
         settings.film = gap.film;
         settings.lasting = moving;
         settings.viscous = scene.viscosity > 0;
-        const double automatic = flat[a] && flat[b] ? flat_threshold
-                                 : !moving          ? curved_threshold
+        const double automatic = flat[a] && flat[b]           ? flat_threshold
+                                 : !moving                    ? curved_threshold
                                  : D == 2 && settings.viscous ? viscous_curved_threshold
-                                                    : moving_curved_threshold;
+                                                              : moving_curved_threshold;
         settings.threshold = gap.threshold.value_or(automatic) * dx;
         const double least = floor_in_cells * dx;
         settings.floor = std::max(gap.roughness, least);

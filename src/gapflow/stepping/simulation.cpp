@@ -5,12 +5,11 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/machine_memory.hpp"
 #include "gapflow/coupling/film_drag.hpp"
-#include "gapflow/film/film_vorticity.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/carried_on.hpp"
 #include "gapflow/stepping/film_turn.hpp"
-#include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/flooding.hpp"
+#include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/projection.hpp"
@@ -90,7 +89,8 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : Simula
     holding_ = true;
     rebuild();
     if (!any_fluid(*coupling_, gaps_))
-        throw InputError(scene_.file + ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");
+        throw InputError(scene_.file +
+                         ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");
     if (moved.empty()) // what was pushed apart touches nearly
         for (std::string& note : rough_gap_notes(scene_, *coupling_))
             initial_report_.notes.push_back(std::move(note));
@@ -133,7 +133,8 @@ StepReport Simulation<D>::step(double next_output)
     const double dt = dt_ = choose_step(next_output);
     recall_pressure();
     const std::vector<Whereabouts> places = whereabouts(scene_, bodies_);
-    turning_ = scene_.viscosity == 0 ? turning_films<D>(*coupling_, twists(), acceleration_, gaps_, mouth_laws_) : std::set<FilmPair<D>>();
+    turning_ = scene_.viscosity == 0 ? turning_films<D>(*coupling_, twists(), acceleration_, gaps_, mouth_laws_)
+                                     : std::set<FilmPair<D>>();
     move_bodies(dt);
     find_contacts(dt);
     rebuild();
@@ -215,9 +216,9 @@ void Simulation<D>::rebuild()
 template <int D>
 void Simulation<D>::build_coupling(const std::function<WetShares(const Coupling<D>&)>& wet)
 {
-    coupling_ = std::make_unique<Coupling<D>>(couple<D>(grid_, make_solids<D>(bodies_, walls_), masses(),
-                                                        {scene_.density, fraction_mode(scene_), &stages_, scene_.viscosity * dt_},
-                                                        gaps_, alive_, wet));
+    coupling_ = std::make_unique<Coupling<D>>(
+        couple<D>(grid_, make_solids<D>(bodies_, walls_), masses(),
+                  {scene_.density, fraction_mode(scene_), &stages_, scene_.viscosity * dt_}, gaps_, alive_, wet));
 }
 
 // Twists of the end of the step, and what goes on of their change.
@@ -278,8 +279,9 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
     options.tolerance = scene_.tolerance;
     options.backend = scene_.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
     options.ask_lightness = light_bodies_;
-    Projection<D> projection({*coupling_, bodies_, mass, forced, contacts ? &contacts_ : nullptr, voids ? &voids_ : nullptr, dt, steps_ + 1},
-                             u_star, impulse_, options, stages_);
+    Projection<D> projection(
+        {*coupling_, bodies_, mass, forced, contacts ? &contacts_ : nullptr, voids ? &voids_ : nullptr, dt, steps_ + 1}, u_star,
+        impulse_, options, stages_);
     Rounds rounds(contacts, voids, !voids && !(contacts && contacts_.likely_to_change(predicted_twists(dt))));
     ContactChange change;
     bool new_voids;
@@ -294,9 +296,9 @@ void Simulation<D>::project(FluidVelocity<D> u_star, const std::vector<Twist<D>>
         if (!solve.converged && dt > 0 && !voids)
             check_sealing(u_star, projection.without_pressure(), GivesWay::unblocked);
         if (!solve.converged)
-            throw ComputationError("the pressure solve of step " + std::to_string(steps_ + 1) + " did not converge: " +
-                                   solve.message + " (" + std::to_string(solve.iterations) + " iterations, relative residual " +
-                                   std::to_string(solve.residual) + ")");
+            throw ComputationError("the pressure solve of step " + std::to_string(steps_ + 1) +
+                                   " did not converge: " + solve.message + " (" + std::to_string(solve.iterations) +
+                                   " iterations, relative residual " + std::to_string(solve.residual) + ")");
         change = projection.update_contacts(inertia, tolerance, rounds);
         new_voids = projection.update_voids(tolerance, rounds, change != ContactChange::none);
         if (new_voids)
@@ -330,13 +332,15 @@ void Simulation<D>::check_crushing(const std::vector<Twist<D>>& V, double dt, St
     if (contacts_.driven(*c, coupling_->solids, V))
         throw ComputationError("prescribed motion drives " + pair + " into each other in step " + std::to_string(steps_ + 1) +
                                ", and neither can give way; let it stop before they touch");
-    report.notes.push_back("contacts ask for more than the bodies can do: " + pair + " overlap, and are pushed apart again"); // nothing drives them
+    report.notes.push_back("contacts ask for more than the bodies can do: " + pair +
+                           " overlap, and are pushed apart again"); // nothing drives them
 }
 
 // Velocities of the end of the step: what the pressure leaves of u*, and what both walls of films and mouths carry along. `was_empty`: elements
 // without fluid before the step; empty where there are no voids.
 template <int D>
-void Simulation<D>::take_velocities(FluidVelocity<D> u_star, const std::vector<Twist<D>>& V, const std::vector<char>& was_empty, double dt)
+void Simulation<D>::take_velocities(FluidVelocity<D> u_star, const std::vector<Twist<D>>& V, const std::vector<char>& was_empty,
+                                    double dt)
 {
     std::vector<Vec<D>> without_push;
     if (D == 2 && scene_.viscosity == 0 && dt > 0)
@@ -349,7 +353,8 @@ void Simulation<D>::take_velocities(FluidVelocity<D> u_star, const std::vector<T
         return;
     for (std::size_t r = 0; r < velocity_.conduit.size(); ++r)
         if (voids_.shut()[r])
-            velocity_.conduit[r] += carried_flux<D>(*coupling_, coupling_->network.mouths.conduits[r], V) - entrained_flux(*coupling_, r, V);
+            velocity_.conduit[r] +=
+                carried_flux<D>(*coupling_, coupling_->network.mouths.conduits[r], V) - entrained_flux(*coupling_, r, V);
     const std::vector<char> is_empty = voids_.empty_elements(coupling_->network);
     rest_in_voids<D>(*coupling_, is_empty, V, velocity_.film);
     follow_front<D>(*coupling_, was_empty, is_empty, voids_.is_void(), V, velocity_);
@@ -403,7 +408,8 @@ std::vector<TwistMatrix<D>> Simulation<D>::masses() const
     std::vector<TwistMatrix<D>> mass;
     for (const RigidBody<D>& body : bodies_)
         mass.push_back(mass_matrix(body) + spring_inertia(body, dt_));
-    if (holding_ && !giving_way_) // heavy beyond any added mass; as prescribed bodies they could choose other masters for their films
+    if (holding_ &&
+        !giving_way_) // heavy beyond any added mass; as prescribed bodies they could choose other masters for their films
         for (TwistMatrix<D>& m : mass)
             m *= held_mass_factor;
     mass.resize(bodies_.size() + walls_.solids.size(), TwistMatrix<D>::Identity());

@@ -31,9 +31,9 @@ struct StepReport {
     double time = 0, dt = 0;
     long cells = 0; ///< unknowns of the grid
     int film_nodes = 0, iterations = 0;
-    int viscous_iterations = 0; ///< of the bulk's viscous solve
-    double residual = 0, divergence_max = 0; ///< divergence: net outflow of a cell over its volume, 1/time
-    double energy_fluid = 0, energy_bodies = 0; ///< as in Budget
+    int viscous_iterations = 0;                        ///< of the bulk's viscous solve
+    double residual = 0, divergence_max = 0;           ///< divergence: net outflow of a cell over its volume, 1/time
+    double energy_fluid = 0, energy_bodies = 0;        ///< as in Budget
     double dissipation_grid = 0, dissipation_film = 0; ///< power that viscosity takes, in the bulk and in films
     double seconds = 0;
     std::vector<std::string> notes; ///< for the user, once each: thin bodies, contacts that do not settle, blind film ends
@@ -46,7 +46,7 @@ struct GapState {
     double opening_rate = 0;    ///< at that place
     int film_nodes = 0;
     double film_area = 0, pressure_min = 0, pressure_max = 0;
-    double force = 0;           ///< on body_a, along the normal that pushes it away from body_b
+    double force = 0; ///< on body_a, along the normal that pushes it away from body_b
     double contact_force = 0, contact_impulse = 0;
     double void_volume = 0;
 };
@@ -54,7 +54,7 @@ struct GapState {
 /// Momentum and energy of fluid, films and bodies.
 template <int D>
 struct Budget {
-    Vec<D> momentum = Vec<D>::Zero(); ///< fluid, films, conduits and free bodies
+    Vec<D> momentum = Vec<D>::Zero();           ///< fluid, films, conduits and free bodies
     Spin<D> angular_momentum = Spin<D>::Zero(); ///< the same, about the domain's origin
     double energy_grid = 0, energy_film = 0;
     double energy_bodies = 0; ///< kinetic energy of the free bodies and what their springs store
@@ -63,9 +63,9 @@ struct Budget {
 /// What the bulk's viscous step takes from the projection before it; unused without viscosity.
 template <int D>
 struct ViscousMemory {
-    std::vector<Twist<D>> force;      ///< of the projection on every body: pressure, films, contacts
-    std::vector<Twist<D>> impulse;    ///< of the viscous traction on every solid, this step
-    CellField<D> divergence;          ///< outflow of the cells after the viscous step
+    std::vector<Twist<D>> force;   ///< of the projection on every body: pressure, films, contacts
+    std::vector<Twist<D>> impulse; ///< of the viscous traction on every solid, this step
+    CellField<D> divergence;       ///< outflow of the cells after the viscous step
 };
 
 template <int D>
@@ -137,7 +137,8 @@ private:
     void remember_projection(const std::vector<Twist<D>>& V_star, double dt);
     void project(FluidVelocity<D> u_star, const std::vector<Twist<D>>& forced, double dt, StepReport& report);
     void check_crushing(const std::vector<Twist<D>>& V, double dt, StepReport& report) const;
-    void take_velocities(FluidVelocity<D> u_star, const std::vector<Twist<D>>& V, const std::vector<char>& was_empty, double dt);
+    void take_velocities(FluidVelocity<D> u_star, const std::vector<Twist<D>>& V, const std::vector<char>& was_empty,
+                         double dt);
     void find_wrenches(const std::vector<Twist<D>>& V, double dt);
     void remember_push(const std::vector<Vec<D>>& without, double dt);
     void continue_velocities();
@@ -161,11 +162,11 @@ private:
     std::function<MouthLaw(int, int)> mouth_laws_;
 
     double time_ = 0;
-    double dt_ = 0;                         ///< of the step under way, else of the last one
-    double last_dt_ = 0;                    ///< of the step before it: what `impulse_` is of until the next projection
+    double dt_ = 0;      ///< of the step under way, else of the last one
+    double last_dt_ = 0; ///< of the step before it: what `impulse_` is of until the next projection
     long steps_ = 0;
-    bool holding_ = false;                  ///< in the initial projection
-    bool giving_way_ = false;               ///< there, where prescribed motion or inflow drives fluid that only moving bodies let out
+    bool holding_ = false;    ///< in the initial projection
+    bool giving_way_ = false; ///< there, where prescribed motion or inflow drives fluid that only moving bodies let out
     std::unique_ptr<Coupling<D>> coupling_;
     std::shared_ptr<const FaceFractions<D>> old_fractions_; ///< of the step before
     FluidVelocity<D> velocity_;
@@ -175,7 +176,8 @@ private:
     /// surplus in a step than its traces bring, all but the narrowest are like other faces.
     double sliver() const
     {
-        constexpr double share = 0.25, least = 0.02, rate = 8; // of a face's surplus, in nu dt / dx^2: four neighbours, two walls close by
+        constexpr double share = 0.25, least = 0.02,
+                         rate = 8; // of a face's surplus, in nu dt / dx^2: four neighbours, two walls close by
         return std::max(least, share / (1 + rate * scene_.viscosity * dt_ / (scene_.density * grid_.dx() * grid_.dx())));
     }
     struct Sliver {
@@ -184,28 +186,29 @@ private:
         double open, own, continued, around; ///< the latter: the speed of the flow around
     };
     std::vector<Sliver> slivers_;
-    FaceField<D> painted_;                  ///< velocity with films painted in, continued
-    FaceField<D, std::int8_t> film_faces_;  ///< faces that take the painted velocity
+    FaceField<D> painted_;                 ///< velocity with films painted in, continued
+    FaceField<D, std::int8_t> film_faces_; ///< faces that take the painted velocity
     bool any_film_faces_ = false;
     FaceField<D, std::int8_t> near_jets_;
-    UnknownVector<D> impulse_;              ///< p
-    bool light_bodies_ = true;              ///< the next solver asks whether bodies are so light that they need correction
-    ContactSet<D> contacts_;                ///< of the last step
+    UnknownVector<D> impulse_; ///< p
+    bool light_bodies_ = true; ///< the next solver asks whether bodies are so light that they need correction
+    ContactSet<D> contacts_;   ///< of the last step
     VoidSet<D> voids_;
-    PastPressure<D> past_;                  ///< without viscosity only from a step's start to its advection
+    PastPressure<D> past_; ///< without viscosity only from a step's start to its advection
     ViscousMemory<D> viscous_;
-    Eigen::VectorXd node_outflow_;          ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
-    std::vector<Vec<D>> film_push_;         ///< acceleration of the films' elements by the pressure, flat ones in 2D without viscosity; none after impacts
-    std::vector<Vec<D>> last_push_;         ///< its mean over the last step
+    Eigen::VectorXd node_outflow_; ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
+    std::vector<Vec<D>>
+        film_push_; ///< acceleration of the films' elements by the pressure, flat ones in 2D without viscosity; none after impacts
+    std::vector<Vec<D>> last_push_; ///< its mean over the last step
     FilmMemories<D> memories_;
-    std::set<FilmPair<D>> turning_;         ///< pairs whose films turn in this step, or turned in the last one
-    std::set<FilmPair<D>> alive_;           ///< pairs with films before the coupling was built
-    std::set<FilmPair<D>> blind_told_;      ///< pairs whose films' blind ends were told of
-    std::vector<Twist<D>> acceleration_;    ///< of all solids, over the last step, as far as it goes on
+    std::set<FilmPair<D>> turning_;      ///< pairs whose films turn in this step, or turned in the last one
+    std::set<FilmPair<D>> alive_;        ///< pairs with films before the coupling was built
+    std::set<FilmPair<D>> blind_told_;   ///< pairs whose films' blind ends were told of
+    std::vector<Twist<D>> acceleration_; ///< of all solids, over the last step, as far as it goes on
     std::vector<Twist<D>> wrenches_;
     StepReport initial_report_;
     StageTimers stages_;
-    std::vector<Twist<D>> start_twists_;    ///< that the fluid sees in the initial projection; empty: the bodies' own
+    std::vector<Twist<D>> start_twists_; ///< that the fluid sees in the initial projection; empty: the bodies' own
 };
 
 } // namespace gapflow

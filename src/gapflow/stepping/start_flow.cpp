@@ -4,11 +4,9 @@
 
 #include <algorithm>
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 constexpr double round_off = 1e-8; // in cells, and of the floor 1e-3: surfaces that touch
 constexpr double patch = 0.1;      // in cells: the size of a part of a film that lies flat

@@ -7,8 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace gapflow
-{
+namespace gapflow {
 
 /// Twists of all solids that the flow at the start belongs to: the given ones, but without the speed at which surfaces that lie
 /// flat on each other near each other or part. A film without thickness cannot take that up; what becomes of it is the first

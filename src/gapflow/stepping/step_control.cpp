@@ -47,15 +47,15 @@ double largest_speed(const Grid<D>& grid, const FaceField<D>& open_share, const 
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
         speed = std::max(speed, max_over_planes(low[D - 1], end[D - 1], [&](int plane) {
-            double largest = 0;
-            for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
-                const double *open = &open_share(axis, row), *u = &velocity(axis, row);
+                             double largest = 0;
+                             for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
+                                 const double *open = &open_share(axis, row), *u = &velocity(axis, row);
 #pragma omp simd reduction(max : largest)
-                for (int i = 0; i < end[0] - low[0]; ++i)
-                    largest = std::max(largest, open[i] > share ? std::abs(u[i]) : 0.0);
-            });
-            return largest;
-        }));
+                                 for (int i = 0; i < end[0] - low[0]; ++i)
+                                     largest = std::max(largest, open[i] > share ? std::abs(u[i]) : 0.0);
+                             });
+                             return largest;
+                         }));
     }
     return speed;
 }
@@ -67,7 +67,8 @@ double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const T
     double frequency = swing_frequency<D>(body, to_vec<D>(scene.gravity), scene.density);
     if (const double spring = spring_frequency(body); spring > 0) {
         const Vec<D> arm = body.pose.position - body.centre();
-        const double amplitude = std::hypot(velocity_at<D>(V, arm).norm() / spring, velocity_at<D>(A, arm).norm() / (spring * spring));
+        const double amplitude =
+            std::hypot(velocity_at<D>(V, arm).norm() / spring, velocity_at<D>(A, arm).norm() / (spring * spring));
         if (amplitude > invisible_amplitude * dx)
             frequency = std::hypot(frequency, spring);
     }
@@ -94,9 +95,11 @@ double limit_of_closing(const FilmMesh<D>& mesh, const std::vector<Solid<D>>& so
         };
         auto rate = [&](const std::vector<Twist<D>>& twist) { return std::abs(opening(twist)); };
         const double distance = q.h + mesh.skin, h = std::max(distance, least);
-        if (unstoppable && q.other_normal.dot(q.x - q.y) < met && scene.gap_cfl * met < driven_step * scene.max_step * -opening(V))
-            throw ComputationError("prescribed motion drives '" + master.name + "' and '" + other.name + "' into each other at time " +
-                                   short_text(time) + "; let it stop before they touch, or let one of them be free");
+        if (unstoppable && q.other_normal.dot(q.x - q.y) < met &&
+            scene.gap_cfl * met < driven_step * scene.max_step * -opening(V))
+            throw ComputationError("prescribed motion drives '" + master.name + "' and '" + other.name +
+                                   "' into each other at time " + short_text(time) +
+                                   "; let it stop before they touch, or let one of them be free");
         // What is left to the contact thickness limits the step too.
         const double left = thickness > 0 ? std::max(distance - thickness, smallest_limiting_gap * dx) : h;
         dt = std::min(dt, scene.gap_cfl * std::min(h, left) / std::max(rate(V), tiny));
@@ -117,7 +120,8 @@ double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const
         if (element.coarse || !(curvature > 0 && h > smallest_limiting_gap * dx)) // thinner, it holds next to nothing
             continue;
         const double relative = memory.speed_about(first + static_cast<int>(e));
-        dt = std::min(dt, curved_film_cfl * std::max(std::sqrt(2 * h / curvature), least_film_length<D> * dx) / std::max(relative, tiny));
+        dt = std::min(dt, curved_film_cfl * std::max(std::sqrt(2 * h / curvature), least_film_length<D> * dx) /
+                              std::max(relative, tiny));
     }
     return dt;
 }
@@ -158,9 +162,10 @@ double Simulation<D>::choose_step(double next_output) const
             dt = std::min(dt, limit_of_film_flow(mesh, solids[mesh.master], *memories_.at(film.pair), first, dx));
     }
     if (!(dt > smallest_step * scene_.max_step))
-        throw ComputationError("the time step fell to " + short_text(dt) + " at time " + short_text(time_) +
-                               ": the flow does not stay bounded, or something is driven into what cannot give way; use a finer "
-                               "grid, a smaller time.max_step or time.cfl, or look at the last output");
+        throw ComputationError(
+            "the time step fell to " + short_text(dt) + " at time " + short_text(time_) +
+            ": the flow does not stay bounded, or something is driven into what cannot give way; use a finer "
+            "grid, a smaller time.max_step or time.cfl, or look at the last output");
     // Land on output times without a sliver of a step before them.
     const double left = next_output - time_;
     if (left <= dt * (1 + 1e-9))
@@ -168,8 +173,7 @@ double Simulation<D>::choose_step(double next_output) const
     return left < 2 * dt ? 0.5 * left : dt;
 }
 
-#define GAPFLOW_INSTANTIATE(D) \
-    template double Simulation<D>::choose_step(double) const;
+#define GAPFLOW_INSTANTIATE(D) template double Simulation<D>::choose_step(double) const;
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -9,11 +9,9 @@
 #include <cmath>
 #include <cstdio>
 
-namespace gapflow
-{
+namespace gapflow {
 
-namespace
-{
+namespace {
 
 constexpr double least_cells = 1, enough_cells = 2;
 constexpr double touching = 1e-3; // in cells: closer surfaces are flush
@@ -90,23 +88,25 @@ std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<Rigid
 }
 
 template <int D>
-std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls,
-                                            Scene::Thin thin)
+std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
+                                            const DomainWalls<D>& walls, Scene::Thin thin)
 {
     std::vector<std::string> warnings;
     for (const ThinBody<D>& body : thin_bodies<D>(scene, bodies, walls)) {
         const std::string remedy = "use " + finer_grid(scene, body.cells) + " or more, or a thicker body";
         const bool unseen = body.cells < least_cells - 1e-6;
         if (unseen && thin == Scene::Thin::refuse)
-            throw InputError(scene.file + ": " + text_of(body) + ", and the fluid does not see what is thinner than a cell: forces would be wrong; " +
-                             remedy + "; or write thin = \"allow\" in [grid] to compute it all the same");
+            throw InputError(scene.file + ": " + text_of(body) +
+                             ", and the fluid does not see what is thinner than a cell: forces would be wrong; " + remedy +
+                             "; or write thin = \"allow\" in [grid] to compute it all the same");
         if (warnings.size() == most_told) {
             warnings.back() += "; so are other bodies";
             break;
         }
         warnings.push_back(text_of(body) +
                            (unseen ? ": the fluid does not see what is thinner than a cell; "
-                                   : ": pressure leaks through what is thinner than two cells; ") + remedy);
+                                   : ": pressure leaks through what is thinner than two cells; ") +
+                           remedy);
     }
     return warnings;
 }
@@ -121,7 +121,8 @@ void require_thickness(const Scene& scene)
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<ThinBody<D>> thin_bodies<D>(const Scene&, const std::vector<RigidBody<D>>&, const DomainWalls<D>&);   \
-    template std::vector<std::string> thickness_warnings<D>(const Scene&, const std::vector<RigidBody<D>>&, const DomainWalls<D>&, Scene::Thin);
+    template std::vector<std::string> thickness_warnings<D>(const Scene&, const std::vector<RigidBody<D>>&,                    \
+                                                            const DomainWalls<D>&, Scene::Thin);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -22,8 +22,8 @@ std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<Rigid
 
 /// What the user should know of them. Throws InputError if one is thinner than a cell and `thin` does not allow it.
 template <int D>
-std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls,
-                                            Scene::Thin thin);
+std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
+                                            const DomainWalls<D>& walls, Scene::Thin thin);
 
 /// Throws the InputError that a run of the scene would.
 void require_thickness(const Scene& scene);

@@ -162,10 +162,12 @@ inline double along(double before, double here, double after, double d)
 #define GAPFLOW_INLINE __attribute__((always_inline))
 
 template <int D, Reach reach0, Reach reach1, Reach reach2>
-GAPFLOW_INLINE inline double interpolate_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2)
+GAPFLOW_INLINE inline double interpolate_near(const double* p, const std::array<long, D>& stride, double d0, double d1,
+                                              double d2)
 {
     auto line = [&](const double* c) GAPFLOW_INLINE { return along<reach0>(c[-1], c[0], c[1], d0); };
-    auto plane = [&](const double* c) GAPFLOW_INLINE { return along<reach1>(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
+    auto plane = [&](const double* c)
+                     GAPFLOW_INLINE { return along<reach1>(line(c - stride[1]), line(c), line(c + stride[1]), d1); };
     if constexpr (D == 2)
         return plane(p);
     else
@@ -174,7 +176,8 @@ GAPFLOW_INLINE inline double interpolate_near(const double* p, const std::array<
 
 /// Least (largest) of the values that interpolate_near with Reach::by_sign reads.
 template <int D, class Pick>
-GAPFLOW_INLINE inline double extreme_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2, Pick&& pick)
+GAPFLOW_INLINE inline double extreme_near(const double* p, const std::array<long, D>& stride, double d0, double d1, double d2,
+                                          Pick&& pick)
 {
     auto either = [&](double before, double here, double after, double d) GAPFLOW_INLINE {
         const double far = d < 0 ? before : after;
@@ -297,7 +300,8 @@ void store_octants(const Lanes<D>& d, int n, std::int8_t* octant)
 
 // Least and largest value at the corners of the cells in which feet lie.
 template <int D>
-void ranges_near(const double* field, const std::array<long, D>& stride, const std::int8_t* octant, int n, double* low, double* high)
+void ranges_near(const double* field, const std::array<long, D>& stride, const std::int8_t* octant, int n, double* low,
+                 double* high)
 {
     Lanes<D> side;
     for (int k = 0; k < D; ++k)
@@ -306,8 +310,10 @@ void ranges_near(const double* field, const std::array<long, D>& stride, const s
 #pragma omp simd
     for (int i = 0; i < n; ++i) {
         const double* p = field + i;
-        low[i] = extreme_near<D>(p, stride, side[0][i], side[1][i], side[D - 1][i], [](double a, double b) { return a < b ? a : b; });
-        high[i] = extreme_near<D>(p, stride, side[0][i], side[1][i], side[D - 1][i], [](double a, double b) { return a > b ? a : b; });
+        low[i] = extreme_near<D>(p, stride, side[0][i], side[1][i], side[D - 1][i],
+                                 [](double a, double b) { return a < b ? a : b; });
+        high[i] = extreme_near<D>(p, stride, side[0][i], side[1][i], side[D - 1][i],
+                                  [](double a, double b) { return a > b ? a : b; });
     }
 }
 

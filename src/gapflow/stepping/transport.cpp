@@ -18,8 +18,9 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     const auto timer = stages_.measure("advection");
     FluidVelocity<D> u_star;
     u_star.grid = FaceField<D>(grid_);
-    FilmFlow<D> flow = advect_films<D>(coupling_->network, coupling_->solids, memories_, predicted_twists(dt),
-                                       [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
+    FilmFlow<D> flow = advect_films<D>(
+        coupling_->network, coupling_->solids, memories_, predicted_twists(dt),
+        [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
     damp_vorticity(coupling_->network, grid_.dx(), flow.velocity);
     turn_films<D>(coupling_->network, coupling_->solids, memories_, turning_, predicted_twists(dt), flow);
     if (voids_.any())
@@ -43,7 +44,8 @@ FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& condu
     if (any_film_faces_) {
         const auto& cells = coupling_->network.cells.cells;
         auto beside_film = [&](int axis, const Index<D>& f) {
-            return cells.contains(grid_.key(grid_.wrapped(f))) || cells.contains(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
+            return cells.contains(grid_.key(grid_.wrapped(f))) ||
+                   cells.contains(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
         };
         for (int axis = 0; axis < D; ++axis)
             for_each_marked<D>(film_faces_[axis], grid_.low(), owned_faces_end(grid_, axis), 1, [&](const Index<D>& f) {
@@ -85,7 +87,7 @@ void Simulation<D>::flood(FilmFlow<D>& flow, double dt)
 template <int D>
 const FaceField<D, std::int8_t>* Simulation<D>::faces_near_jets(const std::vector<double>& flux)
 {
-    constexpr int reach = 2; // cells
+    constexpr int reach = 2;              // cells
     constexpr double least_weight = 1e-3; // round-off must not choose faces
     const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
     const std::vector<Twist<D>> V = twists();

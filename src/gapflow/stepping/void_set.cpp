@@ -123,7 +123,8 @@ void VoidSet<D>::carry(const Coupling<D>& coupling, const FilmMemories<D>& memor
         const auto old = memory_.find(film.pair);
         if (old == memory_.end() || !seen.insert(film.pair).second)
             continue;
-        const PlacedShape<D>&master = coupling.solids[film.pair.master].shape, other = coupling.solids[film.pair.other].shape.shifted(film.mesh.shift);
+        const PlacedShape<D>&master = coupling.solids[film.pair.master].shape,
+              other = coupling.solids[film.pair.other].shape.shifted(film.mesh.shift);
         for (std::size_t i = 0; i < old->second.places.size(); ++i)
             if (old->second.volumes[i] > 0 && other.closest(master.to_world(old->second.places[i])).distance > film.threshold)
                 old->second.volume -= old->second.volumes[i];
@@ -199,7 +200,8 @@ bool VoidSet<D>::update(const Eigen::VectorXd& p, const Eigen::VectorXd& outflow
     for (int i = 0; i < nodes; ++i) {
         if (least_[i] == -infinity)
             continue;
-        const bool wrong = is_void_[i] ? room(i) < -accuracy * largest_room : p[i] - dt * least_[i] < -accuracy * largest_excess;
+        const bool wrong =
+            is_void_[i] ? room(i) < -accuracy * largest_room : p[i] - dt * least_[i] < -accuracy * largest_excess;
         if (!wrong)
             continue;
         last = i;
@@ -216,7 +218,8 @@ bool VoidSet<D>::update_mouths(const std::vector<Conduit<D>>& conduits, const st
                                const std::vector<double>& drop, double accuracy, bool at_once)
 {
     auto at_void = [&](const Conduit<D>& conduit) {
-        return std::all_of(conduit.nodes.begin(), conduit.nodes.end(), [&](int node) { return is_void_[node] && drained_[node]; });
+        return std::all_of(conduit.nodes.begin(), conduit.nodes.end(),
+                           [&](int node) { return is_void_[node] && drained_[node]; });
     };
     double largest_flux = 0, largest_drop = 0;
     for (std::size_t r = 0; r < conduits.size(); ++r) {

@@ -56,8 +56,8 @@ public:
     /// `at_once` is false, one node has changed at most (Murty's rule).
     bool update(const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt, double accuracy, bool at_once);
     /// The same for conduits, with their fluxes out of the film as seen from its master and their drops of pressure impulse.
-    bool update_mouths(const std::vector<Conduit<D>>& conduits, const std::vector<double>& flux, const std::vector<double>& drop,
-                       double accuracy, bool at_once);
+    bool update_mouths(const std::vector<Conduit<D>>& conduits, const std::vector<double>& flux,
+                       const std::vector<double>& drop, double accuracy, bool at_once);
     /// Void volumes of the end of the step, and what find() needs of it.
     void finish(const Coupling<D>& coupling, const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt);
 
@@ -83,7 +83,7 @@ private:
         std::vector<double> depth, pressure; ///< void volume over area; reduced pressure
         std::vector<Vec<D>> places;          ///< of the vertices, in the master's frame
         std::vector<double> volumes;
-        double volume = 0;                   ///< their sum
+        double volume = 0;               ///< their sum
         Vec<D> deepest = Vec<D>::Zero(); ///< place of the deepest void in the master's frame
     };
     VoidLaw law(int a, int b) const;
@@ -96,10 +96,10 @@ private:
     std::function<double(const Vec<D>&)> hydrostatic_;
     bool possible_ = false, any_ = false;
     std::vector<double> volume_, area_, growth_;
-    std::vector<double> least_;  ///< reduced pressure, -infinity: no void here
+    std::vector<double> least_; ///< reduced pressure, -infinity: no void here
     std::vector<double> last_pressure_;
     std::vector<char> is_void_, drained_, shut_;
-    std::vector<int> flips_;     ///< of the mouths, in this step
+    std::vector<int> flips_; ///< of the mouths, in this step
     std::map<FilmPair<D>, Memory> memory_;
     double lost_ = 0;
     WetShares wet_;

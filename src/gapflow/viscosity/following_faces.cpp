@@ -11,7 +11,9 @@ void FollowingFaces<D>::add(int axis)
 {
     const Index<D> ones = Index<D>::Ones();
     const Index<D> owned = owned_faces_end(grid_, axis);
-    auto is_mine = [&](const Index<D>& f) { return (f.array() >= grid_.low().array()).all() && (f.array() < owned.array()).all(); };
+    auto is_mine = [&](const Index<D>& f) {
+        return (f.array() >= grid_.low().array()).all() && (f.array() < owned.array()).all();
+    };
     auto add_face = [&](const Index<D>& f) {
         if (fractions_.cut(axis, f) < 0)
             return;
@@ -61,7 +63,7 @@ Index<D> FollowingFaces<D>::leader_of(int axis, const Index<D>& f, const Lattice
         if (hit.image < 0 || hit.distance < length)
             continue;
         const double rest = std::max(hit.distance - length, least_distance * grid_.dx());
-        following.leader = system_.active[axis].block().offset( g);
+        following.leader = system_.active[axis].block().offset(g);
         following.stiffness = system_.edge * area * grid_.dx() * (1 / rest + 1 / length);
         following.share = rest / (rest + length);
         following.solid[0] = rays_.image(hit.image).solid;
@@ -91,7 +93,8 @@ void FollowingFaces<D>::follow_solids(int axis, const Vec<D>& x, double area, Fo
     double mean = phi * phi / 3; // of y (h - y) / 2 over the face, h = 2 phi
     if (other.image >= 0) {
         const double h = phi + other.distance;
-        const double spread = (1 - wall.normal[axis] * wall.normal[axis]) * (D == 2 ? area * area : area) / 12 * grid_.dx() * grid_.dx();
+        const double spread =
+            (1 - wall.normal[axis] * wall.normal[axis]) * (D == 2 ? area * area : area) / 12 * grid_.dx() * grid_.dx();
         mean = std::max(0.5 * phi * other.distance - 0.5 * spread, h * h / 24);
         const double near_share = other.distance / h;
         following.row[0] *= near_share;

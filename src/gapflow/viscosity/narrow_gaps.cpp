@@ -118,7 +118,8 @@ void NarrowGaps<D>::add_drag(ViscousTerms<D>& terms)
 }
 
 template <int D>
-double NarrowGaps<D>::stiffen(int axis, const Index<D>& f, const LatticeFace<D>& face, const Index<D>& leader, FollowingFace<D>& following)
+double NarrowGaps<D>::stiffen(int axis, const Index<D>& f, const LatticeFace<D>& face, const Index<D>& leader,
+                              FollowingFace<D>& following)
 {
     const std::optional<NarrowGap<D>> gap = narrow_gap(grid_.face_centre(axis, leader));
     const double open = coupling_.open(axis, f);

@@ -13,12 +13,12 @@ namespace gapflow {
 /// The narrow gap around a lattice point. Lengths in dx.
 template <int D>
 struct NarrowGap {
-    std::array<int, 2> image;  ///< near and far
+    std::array<int, 2> image; ///< near and far
     std::array<Vec<D>, 2> foot;
-    Vec<D> x, normal;          ///< of the point; unit, from the near surface to the far one
-    double near, width;        ///< distance to the near surface; of the gap
-    double value;              ///< what the point has in plane Poiseuille flow y (h - y) / 2
-    double lacking;            ///< force that the lattice lacks there, of the unit pressure gradient's
+    Vec<D> x, normal;   ///< of the point; unit, from the near surface to the far one
+    double near, width; ///< distance to the near surface; of the gap
+    double value;       ///< what the point has in plane Poiseuille flow y (h - y) / 2
+    double lacking;     ///< force that the lattice lacks there, of the unit pressure gradient's
 };
 
 template <int D>
@@ -26,7 +26,8 @@ class NarrowGaps {
 public:
     /// All must last; of `system`: active faces and the edges' stiffness.
     NarrowGaps(const Coupling<D>& coupling, ViscousFaces<D>& faces, const ViscousSystem<D>& system)
-        : coupling_(coupling), grid_(*coupling.grid), fractions_(*coupling.fractions), faces_(faces), rays_(faces.rays()), system_(system)
+        : coupling_(coupling), grid_(*coupling.grid), fractions_(*coupling.fractions), faces_(faces), rays_(faces.rays()),
+          system_(system)
     {
     }
 
@@ -34,7 +35,8 @@ public:
     bool find(int axis, const Index<D>& f, long at, double share);
     /// A face that follows a point of a narrow gap: as stiff as its own share of that flow asks for. Returns what it passes on of the
     /// pressure's force to its leader.
-    double stiffen(int axis, const Index<D>& f, const LatticeFace<D>& face, const Index<D>& leader, FollowingFace<D>& following);
+    double stiffen(int axis, const Index<D>& f, const LatticeFace<D>& face, const Index<D>& leader,
+                   FollowingFace<D>& following);
     /// Takes what a face passes on to its leader, if that lies in a gap.
     void pass_on(int axis, long leader, double force);
     /// Adds the drag of all gaps found.

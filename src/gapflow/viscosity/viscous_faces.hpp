@@ -22,10 +22,10 @@ enum class FaceRole { none, active, following };
 template <int D>
 struct LatticeFace {
     FaceRole role = FaceRole::none;
-    double share = 1;  ///< s
+    double share = 1; ///< s
     int image = -1;
-    Vec<D> foot;       ///< x*
-    Vec<D> shift;      ///< centroid less centre
+    Vec<D> foot;  ///< x*
+    Vec<D> shift; ///< centroid less centre
     Vec<D> centroid;
 };
 

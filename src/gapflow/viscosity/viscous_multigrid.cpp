@@ -78,7 +78,8 @@ typename ViscousMultigrid<D>::Level ViscousMultigrid<D>::finest(const ViscousSys
 }
 
 template <int D>
-typename ViscousMultigrid<D>::Level ViscousMultigrid<D>::coarsened(const Level& fine, const Masses& fine_masses, Masses& masses) const
+typename ViscousMultigrid<D>::Level ViscousMultigrid<D>::coarsened(const Level& fine, const Masses& fine_masses,
+                                                                   Masses& masses) const
 {
     Level level;
     level.count = halves<D>(fine.count);
@@ -192,7 +193,8 @@ void ViscousMultigrid<D>::restrict_residual(Level& fine, Level& coarse) const
                 float r = fine.b[at + i] - fine.x[at + i] / inverse;
                 for (int k = 0; k < D; ++k) {
                     const long stride = fine.block.stride[k];
-                    r += fine.link[k][at + i] * fine.x[at + i + stride] + fine.link[k][at + i - stride] * fine.x[at + i - stride];
+                    r += fine.link[k][at + i] * fine.x[at + i + stride] +
+                         fine.link[k][at + i - stride] * fine.x[at + i - stride];
                 }
                 sum[i / 2] += r;
             }

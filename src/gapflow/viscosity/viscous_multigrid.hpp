@@ -23,9 +23,9 @@ public:
 
 private:
     struct Level {
-        Index<D> count;                               ///< points along each axis
-        Block<D> block;                               ///< with a layer of zeros (periodic: copies) around them
-        std::array<LargeVector<float>, D> link;       ///< to the next point along an axis
+        Index<D> count;                         ///< points along each axis
+        Block<D> block;                         ///< with a layer of zeros (periodic: copies) around them
+        std::array<LargeVector<float>, D> link; ///< to the next point along an axis
         LargeVector<float> inverse_diagonal, x, b;
     };
     struct Masses {
@@ -43,7 +43,7 @@ private:
 
     const Grid<D>& grid_;
     Index<D> low_;
-    std::array<bool, D> wraps_;  ///< periodic within this rank
+    std::array<bool, D> wraps_; ///< periodic within this rank
     std::vector<Level> levels_;
     const ViscousSystem<D>& system_;
     int axis_;

@@ -14,8 +14,8 @@ namespace gapflow {
 namespace {
 
 constexpr int most_iterations = 500;
-constexpr int most_rounds = 20;            // of corrections in single precision
-constexpr double single_tolerance = 1e-5;  // what one of them reduces the residual to
+constexpr int most_rounds = 20;           // of corrections in single precision
+constexpr double single_tolerance = 1e-5; // what one of them reduces the residual to
 // Below this ratio of an edge to a cell's mass the diagonal alone preconditions well.
 constexpr double stiff = 0.25;
 
@@ -63,8 +63,8 @@ public:
         for (const ViscousTerm<D>& term : system.terms)
             for (int k = 0; k < 2 && term.at >= 0; ++k)
                 if (const int b = term.solid[k] < 0 ? -1 : system.free_body[term.solid[k]]; b >= 0)
-                    couplings_.push_back({term.axis, term.at, b,
-                                          term.stiffness * term.weight * (system.admissible[b] * term.row[k])});
+                    couplings_.push_back(
+                        {term.axis, term.at, b, term.stiffness * term.weight * (system.admissible[b] * term.row[k])});
         for (std::size_t b = 0; b < system.admissible.size(); ++b) {
             const long at = twist_size<D> * static_cast<long>(b);
             const TwistMatrix<D> block = Eigen::MatrixXd(system.body_matrix.block(at, at, twist_size<D>, twist_size<D>));
@@ -183,8 +183,14 @@ private:
         int body;
         Twist<D> row;
     };
-    const Block<D>& block() const { return system_.active[0].block(); }
-    static T inverse(T diagonal) { return 1 / (diagonal > 0 ? diagonal : std::numeric_limits<T>::infinity()); }
+    const Block<D>& block() const
+    {
+        return system_.active[0].block();
+    }
+    static T inverse(T diagonal)
+    {
+        return 1 / (diagonal > 0 ? diagonal : std::numeric_limits<T>::infinity());
+    }
 
     const ViscousSystem<D>& system_;
     const Grid<D>& grid_;
@@ -198,21 +204,23 @@ template <int D>
 double work_of_rhs(const ViscousSystem<D>& system, const Unknowns<D>& x)
 {
     return system.grid->comm().sum(sum_over_face_rows(*system.grid, system.active[0].block(), [&](int axis, long at, int n) {
-               const double *a = system.rhs[axis].data() + at, *b = x.u[axis].data() + at;
-               double of_row = 0;
+        const double *a = system.rhs[axis].data() + at, *b = x.u[axis].data() + at;
+        double of_row = 0;
 #pragma omp simd reduction(+ : of_row)
-               for (int i = 0; i < n; ++i)
-                   of_row += a[i] * b[i];
-               return of_row;
-           })) +
-           system.body_rhs.dot(x.V);
+        for (int i = 0; i < n; ++i)
+            of_row += a[i] * b[i];
+        return of_row;
+    })) + system.body_rhs.dot(x.V);
 }
 
 /// Conjugate gradients from x on, until the error's energy norm, as the preconditioner sees it, is `tolerance` of the solution's.
 template <int D>
 class ViscousSolver {
 public:
-    ViscousSolver(const ViscousSystem<D>& system, double tolerance) : system_(system), tolerance_(tolerance), matrix_(system, system.diagonal) {}
+    ViscousSolver(const ViscousSystem<D>& system, double tolerance)
+        : system_(system), tolerance_(tolerance), matrix_(system, system.diagonal)
+    {
+    }
 
     ViscousReport solve(Unknowns<D>& x)
     {
@@ -268,7 +276,8 @@ private:
             e.V.setZero();
             matrix.turn(p, left, 0);
             const double enough = std::max(single_tolerance, 0.5 * tolerance_ / report.residual);
-            for (double rho = 1; std::sqrt(std::max(rho, 0.0)) > enough && report.iterations < most_iterations; ++report.iterations) {
+            for (double rho = 1; std::sqrt(std::max(rho, 0.0)) > enough && report.iterations < most_iterations;
+                 ++report.iterations) {
                 const double alpha = rho / matrix.apply(p, q), rho_next = matrix.advance(alpha, p, q, e, left);
                 matrix.turn(p, left, rho_next / rho);
                 rho = rho_next;
@@ -297,14 +306,13 @@ private:
                 multigrid[axis].cycle(r.u[axis], z.u[axis]);
             z.V = matrix_.solve_bodies(r.V);
             return system_.grid->comm().sum(matrix_.over_rows([&](int axis, long at, int n) {
-                       const double *a = r.u[axis].data() + at, *b = z.u[axis].data() + at;
-                       double of_row = 0;
+                const double *a = r.u[axis].data() + at, *b = z.u[axis].data() + at;
+                double of_row = 0;
 #pragma omp simd reduction(+ : of_row)
-                       for (int i = 0; i < n; ++i)
-                           of_row += a[i] * b[i];
-                       return of_row;
-                   })) +
-                   r.V.dot(z.V);
+                for (int i = 0; i < n; ++i)
+                    of_row += a[i] * b[i];
+                return of_row;
+            })) + r.V.dot(z.V);
         };
         auto turn = [&](double beta) { // p = z + beta p
             matrix_.over_rows([&](int axis, long at, int n) {
@@ -358,7 +366,8 @@ double known_part(const std::array<int, 2>& solid, const std::array<Twist<D>, 2>
 } // namespace
 
 template <int D>
-ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>& u, const ViscousBodies<D>& bodies, double tolerance)
+ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>& u, const ViscousBodies<D>& bodies,
+                                    double tolerance)
 {
     constexpr int n = twist_size<D>;
     const Grid<D>& grid = *system.grid;
@@ -402,8 +411,8 @@ ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>
                 to[i] = active[i] ? from[i] : to[i];
         });
     for (const CutFace<D>& face : system.cut)
-        u[face.axis].data()[face.at] = face.share * x.u[face.axis].data()[face.at] +
-                                       (face.solid >= 0 ? face.row.dot(step.twists[face.solid]) : 0.0);
+        u[face.axis].data()[face.at] =
+            face.share * x.u[face.axis].data()[face.at] + (face.solid >= 0 ? face.row.dot(step.twists[face.solid]) : 0.0);
     for (const FollowingFace<D>& face : system.following) {
         double& value = u[face.axis].data()[face.at];
         const double led = (face.leader >= 0 ? face.share * x.u[face.axis].data()[face.leader] : 0.0) +
@@ -417,13 +426,13 @@ ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>
                               known_part<D>(term.solid, term.row, step.twists) - term.target;
         for (int k = 0; k < 2; ++k)
             if (term.solid[k] >= 0)
-                Eigen::Map<Twist<D>>(&sums[n * static_cast<std::size_t>(term.solid[k])]) -= term.stiffness * excess * term.row[k];
+                Eigen::Map<Twist<D>>(&sums[n * static_cast<std::size_t>(term.solid[k])]) -=
+                    term.stiffness * excess * term.row[k];
     }
     grid.comm().sum(sums);
     for (std::size_t s = 0; s < bodies.twists.size(); ++s) {
         Twist<D> impulse = Eigen::Map<Twist<D>>(&sums[n * s]);
-        impulse.template tail<spin_size<D>>() -=
-            system.turning[s] * step.twists[s].template tail<spin_size<D>>();
+        impulse.template tail<spin_size<D>>() -= system.turning[s] * step.twists[s].template tail<spin_size<D>>();
         step.impulses.push_back(impulse);
     }
     return step;

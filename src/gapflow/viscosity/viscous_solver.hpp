@@ -7,7 +7,7 @@ namespace gapflow {
 
 struct ViscousReport {
     int iterations = 0;
-    double residual = 0;   ///< in the norm of the preconditioner, relative to the energy at the start
+    double residual = 0; ///< in the norm of the preconditioner, relative to the energy at the start
     bool converged = true;
 };
 
@@ -22,6 +22,7 @@ struct ViscousStep {
 /// u: u* on entry, the velocity after the viscous step on return, on this rank's open faces; other faces stay. `twists`: V* of
 /// free bodies, of others as given. Collective.
 template <int D>
-ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>& u, const ViscousBodies<D>& bodies, double tolerance);
+ViscousStep<D> solve_viscous_system(const ViscousSystem<D>& system, FaceField<D>& u, const ViscousBodies<D>& bodies,
+                                    double tolerance);
 
 } // namespace gapflow

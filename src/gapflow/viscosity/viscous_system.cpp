@@ -35,8 +35,8 @@ class ViscousLattice {
 public:
     ViscousLattice(const Coupling<D>& coupling, const FaceField<D>& u_star, ViscousFaces<D>& faces, NarrowGaps<D>& gaps,
                    ViscousTerms<D>& terms, ViscousSystem<D>& system)
-        : grid_(*coupling.grid), fractions_(*coupling.fractions), u_star_(u_star), faces_(faces), rays_(faces.rays()), gaps_(gaps),
-          terms_(terms), system_(system)
+        : grid_(*coupling.grid), fractions_(*coupling.fractions), u_star_(u_star), faces_(faces), rays_(faces.rays()),
+          gaps_(gaps), terms_(terms), system_(system)
     {
     }
 
@@ -144,8 +144,8 @@ private:
             term.solid[0] = rays_.image(hit.image).solid;
             term.row[0] = -faces_.row(hit.image, axis, x + hit.distance * direction);
             const Twist<D> rise = faces_.row(hit.image, axis, x) + term.row[0]; // of the solid's own motion over the edge
-            system_.turning[term.solid[0]] -= term.stiffness * term.row[0].template tail<spin_size<D>>() *
-                                              rise.template tail<spin_size<D>>().transpose();
+            system_.turning[term.solid[0]] -=
+                term.stiffness * term.row[0].template tail<spin_size<D>>() * rise.template tail<spin_size<D>>().transpose();
         }
         terms_.add(term);
     }

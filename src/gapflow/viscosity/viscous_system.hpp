@@ -30,7 +30,7 @@ namespace gapflow {
 template <int D>
 struct ViscousTerm {
     int axis = 0;
-    long at = -1;          ///< offset in the component's field
+    long at = -1; ///< offset in the component's field
     double stiffness = 0, weight = 0, target = 0;
     std::array<int, 2> solid{-1, -1};
     std::array<Twist<D>, 2> row;
@@ -42,7 +42,7 @@ struct CutFace {
     int axis;
     long at;
     double share;
-    int solid;             ///< -1: none
+    int solid; ///< -1: none
     Twist<D> row;
 };
 
@@ -50,7 +50,7 @@ struct CutFace {
 template <int D>
 struct FollowingFace {
     int axis;
-    long at, leader;       ///< leader < 0: follows solids alone
+    long at, leader; ///< leader < 0: follows solids alone
     double mass, stiffness, share;
     std::array<int, 2> solid{-1, -1};
     std::array<Twist<D>, 2> row;
@@ -66,22 +66,23 @@ struct HeldMass {
 template <int D>
 struct ViscousSystem {
     const Grid<D>* grid = nullptr;
-    double edge = 0;                      ///< mu dt dx^(D-2): of an edge between two points of the fluid
-    double cell_mass = 0;                 ///< rho dx^D
+    double edge = 0;      ///< mu dt dx^(D-2): of an edge between two points of the fluid
+    double cell_mass = 0; ///< rho dx^D
     /// Of every solid: times its angular velocity, the torque's impulse that |grad u|^2 lacks. 2 mu dt volume, as the lattice
     /// measures the volume: fluid that turns with a body exerts no torque.
     std::vector<Eigen::Matrix<double, spin_size<D>, spin_size<D>>> turning;
-    FaceField<D, std::int8_t> active;     ///< 1: the lattice has a value here; with one layer of ghosts
-    FaceField<D> diagonal;                ///< of the matrix, 0 where not active
+    FaceField<D, std::int8_t> active; ///< 1: the lattice has a value here; with one layer of ghosts
+    FaceField<D> diagonal;            ///< of the matrix, 0 where not active
     FaceField<D> rhs;
-    double constant = 0;                  ///< this rank's share of twice the energy at (w, V) = 0
-    std::vector<ViscousTerm<D>> terms;    ///< those with a solid
+    double constant = 0;               ///< this rank's share of twice the energy at (w, V) = 0
+    std::vector<ViscousTerm<D>> terms; ///< those with a solid
     std::vector<CutFace<D>> cut;
     std::vector<FollowingFace<D>> following;
     std::vector<HeldMass> beside_walls;
-    std::vector<int> free_body;           ///< number of each solid among the free bodies, -1: none
+    std::vector<int> free_body;             ///< number of each solid among the free bodies, -1: none
     std::vector<TwistMatrix<D>> admissible; ///< of the free bodies
-    Eigen::SparseMatrix<double> body_matrix; ///< of the twists: masses, and what the terms and rotation add; the same on all ranks
+    Eigen::SparseMatrix<double>
+        body_matrix; ///< of the twists: masses, and what the terms and rotation add; the same on all ranks
     Eigen::VectorXd body_rhs;
 };
 

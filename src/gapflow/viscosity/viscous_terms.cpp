@@ -48,7 +48,8 @@ void ViscousTerms<D>::add(const ViscousTerm<D>& term)
         for (int j = 0; j < 2; ++j) {
             const int b = term.solid[j] < 0 ? -1 : coupling_.free_body[term.solid[j]];
             if (b >= 0)
-                add_block(a, b, term.stiffness * row_a * (coupling_.solids[term.solid[j]].admissible * term.row[j]).transpose());
+                add_block(a, b,
+                          term.stiffness * row_a * (coupling_.solids[term.solid[j]].admissible * term.row[j]).transpose());
         }
     }
 }

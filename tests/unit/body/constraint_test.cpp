@@ -108,8 +108,8 @@ TEST(Hinge, TurnsFreelyWithoutDriftOver10000Steps)
     EXPECT_LT((body.pose.matrix() * axis_body - axis).norm(), 1e-11);
     EXPECT_NEAR(kinetic_energy(body) / energy, 1, 1e-11);
     // Turned by 1.3 * 300 radians.
-    const Rotation<3> expected = rotation_of<3>(std::remainder(1.3 * 300, 2 * pi) * axis) *
-                                 Rotation<3>(0.9, 0.1, -0.3, 0.2).normalized();
+    const Rotation<3> expected =
+        rotation_of<3>(std::remainder(1.3 * 300, 2 * pi) * axis) * Rotation<3>(0.9, 0.1, -0.3, 0.2).normalized();
     EXPECT_LT(body.pose.rotation.angularDistance(expected), 1e-9);
 }
 
@@ -292,7 +292,8 @@ TEST(Spring, FarAnchorPullsAHingedBodyLikeGravity)
     const double I = body.inertia(0, 0) + body.mass * arm.squaredNorm();
     const double T = pendulum_period(std::sqrt(pull * arm.norm() / I), amplitude);
     EXPECT_GE(swing_frequency<2>(body, Vec<2>::Zero(), 0) * 1.0001, std::sqrt(pull * arm.norm() / I));
-    EXPECT_NEAR(period<2>(body, T / 100, Vec<2>::Zero(), 50, [&] { return -(body.centre() - body.hinge->point)[0]; }) / T, 1, 1e-3);
+    EXPECT_NEAR(period<2>(body, T / 100, Vec<2>::Zero(), 50, [&] { return -(body.centre() - body.hinge->point)[0]; }) / T, 1,
+                1e-3);
 }
 
 } // namespace

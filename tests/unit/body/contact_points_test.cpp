@@ -24,7 +24,8 @@ struct Scenery {
         Pose<D> pose;
         pose.position = position;
         pose.rotation = rotation;
-        solids.push_back({"s" + std::to_string(solids.size()), PlacedShape<D>(*shapes.back(), pose), position, Motion::free, false});
+        solids.push_back(
+            {"s" + std::to_string(solids.size()), PlacedShape<D>(*shapes.back(), pose), position, Motion::free, false});
         features.push_back(contact_features(*shapes.back()));
     }
     void add_floor()
@@ -34,8 +35,9 @@ struct Scenery {
     }
     std::vector<ContactPoint<D>> contacts(double reach) const
     {
-        const auto all = find_contacts<D>(solids, features, Vec<D>::Constant(-10), Vec<D>::Constant(10), period,
-                                          [&](int, int) { return reach; }, reach, 1e-3);
+        const auto all = find_contacts<D>(
+            solids, features, Vec<D>::Constant(-10), Vec<D>::Constant(10), period, [&](int, int) { return reach; }, reach,
+            1e-3);
         for (const auto& c : all) {
             EXPECT_LT(c.a, c.b);
             EXPECT_NEAR(c.normal.norm(), 1, 1e-12);
@@ -104,8 +106,8 @@ TEST(ContactPoints, CrossedEdges)
     const double half = std::sqrt(0.5);
     for (double gap : {1e-3, 0.0, -1e-6}) {
         Scenery<3> s;
-        s.add(make_box<3>({1, 1, 1}), {0, 0, 0}, turn(45, unit<3>(0)));                     // an edge along x on top
-        s.add(make_box<3>({1, 1, 1}), {0.1, 0.05, 2 * half + gap}, turn(45, unit<3>(1)));   // one along y below
+        s.add(make_box<3>({1, 1, 1}), {0, 0, 0}, turn(45, unit<3>(0)));                   // an edge along x on top
+        s.add(make_box<3>({1, 1, 1}), {0.1, 0.05, 2 * half + gap}, turn(45, unit<3>(1))); // one along y below
         const auto contacts = s.contacts(0.01);
         ASSERT_EQ(contacts.size(), 1u) << gap;
         EXPECT_NEAR(contacts[0].distance, gap, 1e-12);

@@ -72,8 +72,8 @@ TEST(PrescribedMotion, MovesTheBody)
 {
     RigidBody<2> body;
     body.motion = Motion::prescribed;
-    body.prescribed = std::make_shared<PrescribedMotion<2>>(
-        constant_motion<2>(body.pose, body.centre_of_mass, Vec<2>(1, 0), Spin<2>(0.5)));
+    body.prescribed =
+        std::make_shared<PrescribedMotion<2>>(constant_motion<2>(body.pose, body.centre_of_mass, Vec<2>(1, 0), Spin<2>(0.5)));
     move(body, 1.0, 0.5);
     EXPECT_NEAR((body.pose.position - Vec<2>(1.5, 0)).norm(), 0, 1e-15);
     EXPECT_NEAR(body.pose.rotation.angle(), 0.75, 1e-15);

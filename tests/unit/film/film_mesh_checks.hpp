@@ -10,8 +10,7 @@
 #include <memory>
 #include <numbers>
 
-namespace gapflow::test
-{
+namespace gapflow::test {
 
 template <int D>
 PlacedShape<D> place(const std::unique_ptr<Shape<D>>& shape, const Vec<D>& position,
@@ -135,7 +134,8 @@ void check_film(const FilmMesh<D>& film, const FilmMeshOptions& options)
         ASSERT_LT(size, (options.largest + 0.3 * options.straddle) * options.dx);
         ASSERT_NEAR(fraction[i], 1, 1e-13);
         if (D == 3 && pieces[i] == 1) // a triangle's corners count by a twelfth each
-            volume[i] = 0.75 * volume[i] + 0.25 * e.measure * (film.h[e.nodes[0]] + film.h[e.nodes[1]] + film.h[e.nodes[D - 1]]) / 3;
+            volume[i] =
+                0.75 * volume[i] + 0.25 * e.measure * (film.h[e.nodes[0]] + film.h[e.nodes[1]] + film.h[e.nodes[D - 1]]) / 3;
         ASSERT_NEAR(volume[i], e.volume, 1e-13 * e.volume);
         ASSERT_LT((share[i] - simplex_area<D>(y)).norm(), 1e-14 * options.dx);
         ASSERT_LT(turn[i].norm(), 1e-12 * options.dx * options.dx);

@@ -3,10 +3,8 @@
 
 #include <random>
 
-namespace gapflow::test
-{
-namespace
-{
+namespace gapflow::test {
+namespace {
 
 constexpr double pi = std::numbers::pi;
 
@@ -114,7 +112,8 @@ TEST(CurvedFilm, WallThatSlidesAlongItselfSweepsNothing)
         FilmMeshOptions options = options_with(1.5);
         const double radius = 25, outer = radius * (1 + clearance);
         const auto disk = make_ball<2>(radius), hole = make_inside_out<2>(make_ball<2>(outer));
-        const auto films = films_of<2>(place<2>(disk, Vec<2>(eccentricity * clearance * radius, 0)), place<2>(hole, Vec<2>::Zero()), options);
+        const auto films =
+            films_of<2>(place<2>(disk, Vec<2>(eccentricity * clearance * radius, 0)), place<2>(hole, Vec<2>::Zero()), options);
         ASSERT_EQ(films.size(), 1u);
         const FilmMesh<2>& film = films[0];
         check_film(film, options);
@@ -123,7 +122,8 @@ TEST(CurvedFilm, WallThatSlidesAlongItselfSweepsNothing)
             for (int i = 0; i < 2; ++i) // of a turn about the other's centre
                 swept[film.elements[p.element].nodes[i]] += p.shape[i] * moment<2>(p.area_centroid, p.area)[0];
         for (std::size_t i = 0; i < film.h.size(); ++i)
-            EXPECT_LT(std::abs(swept[i]), 0.05 * film.h[i] * outer) << "node " << i << " of " << film.h.size() << ", h = " << film.h[i];
+            EXPECT_LT(std::abs(swept[i]), 0.05 * film.h[i] * outer)
+                << "node " << i << " of " << film.h.size() << ", h = " << film.h[i];
     }
 }
 
@@ -143,7 +143,8 @@ TEST(CurvedFilm, EndsWhereSurfacesTouch)
             EXPECT_EQ(rim.at(RimEnd::touching), 1);
             EXPECT_EQ(rim.at(RimEnd::thickness), 1);
             for (const auto& r : film.rim)
-                EXPECT_NEAR(std::abs(film.x[r.nodes[0]][0] - 0.1), half_width(5, gap, r.end == RimEnd::touching ? 1e-2 : 0.5), 1e-9);
+                EXPECT_NEAR(std::abs(film.x[r.nodes[0]][0] - 0.1), half_width(5, gap, r.end == RimEnd::touching ? 1e-2 : 0.5),
+                            1e-9);
         }
     }
     const auto box = make_box<3>(Vec<3>(4, 4, 4));
@@ -164,7 +165,8 @@ TEST(CurvedFilm, ThirdBodyEndsIt)
     for (int k = 0; k < 2; ++k) {
         const auto& other = k == 0 ? below : beside;
         const auto& third = k == 0 ? beside : below;
-        const auto films = films_of<2>(placed, other, options, [&](const Vec<2>& x, const Vec<2>&) { return third.distance(x); });
+        const auto films =
+            films_of<2>(placed, other, options, [&](const Vec<2>& x, const Vec<2>&) { return third.distance(x); });
         ASSERT_EQ(films.size(), 1u);
         check_film(films[0], options);
         const auto rim = rim_lengths(films[0]);

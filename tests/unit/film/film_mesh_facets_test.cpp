@@ -4,10 +4,8 @@
 
 #include <sstream>
 
-namespace gapflow::test
-{
-namespace
-{
+namespace gapflow::test {
+namespace {
 
 /// The shape's own display mesh, read back as a mesh shape.
 std::unique_ptr<Shape<3>> as_mesh(const Shape<3>& shape, double tolerance)

@@ -1,10 +1,8 @@
 // Film meshes of flat bodies: areas, thickness, rims and their kinds are exact.
 #include "film_mesh_checks.hpp"
 
-namespace gapflow::test
-{
-namespace
-{
+namespace gapflow::test {
+namespace {
 
 constexpr double gap = 0.005;
 

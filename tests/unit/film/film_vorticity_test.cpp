@@ -5,10 +5,8 @@
 
 #include <random>
 
-namespace gapflow::test
-{
-namespace
-{
+namespace gapflow::test {
+namespace {
 
 constexpr double dx = 1;
 

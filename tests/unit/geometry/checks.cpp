@@ -4,8 +4,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace gapflow::testing
-{
+namespace gapflow::testing {
 
 std::string obj_text(const SurfaceMesh<3>& mesh)
 {

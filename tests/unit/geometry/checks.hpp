@@ -16,8 +16,7 @@
 #include <random>
 #include <string>
 
-namespace gapflow::testing
-{
+namespace gapflow::testing {
 
 template <int D>
 Vec<D> random_point(std::mt19937& random, double reach)

@@ -6,10 +6,8 @@
 
 #include <numbers>
 
-namespace gapflow::testing
-{
-namespace
-{
+namespace gapflow::testing {
+namespace {
 
 constexpr double pi = std::numbers::pi;
 

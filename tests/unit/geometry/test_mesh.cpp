@@ -8,10 +8,8 @@
 #include <numbers>
 #include <set>
 
-namespace gapflow::testing
-{
-namespace
-{
+namespace gapflow::testing {
+namespace {
 
 constexpr double pi = std::numbers::pi;
 using ::testing::HasSubstr;

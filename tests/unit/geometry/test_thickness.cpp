@@ -6,10 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 using std::numbers::pi;
 constexpr double most = 2;
@@ -101,7 +99,8 @@ TEST(Thickness, OfATwistedBladeThatItsBoundsHide)
     for (const int pieces : {12, 60}) {
         const auto shape = blade(24, 8, 0.75, pi / 2, pieces);
         EXPECT_GT((shape->bounds().high - shape->bounds().low).minCoeff(), 5);
-        EXPECT_NEAR(seen<3>(*shape).value, 0.75, pieces == 60 ? 0.05 : 0.25) << pieces; // few: its two sides are bent along other diagonals
+        EXPECT_NEAR(seen<3>(*shape).value, 0.75, pieces == 60 ? 0.05 : 0.25)
+            << pieces; // few: its two sides are bent along other diagonals
     }
     EXPECT_EQ(seen<3>(*blade(24, 8, 2.2, pi / 2, 60)).value, most);
 }
@@ -142,8 +141,8 @@ TEST(Thickness, NotOfWedgesAndSpikes)
     for (Vec<2>& x : star)
         x *= 0.25; // its middle is 2.2 cells wide
     EXPECT_EQ(seen<2>(*polygon(star)).value, most);
-    EXPECT_EQ(seen<2>(*section(60, 0.12)).value, most); // an aerofoil
-    EXPECT_NEAR(seen<2>(*section(10, 0.05)).value, 0.5, 0.1); // one that is thin all over
+    EXPECT_EQ(seen<2>(*section(60, 0.12)).value, most);                      // an aerofoil
+    EXPECT_NEAR(seen<2>(*section(10, 0.05)).value, 0.5, 0.1);                // one that is thin all over
     EXPECT_LT(seen<2>(*polygon({{0, 0}, {0.8, 0}, {0.4, 0.7}})).value, 0.6); // small all over, and no two sides face each other
 }
 
@@ -151,7 +150,8 @@ TEST(Thickness, CountsWhatGoesOnBeyond)
 {
     const auto plate = make_box<2>({10, 0.5});
     const auto thickness = [&](double below) {
-        return sheet_thickness<2>(PlacedShape<2>(*plate, Pose<2>()), 1, most, [&](const Vec<2>&, const Vec<2>& n) { return n[1] < -0.5 ? below : 0.0; })
+        return sheet_thickness<2>(PlacedShape<2>(*plate, Pose<2>()), 1, most,
+                                  [&](const Vec<2>&, const Vec<2>& n) { return n[1] < -0.5 ? below : 0.0; })
             .value;
     };
     EXPECT_NEAR(thickness(0), 0.5, 1e-6);

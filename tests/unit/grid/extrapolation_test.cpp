@@ -43,8 +43,9 @@ struct Case {
 template <int D>
 void constant_stays(SideKind kind)
 {
-    Case<D> c(12, kind, [](const Vec<D>& x) { return (x - Vec<D>::Constant(0.4)).norm() > 0.35; },
-              [](const Vec<D>&) { return 0.37; });
+    Case<D> c(
+        12, kind, [](const Vec<D>& x) { return (x - Vec<D>::Constant(0.4)).norm() > 0.35; },
+        [](const Vec<D>&) { return 0.37; });
     extrapolate(c.grid, c.u, c.valid, 8);
     c.for_owned([&](int axis, const Index<D>& f) {
         EXPECT_GT(c.valid(axis, f), 0);
@@ -63,7 +64,8 @@ TEST(Extrapolation, KeepsAConstant)
 // Fluid left of x = 1/2 (faces normal to y), velocity 3 x + 2: layer by layer along each row.
 TEST(Extrapolation, IsLinearInTheFirstLayerAndConstantBeyondWithZeroOutOfReach)
 {
-    Case<2> c(8, SideKind::wall, [](const Vec<2>& x) { return x[0] < 0.5; }, [](const Vec<2>& x) { return 3 * x[0] + 2; });
+    Case<2> c(
+        8, SideKind::wall, [](const Vec<2>& x) { return x[0] < 0.5; }, [](const Vec<2>& x) { return 3 * x[0] + 2; });
     extrapolate(c.grid, c.u, c.valid, 3);
     const double first = 3 * (4.5 / 8) + 2;
     for (int j = 0; j <= 8; ++j) {
@@ -79,15 +81,16 @@ TEST(Extrapolation, IsLinearInTheFirstLayerAndConstantBeyondWithZeroOutOfReach)
 
 TEST(Extrapolation, AveragesOverDirectionsAndFallsBackToTheMean)
 {
-    Case<2> c(8, SideKind::wall, [](const Vec<2>&) { return true; }, [](const Vec<2>&) { return 0.0; });
+    Case<2> c(
+        8, SideKind::wall, [](const Vec<2>&) { return true; }, [](const Vec<2>&) { return 0.0; });
     auto& u = c.u[0];
     auto& valid = c.valid[0];
     valid(Index<2>(3, 3)) = 0; // lines from all four directions
     u(Index<2>(2, 3)) = 1;
-    u(Index<2>(1, 3)) = 5;     // 2 * 1 - 5 = -3
-    u(Index<2>(3, 4)) = 4;     // 8
+    u(Index<2>(1, 3)) = 5; // 2 * 1 - 5 = -3
+    u(Index<2>(3, 4)) = 4; // 8
     for (const Index<2>& f : {Index<2>(0, 6), Index<2>(2, 6), Index<2>(1, 5), Index<2>(1, 6)})
-        valid(f) = 0;          // (1, 6): the only valid neighbour is (1, 7), nothing in line behind it
+        valid(f) = 0; // (1, 6): the only valid neighbour is (1, 7), nothing in line behind it
     u(Index<2>(1, 7)) = 9;
     extrapolate(c.grid, c.u, c.valid, 1);
     EXPECT_DOUBLE_EQ(u(Index<2>(3, 3)), (-3.0 + 8.0) / 4);
@@ -98,7 +101,8 @@ TEST(Extrapolation, IsSecondOrderInTheFirstLayer)
 {
     auto value = [](const Vec<2>& x) { return std::sin(3 * x[0] + 1) * std::cos(2 * x[1]); };
     auto error = [&](int n) {
-        Case<2> c(n, SideKind::wall, [](const Vec<2>& x) { return (x - Vec<2>(0.5, 0.5)).norm() > 0.3; }, value);
+        Case<2> c(
+            n, SideKind::wall, [](const Vec<2>& x) { return (x - Vec<2>(0.5, 0.5)).norm() > 0.3; }, value);
         extrapolate(c.grid, c.u, c.valid, 4);
         double worst = 0;
         c.for_owned([&](int axis, const Index<2>& f) {
@@ -112,8 +116,8 @@ TEST(Extrapolation, IsSecondOrderInTheFirstLayer)
 
 TEST(Extrapolation, ReachesAcrossPeriodicSides)
 {
-    Case<2> c(8, SideKind::periodic, [](const Vec<2>& x) { return x[0] > 0.45 && x[0] < 0.95; },
-              [](const Vec<2>&) { return 1.5; });
+    Case<2> c(
+        8, SideKind::periodic, [](const Vec<2>& x) { return x[0] > 0.45 && x[0] < 0.95; }, [](const Vec<2>&) { return 1.5; });
     extrapolate(c.grid, c.u, c.valid, 2);
     EXPECT_EQ(c.valid(1, Index<2>(0, 2)), 2);
     EXPECT_EQ(c.valid(1, Index<2>(1, 2)), 3);

@@ -108,9 +108,8 @@ template <int D>
 double volume_of(const Grid<D>& grid, const FaceClipper<D>& clipper, int solid, int axis)
 {
     double sum = 0;
-    for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& face) {
-        sum += fraction_in(clipped(clipper, axis, face), solid);
-    });
+    for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
+                      [&](const Index<D>& face) { sum += fraction_in(clipped(clipper, axis, face), solid); });
     return sum * std::pow(grid.dx(), D);
 }
 

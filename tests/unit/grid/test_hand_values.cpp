@@ -231,13 +231,14 @@ TEST(HandValues, WallsOwnTheirSides)
     sides[1] = SideKind::open;
     const auto grid = unit_grid<2>(8, sides);
     Scene<2> scene(grid);
-    const int box = scene.add("box", make_box<2>({2, 0.3}), pose<2>({0.5, 0.15})); // sticks out on both sides and lies on the floor
+    const int box =
+        scene.add("box", make_box<2>({2, 0.3}), pose<2>({0.5, 0.15})); // sticks out on both sides and lies on the floor
     const FaceClipper<2> clipper(grid, scene.solids, FractionMode::cut_cell);
-    EXPECT_EQ(clipped<2>(clipper, 0, {0, 1}).solid[0].solid, 0);                  // left: wall
-    EXPECT_EQ(fraction_in(clipped<2>(clipper, 0, {8, 1}), box), 1);               // right: open side, section of the box
+    EXPECT_EQ(clipped<2>(clipper, 0, {0, 1}).solid[0].solid, 0);    // left: wall
+    EXPECT_EQ(fraction_in(clipped<2>(clipper, 0, {8, 1}), box), 1); // right: open side, section of the box
     EXPECT_NEAR(fraction_in(clipped<2>(clipper, 0, {8, 2}), box), 0.4, 1e-13);
     EXPECT_EQ(clipped<2>(clipper, 0, {8, 3}).open, 1);
-    EXPECT_EQ(fraction_in(clipped<2>(clipper, 1, {3, 0}), box), 0);               // floor: wall
+    EXPECT_EQ(fraction_in(clipped<2>(clipper, 1, {3, 0}), box), 0); // floor: wall
     EXPECT_EQ(clipped<2>(clipper, 1, {3, 0}).open, 0);
     check_identities(grid, scene, FractionMode::cut_cell, {});
     scene.solids.erase(scene.solids.begin());

@@ -29,8 +29,7 @@ constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // A run of a square that moves right by 0.1 a frame and turns by 90 degrees in all, with fields pressure = x and a film along y
 // = 0.5.
-class SmallRun
-{
+class SmallRun {
 public:
     explicit SmallRun(int frames, int cells = 8)
     {

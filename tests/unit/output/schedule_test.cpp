@@ -7,10 +7,8 @@
 #include <cmath>
 #include <limits>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 Scene scene_with(double end, double every, double checkpoint_every = 0)
 {

@@ -20,8 +20,8 @@ TEST(Table, WritesHeaderAndRows)
     EXPECT_EQ(test::content_of(folder / "bodies.csv"), "step,time,body,x,y\n") << "nothing before flush()";
     table.flush();
     EXPECT_EQ(test::content_of(folder / "bodies.csv"), "step,time,body,x,y\n"
-                                                 "0,0,upper,0.1,0.3333333333333333\n"
-                                                 "0,0,\"a,\"\"b\"\"\",1e-07,-2\n");
+                                                       "0,0,upper,0.1,0.3333333333333333\n"
+                                                       "0,0,\"a,\"\"b\"\"\",1e-07,-2\n");
 }
 
 TEST(Table, ResumeCutsBackToAStep)

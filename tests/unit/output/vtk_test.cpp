@@ -81,9 +81,9 @@ TEST(VtkSamples, Write)
 {
     const Communicator comm;
     const char* wanted = std::getenv("GAPFLOW_SAMPLE_FOLDER");
-    const std::filesystem::path folder = wanted ? std::filesystem::path(wanted)
-                                                : std::filesystem::temp_directory_path() /
-                                                      ("gapflow-vtk-samples-" + std::to_string(getuid()));
+    const std::filesystem::path folder =
+        wanted ? std::filesystem::path(wanted)
+               : std::filesystem::temp_directory_path() / ("gapflow-vtk-samples-" + std::to_string(getuid()));
     on_root(comm, [&] { prepare_folder(folder); });
     PvdCollection collection(folder / "gapflow.pvd");
     write_samples<2>(folder, collection);

@@ -98,8 +98,8 @@ TEST(BadScenes, OverridesAreRefused)
 TEST(BadScenes, WhatIsNeededDependsOnThePurpose)
 {
     const test::TemporaryFile still("still.toml",
-                              "[domain]\nsize = [4, 4]\ncells = [64, 64]\n[[body]]\nname = \"a\"\nshape = \"ball\"\n"
-                              "radius = 0.5\n");
+                                    "[domain]\nsize = [4, 4]\ncells = [64, 64]\n[[body]]\nname = \"a\"\nshape = \"ball\"\n"
+                                    "radius = 0.5\n");
     for (Purpose purpose : {Purpose::added_mass, Purpose::check})
         EXPECT_EQ(message_of(still.path(), {}, purpose), "accepted");
     EXPECT_THAT(message_of(still.path(), {}, Purpose::run), testing::HasSubstr("time.end is missing"));

@@ -382,7 +382,8 @@ TEST(Scene, FilesAreFoundBesideTheScene)
 {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "inflow.csv") << "0,1,0\n";
-    std::ofstream(folder / "beside.toml") << "[domain]\nsize = [1, 1]\ncells = [4, 4]\nsides.x_low = { inflow = \"inflow.csv\" }\n";
+    std::ofstream(folder / "beside.toml")
+        << "[domain]\nsize = [1, 1]\ncells = [4, 4]\nsides.x_low = { inflow = \"inflow.csv\" }\n";
     const Scene scene = read_scene((folder / "beside.toml").string(), {}, Purpose::check);
     EXPECT_EQ(scene.sides[0].table.file, (folder / "inflow.csv").string());
 }
@@ -423,8 +424,9 @@ TEST(Scene, ATextIsReadLikeAFile)
         parse_scene(text, data + "text", {{"domain.cells", "[4, -4]"}}, Purpose::check);
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "--set domain.cells = [4, -4]: -4 is out of range; allowed: a list of 2 whole numbers, each >= 1 "
-                                   "and <= 1000000");
+        EXPECT_STREQ(error.what(),
+                     "--set domain.cells = [4, -4]: -4 is out of range; allowed: a list of 2 whole numbers, each >= 1 "
+                     "and <= 1000000");
     }
     try { // the folder of the name is where files are looked for
         parse_scene(text, data + "text", {}, Purpose::check);

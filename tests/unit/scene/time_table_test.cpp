@@ -14,7 +14,8 @@ using Row = std::vector<double>;
 
 TEST(TimeTable, ReadsHeaderCommentsBlanksAndSigns)
 {
-    const test::TemporaryFile file("table.csv", "\xef\xbb\xbf# from a rig\r\ntime, u, v\r\n\r\n0, +1, -2.5e-1\r\n# more\n 2 ,3,4\n");
+    const test::TemporaryFile file("table.csv",
+                                   "\xef\xbb\xbf# from a rig\r\ntime, u, v\r\n\r\n0, +1, -2.5e-1\r\n# more\n 2 ,3,4\n");
     const TimeTable table = read_time_table(file.path(), {"time", "u", "v"});
     EXPECT_EQ(table.file, file.path());
     EXPECT_EQ(table.time, (Row{0, 2}));

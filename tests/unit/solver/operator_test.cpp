@@ -61,8 +61,8 @@ TEST(Operator, HandValues)
 {
     if (Communicator().size() > 1)
         GTEST_SKIP();
-    const Grid<2> grid(Vec<2>::Zero(), 0.5, Index<2>(2, 1),
-                       {SideKind::wall, SideKind::open, SideKind::wall, SideKind::wall}, 1, Communicator());
+    const Grid<2> grid(Vec<2>::Zero(), 0.5, Index<2>(2, 1), {SideKind::wall, SideKind::open, SideKind::wall, SideKind::wall}, 1,
+                       Communicator());
     CoupledSystem<2> system;
     system.grid = &grid;
     system.conductance = FaceField<2>(grid);

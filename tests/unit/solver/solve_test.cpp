@@ -97,8 +97,8 @@ TEST(Solve, EightLightBodies)
     for (double density : {1e-3, 1e-1, 1.0}) {
         TestScene<3> scene(Index<3>::Constant(48), 1.0 / 48);
         for (int k = 0; k < 8; ++k)
-            scene.bodies.push_back(ball<3>(Vec<3>(0.27 + 0.46 * (k & 1), 0.27 + 0.46 * ((k >> 1) & 1), 0.27 + 0.46 * (k >> 2)),
-                                           0.2, density));
+            scene.bodies.push_back(
+                ball<3>(Vec<3>(0.27 + 0.46 * (k & 1), 0.27 + 0.46 * ((k >> 1) & 1), 0.27 + 0.46 * (k >> 2)), 0.2, density));
         EXPECT_LE(recover(scene, {}, label<3>("eight", density).c_str()).report.iterations, 25);
     }
 }
@@ -166,7 +166,8 @@ TEST(Solve, SealedPocketAgainstAFreeBody)
     for (double density : {1e-6, 1e-3, 1.0, 1e3}) {
         TestScene<2> scene(Index<2>(64, 64), 1.0 / 64);
         const Vec<2> middle(0.5, 0.5);
-        const BodyShape<2> shell{[=](const Vec<2>& x) { return std::abs((x - middle).norm() - 0.25) - 0.06; }, middle, 1, 1, true};
+        const BodyShape<2> shell{[=](const Vec<2>& x) { return std::abs((x - middle).norm() - 0.25) - 0.06; }, middle, 1, 1,
+                                 true};
         scene.bodies = {shell, ball<2>(Vec<2>(0.75, 0.5), 0.11, density)};
         std::snprintf(name, sizeof name, "2D pocket density %g", density);
         EXPECT_LE(moved(scene, name), 16) << name;

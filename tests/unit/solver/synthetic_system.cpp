@@ -328,8 +328,7 @@ TestScene<D> film_scene(int n, double film, double conduit, double density, Side
     Vec<D> lower = Vec<D>::Constant(0.46875), upper = lower;
     lower[D - 1] = 0.375;
     upper[D - 1] = 0.625;
-    scene.bodies = {box<D>(lower, half, density), box<D>(upper, half, density),
-                    ball<D>(Vec<D>::Constant(0.83), 0.1, density)};
+    scene.bodies = {box<D>(lower, half, density), box<D>(upper, half, density), ball<D>(Vec<D>::Constant(0.83), 0.1, density)};
     scene.films = {{0, 1, 0.5, lower - half, lower + half, n / 2, film, conduit}};
     return scene;
 }
@@ -362,8 +361,8 @@ TestScene<D> two_bodies(int n, double density, SideKind sides)
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template BodyShape<D> ball<D>(const Vec<D>&, double, double);                                                               \
-    template BodyShape<D> box<D>(const Vec<D>&, const Vec<D>&, double);                                                         \
+    template BodyShape<D> ball<D>(const Vec<D>&, double, double);                                                              \
+    template BodyShape<D> box<D>(const Vec<D>&, const Vec<D>&, double);                                                        \
     template std::unique_ptr<TestSystem<D>> build<D>(const TestScene<D>&, const Communicator&);                                \
     template UnknownVector<D> sample<D>(const TestSystem<D>&, double, std::uint64_t);                                          \
     template UnknownVector<D> motion_outflow<D>(const TestSystem<D>&, std::uint64_t);                                          \

@@ -91,17 +91,17 @@ TEST(Advection, FillsGhostsBeyondWallsInflowAndOpenSides)
     BoundaryVelocity<2> sides;
     sides.velocity[2] = Vec<2>(-5, 7);
     fill_velocity_ghosts(grid, u, sides);
-    EXPECT_EQ(u(0, Index<2>(0, 1)), 0);        // on the wall x = 0
-    EXPECT_EQ(u(0, Index<2>(-2, 1)), -22);     // odd: u(2, 1) = 22
-    EXPECT_EQ(u(1, Index<2>(-1, 1)), 102);     // even: v(0, 1)
-    EXPECT_EQ(u(1, Index<2>(-3, 1)), 122);     // v(2, 1)
-    EXPECT_EQ(u(0, Index<2>(4, 1)), 42);       // open side: the boundary face keeps its value
+    EXPECT_EQ(u(0, Index<2>(0, 1)), 0);    // on the wall x = 0
+    EXPECT_EQ(u(0, Index<2>(-2, 1)), -22); // odd: u(2, 1) = 22
+    EXPECT_EQ(u(1, Index<2>(-1, 1)), 102); // even: v(0, 1)
+    EXPECT_EQ(u(1, Index<2>(-3, 1)), 122); // v(2, 1)
+    EXPECT_EQ(u(0, Index<2>(4, 1)), 42);   // open side: the boundary face keeps its value
     EXPECT_EQ(u(0, Index<2>(6, 1)), 42);
-    EXPECT_EQ(u(1, Index<2>(5, 1)), 132);      // v(3, 1)
-    EXPECT_EQ(u(1, Index<2>(2, 0)), 7);        // inflow
+    EXPECT_EQ(u(1, Index<2>(5, 1)), 132); // v(3, 1)
+    EXPECT_EQ(u(1, Index<2>(2, 0)), 7);   // inflow
     EXPECT_EQ(u(1, Index<2>(2, -3)), 7);
     EXPECT_EQ(u(0, Index<2>(2, -1)), -5);
-    EXPECT_EQ(u(1, Index<2>(2, 4)), 0);        // wall at the top
+    EXPECT_EQ(u(1, Index<2>(2, 4)), 0); // wall at the top
     EXPECT_EQ(u(1, Index<2>(2, 6)), -u(1, Index<2>(2, 2)));
     EXPECT_EQ(u(0, Index<2>(2, 5)), u(0, Index<2>(2, 2)));
     EXPECT_EQ(u(1, Index<2>(-2, 6)), -u(1, Index<2>(1, 2))); // corner of two walls
@@ -162,9 +162,8 @@ double vortex_error(int n, AdvectionScheme scheme)
     const FaceField<2> u = sampled<2>(grid, [&](const Vec<2>& x) {
         return Vec<2>(std::sin(k * x[0]) * std::cos(k * x[1]), -std::cos(k * x[0]) * std::sin(k * x[1]));
     });
-    const FaceField<2> exact = sampled<2>(grid, [&](const Vec<2>& x) {
-        return Vec<2>(std::sin(2 * stream(x)), std::cos(3 * stream(x)));
-    });
+    const FaceField<2> exact =
+        sampled<2>(grid, [&](const Vec<2>& x) { return Vec<2>(std::sin(2 * stream(x)), std::cos(3 * stream(x))); });
     FaceField<2> carried = exact, next(grid);
     for (int step = 0; step < n / 4; ++step) {
         advect(grid, next, u, carried, 1.0 / n, scheme, BoundaryVelocity<2>{});
@@ -210,9 +209,11 @@ double translation_error(int n, AdvectionScheme scheme)
 TEST(Advection, OrdersIn3D)
 {
     EXPECT_NEAR(std::log2(translation_error(24, AdvectionScheme::semi_lagrangian) /
-                          translation_error(48, AdvectionScheme::semi_lagrangian)), 1.0, 0.2);
-    EXPECT_NEAR(std::log2(translation_error(24, AdvectionScheme::maccormack) /
-                          translation_error(48, AdvectionScheme::maccormack)), 2.0, 0.3);
+                          translation_error(48, AdvectionScheme::semi_lagrangian)),
+                1.0, 0.2);
+    EXPECT_NEAR(
+        std::log2(translation_error(24, AdvectionScheme::maccormack) / translation_error(48, AdvectionScheme::maccormack)), 2.0,
+        0.3);
 }
 
 TEST(Advection, MacCormackMakesNoNewExtremaAndCanBeSwitchedOff)

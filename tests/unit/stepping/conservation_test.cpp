@@ -51,8 +51,9 @@ Scene turned_plates(int dimension, double gap)
     scene.cells = {n, n, dimension == 2 ? 1 : n};
     const double angle = 25 * std::numbers::pi / 180, shift = 0.5 * (gap + 0.3);
     for (int side : {1, -1}) {
-        BodyScene plate = body(side > 0 ? "upper" : "lower", BodyScene::ShapeKind::box,
-                               {1.51 - side * shift * std::sin(angle), 1.47 + side * shift * std::cos(angle), dimension == 2 ? 0 : 1.5});
+        BodyScene plate =
+            body(side > 0 ? "upper" : "lower", BodyScene::ShapeKind::box,
+                 {1.51 - side * shift * std::sin(angle), 1.47 + side * shift * std::cos(angle), dimension == 2 ? 0 : 1.5});
         plate.size = {1.0, 0.3, dimension == 2 ? 0.0 : 0.9};
         plate.angle = angle;
         plate.quaternion = {std::cos(angle / 2), 0, 0, std::sin(angle / 2)};
@@ -86,7 +87,8 @@ struct World {
         for (const RigidBody<D>& b : bodies)
             mass.push_back(mass_matrix(b));
         mass.resize(solids.size(), TwistMatrix<D>::Identity());
-        coupling = couple<D>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<D>(scene, solids, false), {});
+        coupling =
+            couple<D>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<D>(scene, solids, false), {});
     }
     Scene scene;
     Grid<D> grid;
@@ -144,7 +146,8 @@ FluidVelocity<D> velocity_of(const World<D>& world, const std::function<Vec<D>(c
     const Coupling<D>& c = world.coupling;
     FluidVelocity<D> u;
     u.grid = FaceField<D>(world.grid);
-    for_each_open_face(c, [&](int axis, const Index<D>& face, const Vec<D>& x, double) { u.grid(axis, face) = field(x)[axis]; });
+    for_each_open_face(c,
+                       [&](int axis, const Index<D>& face, const Vec<D>& x, double) { u.grid(axis, face) = field(x)[axis]; });
     for (const Film<D>& film : c.network.films)
         for (const FilmElement<D>& e : film.mesh.elements) {
             const Vec<D> v = field(e.centroid);
@@ -194,7 +197,8 @@ void expect_momentum(const Scene& scene, int components, int constrained = -1)
     const Coupling<D>& c = world.coupling;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform(-1, 1);
-    FluidVelocity<D> u = velocity_of<D>(world, [&](const Vec<D>&) { return Vec<D>(Vec<D>::NullaryExpr([&] { return uniform(random); })); });
+    FluidVelocity<D> u =
+        velocity_of<D>(world, [&](const Vec<D>&) { return Vec<D>(Vec<D>::NullaryExpr([&] { return uniform(random); })); });
     std::vector<Twist<D>> twists(c.solids.size(), Twist<D>::Zero());
     for (std::size_t b = 0; b < world.bodies.size(); ++b)
         twists[b] = c.solids[b].admissible * Twist<D>(Twist<D>::NullaryExpr([&] { return uniform(random); }));
@@ -237,14 +241,38 @@ void expect_momentum(const Scene& scene, int components, int constrained = -1)
     testing::Test::RecordProperty("change", number);
 }
 
-TEST(Identities, BallInContainer2D) { expect_identities<2>(ball_in_container(2, 1e-3), true); }
-TEST(Identities, BallInContainer3D) { expect_identities<3>(ball_in_container(3, 1e-3), true); }
-TEST(Identities, TurnedPlates2D) { expect_identities<2>(turned_plates(2, 1e-3), false); }
-TEST(Identities, TurnedPlates3D) { expect_identities<3>(turned_plates(3, 1e-3), false); }
-TEST(Momentum, BallInContainer2D) { expect_momentum<2>(ball_in_container(2, 1e-3), twist_size<2>); }
-TEST(Momentum, BallInContainer3D) { expect_momentum<3>(ball_in_container(3, 1e-3), twist_size<3>); }
-TEST(Momentum, PeriodicBox2D) { expect_momentum<2>(periodic_box(2), 2); }
-TEST(Momentum, PeriodicBox3D) { expect_momentum<3>(periodic_box(3), 3); }
+TEST(Identities, BallInContainer2D)
+{
+    expect_identities<2>(ball_in_container(2, 1e-3), true);
+}
+TEST(Identities, BallInContainer3D)
+{
+    expect_identities<3>(ball_in_container(3, 1e-3), true);
+}
+TEST(Identities, TurnedPlates2D)
+{
+    expect_identities<2>(turned_plates(2, 1e-3), false);
+}
+TEST(Identities, TurnedPlates3D)
+{
+    expect_identities<3>(turned_plates(3, 1e-3), false);
+}
+TEST(Momentum, BallInContainer2D)
+{
+    expect_momentum<2>(ball_in_container(2, 1e-3), twist_size<2>);
+}
+TEST(Momentum, BallInContainer3D)
+{
+    expect_momentum<3>(ball_in_container(3, 1e-3), twist_size<3>);
+}
+TEST(Momentum, PeriodicBox2D)
+{
+    expect_momentum<2>(periodic_box(2), 2);
+}
+TEST(Momentum, PeriodicBox3D)
+{
+    expect_momentum<3>(periodic_box(3), 3);
+}
 
 Scene constrained(Scene scene, const std::array<bool, 6>& free)
 {
@@ -267,7 +295,10 @@ TEST(Momentum, OfAllButAReactionWithDirectionsHeld3D)
 {
     expect_momentum<3>(constrained(ball_in_container(3, 1e-3), {true, false, true, false, true, false}), twist_size<3>, 1);
 }
-TEST(Momentum, OfAllButAReactionWithAHinge2D) { expect_momentum<2>(hinged(ball_in_container(2, 1e-3), {0.7, 1.2, 0}, {1, 0, 0}), twist_size<2>, 1); }
+TEST(Momentum, OfAllButAReactionWithAHinge2D)
+{
+    expect_momentum<2>(hinged(ball_in_container(2, 1e-3), {0.7, 1.2, 0}, {1, 0, 0}), twist_size<2>, 1);
+}
 TEST(Momentum, OfAllButAReactionWithAHinge3D)
 {
     expect_momentum<3>(hinged(ball_in_container(3, 1e-3), {0.7, 1.2, 0.9}, {2.0 / 3, -1.0 / 3, 2.0 / 3}), twist_size<3>, 1);

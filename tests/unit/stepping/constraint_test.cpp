@@ -71,7 +71,8 @@ TEST(ConstraintInFluid, HingedBodyTurnsAboutItsPoint2D)
     scene.bodies[0].position = {1.0, 1.1, 0};
     scene.bodies[0].hinge = HingeScene{{0.65, 1.2, 0}, {1, 0, 0}};
     Simulation<2> simulation(scene, Communicator());
-    const Vec<2> in_body = simulation.bodies()[0].pose.matrix().transpose() * (Vec<2>(0.65, 1.2) - simulation.bodies()[0].pose.position);
+    const Vec<2> in_body =
+        simulation.bodies()[0].pose.matrix().transpose() * (Vec<2>(0.65, 1.2) - simulation.bodies()[0].pose.position);
     for (int i = 0; i < 20; ++i) {
         simulation.step(1);
         const RigidBody<2>& body = simulation.bodies()[0];

@@ -425,7 +425,9 @@ TEST(ContactLaw, StackOnHeavyFilmsObeysTheLaws)
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Contact<2>& c = contacts[i];
         const ContactImpulse<2>& impulse = found.impulses[i];
-        auto speed = [&](const RelativeRow<2>& row) { return row.a.dot(found.twists[c.point.a]) + row.b.dot(found.twists[c.point.b]); };
+        auto speed = [&](const RelativeRow<2>& row) {
+            return row.a.dot(found.twists[c.point.a]) + row.b.dot(found.twists[c.point.b]);
+        };
         EXPECT_GE(impulse.normal, 0);
         EXPECT_GE(speed(c.normal), -1e-11);
         EXPECT_NEAR(impulse.normal > 0 ? speed(c.normal) : 0, 0, 1e-11);
@@ -451,7 +453,8 @@ TEST(NearInertia, OfAFlatFilm)
     std::vector<RigidBody<2>> bodies = make_bodies<2>(scene);
     const auto solids = make_solids<2>(bodies, walls);
     const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
-    const Coupling<2> coupling = couple<2>(grid, solids, mass, {1.0, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
+    const Coupling<2> coupling =
+        couple<2>(grid, solids, mass, {1.0, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
     const NearInertia<2> inertia = near_inertia(coupling, mass, {});
     ASSERT_EQ(inertia.films.size(), 1u);
     EXPECT_EQ(inertia.films[0].a, 0);

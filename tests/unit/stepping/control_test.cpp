@@ -85,9 +85,13 @@ TEST(Control, RefusesWhatTheMotionDoesNotAllow)
         }
         return "nothing";
     };
-    EXPECT_THAT(message([&] { prescribed.set_force(0, {0, 1}, Spin<2>(0)); }),
+    EXPECT_THAT(message([&] {
+                    prescribed.set_force(0, {0, 1}, Spin<2>(0));
+                }),
                 testing::HasSubstr("force on body 'body': its motion is not \"free\""));
-    EXPECT_THAT(message([&] { free.set_velocity(0, {0, 1}, Spin<2>(0)); }),
+    EXPECT_THAT(message([&] {
+                    free.set_velocity(0, {0, 1}, Spin<2>(0));
+                }),
                 testing::HasSubstr("velocity of body 'body': its motion is not \"prescribed\""));
     EXPECT_THAT(message([&] { free.set_force(0, {0, NAN}, Spin<2>(0)); }), testing::HasSubstr("is not finite"));
     EXPECT_EQ(free.bodies()[0].force, Vec<2>(0, 0));

@@ -8,11 +8,13 @@
 namespace gapflow {
 
 struct CoupledScene {
-    explicit CoupledScene(const Scene& of) : scene(of), grid(make_grid<2>(scene, Communicator())), bodies(make_bodies<2>(scene)), walls(make_walls<2>(scene))
+    explicit CoupledScene(const Scene& of)
+        : scene(of), grid(make_grid<2>(scene, Communicator())), bodies(make_bodies<2>(scene)), walls(make_walls<2>(scene))
     {
         const auto solids = make_solids<2>(bodies, walls);
         const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
-        coupling = couple<2>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
+        coupling =
+            couple<2>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
         rest.assign(solids.size(), Twist<2>::Zero());
     }
     const Film<2>& film() const { return coupling.network.films.front(); }

@@ -64,7 +64,8 @@ struct Annulus : CoupledScene {
     {
         const FilmMemories<2> memories = remember_films<2>(coupling.network, coupling.solids, rest, u, {}, grid.dx());
         return advect_films<2>(
-                   coupling.network, coupling.solids, memories, rest, [](const std::vector<Vec<2>>& x) { return std::vector<Vec<2>>(x.size(), Vec<2>(Vec<2>::Zero())); },
+                   coupling.network, coupling.solids, memories, rest,
+                   [](const std::vector<Vec<2>>& x) { return std::vector<Vec<2>>(x.size(), Vec<2>(Vec<2>::Zero())); },
                    [](int, int) { return MouthLaw{}; }, dt)
             .velocity;
     }

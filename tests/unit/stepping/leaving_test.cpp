@@ -32,7 +32,8 @@ Scene disk_below_open_top()
 
 int count(const std::vector<std::string>& notes, const std::string& words)
 {
-    return static_cast<int>(std::count_if(notes.begin(), notes.end(), [&](const std::string& note) { return note.find(words) != std::string::npos; }));
+    return static_cast<int>(std::count_if(notes.begin(), notes.end(),
+                                          [&](const std::string& note) { return note.find(words) != std::string::npos; }));
 }
 
 TEST(Leaving, EnergyStaysBoundedAndTheRunSaysSo)

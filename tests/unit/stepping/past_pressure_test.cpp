@@ -43,7 +43,8 @@ Placed<D> placed(Scene scene, const Grid<D>& grid, const Vec<D>& moved)
     Placed<D> result{make_bodies<D>(scene), make_walls<D>(scene), {}};
     const auto solids = make_solids<D>(result.bodies, result.walls);
     const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
-    result.coupling = couple<D>(grid, solids, mass, {density, FractionMode::cut_cell}, gap_settings<D>(scene, solids, true), {});
+    result.coupling =
+        couple<D>(grid, solids, mass, {density, FractionMode::cut_cell}, gap_settings<D>(scene, solids, true), {});
     return result;
 }
 
@@ -69,10 +70,19 @@ void expect_half_the_change_of_force(const Vec<D>& moved)
     EXPECT_LT((swept - expected.template head<D>()).norm(), 1e-10);
 }
 
-TEST(PastPressure, PushesSweptVolume2D) { expect_half_the_change_of_force<2>({0.05, -0.03}); }
-TEST(PastPressure, PushesSweptVolume3D) { expect_half_the_change_of_force<3>({0.04, 0.05, -0.03}); }
+TEST(PastPressure, PushesSweptVolume2D)
+{
+    expect_half_the_change_of_force<2>({0.05, -0.03});
+}
+TEST(PastPressure, PushesSweptVolume3D)
+{
+    expect_half_the_change_of_force<3>({0.04, 0.05, -0.03});
+}
 // Nearly a cell: faces inside the ball before are cut after.
-TEST(PastPressure, PushesSweptVolumeOfACell) { expect_half_the_change_of_force<2>({0.12, 0.0}); }
+TEST(PastPressure, PushesSweptVolumeOfACell)
+{
+    expect_half_the_change_of_force<2>({0.12, 0.0});
+}
 
 // A disk that coasts through ideal fluid keeps its speed, and does not turn. With pressure at the step's end alone 6 % of the energy are
 // lost on this way, and with steps of a quarter 2 %; what is left is the grid's.

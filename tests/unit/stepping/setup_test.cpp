@@ -6,10 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 Scene scene_of(int cells)
 {

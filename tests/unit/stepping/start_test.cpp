@@ -8,10 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 Scene closed_box(int cells)
 {

@@ -219,7 +219,9 @@ TEST(State, RefusesAnotherScene)
         return std::string("accepted");
     };
     EXPECT_EQ(refusal([](Scene&, StoredState&) {}), "accepted");
-    EXPECT_THAT(refusal([](Scene& scene, StoredState&) { scene.cells = {36, 12, 1}; }),
+    EXPECT_THAT(refusal([](Scene& scene, StoredState&) {
+                    scene.cells = {36, 12, 1};
+                }),
                 HasSubstr("'velocity_x' is not of this"));
     EXPECT_THAT(refusal([](Scene& scene, StoredState&) { scene.bodies.pop_back(); }),
                 HasSubstr("it has 4 bodies, the scene 3"));

@@ -7,10 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace gapflow
-{
-namespace
-{
+namespace gapflow {
+namespace {
 
 using Motion = BodyScene::Motion;
 
@@ -52,8 +50,9 @@ TEST(ThinBodies, AreRefusedBelowACellAndToldOfBelowTwo)
                 testing::ElementsAre(testing::AllOf(testing::StartsWith("body 'a' is 1.2 cells thin at (0."),
                                                     testing::HasSubstr("domain.cells = [40, 40]"))));
     Scene thin = scene_of({plate("a", 0.5, 0.025, Motion::free)});
-    for (const auto& attempt : std::vector<std::function<void()>>{[&] { warnings_of(thin); }, [&] { Simulation<2>(thin, comm); },
-                                                                  [&] { added_mass(thin, comm); }, [&] { require_thickness(thin); }})
+    for (const auto& attempt :
+         std::vector<std::function<void()>>{[&] { warnings_of(thin); }, [&] { Simulation<2>(thin, comm); },
+                                            [&] { added_mass(thin, comm); }, [&] { require_thickness(thin); }})
         try {
             attempt();
             FAIL();
@@ -80,8 +79,10 @@ TEST(ThinBodies, AreAsThickAsWhatTheyAreFixedTo)
     };
     EXPECT_THAT(cells_of(scene_of({plate("lining", 0.0125, 0.025, Motion::fixed)})), testing::IsEmpty()); // on the floor
     EXPECT_THAT(cells_of(scene_of({plate("lining", 0.005, 0.025, Motion::fixed)})), testing::IsEmpty());  // in it
-    EXPECT_THAT(cells_of(scene_of({plate("lying", 0.0125, 0.025, Motion::free)})), testing::ElementsAre(testing::DoubleNear(0.5, 1e-6)));
-    EXPECT_THAT(cells_of(scene_of({plate("above", 0.0225, 0.025, Motion::fixed)})), testing::ElementsAre(testing::DoubleNear(0.5, 1e-6)));
+    EXPECT_THAT(cells_of(scene_of({plate("lying", 0.0125, 0.025, Motion::free)})),
+                testing::ElementsAre(testing::DoubleNear(0.5, 1e-6)));
+    EXPECT_THAT(cells_of(scene_of({plate("above", 0.0225, 0.025, Motion::fixed)})),
+                testing::ElementsAre(testing::DoubleNear(0.5, 1e-6)));
     const BodyScene lower = plate("lower", 0.5, 0.03, Motion::fixed), upper = plate("upper", 0.53, 0.03, Motion::fixed);
     EXPECT_THAT(cells_of(scene_of({lower, upper})),
                 testing::ElementsAre(testing::DoubleNear(1.2, 2e-3), testing::DoubleNear(1.2, 2e-3))); // both together

@@ -158,7 +158,8 @@ double taylor_green_error(int cells, const Vec<2>& stream)
     auto exact = [&](int axis, const Index<2>& f, double t) {
         const Vec<2> x = grid.face_centre(axis, f) - t * stream;
         const double decay = std::exp(-2 * scene.viscosity * k * k * t);
-        return stream[axis] + decay * (axis == 0 ? std::sin(k * x[0]) * std::cos(k * x[1]) : -std::cos(k * x[0]) * std::sin(k * x[1]));
+        return stream[axis] +
+               decay * (axis == 0 ? std::sin(k * x[0]) * std::cos(k * x[1]) : -std::cos(k * x[0]) * std::sin(k * x[1]));
     };
     StoredState state = Simulation<2>(scene, Communicator()).state();
     for (int axis = 0; axis < 2; ++axis) {
@@ -183,7 +184,8 @@ TEST(Viscosity, TaylorGreenVortexDecays)
 {
     for (const Vec<2>& stream : {Vec<2>(0, 0), Vec<2>(0.6, 0.35)}) {
         const bool moves = stream.norm() > 0;
-        const double coarse = taylor_green_error(16, stream), middle = taylor_green_error(32, stream), fine = taylor_green_error(64, stream);
+        const double coarse = taylor_green_error(16, stream), middle = taylor_green_error(32, stream),
+                     fine = taylor_green_error(64, stream);
         const double order = std::log2(coarse / fine) / 2;
         EXPECT_GT(order, moves ? 1.8 : 1.2) << coarse << " " << middle << " " << fine;
         EXPECT_LT(fine, moves ? 1.2e-3 : 1.5e-4);
@@ -275,7 +277,8 @@ TEST(Viscosity, AShortFirstStepGivesNoEnergy)
     double before = start.energy_fluid + start.energy_bodies;
     std::vector<double> steps;
     for (int i = 0; i < 4; ++i) {
-        const StepReport report = simulation.step(i == 0 ? 1.2e-5 : 1e9); // what touches at the start is stopped in a step so short
+        const StepReport report =
+            simulation.step(i == 0 ? 1.2e-5 : 1e9); // what touches at the start is stopped in a step so short
         EXPECT_LE(report.energy_fluid + report.energy_bodies, before) << "step " << i + 1;
         before = report.energy_fluid + report.energy_bodies;
         steps.push_back(report.dt);
@@ -380,7 +383,8 @@ double gradient_in_channel(double degrees, int cells, double offset)
     const UnknownVector<2> p = simulation.reduced_pressure();
     double n = 0, s_sum = 0, p_sum = 0, ss = 0, sp = 0;
     for_each_index<2>(grid.low(), grid.high(), [&](const Index<2>& c) {
-        const double s = (grid.cell_centre(c) - foot).dot(along), y = (grid.cell_centre(c) - foot).dot(across), middle = 0.5 * length / std::cos(angle);
+        const double s = (grid.cell_centre(c) - foot).dot(along), y = (grid.cell_centre(c) - foot).dot(across),
+                     middle = 0.5 * length / std::cos(angle);
         if (y < 0 || y > 1 || std::abs(s - middle) > 0.6 * middle)
             return;
         n += 1;
@@ -426,14 +430,16 @@ TEST(Viscosity, LightBodyRisesAtOnceInLongSteps)
 struct LoadAndTorque {
     double load, torque;
 };
-LoadAndTorque turning_cylinder_near_its_container(double radius, double clearance, double eccentricity, int cells, const Vec<2>& offset, double dt)
+LoadAndTorque turning_cylinder_near_its_container(double radius, double clearance, double eccentricity, int cells,
+                                                  const Vec<2>& offset, double dt)
 {
     const double outer = radius + clearance, side = 2.2 * outer, dx = side / cells;
     const Vec<2> centre = Vec<2>::Constant(0.5 * side) + dx * offset;
     Scene scene = closed_box(2, side, cells);
     scene.density = 1e-6;
     scene.max_step = dt;
-    scene.bodies = {ball("inner", radius, {centre[0] + eccentricity * clearance, centre[1], 0}), ball("outer", outer, {centre[0], centre[1], 0})};
+    scene.bodies = {ball("inner", radius, {centre[0] + eccentricity * clearance, centre[1], 0}),
+                    ball("outer", outer, {centre[0], centre[1], 0})};
     scene.bodies[0].motion = BodyScene::Motion::prescribed;
     scene.bodies[0].angular_velocity = {1 / radius, 0, 0};
     scene.bodies[1].motion = BodyScene::Motion::fixed;
@@ -448,7 +454,9 @@ LoadAndTorque turning_cylinder_near_its_container(double radius, double clearanc
 // Nearly touching: at 0.9 no film, at 0.99 a film of up to 2 cells.
 TEST(Viscosity, TurningCylinderNearItsContainer)
 {
-    const auto load = [](double eccentricity) { return turning_cylinder_near_its_container(0.5, 0.5, eccentricity, 70, {0.41, 0.23}, 5e-9).load; };
+    const auto load = [](double eccentricity) {
+        return turning_cylinder_near_its_container(0.5, 0.5, eccentricity, 70, {0.41, 0.23}, 5e-9).load;
+    };
     EXPECT_NEAR(load(0.9) / 39.3203945895357, 1.0, 0.02);
     EXPECT_NEAR(load(0.99) / 125.603824106705, 1.0, 0.03);
 }
@@ -458,7 +466,8 @@ TEST(Viscosity, TurningCylinderNearItsContainer)
 // steps, in which the mouth keeps half of its flux.
 TEST(Viscosity, MouthsOfACellDragNothing)
 {
-    for (const auto& [offset, dt] : {std::pair(Vec<2>(0.41, 0.23), 1e-9), std::pair(Vec<2>(0.1, 0.3), 1e-9), std::pair(Vec<2>(0.1, 0.3), 2.5e-10)}) {
+    for (const auto& [offset, dt] :
+         {std::pair(Vec<2>(0.41, 0.23), 1e-9), std::pair(Vec<2>(0.1, 0.3), 1e-9), std::pair(Vec<2>(0.1, 0.3), 2.5e-10)}) {
         const LoadAndTorque found = turning_cylinder_near_its_container(1.0, 0.1, 0.6, 64, offset, dt);
         EXPECT_NEAR(found.load / 1256.77960505794, 1.0, 0.005);
         EXPECT_NEAR(found.torque / 124.517972485064, 1.0, 0.01);

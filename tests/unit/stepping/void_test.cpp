@@ -147,9 +147,7 @@ TEST(Voids, AFloodFrontRunsAtBernoullisSpeed)
         EXPECT_LE(gap.void_volume, 0.01 * (1 + 1e-6));
         last_pressure = gap.pressure_min;
     }
-    auto at = [&](double t) {
-        return std::find_if(volume.begin(), volume.end(), [&](const auto& v) { return v.first >= t; });
-    };
+    auto at = [&](double t) { return std::find_if(volume.begin(), volume.end(), [&](const auto& v) { return v.first >= t; }); };
     const double speed = (at(0.08)->second - at(0.13)->second) / (at(0.13)->first - at(0.08)->first) / 0.02;
     EXPECT_NEAR(speed, std::sqrt(2 * ambient / 1.5), 0.06 * speed);
     EXPECT_EQ(volume.back().second, 0);
@@ -390,7 +388,8 @@ TEST(Voids, TheWetSystemBalancesEveryRowButTheVoids)
     std::vector<RigidBody<3>> bodies = make_bodies<3>(scene);
     const auto solids = make_solids<3>(bodies, walls);
     std::vector<TwistMatrix<3>> mass(solids.size(), TwistMatrix<3>::Identity());
-    Coupling<3> coupling = couple<3>(grid, solids, mass, {1.0, FractionMode::cut_cell}, gap_settings<3>(scene, solids, true), {});
+    Coupling<3> coupling =
+        couple<3>(grid, solids, mass, {1.0, FractionMode::cut_cell}, gap_settings<3>(scene, solids, true), {});
     const int nodes = coupling.system.nodes;
     const std::size_t entries = coupling.system.node_flux.size();
     std::vector<char> is_void(nodes, 0);

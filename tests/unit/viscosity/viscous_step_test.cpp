@@ -32,11 +32,13 @@ struct World {
             bodies.mass.push_back(mass);
             bodies.twists.push_back(Twist<D>::Zero());
         }
-        coupling = couple<D>(grid, solids, bodies.mass, {density, FractionMode::cut_cell}, [](int, int) {
-            GapSettings none;
-            none.film = false;
-            return none;
-        }, {});
+        coupling = couple<D>(grid, solids, bodies.mass, {density, FractionMode::cut_cell},
+                             [](int, int) {
+                                 GapSettings none;
+                                 none.film = false;
+                                 return none;
+                             },
+                             {});
     }
     static std::array<SideKind, 2 * D> periodic()
     {
@@ -107,7 +109,8 @@ void check_common_motion()
     world.for_each_open_face([&](int axis, const Index<D>& f, const Vec<D>&, double) { u(axis, f) = 0.3 + axis; });
     const ViscousStep<D> step = world.step(u, 0.5);
     EXPECT_LT((step.twists[0] - world.bodies.twists[0]).norm(), 1e-10);
-    world.for_each_open_face([&](int axis, const Index<D>& f, const Vec<D>&, double) { EXPECT_NEAR(u(axis, f), 0.3 + axis, 1e-10); });
+    world.for_each_open_face(
+        [&](int axis, const Index<D>& f, const Vec<D>&, double) { EXPECT_NEAR(u(axis, f), 0.3 + axis, 1e-10); });
 }
 
 TEST(ViscousStep, CommonMotionStays2D)
