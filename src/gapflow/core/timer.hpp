@@ -7,6 +7,16 @@
 
 namespace gapflow {
 
+/// Seconds since it was made.
+class Stopwatch {
+public:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
 /// Seconds and number of calls of every named stage of a run. Passed to whoever measures; not shared between threads.
 class StageTimers {
 public:

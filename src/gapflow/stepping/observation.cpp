@@ -1,11 +1,9 @@
-// What a simulation reports of its state: pressure, gaps, momentum and energy. Reads the state, never changes it.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/stepping/observation.hpp"
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/stepping/flooding.hpp"
-#include "gapflow/stepping/gap_notes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,74 +12,52 @@
 namespace gapflow {
 
 template <int D>
-UnknownVector<D> Simulation<D>::reduced_pressure() const
+UnknownVector<D> reduced_pressure(const State<D>& state)
 {
-    UnknownVector<D> p = impulse_;
-    const double scale = dt_ > 0 ? 1 / dt_ : 0.0;
+    UnknownVector<D> p = state.pressure.impulse;
+    const double scale = state.dt > 0 ? 1 / state.dt : 0.0;
     for (long i = 0; i < p.cells.size(); ++i)
         p.cells.data()[i] *= scale;
     p.nodes *= scale;
     return p;
 }
 
-// rho g . (x - x0), x0 the highest point of the open sides, where the pressure is the reference pressure.
 template <int D>
-double Simulation<D>::hydrostatic(const Vec<D>& x) const
+std::vector<GapState> gap_states(const Model<D>& model, const Coupling<D>& here, const State<D>& state)
 {
-    const Vec<D> g = to_vec<D>(scene_.gravity);
-    double highest = -std::numeric_limits<double>::infinity();
-    for (int corner = 0; corner < (1 << D); ++corner) {
-        Vec<D> place;
-        bool open = false;
-        for (int axis = 0; axis < D; ++axis) {
-            const int end = corner >> axis & 1;
-            place[axis] = grid_.origin()[axis] + end * grid_.size()[axis];
-            open = open || grid_.side(axis, end) == SideKind::open;
-        }
-        if (open)
-            highest = std::max(highest, -g.dot(place));
-    }
-    const double level = std::isfinite(highest) ? scene_.density * highest + scene_.reference_pressure : 0.0;
-    return scene_.density * g.dot(x) + level;
-}
-
-template <int D>
-std::vector<GapState> Simulation<D>::gaps() const
-{
-    const Coupling<D>& c = *coupling_;
-    const Eigen::VectorXd node_pressure = impulse_.nodes * (dt_ > 0 ? 1 / dt_ : 0.0);
-    const std::vector<Twist<D>> V = twists();
+    const Eigen::VectorXd node_pressure = state.pressure.impulse.nodes * (state.dt > 0 ? 1 / state.dt : 0.0);
+    const std::vector<Twist<D>> V = model.twists(state.bodies);
     std::map<std::pair<int, int>, GapState> states;
-    for (const Film<D>& film : c.network.films) {
+    for (const Film<D>& film : here.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const int a = std::min(mesh.master, mesh.other), b = std::max(mesh.master, mesh.other);
         auto [it, is_new] = states.try_emplace({a, b});
         GapState& gap = it->second;
         if (is_new) {
-            gap.body_a = c.solids[a].name;
-            gap.body_b = c.solids[b].name;
+            gap.body_a = here.solids[a].name;
+            gap.body_b = here.solids[b].name;
             gap.thickness = std::numeric_limits<double>::infinity();
             gap.pressure_min = std::numeric_limits<double>::infinity();
             gap.pressure_max = -std::numeric_limits<double>::infinity();
         }
         gap.film_nodes += static_cast<int>(mesh.h.size());
-        const PlacedShape<D> other = c.solids[mesh.other].shape.shifted(mesh.shift);
+        const PlacedShape<D> other = here.solids[mesh.other].shape.shifted(mesh.shift);
         const std::size_t thinnest = std::min_element(mesh.h.begin(), mesh.h.end()) - mesh.h.begin();
         const SurfacePoint<D> closest = other.closest(mesh.x[thinnest]);
         if (closest.distance < gap.thickness) {
             gap.thickness = closest.distance;
             gap.opening_rate =
-                closest.normal.dot(velocity_at<D>(V[mesh.master], mesh.x[thinnest] - c.solids[mesh.master].centre) -
-                                   velocity_at<D>(V[mesh.other], closest.x - c.solids[mesh.other].centre - mesh.shift));
+                closest.normal.dot(velocity_at<D>(V[mesh.master], mesh.x[thinnest] - here.solids[mesh.master].centre) -
+                                   velocity_at<D>(V[mesh.other], closest.x - here.solids[mesh.other].centre - mesh.shift));
         }
         std::vector<double> pressure(mesh.h.size());
         for (std::size_t i = 0; i < pressure.size(); ++i) {
-            pressure[i] = node_pressure[film.first_node + static_cast<int>(i)] + hydrostatic(mesh.mid[i]);
+            pressure[i] = node_pressure[film.first_node + static_cast<int>(i)] + model.hydrostatic(mesh.mid[i]);
             gap.pressure_min = std::min(gap.pressure_min, pressure[i]);
             gap.pressure_max = std::max(gap.pressure_max, pressure[i]);
         }
         for (std::size_t i = 0; i < mesh.h.size(); ++i)
-            gap.void_volume += voids_.volume()[film.first_node + i];
+            gap.void_volume += state.voids.volume()[film.first_node + i];
         for (const FilmElement<D>& e : mesh.elements) {
             double mean = 0;
             for (int node : e.nodes)
@@ -90,14 +66,14 @@ std::vector<GapState> Simulation<D>::gaps() const
             gap.film_area += e.measure;
         }
     }
-    for (const Contact<D>& contact : contacts_.contacts()) {
+    for (const Contact<D>& contact : state.contacts.contacts()) {
         if (!contact.closed)
             continue;
         auto [it, is_new] = states.try_emplace({contact.point.a, contact.point.b});
         GapState& gap = it->second;
         if (is_new) {
-            gap.body_a = c.solids[contact.point.a].name;
-            gap.body_b = c.solids[contact.point.b].name;
+            gap.body_a = here.solids[contact.point.a].name;
+            gap.body_b = here.solids[contact.point.b].name;
             gap.thickness = std::numeric_limits<double>::infinity();
         }
         if (contact.point.distance < gap.thickness) {
@@ -105,7 +81,7 @@ std::vector<GapState> Simulation<D>::gaps() const
             gap.opening_rate = contact.normal.a.dot(V[contact.point.a]) + contact.normal.b.dot(V[contact.point.b]);
         }
         gap.contact_impulse += contact.impulse;
-        gap.contact_force += contact.impulse / dt_;
+        gap.contact_force += contact.impulse / state.dt;
     }
     std::vector<GapState> result;
     for (const auto& [pair, gap] : states)
@@ -114,21 +90,21 @@ std::vector<GapState> Simulation<D>::gaps() const
 }
 
 template <int D>
-Budget<D> Simulation<D>::budget() const
+Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V)
 {
-    const Coupling<D>& c = *coupling_;
-    const double rho = scene_.density, cell = std::pow(grid_.dx(), D);
+    const Grid<D>& grid = model.grid;
+    const double rho = model.scene.density, cell = std::pow(grid.dx(), D);
     using Sums = Eigen::Matrix<double, D + spin_size<D> + 1, 1>; // momentum, angular momentum, energy
     Sums sums = Sums::Zero();
     for (int axis = 0; axis < D; ++axis) {
-        const Index<D> low = grid_.low(), end = owned_faces_end(grid_, axis);
+        const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
         const int n = end[0] - low[0];
         auto of_plane = [&](int plane) {
             Sums sum = Sums::Zero();
             for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
-                const double *conductance = &c.system.conductance(axis, row), *open = &c.open(axis, row),
-                             *u = &velocity_.grid(axis, row);
-                const int* cut = &c.fractions->cut(axis, row);
+                const double *conductance = &here.system.conductance(axis, row), *open = &here.open(axis, row),
+                             *u = &state.velocity.grid(axis, row);
+                const int* cut = &here.fractions->cut(axis, row);
                 double flow = 0, along = 0, square = 0; // sums of a u, i a u, a u^2
                 int cuts = 0;
 #pragma omp simd reduction(+ : flow, along, square, cuts)
@@ -140,12 +116,12 @@ Budget<D> Simulation<D>::budget() const
                     cuts += cut[i] >= 0 ? 1 : 0;
                 }
                 const Vec<D> direction = rho * cell * unit<D>(axis);
-                Spin<D> angular = moment<D>(grid_.face_centre(axis, row) - grid_.origin(), Vec<D>(flow * direction)) +
-                                  moment<D>(grid_.dx() * unit<D>(0), Vec<D>(along * direction));
+                Spin<D> angular = moment<D>(grid.face_centre(axis, row) - grid.origin(), Vec<D>(flow * direction)) +
+                                  moment<D>(grid.dx() * unit<D>(0), Vec<D>(along * direction));
                 Index<D> f = row;
                 for (int i = 0; i < n && cuts > 0; ++i, ++f[0])
                     if (cut[i] >= 0 && conductance[i] > 0)
-                        angular += moment<D>(c.fractions->faces[cut[i]].open_centroid - grid_.face_centre(axis, f),
+                        angular += moment<D>(here.fractions->faces[cut[i]].open_centroid - grid.face_centre(axis, f),
                                              Vec<D>(open[i] * u[i] * direction));
                 sum.template head<D>() += flow * direction;
                 sum.template segment<spin_size<D>>(D) += angular;
@@ -157,7 +133,7 @@ Budget<D> Simulation<D>::budget() const
             sums += sum;
     }
     std::vector<double> of_all_ranks(sums.begin(), sums.end());
-    grid_.comm().sum(of_all_ranks);
+    grid.comm().sum(of_all_ranks);
     std::copy(of_all_ranks.begin(), of_all_ranks.end(), sums.begin());
     Budget<D> budget;
     budget.momentum = sums.template head<D>();
@@ -166,98 +142,98 @@ Budget<D> Simulation<D>::budget() const
 
     auto add = [&](const Vec<D>& momentum, const Vec<D>& x) {
         budget.momentum += momentum;
-        budget.angular_momentum += moment<D>(x - grid_.origin(), momentum);
+        budget.angular_momentum += moment<D>(x - grid.origin(), momentum);
     };
-    const std::vector<double> normal = wall_normal_speed<D>(c.network, c.solids, twists());
-    for (const Film<D>& film : c.network.films)
+    const std::vector<double> normal = wall_normal_speed<D>(here.network, here.solids, V);
+    for (const Film<D>& film : here.network.films)
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
             const FilmElement<D>& element = film.mesh.elements[e];
             const std::size_t i = film.first_element + e;
-            const Vec<D> w = velocity_.film[i] + normal[i] * element.normal;
+            const Vec<D> w = state.velocity.film[i] + normal[i] * element.normal;
             add(rho * element.volume * w, element.centroid);
             budget.energy_film += 0.5 * rho * element.volume * w.squaredNorm();
         }
-    const std::vector<Conduit<D>>& conduits = c.network.mouths.conduits;
+    const std::vector<Conduit<D>>& conduits = here.network.mouths.conduits;
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& conduit = conduits[r];
-        const double q = velocity_.conduit[r];
+        const double q = state.velocity.conduit[r];
         add(rho * conduit.resistance * conduit.h * q * conduit.outward, conduit.x);
         budget.energy_film += 0.5 * rho * conduit.resistance * q * q / conduit.length;
     }
-    for (const RigidBody<D>& body : bodies_)
+    for (const RigidBody<D>& body : state.bodies)
         if (body.motion == Motion::free) {
             const Twist<D> m = momentum(body);
             budget.momentum += m.template head<D>();
-            budget.angular_momentum += angular_momentum_about(body, grid_.origin());
+            budget.angular_momentum += angular_momentum_about(body, grid.origin());
             budget.energy_bodies += kinetic_energy(body) + spring_energy(body);
         }
     return budget;
 }
 
 template <int D>
-void Simulation<D>::finish_report(StepReport& report, double dt)
+void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
+                  StepReport& report)
 {
-    report.step = steps_;
-    report.time = time_;
-    report.dt = dt;
-    for (const Component& component : coupling_->system.components)
+    const Grid<D>& grid = model.grid;
+    report.step = state.steps;
+    report.time = state.time;
+    report.dt = state.dt;
+    for (const Component& component : here.system.components)
         report.cells += component.unknowns;
-    report.film_nodes = coupling_->network.nodes;
+    report.film_nodes = here.network.nodes;
     report.cells -= report.film_nodes;
-    const Budget<D> sums = budget();
+    const Budget<D> sums = budget(model, here, state, V);
     report.energy_fluid = sums.energy_grid + sums.energy_film;
     report.energy_bodies = sums.energy_bodies;
-    if (dt > 0)
-        report.dissipation_film = film_loss(*coupling_, twists(), velocity_) / dt;
+    if (state.dt > 0)
+        report.dissipation_film = film_loss(here, V, state.velocity) / state.dt;
     UnknownVector<D> rest;
-    const std::vector<char>& shut = voids_.shut();
+    const std::vector<char>& shut = state.voids.shut();
     const bool any_shut = std::find(shut.begin(), shut.end(), 1) != shut.end();
-    if (coupling_->element_drag.empty() && !any_shut) {
-        outflow(*coupling_, velocity_, twists(), rest);
+    if (here.element_drag.empty() && !any_shut) {
+        outflow(here, state.velocity, V, rest);
     } else { // the walls' entrainment is in K, shut mouths are not
-        FluidVelocity<D> driven = velocity_;
-        add_entrainment(*coupling_, twists(), -1, driven);
+        FluidVelocity<D> driven = state.velocity;
+        add_entrainment(here, V, -1, driven);
         for (std::size_t r = 0; r < shut.size(); ++r)
             if (shut[r])
-                driven.conduit[r] += entrained_flux(*coupling_, r, twists()) -
-                                     carried_flux<D>(*coupling_, coupling_->network.mouths.conduits[r], twists());
-        outflow(*coupling_, driven, twists(), rest);
+                driven.conduit[r] += entrained_flux(here, r, V) -
+                                     carried_flux<D>(here, here.network.mouths.conduits[r], V);
+        outflow(here, driven, V, rest);
     }
-    if (node_outflow_.size() > 0) { // velocities at a void's front have moved on since
-        rest.nodes = node_outflow_ - Eigen::Map<const Eigen::VectorXd>(voids_.growth().data(), node_outflow_.size());
+    if (state.node_outflow.size() > 0) { // velocities at a void's front have moved on since
+        rest.nodes = state.node_outflow - Eigen::Map<const Eigen::VectorXd>(state.voids.growth().data(), state.node_outflow.size());
     } else {
         // Joints keep no flux of their own: it is what the last projection drove through them.
-        const std::vector<Link>& links = coupling_->system.links;
-        for (std::size_t r = coupling_->network.mouths.conduits.size(); r < links.size(); ++r) {
+        const std::vector<Link>& links = here.system.links;
+        for (std::size_t r = here.network.mouths.conduits.size(); r < links.size(); ++r) {
             double drop = 0;
             for (const auto& [node, weight] : links[r].nodes)
-                drop += weight * impulse_.nodes[node];
+                drop += weight * state.pressure.impulse.nodes[node];
             for (const auto& [node, weight] : links[r].nodes)
                 rest.nodes[node] += links[r].conductance * weight * drop;
         }
     }
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
-    worst = std::max(worst, max_over_planes(grid_.low()[D - 1], grid_.high()[D - 1], [&](int plane) {
+    worst = std::max(worst, max_over_planes(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
                          double largest = 0;
-                         for_each_row_of_plane<D>(grid_.low(), grid_.high(), plane, [&](const Index<D>& row) {
+                         for_each_row_of_plane<D>(grid.low(), grid.high(), plane, [&](const Index<D>& row) {
                              const double* value = &rest.cells(row);
 #pragma omp simd reduction(max : largest)
-                             for (int i = 0; i < grid_.high()[0] - grid_.low()[0]; ++i)
+                             for (int i = 0; i < grid.high()[0] - grid.low()[0]; ++i)
                                  largest = std::max(largest, std::abs(value[i]));
                          });
                          return largest;
                      }));
-    report.divergence_max = grid_.comm().max(worst) / std::pow(grid_.dx(), D);
-    for (std::string& note : blind_end_notes(*coupling_, blind_told_))
-        report.notes.push_back(std::move(note));
+    report.divergence_max = grid.comm().max(worst) / std::pow(grid.dx(), D);
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template UnknownVector<D> Simulation<D>::reduced_pressure() const;                                                         \
-    template double Simulation<D>::hydrostatic(const Vec<D>&) const;                                                           \
-    template std::vector<GapState> Simulation<D>::gaps() const;                                                                \
-    template Budget<D> Simulation<D>::budget() const;                                                                          \
-    template void Simulation<D>::finish_report(StepReport&, double);
+    template UnknownVector<D> reduced_pressure<D>(const State<D>&);                                                            \
+    template std::vector<GapState> gap_states<D>(const Model<D>&, const Coupling<D>&, const State<D>&);                        \
+    template Budget<D> budget<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&);          \
+    template void report_state<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&,          \
+                                  StepReport&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

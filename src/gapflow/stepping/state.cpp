@@ -1,11 +1,12 @@
-// The state between two steps, stored and restored. The lists of list_state() are all that goes from step to step; what follows
-// from it (fractions, films, the coupled system, velocities continued into solids and films, what films remember) is built
-// again by the same code that built it.
-#include "gapflow/stepping/simulation.hpp"
+// The lists of list_state() are all that goes from step to step. A class that carries something between steps has its own list_state(), called
+// here.
+#include "gapflow/stepping/state.hpp"
 
 #include "gapflow/body/body_state.hpp"
 #include "gapflow/film/film_state.hpp"
 #include "gapflow/grid/whole_field.hpp"
+
+#include <algorithm>
 
 namespace gapflow {
 
@@ -21,87 +22,98 @@ void list_pairs(StateArchive& archive, const std::string& name, std::set<FilmPai
 
 } // namespace
 
-// A class that carries something between steps adds its own list_state() here.
 template <int D>
-void Simulation<D>::list_state(StateArchive& archive)
+void PressureHistory<D>::forget()
 {
-    archive("step", steps_);
-    archive("time", time_);
-    archive("last_step_length", dt_);
-    std::size_t bodies = bodies_.size();
+    lasts = false;
+    if (bulk.known.size() > 0) {
+        bulk.pressure.fill(0);
+        bulk.known.fill(0);
+    }
+    std::fill(force.begin(), force.end(), Twist<D>(Twist<D>::Zero()));
+    film.clear();
+    film_mean.clear();
+}
+
+template <int D>
+State<D>::State(const Model<D>& model) : bodies(model.bodies)
+{
+    const std::vector<Solid<D>> solids = model.solids(bodies);
+    contacts = ContactSet<D>(model.scene, model.grid, solids);
+    voids = VoidSet<D>(model.scene, model.grid, solids, [&model](const Vec<D>& x) { return model.hydrostatic(x); });
+    acceleration.assign(solids.size(), Twist<D>::Zero());
+    wrenches.assign(bodies.size(), Twist<D>::Zero());
+    velocity.grid = FaceField<D>(model.grid);
+    pressure.impulse.cells = CellField<D>(model.grid);
+    if (model.viscous()) {
+        pressure.bulk.pressure = pressure.bulk.known = CellField<D>(model.grid);
+        pressure.force.assign(bodies.size(), Twist<D>::Zero());
+    }
+}
+
+template <int D>
+bool met_something(const State<D>& state, int solid)
+{
+    return state.contacts.impact_on(solid) ||
+           std::any_of(state.turned.begin(), state.turned.end(),
+                       [&](const FilmPair<D>& pair) { return pair.master == solid || pair.other == solid; });
+}
+
+template <int D>
+void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
+{
+    const Grid<D>& grid = model.grid;
+    archive("step", state.steps);
+    archive("time", state.time);
+    archive("last_step_length", state.dt);
+    std::size_t bodies = state.bodies.size();
     archive("body_count", bodies);
-    if (bodies != bodies_.size())
-        throw StateError("it has " + std::to_string(bodies) + " bodies, the scene " + std::to_string(bodies_.size()));
+    if (bodies != state.bodies.size())
+        throw StateError("it has " + std::to_string(bodies) + " bodies, the scene " + std::to_string(state.bodies.size()));
     archive.group("bodies", [&] {
-        for (RigidBody<D>& body : bodies_)
+        for (RigidBody<D>& body : state.bodies)
             gapflow::list_state(archive, body);
-        for (Twist<D>& wrench : wrenches_)
+        for (Twist<D>& wrench : state.wrenches)
             archive("fluid_wrench", wrench);
     });
-    archive("acceleration", acceleration_);
-    archive("light_bodies", light_bodies_);
-    contacts_.list_state(archive);
-    voids_.list_state(archive);
-    list_pairs(archive, "films_before", alive_);
-    list_pairs(archive, "films_turned", turning_);
-    list_field(archive, "velocity", grid_, velocity_.grid);
-    list_field(archive, "pressure_impulse", grid_, impulse_.cells);
+    archive("acceleration", state.acceleration);
+    archive("light_bodies", state.light_bodies);
+    state.contacts.list_state(archive);
+    state.voids.list_state(archive);
+    list_pairs(archive, "films_before", state.films_before);
+    list_pairs(archive, "films_turned", state.turned);
+    list_field(archive, "velocity", grid, state.velocity.grid);
+    PressureHistory<D>& pressure = state.pressure;
+    list_field(archive, "pressure_impulse", grid, pressure.impulse.cells);
     archive.group("films", [&] {
-        archive("pressure_impulse", impulse_.nodes);
-        archive("outflow", node_outflow_);
-        archive("velocity", velocity_.film);
-        archive("normal_speed", velocity_.film_normal);
-        archive("push", film_push_);
-        archive("last_push", last_push_);
+        archive("pressure_impulse", pressure.impulse.nodes);
+        archive("outflow", state.node_outflow);
+        archive("velocity", state.velocity.film);
+        archive("normal_speed", state.velocity.film_normal);
+        archive("push", pressure.film);
+        archive("last_push", pressure.film_mean);
     });
-    archive("conduit_flux", velocity_.conduit);
-    if (scene_.viscosity > 0)
+    archive("conduit_flux", state.velocity.conduit);
+    if (model.viscous())
         archive.group("viscosity", [&] {
-            list_field(archive, "pressure", grid_, past_.pressure);
-            list_field(archive, "known", grid_, past_.known);
-            archive("force", viscous_.force);
+            list_field(archive, "pressure", grid, pressure.bulk.pressure);
+            list_field(archive, "known", grid, pressure.bulk.known);
+            archive("force", pressure.force);
         });
-}
-
-template <int D>
-StoredState Simulation<D>::state() const
-{
-    StoredState state;
-    StateArchive archive(state);
-    const_cast<Simulation*>(this)->list_state(archive); // one list for both ways; storing changes nothing
-    return state;
-}
-
-template <int D>
-Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const StoredState& state)
-    : Simulation(Unprepared{}, scene, comm)
-{
-    StateArchive archive(state);
-    list_state(archive);
-    archive.finish();
-    if (acceleration_.size() != walls_.solids.size() + bodies_.size())
+    if (!archive.restoring())
+        return;
+    pressure.lasts = state.steps > 0;
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        pressure.lasts = pressure.lasts && !met_something(state, static_cast<int>(b));
+    if (state.acceleration.size() != model.walls.solids.size() + state.bodies.size())
         throw StateError("it has other walls than the scene");
-    holding_ = steps_ == 0;
-    build_coupling([this](const Coupling<D>&) { return voids_.wet_shares(); });
-    holding_ = false;
-    const FilmNetwork<D>& network = coupling_->network;
-    if (static_cast<int>(velocity_.film.size()) != network.elements || velocity_.film_normal.size() != velocity_.film.size() ||
-        impulse_.nodes.size() != network.nodes || velocity_.conduit.size() != network.mouths.conduits.size() ||
-        static_cast<int>(voids_.volume().size()) != network.nodes || voids_.shut().size() != velocity_.conduit.size() ||
-        (node_outflow_.size() != 0 && node_outflow_.size() != network.nodes))
-        throw StateError("its films are not those that its bodies' positions give");
-    if (voids_.any()) // mouths that the last step shut
-        WetSystem<D>(*coupling_).take_out(voids_.is_void(), voids_.impulses(dt_), voids_.shut());
-    fill_velocity_ghosts(grid_, velocity_.grid, side_velocities(time_));
-    exchange(grid_, impulse_.cells);
-    continue_velocities();
-    finish_report(initial_report_, dt_);
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void Simulation<D>::list_state(StateArchive&);                                                                    \
-    template StoredState Simulation<D>::state() const;                                                                         \
-    template Simulation<D>::Simulation(const Scene&, const Communicator&, const StoredState&);
+    template struct PressureHistory<D>;                                                                                        \
+    template struct State<D>;                                                                                                  \
+    template bool met_something<D>(const State<D>&, int);                                                                      \
+    template void list_state<D>(StateArchive&, const Model<D>&, State<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

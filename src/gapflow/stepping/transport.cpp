@@ -1,132 +1,162 @@
-// Velocities carried to the new configuration: bulk, films and mouths together (method, "The time step", stages 2 and 4).
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/stepping/transport.hpp"
 
 #include "gapflow/film/film_vorticity.hpp"
+#include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/advection.hpp"
 #include "gapflow/stepping/film_turn.hpp"
 #include "gapflow/stepping/flooding.hpp"
+#include "gapflow/stepping/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gapflow {
 
-// Stages 2 and 4: the fluid's velocities carried to the new configuration.
-template <int D>
-FluidVelocity<D> Simulation<D>::advect_all(double dt, std::vector<double>& conduit_scale, FaceField<D>& change)
-{
-    const auto timer = stages_.measure("advection");
-    FluidVelocity<D> u_star;
-    u_star.grid = FaceField<D>(grid_);
-    FilmFlow<D> flow = advect_films<D>(
-        coupling_->network, coupling_->solids, memories_, predicted_twists(dt),
-        [&](const std::vector<Vec<D>>& points) { return sample(points); }, mouth_laws_, dt);
-    damp_vorticity(coupling_->network, grid_.dx(), flow.velocity);
-    turn_films<D>(coupling_->network, coupling_->solids, memories_, turning_, predicted_twists(dt), flow);
-    if (voids_.any())
-        flood(flow, dt);
-    const BoundaryVelocity<D> sides = side_velocities(time_);
-    const FaceField<D, std::int8_t>* plain = faces_near_jets(flow.conduit);
-    const bool any_slivers = grid_.comm().any(!slivers_.empty());
-    for (const Sliver& face : slivers_)
-        velocity_.grid(face.axis, face.at) = face.continued;
-    if (any_slivers)
-        fill_velocity_ghosts(grid_, velocity_.grid, sides);
-    change = advect_bulk(u_star.grid, dt, plain);
-    for (const Sliver& face : slivers_) {
-        velocity_.grid(face.axis, face.at) = face.own;
-        const double open = std::max(coupling_->open(face.axis, face.at), face.open);
-        const double stays = std::max(0.0, 1 - dt * std::abs(face.own) / grid_.dx());
-        u_star.grid(face.axis, face.at) += stays * face.open / open * (face.own - face.continued);
-    }
-    if (any_slivers)
-        fill_velocity_ghosts(grid_, velocity_.grid, sides);
-    if (any_film_faces_) {
-        const auto& cells = coupling_->network.cells.cells;
-        auto beside_film = [&](int axis, const Index<D>& f) {
-            return cells.contains(grid_.key(grid_.wrapped(f))) ||
-                   cells.contains(grid_.key(grid_.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
-        };
-        for (int axis = 0; axis < D; ++axis)
-            for_each_marked<D>(film_faces_[axis], grid_.low(), owned_faces_end(grid_, axis), 1, [&](const Index<D>& f) {
-                // Where a film still passes, its conduits carry its flow: there the bulk's own velocity counts.
-                if (beside_film(axis, f))
-                    film_faces_(axis, f) = 0;
-            });
-        advect_marked_faces(grid_, u_star.grid, painted_, film_faces_, dt);
-        share_uncovered_faces(u_star.grid);
-    }
-    fill_velocity_ghosts(grid_, u_star.grid, side_velocities(time_ + dt));
+namespace {
 
-    u_star.film = std::move(flow.velocity);
-    u_star.film_normal = std::move(flow.normal);
-    u_star.conduit = std::move(flow.conduit);
-    conduit_scale = std::move(flow.conduit_scale);
-    return u_star;
+// Extrapolated bulk velocity at points anywhere. Collective: every rank asks for the same points.
+template <int D>
+std::vector<Vec<D>> sample(const Grid<D>& grid, const FaceField<D>& velocity, const std::vector<Vec<D>>& points)
+{
+    std::vector<Vec<D>> u(points.size(), Vec<D>::Zero());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Index<D> c = grid.wrapped(grid.cell_of(points[i]));
+        const Index<D> inside = c.cwiseMax(0).cwiseMin(grid.cells() - Index<D>::Ones());
+        if (!grid.owns(inside))
+            continue;
+        const Vec<D> place = points[i] + grid.dx() * (inside - grid.cell_of(points[i])).template cast<double>();
+        for (int axis = 0; axis < D; ++axis)
+            u[i][axis] = interpolate_face(grid, velocity[axis], axis, place);
+    }
+    if (!u.empty())
+        grid.comm().sum(std::span<double>(u.front().data(), D * u.size()));
+    return u;
 }
 
 // Fluid entering voids: what the mouths let in, and how far it gets in this step.
 template <int D>
-void Simulation<D>::flood(FilmFlow<D>& flow, double dt)
+void flood(const Model<D>& model, const State<D>& state, const FilmMemories<D>& memories, const Coupling<D>& there,
+           const Step& step, FilmFlow<D>& flow)
 {
-    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
+    const Grid<D>& grid = model.grid;
+    const VoidSet<D>& voids = state.voids;
+    const std::vector<Twist<D>> V = model.twists(state.bodies);
+    const std::vector<Conduit<D>>& conduits = there.network.mouths.conduits;
     std::vector<double> pressure(conduits.size(), 0.0); // of the last step's bulk, where the conduits are now
-    for (std::size_t r = 0; r < conduits.size() && last_dt_ > 0; ++r)
+    for (std::size_t r = 0; r < conduits.size() && step.last_dt > 0; ++r)
         for (const auto& [key, weight] : conduits[r].cells)
-            if (const Index<D> c = grid_.cell_of_key(key); grid_.owns(c))
-                pressure[r] += weight * impulse_.cells(c) / last_dt_;
-    grid_.comm().sum(pressure);
-    rest_in_voids<D>(*coupling_, voids_.empty_elements(coupling_->network), twists(), flow.velocity);
-    limit_inflow<D>(*coupling_, voids_, memories_, mouth_laws_, pressure, dt, flow);
-    pass_on<D>(*coupling_, voids_, twists(), dt, flow);
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+                pressure[r] += weight * state.pressure.impulse.cells(c) / step.last_dt;
+    grid.comm().sum(pressure);
+    rest_in_voids<D>(there, voids.empty_elements(there.network), V, flow.velocity);
+    limit_inflow<D>(there, voids, memories, model.mouths, pressure, step.dt, flow);
+    pass_on<D>(there, voids, V, step.dt, flow);
 }
 
 // Faces near the mouths of films that flow out somewhere: the jets there are thinner than a cell, and MacCormack's correction,
 // clamped or not, feeds on them until the flow through a valve's seat grows without bound. Where a film only fills, it stays.
 // `flux`: out of each conduit, absolute.
 template <int D>
-const FaceField<D, std::int8_t>* Simulation<D>::faces_near_jets(const std::vector<double>& flux)
+std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& there, const std::vector<double>& flux,
+                                                         const std::vector<Twist<D>>& V)
 {
     constexpr int reach = 2;              // cells
+    const Grid<D>& grid = *there.grid;
     constexpr double least_weight = 1e-3; // round-off must not choose faces
-    const std::vector<Conduit<D>>& conduits = coupling_->network.mouths.conduits;
-    const std::vector<Twist<D>> V = twists();
-    std::vector<char> flows_out(coupling_->network.films.size(), 0);
+    const std::vector<Conduit<D>>& conduits = there.network.mouths.conduits;
+    std::vector<char> flows_out(there.network.films.size(), 0);
     for (std::size_t r = 0; r < conduits.size(); ++r) {
         const Conduit<D>& conduit = conduits[r];
-        const int master = coupling_->network.films[conduit.film].mesh.master;
-        const Vec<D> U = velocity_at<D>(V[master], conduit.x - coupling_->solids[master].centre);
+        const int master = there.network.films[conduit.film].mesh.master;
+        const Vec<D> U = velocity_at<D>(V[master], conduit.x - there.solids[master].centre);
         if (flux[r] > conduit.length * conduit.h * conduit.outward.dot(U))
             flows_out[conduit.film] = 1;
     }
     if (std::none_of(flows_out.begin(), flows_out.end(), [](char out) { return out; }))
-        return nullptr;
-    if (near_jets_[0].size() == 0)
-        near_jets_ = FaceField<D, std::int8_t>(grid_);
-    for (int axis = 0; axis < D; ++axis)
-        near_jets_[axis].fill(0);
+        return {};
+    FaceField<D, std::int8_t> near(grid);
     for (const Conduit<D>& conduit : conduits) {
         if (!flows_out[conduit.film])
             continue;
         for (const auto& [key, weight] : conduit.cells) {
             if (std::abs(weight) < least_weight)
                 continue;
-            const Index<D> c = grid_.cell_of_key(key);
+            const Index<D> c = grid.cell_of_key(key);
             for (int axis = 0; axis < D; ++axis)
                 for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 1) + gapflow::step<D>(axis),
                                   [&](const Index<D>& f) {
-                                      if (near_jets_[axis].block().contains(f))
-                                          near_jets_(axis, f) = 1;
+                                      if (near[axis].block().contains(f))
+                                          near(axis, f) = 1;
                                   });
         }
     }
-    return &near_jets_;
+    return near;
+}
+
+} // namespace
+
+template <int D>
+Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction<D> beyond, PastPressure<D>& past,
+                          const Coupling<D>& there, const FaceFractions<D>& old, const Step& step)
+{
+    const Grid<D>& grid = model.grid;
+    FaceField<D>& u = state.velocity.grid;
+    const std::vector<Twist<D>> V = model.twists(state.bodies),
+                                predicted = predicted_twists(model, state.bodies, step);
+    Intermediate<D> result;
+    FluidVelocity<D>& u_star = result.velocity;
+    FilmFlow<D> flow = advect_films<D>(
+        there.network, there.solids, beyond.memories, predicted,
+        [&](const std::vector<Vec<D>>& points) { return sample(grid, u, points); }, model.mouths, step.dt);
+    damp_vorticity(there.network, grid.dx(), flow.velocity);
+    turn_films<D>(there.network, there.solids, beyond.memories, state.turned, predicted, flow);
+    if (state.voids.any())
+        flood(model, state, beyond.memories, there, step, flow);
+    const BoundaryVelocity<D> sides = model.sides(step.start);
+    const std::optional<FaceField<D, std::int8_t>> near_jets = faces_near_jets(there, flow.conduit, V);
+    const bool any_slivers = grid.comm().any(!beyond.slivers.empty());
+    for (const Sliver<D>& face : beyond.slivers)
+        u(face.axis, face.at) = face.extrapolated;
+    if (any_slivers)
+        fill_velocity_ghosts(grid, u, sides);
+    u_star.grid = transport_bulk(model, u, past, there, old, near_jets ? &*near_jets : nullptr, step,
+                                 result.pressure_change);
+    for (const Sliver<D>& face : beyond.slivers) {
+        u(face.axis, face.at) = face.own;
+        const double open = std::max(there.open(face.axis, face.at), face.open);
+        const double stays = std::max(0.0, 1 - step.dt * std::abs(face.own) / grid.dx());
+        u_star.grid(face.axis, face.at) += stays * face.open / open * (face.own - face.extrapolated);
+    }
+    if (any_slivers)
+        fill_velocity_ghosts(grid, u, sides);
+    if (beyond.any_film_faces) {
+        const auto& cells = there.network.cells.cells;
+        auto beside_film = [&](int axis, const Index<D>& f) {
+            return cells.contains(grid.key(grid.wrapped(f))) ||
+                   cells.contains(grid.key(grid.wrapped(Index<D>(f - gapflow::step<D>(axis)))));
+        };
+        for (int axis = 0; axis < D; ++axis)
+            for_each_marked<D>(beyond.film_faces[axis], grid.low(), owned_faces_end(grid, axis), 1, [&](const Index<D>& f) {
+                // Where a film still passes, its conduits carry its flow: there the bulk's own velocity counts.
+                if (beside_film(axis, f))
+                    beyond.film_faces(axis, f) = 0;
+            });
+        advect_marked_faces(grid, u_star.grid, beyond.painted, beyond.film_faces, step.dt);
+        share_uncovered_faces(there, old, beyond.film_faces, u, V, u_star.grid);
+    }
+    fill_velocity_ghosts(grid, u_star.grid, model.sides(step.end()));
+
+    u_star.film = std::move(flow.velocity);
+    u_star.film_normal = std::move(flow.normal);
+    u_star.conduit = std::move(flow.conduit);
+    result.mouth_factor = std::move(flow.conduit_scale);
+    return result;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template FluidVelocity<D> Simulation<D>::advect_all(double, std::vector<double>&, FaceField<D>&);                          \
-    template void Simulation<D>::flood(FilmFlow<D>&, double);                                                                  \
-    template const FaceField<D, std::int8_t>* Simulation<D>::faces_near_jets(const std::vector<double>&);
+    template Intermediate<D> transport<D>(const Model<D>&, State<D>&, Reconstruction<D>, PastPressure<D>&, const Coupling<D>&,  \
+                                          const FaceFractions<D>&, const Step&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

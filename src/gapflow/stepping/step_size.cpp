@@ -1,10 +1,10 @@
-// How long a step may be (method, "The time step", stage 1).
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/stepping/step_size.hpp"
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/stepping/film_turn.hpp"
+#include "gapflow/stepping/reconstruction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -128,52 +128,59 @@ double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const
 
 } // namespace
 
-// Stage 1.
 template <int D>
-double Simulation<D>::choose_step(double next_output) const
+Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmMemories<D>& memories,
+                 double next_output)
 {
-    const double dx = grid_.dx();
-    const double speed = grid_.comm().max(largest_speed(grid_, coupling_->open, velocity_.grid, sliver()));
-    double dt = std::min(scene_.max_step, scene_.cfl * dx / std::max(speed, tiny));
+    const Scene& scene = model.scene;
+    const Grid<D>& grid = model.grid;
+    const std::vector<RigidBody<D>>& bodies = state.bodies;
+    const double dx = grid.dx();
+    const double speed = grid.comm().max(largest_speed(grid, here.open, state.velocity.grid, widest_sliver(model, state.dt)));
+    double dt = std::min(scene.max_step, scene.cfl * dx / std::max(speed, tiny));
 
     // The first step knows no pressure: viscosity crosses a cell in it, and twice as much in each one after it.
-    if (scene_.viscosity > 0)
-        dt = std::min(dt, std::ldexp(dx * dx * scene_.density / scene_.viscosity, static_cast<int>(std::min(steps_, 60L))));
+    if (scene.viscosity > 0)
+        dt = std::min(dt, std::ldexp(dx * dx * scene.density / scene.viscosity, static_cast<int>(std::min(state.steps, 60L))));
 
-    const std::vector<Twist<D>> V = twists();
-    std::vector<Twist<D>> A = acceleration_;
-    if (steps_ == 0) // before the first solve: what the explicit forces alone would do (added mass only slows it)
-        for (std::size_t b = 0; b < bodies_.size(); ++b)
-            if (bodies_[b].motion == Motion::free)
-                A[b] = twist_after<D>(bodies_[b], explicit_wrench<D>(bodies_[b], to_vec<D>(scene_.gravity), scene_.density) +
-                                                      spring_wrench(bodies_[b])) -
-                       bodies_[b].twist;
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        if (bodies_[b].motion == Motion::free)
-            dt = std::min(dt, limit_of_oscillation(bodies_[b], V[b], A[b], scene_, dx));
-    const std::vector<Solid<D>>& solids = coupling_->solids;
+    const std::vector<Twist<D>> V = model.twists(bodies);
+    std::vector<Twist<D>> A = state.acceleration;
+    if (state.steps == 0) // before the first solve: what the explicit forces alone would do (added mass only slows it)
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+            if (bodies[b].motion == Motion::free)
+                A[b] = twist_after<D>(bodies[b], explicit_wrench<D>(bodies[b], model.gravity(), scene.density) +
+                                                      spring_wrench(bodies[b])) -
+                       bodies[b].twist;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b].motion == Motion::free)
+            dt = std::min(dt, limit_of_oscillation(bodies[b], V[b], A[b], scene, dx));
+    const std::vector<Solid<D>>& solids = here.solids;
     std::map<FilmPair<D>, int> counted; // elements of each pair's films so far, as its memory has them
-    for (const Film<D>& film : coupling_->network.films) {
+    for (const Film<D>& film : here.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const int first = counted[film.pair];
         counted[film.pair] += static_cast<int>(mesh.elements.size());
-        dt = std::min(dt, limit_of_closing(mesh, solids, V, A, scene_, gaps_(mesh.master, mesh.other).floor, time_, dx));
+        dt = std::min(dt, limit_of_closing(mesh, solids, V, A, scene, model.gaps(mesh.master, mesh.other).floor, state.time, dx));
         if (!mesh.flat)
-            dt = std::min(dt, limit_of_film_flow(mesh, solids[mesh.master], *memories_.at(film.pair), first, dx));
+            dt = std::min(dt, limit_of_film_flow(mesh, solids[mesh.master], *memories.at(film.pair), first, dx));
     }
-    if (!(dt > smallest_step * scene_.max_step))
+    if (!(dt > smallest_step * scene.max_step))
         throw ComputationError(
-            "the time step fell to " + short_text(dt) + " at time " + short_text(time_) +
+            "the time step fell to " + short_text(dt) + " at time " + short_text(state.time) +
             ": the flow does not stay bounded, or something is driven into what cannot give way; use a finer "
             "grid, a smaller time.max_step or time.cfl, or look at the last output");
     // Land on output times without a sliver of a step before them.
-    const double left = next_output - time_;
+    const double left = next_output - state.time;
     if (left <= dt * (1 + 1e-9))
-        return left;
-    return left < 2 * dt ? 0.5 * left : dt;
+        dt = left;
+    else if (left < 2 * dt)
+        dt = 0.5 * left;
+    const double end = state.time + dt;
+    return {state.steps + 1, state.time, dt, state.dt, next_output - end < 1e-12 * next_output ? next_output : end};
 }
 
-#define GAPFLOW_INSTANTIATE(D) template double Simulation<D>::choose_step(double) const;
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template Step choose_step<D>(const Model<D>&, const State<D>&, const Coupling<D>&, const FilmMemories<D>&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -1,0 +1,116 @@
+// Advection of the bulk, of second order in time (method, "The time step", stage 2).
+#include "gapflow/stepping/advection.hpp"
+#include "gapflow/stepping/transport.hpp"
+
+#include <algorithm>
+
+namespace gapflow {
+
+namespace {
+
+// Marks (nonzero) the faces beside places where a single closed face separates open ones: what is continued there is the mean of the flows
+// on the two sides of a body of one to two cells, and MacCormack's correction takes the difference for a gradient. `open`: of the flow;
+// faces open by no more than `widest` count as closed. Returns whether there are any. Collective.
+template <int D>
+bool mark_across_thin_bodies(const Grid<D>& grid, const FaceField<D>& open, double widest, FaceField<D, std::int8_t>& marks)
+{
+    FaceField<D, std::int8_t> between(grid);
+    bool any = false;
+    for (int axis = 0; axis < D; ++axis) {
+        const CellField<D>& a = open[axis];
+        const Index<D> end = owned_faces_end(grid, axis);
+        for_each_row<D>(grid.low(), end, [&](const Index<D>& row) {
+            const double* value = &a(row);
+            std::int8_t* to = &between(axis, row);
+            for (int i = 0; i < end[0] - grid.low()[0]; ++i)
+                for (int k = 0; k < D && value[i] <= widest; ++k) {
+                    const long stride = a.block().stride[k];
+                    if (value[i + stride] > widest && value[i - stride] > widest) {
+                        to[i] = 1;
+                        any = true;
+                    }
+                }
+        });
+    }
+    if (!grid.comm().any(any))
+        return false;
+    exchange(grid, between);
+    const Index<D> one = Index<D>::Ones();
+    for (int axis = 0; axis < D; ++axis) {
+        const Block<D>& block = between[axis].block();
+        for_each_index<D>(grid.low() - one, owned_faces_end(grid, axis) + one, [&](const Index<D>& f) {
+            if (!between(axis, f))
+                return;
+            for (int other = 0; other < D; ++other)
+                for_each_index<D>((f - one).cwiseMax(block.low), (f + 2 * one).cwiseMin(block.high),
+                                  [&](const Index<D>& g) { marks(other, g) = 1; });
+        });
+    }
+    return true;
+}
+
+// Fluid that comes in through an open side comes from a reservoir that moves with `outside`, the fluid's initial velocity: with w its speed
+// across the side, p = rho (w_outside^2 - w^2) / 2 there, where it comes in faster than that. With p = 0 it would bring the energy of any
+// speed along, and beside a body that leaves, where ideal flow is singular, it comes in ever faster.
+template <int D>
+void add_inflow_head(const Grid<D>& grid, const Vec<D>& outside, double dt, FaceField<D>& u)
+{
+    for (int axis = 0; axis < D; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            const int place = end * grid.cells()[axis];
+            Index<D> from = grid.low(), to = owned_faces_end(grid, axis);
+            if (grid.side(axis, end) != SideKind::open || from[axis] > place || to[axis] <= place)
+                continue;
+            from[axis] = place;
+            to[axis] = place + 1;
+            const double free = outside[axis] * outside[axis];
+            for_each_index<D>(from, to, [&](const Index<D>& f) {
+                const double w = end == 0 ? u(axis, f) : -u(axis, f);
+                if (w > 0 && w * w > free)
+                    u(axis, f) /= 1 + dt * (w - free / w) / grid.dx();
+            });
+        }
+}
+
+} // namespace
+
+template <int D>
+FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity, PastPressure<D>& past, const Coupling<D>& there,
+                            const FaceFractions<D>& old, const FaceField<D, std::int8_t>* first_order, const Step& step,
+                            FaceField<D>& change)
+{
+    const Grid<D>& grid = model.grid;
+    const BoundaryVelocity<D> sides = model.sides(step.start);
+    const AdvectionScheme scheme =
+        model.scene.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack : AdvectionScheme::semi_lagrangian;
+    continue_pressure(there, past);
+    change = velocity_change(there, past, step.dt);
+    if (!model.viscous())
+        past = {};
+    FaceField<D> middle(grid);
+    advect<D>(grid, middle, velocity, velocity, 0.5 * step.dt, AdvectionScheme::semi_lagrangian, sides);
+    fill_velocity_ghosts(grid, middle, sides);
+    limit_to_inertia(grid, velocity, middle, change);
+    fill_velocity_ghosts(grid, change, {});
+    fill_velocity_ghosts(grid, middle, sides);
+    FaceField<D, std::int8_t> uncorrected;
+    if (scheme == AdvectionScheme::maccormack) {
+        uncorrected = first_order ? *first_order : FaceField<D, std::int8_t>(grid);
+        if (mark_across_thin_bodies(grid, old.open, widest_sliver(model, step.dt), uncorrected))
+            first_order = &uncorrected;
+    }
+    FaceField<D> u_star(grid);
+    advect<D>(grid, u_star, middle, velocity, step.dt, scheme, sides, first_order, &change);
+    add_inflow_head(grid, to_vec<D>(model.scene.fluid_velocity), step.dt, u_star);
+    return u_star;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template FaceField<D> transport_bulk<D>(const Model<D>&, const FaceField<D>&, PastPressure<D>&, const Coupling<D>&,         \
+                                            const FaceFractions<D>&, const FaceField<D, std::int8_t>*, const Step&,            \
+                                            FaceField<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,90 @@
+#include "gapflow/stepping/diffusion.hpp"
+
+#include "gapflow/body/forces.hpp"
+#include "gapflow/core/error.hpp"
+#include "gapflow/core/threads.hpp"
+#include "gapflow/viscosity/viscous_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+template <int D>
+Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
+                     const LastPressure<D>& past, const Coupling<D>& there, const Step& step, Intermediate<D>& star,
+                     StepReport& report)
+{
+    const Grid<D>& grid = model.grid;
+    FluidVelocity<D>& u_star = star.velocity;
+    ViscousBodies<D> moving{mass, star.twists};
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b].motion == Motion::free)
+            moving.twists[b] += impulse_response(bodies[b], Twist<D>(step.dt * past.force[b]), step.dt);
+    FluidVelocity<D> u = u_star;
+    subtract_known_gradient(there, past.bulk, step.dt, u.grid);
+    fill_velocity_ghosts(grid, u.grid, model.sides(step.end()));
+
+    const ViscousSystem<D> system = viscous_system(there, model.scene.viscosity, step.dt, u.grid, moving);
+    const FaceField<D> before = u.grid;
+    ViscousStep<D> solved = solve_viscous_system(system, u.grid, moving, model.scene.tolerance);
+    if (!solved.report.converged)
+        throw ComputationError("the viscous solve of step " + std::to_string(step.number) + " did not converge (" +
+                               std::to_string(solved.report.iterations) + " iterations, relative residual " +
+                               std::to_string(solved.report.residual) + ")");
+    report.viscous_iterations = solved.report.iterations;
+
+    double changed = 0; // sum of open fraction times (change of u)^2
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
+        changed += sum_over_planes(low[D - 1], end[D - 1], [&](int plane) {
+            double of_plane = 0;
+            for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
+                const double *after = &u.grid(axis, row), *from = &before(axis, row), *open = &there.open(axis, row);
+                double* to = &u_star.grid(axis, row);
+                for (int i = 0; i < end[0] - low[0]; ++i) {
+                    const int place = row[axis] + (axis == 0 ? i : 0);
+                    const bool on_side = !grid.periodic(axis) && (place == 0 || place == grid.cells()[axis]);
+                    const double change = after[i] - from[i];
+                    to[i] += change;
+                    of_plane += (on_side ? 0.5 : 1.0) * open[i] * change * change;
+                }
+            });
+            return of_plane;
+        });
+    }
+    fill_velocity_ghosts(grid, u_star.grid, model.sides(step.end()));
+    double held = 0;
+    for (const HeldMass& face : system.beside_walls) {
+        const double change = u.grid[face.axis].data()[face.at] - before[face.axis].data()[face.at];
+        held += face.mass * change * change;
+    }
+    double lost = solved.energy - grid.comm().sum(system.cell_mass * changed - held);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b].motion == Motion::free) {
+            const Twist<D> change = solved.twists[b] - moving.twists[b];
+            star.twists[b] += change;
+            lost -= change.dot(moving.mass[b] * change);
+        }
+    report.dissipation_grid = lost / step.dt;
+
+    // div u** of the cells that the grid's own faces drain.
+    fill_velocity_ghosts(grid, u.grid, model.sides(step.end()));
+    UnknownVector<D> outflow_of_cells;
+    outflow(there, u, solved.twists, outflow_of_cells);
+    CellField<D> divergence = std::move(outflow_of_cells.cells);
+    for (const Conduit<D>& conduit : there.network.mouths.conduits)
+        for (const auto& [key, weight] : conduit.cells)
+            if (const Index<D> cell = grid.cell_of_key(key); grid.owns(cell))
+                divergence(cell) = 0;
+    return {std::move(solved.impulses), std::move(divergence)};
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template Diffusion<D> diffuse<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const std::vector<TwistMatrix<D>>&,    \
+                                     const LastPressure<D>&, const Coupling<D>&, const Step&, Intermediate<D>&, StepReport&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

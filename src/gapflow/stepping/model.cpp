@@ -1,0 +1,84 @@
+#include "gapflow/stepping/model.hpp"
+
+#include "gapflow/body/forces.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace gapflow {
+
+template <int D>
+Model<D>::Model(const Scene& s, const Communicator& comm, Task task)
+    : scene(s), grid(make_grid<D>(scene, comm)), bodies(make_bodies<D>(scene)), walls(make_walls<D>(scene)),
+      gaps(gap_settings<D>(scene, solids(bodies), task == Task::motion)), mouths(mouth_laws<D>(scene, solids(bodies)))
+{
+}
+
+template <int D>
+std::vector<Twist<D>> Model<D>::twists(const std::vector<RigidBody<D>>& of) const
+{
+    std::vector<Twist<D>> V;
+    for (const RigidBody<D>& body : of)
+        V.push_back(body.motion == Motion::fixed ? Twist<D>(Twist<D>::Zero()) : body.twist);
+    V.insert(V.end(), walls.twists.begin(), walls.twists.end());
+    return V;
+}
+
+template <int D>
+std::vector<TwistMatrix<D>> Model<D>::masses(const std::vector<RigidBody<D>>& of, double dt) const
+{
+    std::vector<TwistMatrix<D>> mass;
+    for (const RigidBody<D>& body : of)
+        mass.push_back(mass_matrix(body) + spring_inertia(body, dt));
+    mass.resize(of.size() + walls.solids.size(), TwistMatrix<D>::Identity());
+    return mass;
+}
+
+template <int D>
+BoundaryVelocity<D> Model<D>::sides(double time) const
+{
+    BoundaryVelocity<D> sides;
+    sides.no_slip = viscous();
+    for (int s = 0; s < 2 * D; ++s) {
+        const SideScene& side = scene.sides[s];
+        sides.velocity[s] = to_vec<D>(side.velocity);
+        if (side.kind == SideScene::Kind::inflow && !side.table.time.empty()) {
+            const std::vector<double> u = value_at(side.table, time);
+            sides.velocity[s] = Eigen::Map<const Vec<D>>(u.data());
+        }
+    }
+    return sides;
+}
+
+template <int D>
+double Model<D>::hydrostatic(const Vec<D>& x) const
+{
+    const Vec<D> g = gravity();
+    double highest = -std::numeric_limits<double>::infinity();
+    for (int corner = 0; corner < (1 << D); ++corner) {
+        Vec<D> place;
+        bool open = false;
+        for (int axis = 0; axis < D; ++axis) {
+            const int end = corner >> axis & 1;
+            place[axis] = grid.origin()[axis] + end * grid.size()[axis];
+            open = open || grid.side(axis, end) == SideKind::open;
+        }
+        if (open)
+            highest = std::max(highest, -g.dot(place));
+    }
+    const double level = std::isfinite(highest) ? scene.density * highest + scene.reference_pressure : 0.0;
+    return scene.density * g.dot(x) + level;
+}
+
+template <int D>
+Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, const std::vector<TwistMatrix<D>>& mass,
+                              const CouplingOptions& options, const std::set<FilmPair<D>>& alive,
+                              const std::function<WetShares(const Coupling<D>&)>& wet) const
+{
+    return couple<D>(grid, solids(at), mass, options, gaps, alive, wet);
+}
+
+template struct Model<2>;
+template struct Model<3>;
+
+} // namespace gapflow

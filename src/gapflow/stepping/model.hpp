@@ -1,0 +1,56 @@
+// What a scene fixes for all time: grid, shapes, walls and laws (method, "The time step"). One way from a scene to a coupled system serves
+// runs, added mass, checks, benchmarks and tests.
+#pragma once
+
+#include "gapflow/stepping/setup.hpp"
+#include "gapflow/stepping/velocity_ghosts.hpp"
+
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace gapflow {
+
+/// What a model is for: films between curved bodies that move begin further apart than added mass alone needs (gap_settings()).
+enum class Task { motion, added_mass };
+
+template <int D>
+struct Model {
+    /// Throws InputError for a scene that cannot be computed: mesh files, memory. Collective.
+    Model(const Scene& scene, const Communicator& comm, Task task = Task::motion);
+    Model(const Model&) = delete; // laws and solids refer to its members
+    Model& operator=(const Model&) = delete;
+
+    const Scene scene;
+    const Grid<D> grid;
+    const std::vector<RigidBody<D>> bodies; ///< as the scene places them
+    const DomainWalls<D> walls;
+    const std::function<GapSettings(int, int)> gaps;
+    const std::function<MouthLaw(int, int)> mouths;
+
+    bool viscous() const { return scene.viscosity > 0; }
+    Vec<D> gravity() const { return to_vec<D>(scene.gravity); }
+    /// Bodies first, walls after them. Refers to the shapes of both.
+    std::vector<Solid<D>> solids(const std::vector<RigidBody<D>>& at) const { return make_solids<D>(at, walls); }
+    /// Twists of all solids.
+    std::vector<Twist<D>> twists(const std::vector<RigidBody<D>>& of) const;
+    /// Generalised masses of all solids in a step of length dt; springs act as inertia too.
+    std::vector<TwistMatrix<D>> masses(const std::vector<RigidBody<D>>& of, double dt) const;
+    /// Velocities of walls and inflow at a time.
+    BoundaryVelocity<D> sides(double time) const;
+    /// rho g . (x - x0), what to add to the reduced pressure for the full one; x0 is the highest point of the open sides, where the
+    /// reference pressure acts.
+    double hydrostatic(const Vec<D>& x) const;
+
+    /// The coupled system of bodies at a place, `mass` as masses() gives it. Options, `alive` and `wet` as in couple(). Collective.
+    Coupling<D> coupled(const std::vector<RigidBody<D>>& at, const std::vector<TwistMatrix<D>>& mass,
+                        const CouplingOptions& options, const std::set<FilmPair<D>>& alive = {},
+                        const std::function<WetShares(const Coupling<D>&)>& wet = {}) const;
+    /// Density and face fractions of the scene.
+    CouplingOptions options(StageTimers* timers = nullptr, double viscosity_dt = 0) const
+    {
+        return {scene.density, fraction_mode(scene), timers, viscosity_dt};
+    }
+};
+
+} // namespace gapflow

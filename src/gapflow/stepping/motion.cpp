@@ -1,0 +1,103 @@
+#include "gapflow/stepping/motion.hpp"
+
+#include "gapflow/body/forces.hpp"
+#include "gapflow/body/move.hpp"
+#include "gapflow/stepping/carried_on.hpp"
+
+#include <algorithm>
+
+namespace gapflow {
+
+namespace {
+
+constexpr int most_pushes = 10; // that take out the overlaps of a step
+
+} // namespace
+
+// What a much shorter step says of the acceleration is not to be carried that far.
+template <int D>
+std::vector<RigidBody<D>> moved(std::vector<RigidBody<D>> bodies, const Step& step)
+{
+    const double share = carried_on(step.last_dt, step.dt);
+    for (RigidBody<D>& body : bodies) {
+        body.acceleration *= share;
+        body.angular_momentum_rate *= share;
+        if (body.motion == Motion::prescribed)
+            body.twist = predicted_twist(body, step.start, step.dt);
+        move(body, step.start, step.dt);
+    }
+    return bodies;
+}
+
+// Overlaps are taken out again where pushed bodies meet others, or turn so far that what was found of their contacts does not hold there.
+template <int D>
+void find_contacts(const Model<D>& model, State<D>& state, const Step& step)
+{
+    auto find = [&] { state.contacts.find(model.solids(state.bodies), model.twists(state.bodies), step.dt); };
+    find();
+    for (int pass = 0; pass < most_pushes && state.contacts.push_apart(state.bodies); ++pass)
+        find();
+}
+
+template <int D>
+std::vector<Twist<D>> predicted_twists(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Step& step)
+{
+    std::vector<Twist<D>> V = model.twists(bodies);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        V[b] = predicted_twist(bodies[b], step.start, step.dt);
+    return V;
+}
+
+template <int D>
+std::vector<Twist<D>> forced_twists(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const FaceField<D>& change,
+                                    const FaceFractions<D>& old, const FaceFractions<D>& there, const Step& step)
+{
+    const std::vector<Vec<D>> swept = swept_impulses(model.grid, model.scene.density, change, old, there, bodies.size());
+    std::vector<Twist<D>> V = model.twists(bodies);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].motion != Motion::free)
+            continue;
+        V[b] = forced_twist<D>(bodies[b], model.gravity(), model.scene.density, step.dt);
+        if (!bodies[b].hinge)
+            V[b] += impulse_response(bodies[b], wrench<D>(swept[b], Vec<D>(Vec<D>::Zero())), step.dt);
+    }
+    return V;
+}
+
+template <int D>
+bool finish_bodies(const Model<D>& model, const std::vector<Twist<D>>& V, const Step& step, State<D>& state)
+{
+    std::vector<char> met(state.bodies.size());
+    for (std::size_t b = 0; b < met.size(); ++b)
+        met[b] = met_something(state, static_cast<int>(b));
+    const bool any_met = std::find(met.begin(), met.end(), 1) != met.end();
+    const Vec<D> gravity = model.gravity();
+    for (std::size_t b = 0; b < met.size(); ++b) {
+        RigidBody<D>& body = state.bodies[b];
+        const Twist<D> change = (V[b] - body.twist) / step.dt;
+        double lasting = met[b] ? 0.0 : 1.0;
+        if (any_met && !met[b] && body.motion == Motion::free) {
+            const Twist<D> forced =
+                (forced_twist<D>(body, gravity, model.scene.density, step.dt) - body.twist) / step.dt;
+            lasting = lasting_part(body, change, state.acceleration[b],
+                                   std::max(gravity.norm(), forced.template head<D>().norm()));
+        }
+        state.acceleration[b] = lasting * change;
+        if (body.motion == Motion::free)
+            finish_step(body, V[b], step.dt, lasting);
+    }
+    return any_met;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::vector<RigidBody<D>> moved<D>(std::vector<RigidBody<D>>, const Step&);                                       \
+    template void find_contacts<D>(const Model<D>&, State<D>&, const Step&);                                                   \
+    template std::vector<Twist<D>> predicted_twists<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const Step&);        \
+    template std::vector<Twist<D>> forced_twists<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const FaceField<D>&,    \
+                                                    const FaceFractions<D>&, const FaceFractions<D>&, const Step&);            \
+    template bool finish_bodies<D>(const Model<D>&, const std::vector<Twist<D>>&, const Step&, State<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,99 @@
+#include "gapflow/stepping/pressure_history.hpp"
+
+#include "gapflow/stepping/carried_on.hpp"
+#include "gapflow/stepping/leaving.hpp"
+
+#include <cmath>
+
+namespace gapflow {
+
+template <int D>
+LastPressure<D> recall_pressure(const Model<D>& model, const Coupling<D>& here, const Step& step, State<D>& state)
+{
+    const Grid<D>& grid = model.grid;
+    LastPressure<D> last;
+    if (model.viscous()) {
+        last.bulk = std::move(state.pressure.bulk);
+        last.force = std::move(state.pressure.force);
+        const double share = carried_on(step.last_dt, step.dt);
+        if (share < 1) {
+            for (long i = 0; i < last.bulk.pressure.size(); ++i)
+                last.bulk.pressure.data()[i] *= share;
+            for (Twist<D>& force : last.force)
+                force *= share;
+        }
+        return last;
+    }
+    last.bulk.pressure = last.bulk.known = CellField<D>(grid);
+    bool goes_on = state.pressure.lasts;
+    for (const Whereabouts& place : whereabouts(model.scene, state.bodies))
+        goes_on = goes_on && place.crossed.empty();
+    if (!goes_on)
+        return last;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (here.system.component(c) >= 0) {
+            last.bulk.known(c) = 1;
+            last.bulk.pressure(c) = state.pressure.impulse.cells(c) / step.last_dt;
+        }
+    });
+    return last;
+}
+
+template <int D>
+void remember_film_pressure(const Coupling<D>& there, const std::vector<Vec<D>>& before, const std::vector<Vec<D>>& after,
+                            const Step& step, PressureHistory<D>& history)
+{
+    std::vector<Vec<D>> mean;
+    std::vector<std::size_t> place;
+    for (const Film<D>& film : there.network.films) {
+        if (before.empty() || !film.mesh.flat)
+            continue;
+        for (std::size_t i = 0; i < film.mesh.elements.size(); ++i) {
+            place.push_back(film.first_element + i);
+            mean.push_back((after[place.back()] - before[place.back()]) / step.dt);
+        }
+    }
+    history.film.assign(mean.empty() ? 0 : before.size(), Vec<D>::Zero());
+    const bool same = mean.size() == history.film_mean.size();
+    for (std::size_t i = 0; i < mean.size(); ++i)
+        history.film[place[i]] =
+            same ? Vec<D>(mean[i] + step.dt / (step.dt + step.last_dt) * (mean[i] - history.film_mean[i])) : mean[i];
+    history.film_mean = std::move(mean);
+}
+
+template <int D>
+void remember_viscous_pressure(const Model<D>& model, const Coupling<D>& there, const std::vector<TwistMatrix<D>>& mass,
+                               const std::vector<Twist<D>>& V_star, const CellField<D>& divergence, const Step& step,
+                               State<D>& state)
+{
+    const Grid<D>& grid = model.grid;
+    PressureHistory<D>& history = state.pressure;
+    const double share = model.scene.viscosity / std::pow(grid.dx(), D);
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        const bool has_pressure = there.system.component(c) >= 0;
+        history.bulk.known(c) = has_pressure;
+        history.bulk.pressure(c) = has_pressure ? history.impulse.cells(c) / step.dt - share * divergence(c) : 0.0;
+    });
+    // Bodies feel the pressure that the fluid starts from.
+    UnknownVector<D> rotational{CellField<D>(grid), Eigen::VectorXd::Zero(there.system.nodes)};
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        rotational.cells(c) = history.bulk.known(c) > 0 ? -share * divergence(c) : 0.0;
+    });
+    const std::vector<Twist<D>> on_bodies = impulses(there, rotational);
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        history.force[b] = state.bodies[b].motion == Motion::free
+                               ? Twist<D>(Twist<D>(mass[b] * (state.bodies[b].twist - V_star[b]) / step.dt) + on_bodies[b])
+                               : Twist<D>(Twist<D>::Zero());
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template LastPressure<D> recall_pressure<D>(const Model<D>&, const Coupling<D>&, const Step&, State<D>&);                  \
+    template void remember_film_pressure<D>(const Coupling<D>&, const std::vector<Vec<D>>&, const std::vector<Vec<D>>&,        \
+                                            const Step&, PressureHistory<D>&);                                                 \
+    template void remember_viscous_pressure<D>(const Model<D>&, const Coupling<D>&, const std::vector<TwistMatrix<D>>&,        \
+                                               const std::vector<Twist<D>>&, const CellField<D>&, const Step&, State<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,33 @@
+// One time step: what every stage knows of it, and what it reports.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gapflow {
+
+struct Step {
+    long number = 1;    ///< from 1
+    double start = 0;   ///< time
+    double dt = 0;      ///< 0: the initial projection
+    double last_dt = 0; ///< of the step before; 0: there was none
+    double landing = 0; ///< time after it: an output time exactly, where it ends next to one
+
+    double end() const { return start + dt; }
+};
+
+/// What a step did, and the state's sums after it.
+struct StepReport {
+    long step = 0;
+    double time = 0, dt = 0;
+    long cells = 0; ///< unknowns of the grid
+    int film_nodes = 0, iterations = 0;
+    int viscous_iterations = 0;                        ///< of the bulk's viscous solve
+    double residual = 0, divergence_max = 0;           ///< divergence: net outflow of a cell over its volume, 1/time
+    double energy_fluid = 0, energy_bodies = 0;        ///< as in Budget
+    double dissipation_grid = 0, dissipation_film = 0; ///< power that viscosity takes, in the bulk and in films
+    double seconds = 0;
+    std::vector<std::string> notes; ///< for the user, once each: thin bodies, contacts that do not settle, blind film ends
+};
+
+} // namespace gapflow

@@ -1,0 +1,98 @@
+#include "gapflow/stepping/step_end.hpp"
+
+#include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/stepping/flooding.hpp"
+#include "gapflow/stepping/motion.hpp"
+
+namespace gapflow {
+
+namespace {
+
+// Velocities of the end of the step: what the pressure leaves of u*, and what both walls of films and mouths carry along. `met`: something
+// met in the step, and the pressure's history is forgotten.
+template <int D>
+void take_velocities(const Model<D>& model, const Coupling<D>& there, Projected<D>& end, bool met, const Step& step,
+                     State<D>& state)
+{
+    const std::vector<Twist<D>>& V = end.twists;
+    FluidVelocity<D>& u = end.velocity;
+    std::vector<Vec<D>> without_pressure;
+    if (D == 2 && !model.viscous() && step.dt > 0)
+        without_pressure = u.film;
+    subtract_gradient(there, end.impulse, u);
+    if (!met)
+        remember_film_pressure(there, without_pressure, u.film, step, state.pressure);
+    add_entrainment(there, V, 1, u);
+    const VoidSet<D>& voids = state.voids;
+    if (!(step.dt > 0 && voids.any()))
+        return;
+    for (std::size_t r = 0; r < u.conduit.size(); ++r)
+        if (voids.shut()[r])
+            u.conduit[r] += carried_flux<D>(there, there.network.mouths.conduits[r], V) - entrained_flux(there, r, V);
+    const std::vector<char> is_empty = voids.empty_elements(there.network);
+    rest_in_voids<D>(there, is_empty, V, u.film);
+    follow_front<D>(there, end.was_empty, is_empty, voids.is_void(), V, u);
+}
+
+// Force and torque of the fluid on every body, mean over the step: pressure, buoyancy, shear of films, viscous traction of the bulk.
+template <int D>
+std::vector<Twist<D>> wrenches(const Model<D>& model, const Coupling<D>& there, const Projected<D>& end,
+                               const Diffusion<D>& diffusion, const Step& step, const std::vector<RigidBody<D>>& bodies)
+{
+    std::vector<Twist<D>> impulse = impulses(there, end.impulse);
+    if (!there.drag_inertia.empty()) {
+        const std::vector<Twist<D>> shear = drag_impulses(there, end.twists);
+        for (std::size_t s = 0; s < impulse.size(); ++s)
+            impulse[s] += shear[s];
+    }
+    const Vec<D> g = model.gravity();
+    std::vector<Twist<D>> result;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const RigidBody<D>& body = bodies[b];
+        const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
+        Twist<D> sum = wrench<D>(-model.scene.density * body.volume * g, arm);
+        if (step.dt > 0)
+            sum += impulse[b] / step.dt;
+        if (!diffusion.impulses.empty())
+            sum += diffusion.impulses[b] / step.dt;
+        result.push_back(sum);
+    }
+    return result;
+}
+
+} // namespace
+
+template <int D>
+void take_up(const Model<D>& model, const Coupling<D>& there, Projected<D> end, const std::vector<TwistMatrix<D>>& mass,
+             const std::vector<Twist<D>>& twists, LastPressure<D> past, const Diffusion<D>& diffusion, const Step& step,
+             State<D>& state)
+{
+    state.dt = step.dt;
+    state.time = step.landing;
+    const bool met = step.dt > 0 && finish_bodies(model, end.twists, step, state);
+    take_velocities(model, there, end, met, step, state);
+    state.wrenches = wrenches(model, there, end, diffusion, step, state.bodies);
+    state.velocity = std::move(end.velocity);
+    state.pressure.impulse = std::move(end.impulse);
+    if (step.dt == 0)
+        return;
+    state.steps = step.number;
+    if (model.viscous()) {
+        state.pressure.bulk = std::move(past.bulk);
+        state.pressure.force = std::move(past.force);
+    }
+    state.pressure.lasts = !met;
+    if (met)
+        state.pressure.forget();
+    else if (model.viscous())
+        remember_viscous_pressure(model, there, mass, twists, diffusion.divergence, step, state);
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void take_up<D>(const Model<D>&, const Coupling<D>&, Projected<D>, const std::vector<TwistMatrix<D>>&,            \
+                             const std::vector<Twist<D>>&, LastPressure<D>, const Diffusion<D>&, const Step&, State<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

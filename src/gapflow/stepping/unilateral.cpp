@@ -1,0 +1,133 @@
+#include "gapflow/stepping/unilateral.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/stepping/motion.hpp"
+#include "gapflow/stepping/projection.hpp"
+#include "gapflow/stepping/sealing.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace gapflow {
+
+namespace {
+
+// Of the fluid that a body displaces: what it adds to its inertia where contacts are forecast. In a crowd; found by trial.
+constexpr double bulk_share = 2;
+constexpr int few_iterations = 12; // of a solve without a correction for bodies: the next one asks no more for their lightness
+
+// What pushes a contact's bodies apart, with the films near it.
+template <int D>
+NearInertia<D> inertia_of_contacts(const Model<D>& model, const Coupling<D>& there, const State<D>& state,
+                                   std::vector<TwistMatrix<D>> mass)
+{
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        mass[b] *= 1 + bulk_share * model.scene.density * std::abs(state.bodies[b].volume) / state.bodies[b].mass;
+    return near_inertia(there, mass, state.voids.is_void());
+}
+
+// Fluid that surfaces in contact shut in, and that something squeezes.
+template <int D>
+void check_pockets(const Model<D>& model, const Coupling<D>& there, const State<D>& state, const FluidVelocity<D>& u,
+                   const std::vector<Twist<D>>& V, const Step& step)
+{
+    const std::string squeezed = squeezed_pocket<D>(there, model.gaps, state.contacts.contacts(), V, u, GivesWay::unblocked);
+    if (!squeezed.empty())
+        throw ComputationError("step " + std::to_string(step.number) + ": " + squeezed);
+}
+
+// Contacts that cannot hold what is driven into them.
+template <int D>
+void check_crushing(const Coupling<D>& there, const ContactSet<D>& contacts, const std::vector<Twist<D>>& V, const Step& step,
+                    StepReport& report)
+{
+    const Contact<D>* c = contacts.crushed(V, step.dt);
+    if (!c)
+        return;
+    const std::string pair = "'" + there.solids[c->point.a].name + "' and '" + there.solids[c->point.b].name + "'";
+    if (contacts.driven(*c, there.solids, V))
+        throw ComputationError("prescribed motion drives " + pair + " into each other in step " + std::to_string(step.number) +
+                               ", and neither can give way; let it stop before they touch");
+    report.notes.push_back("contacts ask for more than the bodies can do: " + pair +
+                           " overlap, and are pushed apart again"); // nothing drives them
+}
+
+SolverOptions solver_options(const Scene& scene, bool ask_lightness)
+{
+    SolverOptions options;
+    options.tolerance = scene.tolerance;
+    options.backend = scene.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
+    options.ask_lightness = ask_lightness;
+    return options;
+}
+
+} // namespace
+
+template <int D>
+Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> star, const std::vector<TwistMatrix<D>>& mass,
+                     const Step& step, State<D>& state, StepReport& report, StageTimers& timers)
+{
+    const Stopwatch watch;
+    for (std::size_t r = 0; r < star.mouth_factor.size(); ++r)
+        there.system.links[r].conductance *= star.mouth_factor[r];
+    if (step.dt > 0)
+        start_drag(there, star.velocity);
+    Projected<D> end{std::move(star.velocity), std::move(state.pressure.impulse), {}, {}};
+    ContactSet<D>* contacts = step.dt > 0 && !state.contacts.empty() ? &state.contacts : nullptr;
+    VoidSet<D>* voids = step.dt > 0 && state.voids.any() ? &state.voids : nullptr;
+    NearInertia<D> inertia;
+    if (contacts) {
+        contacts->prepare(model.twists(state.bodies), star.twists, step.dt, step.last_dt);
+        inertia = inertia_of_contacts(model, there, state, mass);
+    }
+    if (voids)
+        end.was_empty = voids->empty_elements(there.network);
+    const SolverOptions options = solver_options(model.scene, state.light_bodies);
+    Projection<D> projection({there, state.bodies, mass, star.twists, contacts, voids, step.dt, step.number}, end.velocity,
+                             end.impulse, options, timers);
+    Rounds rounds(contacts, voids,
+                  !voids && !(contacts && contacts->likely_to_change(predicted_twists(model, state.bodies, step))));
+    ContactChange change;
+    bool new_voids;
+    do {
+        if (rounds.changed())
+            projection.assemble(rounds.voids_changed());
+        const double tolerance = rounds.tolerance(options.tolerance, projection.holds());
+        const SolveReport solve = projection.solve(tolerance);
+        report.iterations += solve.iterations;
+        report.residual = solve.residual;
+        state.light_bodies = projection.corrects_bodies() || solve.iterations > few_iterations;
+        if (!solve.converged && step.dt > 0 && !voids)
+            check_pockets(model, there, state, end.velocity, projection.without_pressure(), step);
+        if (!solve.converged)
+            throw ComputationError("the pressure solve of step " + std::to_string(step.number) +
+                                   " did not converge: " + solve.message + " (" + std::to_string(solve.iterations) +
+                                   " iterations, relative residual " + std::to_string(solve.residual) + ")");
+        change = projection.update_contacts(inertia, tolerance, rounds);
+        new_voids = projection.update_voids(tolerance, rounds, change != ContactChange::none);
+        if (new_voids)
+            state.contacts.forget_rounds();
+    } while (rounds.go_on(change, new_voids));
+    if (rounds.unsettled())
+        report.notes.push_back(std::string(voids ? "contacts and voids" : "contacts") + " did not settle within " +
+                               std::to_string(Rounds::most_rounds) + " rounds of a step");
+    end.twists = projection.twists();
+    if (step.dt > 0 && !voids)
+        check_pockets(model, there, state, end.velocity, projection.without_pressure(), step);
+    if (contacts)
+        check_crushing(there, *contacts, end.twists, step, report);
+    projection.finish_voids();
+    state.node_outflow = projection.node_outflow();
+    timers.add("projection", watch.seconds() - projection.solver_seconds());
+    return end;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template Projected<D> project<D>(const Model<D>&, Coupling<D>&, Intermediate<D>, const std::vector<TwistMatrix<D>>&,       \
+                                     const Step&, State<D>&, StepReport&, StageTimers&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
