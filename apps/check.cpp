@@ -3,6 +3,7 @@
 #include "gapflow/core/text.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/memory_forecast.hpp"
+#include "gapflow/stepping/model.hpp"
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
 
@@ -26,19 +27,17 @@ std::string count_text(const Scene& scene)
 template <int D>
 void print_gaps(const Scene& scene, const Communicator& comm)
 {
-    const Grid<D> grid = make_grid<D>(scene, comm);
-    std::vector<RigidBody<D>> bodies = make_bodies<D>(scene);
-    const DomainWalls<D> walls = make_walls<D>(scene);
-    std::vector<std::string> warnings = thickness_warnings<D>(scene, bodies, walls, Scene::Thin::allow);
-    for (std::string& warning : placement_warnings<D>(scene, bodies, walls))
+    const Model<D> model(scene, comm, scene.end > 0 ? Task::motion : Task::added_mass);
+    const Grid<D>& grid = model.grid;
+    std::vector<RigidBody<D>> bodies = model.bodies;
+    std::vector<std::string> warnings = thickness_warnings<D>(scene, bodies, model.walls, Scene::Thin::allow);
+    for (std::string& warning : placement_warnings<D>(scene, bodies, model.walls))
         warnings.push_back(std::move(warning));
     const std::vector<std::string> moved =
-        scene.end > 0 ? take_out_overlaps<D>(scene, grid, bodies, walls) : std::vector<std::string>();
+        scene.end > 0 ? take_out_overlaps<D>(scene, grid, bodies, model.walls) : std::vector<std::string>();
     warnings.insert(warnings.end(), moved.begin(), moved.end());
-    const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
-    const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
-    const Coupling<D> coupling =
-        couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)}, gap_settings<D>(scene, solids, scene.end > 0), {});
+    const Coupling<D> coupling = model.coupled(bodies);
+    const std::vector<Solid<D>>& solids = coupling.solids;
     if (!comm.root())
         return;
     for (const std::string& warning : warnings)

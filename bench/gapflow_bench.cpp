@@ -9,6 +9,7 @@
 #include "gapflow/core/threads.hpp"
 #include "gapflow/output/run_record.hpp"
 #include "gapflow/scene/scene.hpp"
+#include "gapflow/stepping/model.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
 #include <CLI/CLI.hpp>
@@ -117,20 +118,17 @@ template <int D>
 Json measure_solve(const Scene& scene, const Arguments& arguments)
 {
     const Communicator comm;
-    const Grid<D> grid = make_grid<D>(scene, comm);
-    const std::vector<RigidBody<D>> bodies = make_bodies<D>(scene);
-    const DomainWalls<D> walls = make_walls<D>(scene);
-    const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
+    const Model<D> model(scene, comm);
+    const Grid<D>& grid = model.grid;
     std::vector<TwistMatrix<D>> mass;
     std::vector<Twist<D>> twists; // that forces give the bodies in a time step of 1
-    for (const RigidBody<D>& body : bodies) {
+    for (const RigidBody<D>& body : model.bodies) {
         mass.push_back(mass_matrix(body));
-        twists.push_back(mass.back().inverse() * explicit_wrench<D>(body, to_vec<D>(scene.gravity), scene.density));
+        twists.push_back(mass.back().inverse() * explicit_wrench<D>(body, model.gravity(), scene.density));
     }
-    mass.resize(solids.size(), TwistMatrix<D>::Identity());
-    twists.resize(solids.size(), Twist<D>::Zero());
-    const Coupling<D> coupling =
-        couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)}, gap_settings<D>(scene, solids, true), {});
+    mass.resize(mass.size() + model.walls.solids.size(), TwistMatrix<D>::Identity());
+    twists.resize(mass.size(), Twist<D>::Zero());
+    const Coupling<D> coupling = model.coupled(model.bodies, mass);
     FluidVelocity<D> still{FaceField<D>(grid), std::vector<Vec<D>>(coupling.network.elements, Vec<D>::Zero()),
                            std::vector<double>(coupling.network.elements, 0.0),
                            std::vector<double>(coupling.network.mouths.conduits.size(), 0.0)};

@@ -159,9 +159,8 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
     };
     for (std::size_t s = 0; s < coupling.solids.size(); ++s)
         if (coupling.free_body[s] >= 0) {
-            const TwistMatrix<D>& P = coupling.solids[s].admissible;
             add_block(coupling.free_body[s], coupling.free_body[s],
-                      P * mass[s] * P + mass[s](0, 0) * (TwistMatrix<D>::Identity() - P));
+                      admissible_mass<D>(coupling.solids[s].admissible, mass[s], mass[s](0, 0)));
         }
     std::map<std::pair<int, int>, TwistMatrix<D>> blocks;
     auto add_inertia = [&](const NormalInertia<D>& inertia) {

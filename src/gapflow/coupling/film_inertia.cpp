@@ -123,8 +123,7 @@ NearInertia<D> near_inertia(const Coupling<D>& coupling, const std::vector<Twist
     for (std::size_t s = 0; s < coupling.solids.size(); ++s)
         if (coupling.free_body[s] >= 0) {
             const TwistMatrix<D>& P = coupling.solids[s].admissible;
-            const TwistMatrix<D> held = P * mass[s] * P + mass[s](0, 0) * (TwistMatrix<D>::Identity() - P);
-            inertia.mobility[s] = P * held.inverse() * P;
+            inertia.mobility[s] = P * admissible_mass<D>(P, mass[s], mass[s](0, 0)).inverse() * P;
         }
     Pairs<D> pairs(coupling);
     for (const NormalInertia<D>& film : coupling.normal_inertia)

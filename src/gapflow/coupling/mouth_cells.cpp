@@ -76,11 +76,7 @@ std::vector<CarriedCell> cells_around(const Grid<D>& grid, const Conduit<D>& con
     const Vec<D> across = way_across(conduit, film);
     double mean = 0;
     for (CarriedCell& cell : cells) {
-        Vec<D> to = grid.cell_centre(grid.cell_of_key(cell.key)) - conduit.x;
-        for (int axis = 0; axis < D; ++axis)
-            if (grid.periodic(axis))
-                to[axis] -= grid.size()[axis] * std::round(to[axis] / grid.size()[axis]);
-        cell.lean = place_across(to, across);
+        cell.lean = place_across(grid.nearest_image(grid.cell_centre(grid.cell_of_key(cell.key)) - conduit.x), across);
         mean += cell.weight * cell.lean;
     }
     for (CarriedCell& cell : cells)

@@ -111,27 +111,14 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
     for (int axis = 0; axis < D; ++axis) {
         const long back = p.cells.block().stride[axis];
         // The pressure beyond an open side is 0, half a cell away: twice the drop.
-        auto subtract = [&](const Index<D>& first, int n, double above, double below) {
-            const double *a = &system.conductance(axis, first), *from = &p.cells(first);
-            double* to = &u.grid(axis, first);
-            for (int i = 0; i < n; ++i)
-                to[i] -= a[i] > 0 ? scale * (above * from[i] - below * from[i - back]) : 0.0;
-        };
-        Index<D> low = grid.low(), end = grid.high() + step<D>(axis);
-        const bool at_low = !grid.periodic(axis) && low[axis] == 0;
-        const bool at_high = !grid.periodic(axis) && grid.high()[axis] == grid.cells()[axis];
-        low[axis] += at_low;
-        end[axis] -= at_high;
-        for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
-        for (int side = 0; side < 2; ++side) {
-            if (!(side ? at_high : at_low))
-                continue;
-            Index<D> first = grid.low(), last = grid.high();
-            first[axis] = side * grid.cells()[axis];
-            last[axis] = first[axis] + 1;
-            for_each_row<D>(first, last,
-                            [&](const Index<D>& row) { subtract(row, last[0] - first[0], side ? 0 : 2, side ? 2 : 0); });
-        }
+        for_each_face_row<D>(grid, axis, grid.high() + step<D>(axis),
+                             [&](const Index<D>& first, int n, double above, double below) {
+                                 const double *a = &system.conductance(axis, first), *from = &p.cells(first);
+                                 double* to = &u.grid(axis, first);
+                                 const double up = above * (2 - below), down = below * (2 - above);
+                                 for (int i = 0; i < n; ++i)
+                                     to[i] -= a[i] > 0 ? scale * (up * from[i] - down * from[i - back]) : 0.0;
+                             });
     }
     for (const Film<D>& film : coupling.network.films)
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {

@@ -247,10 +247,7 @@ private:
     {
         double mean = 0, square = 0;
         for (const auto& [key, weight] : cells) {
-            Vec<D> to = grid_.cell_centre(grid_.cell_of_key(key)) - point.x;
-            for (int axis = 0; axis < D; ++axis)
-                if (grid_.periodic(axis))
-                    to[axis] -= grid_.size()[axis] * std::round(to[axis] / grid_.size()[axis]);
+            const Vec<D> to = grid_.nearest_image(grid_.cell_centre(grid_.cell_of_key(key)) - point.x);
             const double s = to.dot(point.edge->outward);
             mean += weight * s;
             square += weight * s * s;

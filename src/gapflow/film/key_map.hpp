@@ -53,6 +53,16 @@ public:
         std::sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) { return a.first < b.first; });
         rebuild(slots_.size());
     }
+    /// Room for n values.
+    void reserve(std::size_t n)
+    {
+        std::size_t size = 32;
+        while (size < 2 * n)
+            size *= 2;
+        items_.reserve(n);
+        if (size > slots_.size())
+            rebuild(size);
+    }
     void clear()
     {
         items_.clear();

@@ -68,11 +68,7 @@ bool RimJoints<D>::add(const RimPoint<D>& point, double factor, double reach, st
 template <int D>
 Vec<D> RimJoints<D>::towards(const Vec<D>& x, const RimPoint<D>& other) const
 {
-    Vec<D> to = x - other.x;
-    for (int axis = 0; axis < D; ++axis)
-        if (grid_.periodic(axis))
-            to[axis] -= grid_.size()[axis] * std::round(to[axis] / grid_.size()[axis]);
-    return to;
+    return grid_.nearest_image(x - other.x);
 }
 
 // Can the other point's rim edge come within `reach` of x?

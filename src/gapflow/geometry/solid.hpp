@@ -25,6 +25,14 @@ struct Solid {
     TwistMatrix<D> admissible = TwistMatrix<D>::Identity();
 };
 
+/// P M P + m (1 - P), the mass of the twists that a body can have; its mass m keeps it definite. Its inverse leaves an admissible twist
+/// admissible.
+template <int D>
+TwistMatrix<D> admissible_mass(const TwistMatrix<D>& P, const TwistMatrix<D>& M, double m)
+{
+    return P * M * P + m * (TwistMatrix<D>::Identity() - P);
+}
+
 /// A solid displaced by whole periods.
 template <int D>
 struct Image {

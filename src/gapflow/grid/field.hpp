@@ -157,4 +157,23 @@ Index<D> owned_faces_end(const Grid<D>& grid, int axis)
     return end;
 }
 
+/// Calls f(first, n, above, below) for rows of n faces normal to `axis`, from the face grid.low() to before `end` (owned_faces_end() or one plane
+/// more), rows inside the domain on threads. above, below: 1 where a cell lies on that side of the faces, 0 beyond a side of the domain.
+template <int D, class F>
+void for_each_face_row(const Grid<D>& grid, int axis, const Index<D>& end, F&& f)
+{
+    Index<D> low = grid.low(), high = end;
+    for (int side = 0; side < 2; ++side) {
+        const int place = side * grid.cells()[axis];
+        if (grid.periodic(axis) || (side ? end[axis] - 1 : grid.low()[axis]) != place)
+            continue;
+        Index<D> first = grid.low(), last = end;
+        first[axis] = place;
+        last[axis] = place + 1;
+        for_each_row<D>(first, last, [&](const Index<D>& row) { f(row, last[0] - first[0], 1 - side, side); });
+        (side ? high : low)[axis] += side ? -1 : 1;
+    }
+    for_each_row_on_threads<D>(low, high, [&](const Index<D>& row) { f(row, high[0] - low[0], 1, 1); });
+}
+
 } // namespace gapflow

@@ -10,6 +10,7 @@
 #include <petscdmda.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -59,6 +60,14 @@ public:
             if (periodic(axis))
                 c[axis] = ((c[axis] % cells_[axis]) + cells_[axis]) % cells_[axis];
         return c;
+    }
+    /// A way from one point to another, or to that one's nearest image.
+    Vec<D> nearest_image(Vec<D> way) const
+    {
+        for (int axis = 0; axis < D; ++axis)
+            if (periodic(axis))
+                way[axis] -= size()[axis] * std::round(way[axis] / size()[axis]);
+        return way;
     }
     bool in_domain(const Index<D>& c) const { return (c.array() >= 0).all() && (c.array() < cells_.array()).all(); }
     /// Number of a cell in the whole grid, first axis fastest (a key for maps).

@@ -3,29 +3,21 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/solver/solver.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
-#include "gapflow/stepping/setup.hpp"
+#include "gapflow/stepping/model.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace gapflow {
 
 namespace {
 
-double now()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 // The master of a film is chosen by how its bodies move in the scene; with all twists given no body is an unknown.
 template <int D>
-Coupling<D> coupling_of_given_twists(const Scene& scene, const Grid<D>& grid, const std::vector<Solid<D>>& solids,
-                                     const std::function<GapSettings(int, int)>& gaps)
+Coupling<D> coupling_of_given_twists(const Model<D>& model)
 {
-    const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
-    Coupling<D> c = couple<D>(grid, solids, mass, {scene.density, fraction_mode(scene)}, gaps, {});
+    Coupling<D> c = model.coupled(model.bodies);
     c.system.bodies = 0;
     std::fill(c.free_body.begin(), c.free_body.end(), -1);
     c.system.cell_flux.clear();
@@ -74,20 +66,16 @@ template <int D>
 AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
 {
     constexpr int n = twist_size<D>;
-    const double start = now();
-    const Grid<D> grid = make_grid<D>(scene, comm);
-    const std::vector<RigidBody<D>> bodies = make_bodies<D>(scene);
-    const DomainWalls<D> walls = make_walls<D>(scene);
-    std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
-    const auto gaps = gap_settings<D>(scene, solids, false);
-
+    const Stopwatch watch;
+    const Model<D> model(scene, comm, Task::added_mass);
     AddedMass result;
-    result.warnings = thickness_warnings<D>(scene, bodies, walls, scene.thin);
+    result.warnings = thickness_warnings<D>(scene, model.bodies, model.walls, scene.thin);
+    const Coupling<D> coupling = coupling_of_given_twists(model);
+    const std::vector<Solid<D>>& solids = coupling.solids;
     std::vector<int> moving;
-    for (std::size_t s = 0; s < bodies.size(); ++s)
+    for (std::size_t s = 0; s < model.bodies.size(); ++s)
         if (solids[s].motion != Motion::fixed)
             moving.push_back(static_cast<int>(s));
-    const Coupling<D> coupling = coupling_of_given_twists(scene, grid, solids, gaps);
 
     SolverOptions options;
     options.tolerance = std::min(scene.tolerance, 1e-8);
@@ -116,7 +104,7 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
         for (int i = 0; i < n; ++i)
             result.labels.push_back(solids[body].name + "." + (D == 2 ? names2[i] : names3[i]));
     }
-    result.cells = grid.cells().template cast<long>().prod();
+    result.cells = model.grid.cells().template cast<long>().prod();
     result.film_nodes = coupling.network.nodes;
     result.sealed = coupling.sealed;
     std::set<FilmPair<D>> told;
@@ -124,7 +112,7 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
         result.warnings.push_back(std::move(note));
     result.blind_length = coupling.network.mouths.blind_length;
     result.closure = closure_defect(coupling);
-    result.seconds = now() - start;
+    result.seconds = watch.seconds();
     return result;
 }
 

@@ -75,9 +75,9 @@ void add_inflow_head(const Grid<D>& grid, const Vec<D>& outside, double dt, Face
 } // namespace
 
 template <int D>
-FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity, PastPressure<D>& past, const Coupling<D>& there,
-                            const FaceFractions<D>& old, const FaceField<D, std::int8_t>* first_order, const Step& step,
-                            FaceField<D>& change)
+FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity, PastPressure<D>& past,
+                            const Coupling<D>& there, const FaceFractions<D>& old, const FaceField<D, std::int8_t>* first_order,
+                            const Step& step, FaceField<D>& change)
 {
     const Grid<D>& grid = model.grid;
     const BoundaryVelocity<D> sides = model.sides(step.start);
@@ -106,7 +106,7 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template FaceField<D> transport_bulk<D>(const Model<D>&, const FaceField<D>&, PastPressure<D>&, const Coupling<D>&,         \
+    template FaceField<D> transport_bulk<D>(const Model<D>&, const FaceField<D>&, PastPressure<D>&, const Coupling<D>&,        \
                                             const FaceFractions<D>&, const FaceField<D, std::int8_t>*, const Step&,            \
                                             FaceField<D>&);
 GAPFLOW_INSTANTIATE(2)

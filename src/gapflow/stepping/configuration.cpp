@@ -37,7 +37,7 @@ Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<
             state.voids.find_wet_shares(films, twists);
         return state.voids.wet_shares();
     };
-    return model.coupled(state.bodies, mass, model.options(&timers, model.scene.viscosity * dt), state.films_before, wet_shares);
+    return model.coupled(state.bodies, mass, model.scene.viscosity * dt, state.films_before, wet_shares, &timers);
 }
 
 template <int D>
@@ -55,8 +55,9 @@ Coupling<D> configure_stored(const Model<D>& model, const State<D>& state, Stage
 {
     const std::vector<TwistMatrix<D>> mass =
         state.steps == 0 ? held_masses(model, state.bodies) : model.masses(state.bodies, state.dt);
-    Coupling<D> here = model.coupled(state.bodies, mass, model.options(&timers, model.scene.viscosity * state.dt),
-                                     state.films_before, [&](const Coupling<D>&) { return state.voids.wet_shares(); });
+    Coupling<D> here = model.coupled(
+        state.bodies, mass, model.scene.viscosity * state.dt, state.films_before,
+        [&](const Coupling<D>&) { return state.voids.wet_shares(); }, &timers);
     const FilmNetwork<D>& network = here.network;
     const FluidVelocity<D>& u = state.velocity;
     const std::size_t conduits = network.mouths.conduits.size();

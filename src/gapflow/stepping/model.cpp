@@ -71,11 +71,12 @@ double Model<D>::hydrostatic(const Vec<D>& x) const
 }
 
 template <int D>
-Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, const std::vector<TwistMatrix<D>>& mass,
-                              const CouplingOptions& options, const std::set<FilmPair<D>>& alive,
-                              const std::function<WetShares(const Coupling<D>&)>& wet) const
+Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, std::vector<TwistMatrix<D>> mass, double viscosity_dt,
+                              const std::set<FilmPair<D>>& alive, const std::function<WetShares(const Coupling<D>&)>& wet,
+                              StageTimers* timers) const
 {
-    return couple<D>(grid, solids(at), mass, options, gaps, alive, wet);
+    mass.resize(at.size() + walls.solids.size(), TwistMatrix<D>::Identity());
+    return couple<D>(grid, solids(at), mass, {scene.density, fraction_mode(scene), timers, viscosity_dt}, gaps, alive, wet);
 }
 
 template struct Model<2>;

@@ -2,6 +2,7 @@
 // runs, added mass, checks, benchmarks and tests.
 #pragma once
 
+#include "gapflow/core/timer.hpp"
 #include "gapflow/stepping/setup.hpp"
 #include "gapflow/stepping/velocity_ghosts.hpp"
 
@@ -11,7 +12,7 @@
 
 namespace gapflow {
 
-/// What a model is for: films between curved bodies that move begin further apart than added mass alone needs (gap_settings()).
+/// What a model serves: films between curved bodies that move begin further apart than added mass alone needs (gap_settings()).
 enum class Task { motion, added_mass };
 
 template <int D>
@@ -42,15 +43,10 @@ struct Model {
     /// reference pressure acts.
     double hydrostatic(const Vec<D>& x) const;
 
-    /// The coupled system of bodies at a place, `mass` as masses() gives it. Options, `alive` and `wet` as in couple(). Collective.
-    Coupling<D> coupled(const std::vector<RigidBody<D>>& at, const std::vector<TwistMatrix<D>>& mass,
-                        const CouplingOptions& options, const std::set<FilmPair<D>>& alive = {},
-                        const std::function<WetShares(const Coupling<D>&)>& wet = {}) const;
-    /// Density and face fractions of the scene.
-    CouplingOptions options(StageTimers* timers = nullptr, double viscosity_dt = 0) const
-    {
-        return {scene.density, fraction_mode(scene), timers, viscosity_dt};
-    }
+    /// The coupled system of bodies at a place. `mass`: as masses() gives it, none: unit masses; the others as in couple(). Collective.
+    Coupling<D> coupled(const std::vector<RigidBody<D>>& at, std::vector<TwistMatrix<D>> mass = {}, double viscosity_dt = 0,
+                        const std::set<FilmPair<D>>& alive = {}, const std::function<WetShares(const Coupling<D>&)>& wet = {},
+                        StageTimers* timers = nullptr) const;
 };
 
 } // namespace gapflow

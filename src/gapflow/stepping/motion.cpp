@@ -77,10 +77,9 @@ bool finish_bodies(const Model<D>& model, const std::vector<Twist<D>>& V, const 
         const Twist<D> change = (V[b] - body.twist) / step.dt;
         double lasting = met[b] ? 0.0 : 1.0;
         if (any_met && !met[b] && body.motion == Motion::free) {
-            const Twist<D> forced =
-                (forced_twist<D>(body, gravity, model.scene.density, step.dt) - body.twist) / step.dt;
-            lasting = lasting_part(body, change, state.acceleration[b],
-                                   std::max(gravity.norm(), forced.template head<D>().norm()));
+            const Twist<D> forced = (forced_twist<D>(body, gravity, model.scene.density, step.dt) - body.twist) / step.dt;
+            lasting =
+                lasting_part(body, change, state.acceleration[b], std::max(gravity.norm(), forced.template head<D>().norm()));
         }
         state.acceleration[b] = lasting * change;
         if (body.motion == Motion::free)

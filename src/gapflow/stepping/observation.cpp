@@ -197,12 +197,12 @@ void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>
         add_entrainment(here, V, -1, driven);
         for (std::size_t r = 0; r < shut.size(); ++r)
             if (shut[r])
-                driven.conduit[r] += entrained_flux(here, r, V) -
-                                     carried_flux<D>(here, here.network.mouths.conduits[r], V);
+                driven.conduit[r] += entrained_flux(here, r, V) - carried_flux<D>(here, here.network.mouths.conduits[r], V);
         outflow(here, driven, V, rest);
     }
     if (state.node_outflow.size() > 0) { // velocities at a void's front have moved on since
-        rest.nodes = state.node_outflow - Eigen::Map<const Eigen::VectorXd>(state.voids.growth().data(), state.node_outflow.size());
+        rest.nodes =
+            state.node_outflow - Eigen::Map<const Eigen::VectorXd>(state.voids.growth().data(), state.node_outflow.size());
     } else {
         // Joints keep no flux of their own: it is what the last projection drove through them.
         const std::vector<Link>& links = here.system.links;

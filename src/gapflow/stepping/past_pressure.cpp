@@ -69,34 +69,22 @@ void subtract_known_gradient(const Coupling<D>& coupling, const PastPressure<D>&
     const double scale = dt / (coupling.density * grid.dx());
     for (int axis = 0; axis < D; ++axis) {
         const long back = pressure.block().stride[axis];
-        // n faces of a row from `first` on, with cells of the domain above and below them (`above`, `below`: 1, or 0 on a side).
-        auto subtract = [&](const Index<D>& first, int n, double above, double below) {
-            const double *a = &coupling.system.conductance(axis, first), *p = &pressure(first), *k = &known(first);
-            double* to = &u(axis, first);
-            const double up = scale * above * (2 - below), down = scale * below * (2 - above);
-            for (int i = 0; i < n; ++i) {
-                const double counts = a[i] > 0 ? 1.0 : 0.0, above_known = 1 + above * (k[i] - 1),
-                             below_known = 1 + below * (k[i - back] - 1);
-                to[i] -= counts * above_known * below_known * (up * p[i] - down * p[i - back]);
-            }
-            if (!changed)
-                return;
-            std::int8_t* marks = &(*changed)(axis, first);
-            for (int i = 0; i < n; ++i)
-                marks[i] = a[i] > 0 && (above == 0 || k[i] > 0) && (below == 0 || k[i - back] > 0);
-        };
-        Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
-        for (int side = 0; side < 2; ++side) {
-            Index<D> first = low, last = end;
-            const int place = side * grid.cells()[axis];
-            if (grid.periodic(axis) || (side ? end[axis] - 1 : low[axis]) != place)
-                continue;
-            first[axis] = place;
-            last[axis] = place + 1;
-            for_each_row<D>(first, last, [&](const Index<D>& row) { subtract(row, last[0] - first[0], 1 - side, side); });
-            (side ? end : low)[axis] += side ? -1 : 1;
-        }
-        for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) { subtract(row, end[0] - low[0], 1, 1); });
+        for_each_face_row<D>(
+            grid, axis, owned_faces_end(grid, axis), [&](const Index<D>& first, int n, double above, double below) {
+                const double *a = &coupling.system.conductance(axis, first), *p = &pressure(first), *k = &known(first);
+                double* to = &u(axis, first);
+                const double up = scale * above * (2 - below), down = scale * below * (2 - above);
+                for (int i = 0; i < n; ++i) {
+                    const double counts = a[i] > 0 ? 1.0 : 0.0, above_known = 1 + above * (k[i] - 1),
+                                 below_known = 1 + below * (k[i - back] - 1);
+                    to[i] -= counts * above_known * below_known * (up * p[i] - down * p[i - back]);
+                }
+                if (!changed)
+                    return;
+                std::int8_t* marks = &(*changed)(axis, first);
+                for (int i = 0; i < n; ++i)
+                    marks[i] = a[i] > 0 && (above == 0 || k[i] > 0) && (below == 0 || k[i - back] > 0);
+            });
     }
 }
 

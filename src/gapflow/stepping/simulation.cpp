@@ -71,8 +71,8 @@ StepReport Simulation<D>::step(double next_output)
     const std::vector<Whereabouts> places = whereabouts(model_.scene, state_.bodies);
     LastPressure<D> past = recall_pressure(model_, *here_, step, state_);
     state_.turned = model_.viscous() ? std::set<FilmPair<D>>()
-                                     : turning_films<D>(*here_, model_.twists(state_.bodies), state_.acceleration,
-                                                        model_.gaps, model_.mouths);
+                                     : turning_films<D>(*here_, model_.twists(state_.bodies), state_.acceleration, model_.gaps,
+                                                        model_.mouths);
     state_.bodies = timed(stages_, "bodies", [&] { return moved(std::move(state_.bodies), step); });
     timed(stages_, "contact", [&] { find_contacts(model_, state_, step); });
     const std::vector<TwistMatrix<D>> mass = model_.masses(state_.bodies, step.dt);
@@ -85,9 +85,8 @@ StepReport Simulation<D>::step(double next_output)
     star.twists = forced_twists(model_, state_.bodies, star.pressure_change, *left.fractions, *there.fractions, step);
     Diffusion<D> diffusion;
     if (model_.viscous())
-        diffusion = timed(stages_, "viscosity", [&] {
-            return diffuse(model_, state_.bodies, mass, past, there, step, star, report);
-        });
+        diffusion =
+            timed(stages_, "viscosity", [&] { return diffuse(model_, state_.bodies, mass, past, there, step, star, report); });
     const std::vector<Twist<D>> V_star = star.twists;
     Projected<D> end = project(model_, there, std::move(star), mass, step, state_, report, stages_);
     take_up(model_, there, std::move(end), mass, V_star, std::move(past), diffusion, step, state_);

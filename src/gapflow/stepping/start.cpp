@@ -76,8 +76,7 @@ Start<D> start(const Model<D>& model, State<D>& state, StepReport& report, Stage
     report.notes.insert(report.notes.end(), moved.begin(), moved.end());
 
     std::vector<TwistMatrix<D>> mass = held_masses(model, state.bodies);
-    std::optional<Coupling<D>> here =
-        configure<D>(model, state, mass, nullptr, model.twists(state.bodies), 0, timers);
+    std::optional<Coupling<D>> here = configure<D>(model, state, mass, nullptr, model.twists(state.bodies), 0, timers);
     if (!any_fluid(*here, model.gaps))
         throw InputError(model.scene.file +
                          ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");

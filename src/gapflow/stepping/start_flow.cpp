@@ -83,7 +83,7 @@ std::vector<Twist<D>> without_rates(const std::vector<Touch<D>>& touches, const 
         if (place[b] >= 0) {
             const TwistMatrix<D>& P = solids[b].admissible;
             const TwistMatrix<D> M = mass_matrix(bodies[b]);
-            add_block(place[b], place[b], P * M * P + bodies[b].mass * (TwistMatrix<D>::Identity() - P));
+            add_block(place[b], place[b], admissible_mass<D>(P, M, bodies[b].mass));
             momentum.segment<n>(n * place[b]) = P * (M * V[b]);
             heaviest = std::max(heaviest, bodies[b].mass);
         }

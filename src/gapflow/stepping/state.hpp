@@ -16,9 +16,9 @@ namespace gapflow {
 /// What the last pressure did to fluid, films and bodies, as far as the next step counts with it.
 template <int D>
 struct PressureHistory {
-    UnknownVector<D> impulse; ///< p of the last projection: bulk and mixed cells, film nodes
-    bool lasts = false;       ///< whether it goes on: not before the first step, nor after one in which something met
-    PastPressure<D> bulk;     ///< viscous: what the next viscous step starts from. Else unused: `impulse` tells
+    UnknownVector<D> impulse;    ///< p of the last projection: bulk and mixed cells, film nodes
+    bool lasts = false;          ///< whether it goes on: not before the first step, nor after one in which something met
+    PastPressure<D> bulk;        ///< viscous: what the next viscous step starts from. Else unused: `impulse` tells
     std::vector<Twist<D>> force; ///< viscous: of the projection on every body: pressure, films, contacts
     /// Acceleration of the films' elements, flat ones in 2D without viscosity, at the end of the last step; none: empty.
     std::vector<Vec<D>> film;
@@ -43,7 +43,7 @@ struct State {
     Eigen::VectorXd node_outflow;       ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
     std::set<FilmPair<D>> films_before; ///< pairs that had films before the last step
     std::set<FilmPair<D>> turned;       ///< pairs whose films turned in the last step
-    bool light_bodies = true; ///< whether the next solver asks if bodies are so light that they need correction
+    bool light_bodies = true;           ///< whether the next solver asks if bodies are so light that they need correction
 
     /// At the scene's start, fluid at rest.
     explicit State(const Model<D>& model);

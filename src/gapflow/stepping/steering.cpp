@@ -44,7 +44,7 @@ void set_velocity(State<D>& state, int body, const Vec<D>& velocity, const Spin<
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void set_force<D>(State<D>&, int, const Vec<D>&, const Spin<D>&);                                                \
+    template void set_force<D>(State<D>&, int, const Vec<D>&, const Spin<D>&);                                                 \
     template void set_velocity<D>(State<D>&, int, const Vec<D>&, const Spin<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -149,7 +149,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
         for (std::size_t b = 0; b < bodies.size(); ++b)
             if (bodies[b].motion == Motion::free)
                 A[b] = twist_after<D>(bodies[b], explicit_wrench<D>(bodies[b], model.gravity(), scene.density) +
-                                                      spring_wrench(bodies[b])) -
+                                                     spring_wrench(bodies[b])) -
                        bodies[b].twist;
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (bodies[b].motion == Motion::free)
@@ -160,7 +160,8 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
         const FilmMesh<D>& mesh = film.mesh;
         const int first = counted[film.pair];
         counted[film.pair] += static_cast<int>(mesh.elements.size());
-        dt = std::min(dt, limit_of_closing(mesh, solids, V, A, scene, model.gaps(mesh.master, mesh.other).floor, state.time, dx));
+        dt = std::min(dt,
+                      limit_of_closing(mesh, solids, V, A, scene, model.gaps(mesh.master, mesh.other).floor, state.time, dx));
         if (!mesh.flat)
             dt = std::min(dt, limit_of_film_flow(mesh, solids[mesh.master], *memories.at(film.pair), first, dx));
     }

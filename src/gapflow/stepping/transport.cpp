@@ -61,7 +61,7 @@ template <int D>
 std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& there, const std::vector<double>& flux,
                                                          const std::vector<Twist<D>>& V)
 {
-    constexpr int reach = 2;              // cells
+    constexpr int reach = 2; // cells
     const Grid<D>& grid = *there.grid;
     constexpr double least_weight = 1e-3; // round-off must not choose faces
     const std::vector<Conduit<D>>& conduits = there.network.mouths.conduits;
@@ -102,8 +102,7 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
 {
     const Grid<D>& grid = model.grid;
     FaceField<D>& u = state.velocity.grid;
-    const std::vector<Twist<D>> V = model.twists(state.bodies),
-                                predicted = predicted_twists(model, state.bodies, step);
+    const std::vector<Twist<D>> V = model.twists(state.bodies), predicted = predicted_twists(model, state.bodies, step);
     Intermediate<D> result;
     FluidVelocity<D>& u_star = result.velocity;
     FilmFlow<D> flow = advect_films<D>(
@@ -120,8 +119,7 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
         u(face.axis, face.at) = face.extrapolated;
     if (any_slivers)
         fill_velocity_ghosts(grid, u, sides);
-    u_star.grid = transport_bulk(model, u, past, there, old, near_jets ? &*near_jets : nullptr, step,
-                                 result.pressure_change);
+    u_star.grid = transport_bulk(model, u, past, there, old, near_jets ? &*near_jets : nullptr, step, result.pressure_change);
     for (const Sliver<D>& face : beyond.slivers) {
         u(face.axis, face.at) = face.own;
         const double open = std::max(there.open(face.axis, face.at), face.open);
@@ -155,7 +153,7 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template Intermediate<D> transport<D>(const Model<D>&, State<D>&, Reconstruction<D>, PastPressure<D>&, const Coupling<D>&,  \
+    template Intermediate<D> transport<D>(const Model<D>&, State<D>&, Reconstruction<D>, PastPressure<D>&, const Coupling<D>&, \
                                           const FaceFractions<D>&, const Step&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

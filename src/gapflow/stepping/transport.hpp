@@ -27,8 +27,8 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
 /// Stage 2: bulk velocities u* of second order in time; `change` becomes what the last pressure adds to velocities in the step.
 /// `first_order`: faces (nonzero) that MacCormack's correction leaves out; null: none. Collective.
 template <int D>
-FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity, PastPressure<D>& past, const Coupling<D>& there,
-                            const FaceFractions<D>& old, const FaceField<D, std::int8_t>* first_order, const Step& step,
-                            FaceField<D>& change);
+FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity, PastPressure<D>& past,
+                            const Coupling<D>& there, const FaceFractions<D>& old, const FaceField<D, std::int8_t>* first_order,
+                            const Step& step, FaceField<D>& change);
 
 } // namespace gapflow

@@ -13,8 +13,8 @@ namespace gapflow {
 /// What a projection makes.
 template <int D>
 struct Projected {
-    FluidVelocity<D> velocity;  ///< u* as the projection saw it: without what mouths had that voids shut
-    UnknownVector<D> impulse;   ///< p
+    FluidVelocity<D> velocity;    ///< u* as the projection saw it: without what mouths had that voids shut
+    UnknownVector<D> impulse;     ///< p
     std::vector<Twist<D>> twists; ///< V of all solids at the step's end
     std::vector<char> was_empty;  ///< film elements without fluid before the step; empty: no voids
 };

@@ -103,7 +103,7 @@ void ViscousTerms<D>::finish()
         TwistMatrix<D> turning = TwistMatrix<D>::Zero();
         turning.template bottomRightCorner<spin_size<D>, spin_size<D>>() = system_.turning[s];
         TwistMatrix<D> block = Eigen::Map<TwistMatrix<D>>(&sums[static_cast<std::size_t>(b) * n * n]);
-        block += P * (M + turning) * P + M(0, 0) * (TwistMatrix<D>::Identity() - P);
+        block += admissible_mass<D>(P, M + turning, M(0, 0));
         append<D>(b, b, block, entries);
         body_rhs_.segment<n>(n * b) += P * (M * bodies_.twists[s]);
         system_.admissible[b] = P;
