@@ -43,7 +43,7 @@ public:
     /// The same to another tolerance than the options'.
     SolveReport solve(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude, double tolerance) const;
 
-    /// Takes the system's masses and contacts anew, after they changed; all else must be as it was.
+    /// Reads the system's masses and contacts again after they changed; all else must be unchanged.
     void update_bodies();
 
     /// Whether the preconditioner corrects for the bodies, by now.

@@ -56,7 +56,7 @@ struct FollowingFace {
     std::array<Twist<D>, 2> row;
 };
 
-/// A face beside a wall of the domain, and what of its mass moves with the wall.
+/// A face beside a wall of the domain, and the part of its mass that moves with the wall.
 struct HeldMass {
     int axis;
     long at;
