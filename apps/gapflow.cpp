@@ -79,7 +79,7 @@ int keys(const Arguments& arguments)
     return 0;
 }
 
-/// The command line under construction; `action` becomes what the user chose.
+/// The command line under construction; `action` becomes the chosen subcommand.
 struct CommandLine {
     CLI::App& app;
     Arguments& arguments;
@@ -214,7 +214,7 @@ int report_error(const std::string& message, int status)
     return status;
 }
 
-/// What is wrong with the command line; CLI11 alone would not name a misspelt command.
+/// Message about an invalid command line; CLI11 alone would not name a misspelt command.
 std::string usage_problem(const CLI::App& app, const CLI::ParseError& error)
 {
     if (!app.get_subcommands().empty() || app.remaining().empty())

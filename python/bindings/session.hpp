@@ -1,4 +1,4 @@
-// A simulation as Python holds it: of either dimension, with the files of its run if they are asked for.
+// A simulation for Python: of either dimension, with the files of its run if requested.
 #pragma once
 
 #include "gapflow/scene/scene.hpp"
@@ -40,7 +40,7 @@ public:
                               const std::vector<double>& angular_velocity) = 0;
 
     virtual pybind11::dict grid() const = 0;
-    /// A row a body, in the scene's order.
+    /// One row for each body, in the scene's order.
     virtual pybind11::dict bodies() const = 0;
     virtual pybind11::array velocity() const = 0; ///< at cell centres, mean of two faces
     virtual pybind11::array pressure() const = 0; ///< full; NaN in cells without an unknown of the grid
@@ -57,9 +57,9 @@ public:
 
     /// A checkpoint of this moment. Throws ComputationError.
     virtual void write_checkpoint(const std::string& file) = 0;
-    /// Ends the files of the run, before time.end with a checkpoint to go on from, and frees the simulation; if views live, its memory is left to them for good.
+    /// Ends the files of the run, before time.end with a checkpoint to continue from, and frees the simulation; if views exist, its memory is never freed.
     virtual void end() = 0;
-    /// The same where nobody can catch an error.
+    /// The same where errors cannot be caught.
     void end_or_print();
     int views() const { return views_; }
 

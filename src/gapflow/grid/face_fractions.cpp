@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    /// What a part of the flood finds; `cut` of its faces counts from its own first one.
+    /// Result of a part of the flood; `cut` of its faces counts from its own first one.
     struct Work {
         std::vector<int> candidates; ///< a stack: each level of the recursion adds its own
         std::vector<double> phi;
@@ -86,7 +86,7 @@ private:
         ClippedFace<D> parts;
     };
 
-    // Appends what it has found.
+    // Appends its result.
     void take(Work& work)
     {
         const int before = static_cast<int>(result_.faces.size());
