@@ -203,7 +203,7 @@ void add_report(const CommandLine& line)
     report->add_flag("-q,--quiet", arguments.report.quiet, "Only warnings and errors");
     report->add_flag("--png", arguments.report.png, "Key frames as pictures DIR/frames/*.png instead of a page")
         ->excludes(page);
-    report->footer("Reads what the run has written so far, also of a run that is going on or was stopped. The page needs no "
+    report->footer("Reads the files written so far, also of a run that is in progress or was stopped. The page needs no "
                    "network.");
 }
 

@@ -50,7 +50,7 @@ Vec<3> midpoint_angular_velocity(const RigidBody<3>& body, const Vec<3>& L, doub
         last_change = size;
     }
     throw ComputationError("body '" + body.name + "' turns by " + std::to_string(dt * omega.norm()) +
-                           " radians in one step, too far to be followed; use a smaller time.max_step or cfl");
+                           " radians in one step, too much for the time integration; use a smaller time.max_step or cfl");
 }
 
 } // namespace
