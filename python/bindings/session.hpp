@@ -33,7 +33,7 @@ public:
     virtual pybind11::dict report() const = 0; ///< of the last step, at first of the start
     /// One step that does not pass `until`, nor scene.end, nor the next output time where files are written. Lets the
     /// interpreter handle signals once it is done; if one raises, on any rank, all ranks do. Throws ComputationError;
-    /// BufferError while views live.
+    /// BufferError while views exist.
     virtual pybind11::dict step(double until) = 0;
     virtual void set_force(const std::string& body, const std::vector<double>& force, const std::vector<double>& torque) = 0;
     virtual void set_velocity(const std::string& body, const std::vector<double>& velocity,
@@ -51,7 +51,7 @@ public:
     virtual pybind11::dict stages() const = 0; ///< seconds
     /// Vertices in the world and elements of a body's surface, chords at most `tolerance` off.
     virtual pybind11::tuple surface(const std::string& body, double tolerance) const = 0;
-    /// Views of the solver's own memory: they keep the session alive, and it cannot step while they live.
+    /// Views of the solver's own memory: they keep the session alive, and it cannot step while they exist.
     virtual pybind11::array face_velocity(int axis) = 0;
     virtual pybind11::array face_fraction(int axis) = 0;
 

@@ -16,7 +16,7 @@ namespace {
 // Relative size below which a contact's row, after constraints, cannot move its body.
 constexpr double round_off = 1e-12;
 
-// Kinds of this rank's cells and their ghosts, the faces that the grid sees open, and their conductance a |f| / (rho dx).
+// Kinds of this rank's cells and their ghosts, the faces open on the grid, and their conductance a |f| / (rho dx).
 template <int D>
 void fill_grid(Coupling<D>& coupling)
 {

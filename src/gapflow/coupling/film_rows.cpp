@@ -282,7 +282,7 @@ private:
     }
 
     // A film cell's remainder leaves through the nearest mouth of its film (spread over all mouths it would short-circuit
-    // pockets that several films enclose); without mouths it is left to the film as a whole.
+    // pockets that several films enclose); without mouths it is spread over the film.
     void add_to_nearest_mouth(long key, const FilmCell<D>& cell, const Twist<D>& rest, std::vector<Twist<D>>& lost)
     {
         const Vec<D> x = grid_.cell_centre(grid_.cell_of_key(key) + cell.offset(cell.owner));

@@ -46,7 +46,7 @@ public:
         const ImageBins<D>& bins = data_.bins;
         const Index<D> end = high_ + Index<D>::Ones(); // each cell fills the faces on its low sides
         const Index<D> first_bin = bins.bin_of(low_), end_bin = bins.bin_of(high_) + Index<D>::Ones();
-        std::vector<Work> works(end_bin[D - 1] - first_bin[D - 1]); // one a plane of bins, put together in their order
+        std::vector<Work> works(end_bin[D - 1] - first_bin[D - 1]); // one for each plane of bins, joined in their order
         for_each_plane(0, static_cast<int>(works.size()), [&](int plane) {
             Index<D> from = first_bin, to = end_bin;
             from[D - 1] += plane;

@@ -337,7 +337,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const Communicator
             fill(path, checkpoint);
         } catch (const InputError&) {
             throw;
-        } catch (const std::exception& problem) { // a damaged size may also ask for too much memory
+        } catch (const std::exception& problem) { // a damaged size may also request too much memory
             throw InputError(path.string() + ": not a checkpoint, or damaged (" + problem.what() +
                              "); take another checkpoint or start the run anew");
         }

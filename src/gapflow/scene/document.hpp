@@ -1,4 +1,4 @@
-// A TOML document as a plain tree. The only file that knows the TOML library is document.cpp.
+// A TOML document as a plain tree. Only document.cpp uses the TOML library.
 #pragma once
 
 #include <string>

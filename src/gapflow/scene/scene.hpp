@@ -1,4 +1,4 @@
-// A scene as plain data: what the user wrote, with defaults filled in, checked by the reader.
+// A scene as plain data: the user's values with defaults filled in, checked by the reader.
 #pragma once
 
 #include <array>

@@ -7,7 +7,7 @@
 
 namespace gapflow {
 
-/// Storage that lives as long as the solver: nothing is allocated while iterating.
+/// Storage with the lifetime of the solver: nothing is allocated while iterating.
 template <int D>
 struct KrylovVectors {
     UnknownVector<D> r, z, p, q;

@@ -41,7 +41,7 @@ public:
     Eigen::VectorXd inverse_mass(const Eigen::VectorXd& w) const;
 
     /// The parts of apply(), for callers that pass over memory once for several things: first begin_product (once as long as
-    /// nobody writes p beyond the domain), then product_plane of every plane normal to the last axis, once p is known on the
+    /// p is not written beyond the domain), then product_plane of every plane normal to the last axis, once p is known on the
     /// planes beside it and ghosts are filled, then finish_product with the sum of what product_plane returned.
     void begin_product(UnknownVector<D>& p) const;
     double product_plane(const CellField<D>& p, CellField<D>& y, int plane) const;

@@ -72,7 +72,7 @@ private:
     FilmBand<D> band_;
     std::optional<ConstantCorrection<D>> constants_;
     BodyCorrection<D> bodies_;
-    double from_level_ = 1; ///< what the finest level's x is to be multiplied by
+    double from_level_ = 1; ///< factor on the finest level's x
     bool dense_ = true;     ///< the last result is in z
 };
 

@@ -11,7 +11,7 @@ namespace gapflow {
 
 enum class Backend { multigrid, petsc };
 
-/// When the preconditioner corrects for the bodies: decided by their lightness and by the iterations' progress, or as told.
+/// When the preconditioner corrects for the bodies: decided by their lightness and by the iterations' progress, or as set.
 enum class BodyMode { automatic, always, never };
 
 struct SolverOptions {

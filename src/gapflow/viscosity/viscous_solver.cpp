@@ -213,7 +213,7 @@ double work_of_rhs(const ViscousSystem<D>& system, const Unknowns<D>& x)
     })) + system.body_rhs.dot(x.V);
 }
 
-/// Conjugate gradients from x on, until the error's energy norm, as the preconditioner sees it, is `tolerance` of the solution's.
+/// Conjugate gradients from x on, until the error's energy norm, estimated by the preconditioner, is `tolerance` of the solution's.
 template <int D>
 class ViscousSolver {
 public:
