@@ -23,7 +23,7 @@ std::string count_text(const Scene& scene)
     return joined(counts, " x ");
 }
 
-// What the gap model makes of the scene's start: films with their pairs, fluid that is sealed in, bodies too thin for the grid.
+// The gap model at the scene's start: films with their pairs, enclosed fluid, bodies too thin for the grid.
 template <int D>
 void print_gaps(const Scene& scene, const Communicator& comm)
 {
@@ -63,7 +63,7 @@ void print_gaps(const Scene& scene, const Communicator& comm)
                     solids[pair.first].name.c_str(), solids[pair.second].name.c_str(), sum.thinnest, sum.thinnest / grid.dx(),
                     sum.threshold / grid.dx(), sum.nodes);
     std::set<FilmPair<D>> told;
-    if (moved.empty()) // what was pushed apart touches nearly
+    if (moved.empty()) // bodies that were separated almost touch
         for (const std::string& note : rough_gap_notes(scene, coupling))
             std::printf("warning   %s\n", note.c_str());
     for (const std::string& note : blind_end_notes(coupling, told))
@@ -94,7 +94,7 @@ int check_command(const Scene& scene)
         print_gaps<2>(scene, comm);
     else
         print_gaps<3>(scene, comm);
-    require_thickness(scene); // told before all else, an error after it
+    require_thickness(scene); // reported before all else, an error after it
     return 0;
 }
 

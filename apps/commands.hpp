@@ -1,4 +1,4 @@
-// What the command's subcommands do with a scene. Each returns the exit status and throws InputError or ComputationError.
+// The command's subcommands. Each returns the exit status and throws InputError or ComputationError.
 #pragma once
 
 #include "gapflow/core/communicator.hpp"
@@ -13,7 +13,7 @@ namespace gapflow {
 
 struct RunOptions {
     bool quiet = false; ///< no progress, only warnings and errors
-    std::string resume; ///< checkpoint to go on from; empty: from the start
+    std::string resume; ///< checkpoint to continue from; empty: from the start
 };
 
 /// Runs the scene to its end and writes the files of a run. Collective.
@@ -35,7 +35,7 @@ using SceneReader = std::function<Scene(const std::vector<std::pair<std::string,
 /// folder; prints errors and observed orders and writes converge.csv and converge.json there. Collective.
 int converge_command(const SceneReader& read, const ConvergeOptions& options);
 
-/// Prints what a valid scene asks for. Collective.
+/// Prints a summary of a valid scene and its cost. Collective.
 int check_command(const Scene& scene);
 
 /// Prints the added-mass matrix, as a table or as JSON. Collective.

@@ -71,7 +71,7 @@ TimeWindow window_of(const std::string& text, const Scene& scene)
     return {*from, *to};
 }
 
-/// The quantity of a name; throws InputError that lists what there is.
+/// The quantity of a name; throws InputError that lists the available ones.
 Quantity quantity_of(const std::string& name, const Scene& scene)
 {
     std::vector<std::string> bodies;
@@ -135,7 +135,7 @@ std::string time_column(const CsvTable& table)
     throw InputError(table.file + ": has no column 'time' (or 't'); its columns are: " + joined(table.names));
 }
 
-/// What to compare, with the reference's columns: those of --column; else columns that have the quantities' names.
+/// Quantities to compare, with the reference's columns: those of --column; else columns that have the quantities' names.
 std::vector<Quantity> choose_quantities(const Scene& scene, const ConvergeOptions& options, const CsvTable* reference)
 {
     std::vector<Quantity> chosen;
@@ -232,7 +232,7 @@ std::optional<ConvergenceOf> compare(std::size_t number, const Quantity& q, cons
         finest ? fmt::format("the run with {} cells", runs.back().cells) : reference_file->file + ", column " + q.reference;
     result.window = window;
     result.range = range_of(reference, window);
-    // What moves by rounding and solver tolerance only has no order.
+    // A quantity that changes by rounding and solver tolerance only has no order.
     double size = 0;
     for (double value : reference.value)
         size = std::max(size, std::abs(value));
@@ -265,7 +265,7 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
     const CsvTable* reference_file = reference ? &*reference : nullptr;
     const std::vector<Quantity> quantities = choose_quantities(scene, options, reference_file);
 
-    // All scenes first: a value out of range is told before anything runs.
+    // All scenes first: a value out of range is reported before anything runs.
     std::vector<Scene> scenes;
     for (int n : grids) {
         const double ratio = static_cast<double>(scene.cells[0]) / n;

@@ -135,7 +135,7 @@ std::string markdown(const CLI::App& app)
     return out;
 }
 
-/// What a value is, for completion: a scene, a folder, another file, a key, or nothing known.
+/// Kind of a value, for completion: a scene, a folder, another file, a key, or unknown.
 std::string value_kind(const CLI::Option& option)
 {
     const std::string type = option.get_type_name();

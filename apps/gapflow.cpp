@@ -79,7 +79,7 @@ int keys(const Arguments& arguments)
     return 0;
 }
 
-/// The command line under construction; `action` becomes what the user chose.
+/// The command line under construction; `action` becomes the chosen subcommand.
 struct CommandLine {
     CLI::App& app;
     Arguments& arguments;
@@ -203,7 +203,7 @@ void add_report(const CommandLine& line)
     report->add_flag("-q,--quiet", arguments.report.quiet, "Only warnings and errors");
     report->add_flag("--png", arguments.report.png, "Key frames as pictures DIR/frames/*.png instead of a page")
         ->excludes(page);
-    report->footer("Reads what the run has written so far, also of a run that is going on or was stopped. The page needs no "
+    report->footer("Reads the files written so far, also of a run that is in progress or was stopped. The page needs no "
                    "network.");
 }
 
@@ -214,7 +214,7 @@ int report_error(const std::string& message, int status)
     return status;
 }
 
-/// What is wrong with the command line; CLI11 alone would not name a misspelt command.
+/// Message about an invalid command line; CLI11 alone would not name a misspelt command.
 std::string usage_problem(const CLI::App& app, const CLI::ParseError& error)
 {
     if (!app.get_subcommands().empty() || app.remaining().empty())

@@ -24,7 +24,7 @@ constexpr std::size_t most_pockets_told = 3;
 
 volatile std::sig_atomic_t stop_signal = 0;
 
-// The first one asks for an end after the step, a second one ends at once.
+// The first signal requests an end after the step, a second one ends the process immediately.
 void note_signal(int signal)
 {
     stop_signal = signal;

@@ -1,4 +1,4 @@
-// gapflow._core: what the Python package calls. Its users see the classes of python/gapflow, which document it.
+// gapflow._core: the extension module of the Python package. Users use the classes of python/gapflow, which document it.
 #include "runtime.hpp"
 #include "session.hpp"
 

@@ -22,7 +22,7 @@ void Runtime::shutdown()
 
 Runtime& runtime()
 {
-    static auto* const the = new Runtime; // sessions may outlive static objects
+    static auto* const the = new Runtime; // sessions may be destroyed after static objects
     return *the;
 }
 

@@ -1,4 +1,4 @@
-// What all sessions of a Python process share: MPI and PETSc, started once, and a lock, as neither serves two threads at once.
+// Shared by all sessions of a Python process: MPI and PETSc, started once, and a lock, because neither allows two threads at once.
 #pragma once
 
 #include "gapflow/core/communicator.hpp"
@@ -17,7 +17,7 @@ class Runtime {
 public:
     /// MPI and PETSc, started by the first call. Throws std::runtime_error after shutdown(). Needs the GIL.
     void start();
-    /// Ends all sessions, then PETSc, and MPI if start() started it. What goes wrong is printed. Needs the GIL.
+    /// Ends all sessions, then PETSc, and MPI if start() started it. Errors are printed. Needs the GIL.
     void shutdown();
 
     void enter(Session* session) { sessions_.push_back(session); }
@@ -27,11 +27,11 @@ public:
 private:
     std::unique_ptr<Environment> environment_;
     bool ended_ = false;
-    std::vector<Session*> sessions_; ///< in the order of their making, the same on all ranks
+    std::vector<Session*> sessions_; ///< in the order of their creation, the same on all ranks
     std::mutex lock_;
 };
 
-/// The process's one: MPI can be started once only. Never destroyed.
+/// The only one of the process: MPI can be started once only. Never destroyed.
 Runtime& runtime();
 
 /// A long call: other Python threads run, other computations wait. The lock is never held while waiting for the GIL.

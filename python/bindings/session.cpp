@@ -110,7 +110,7 @@ public:
             const Busy busy(busy_);
             const Computing computing;
             run_->step(until);
-        } catch (const std::exception& error) { // whatever it is, the state is that of half a step
+        } catch (const std::exception& error) { // after any error the step is incomplete and the state invalid
             failure_ = error.what();
             throw;
         }

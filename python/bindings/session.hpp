@@ -1,4 +1,4 @@
-// A simulation as Python holds it: of either dimension, with the files of its run if they are asked for.
+// A simulation for Python: of either dimension, with the files of its run if requested.
 #pragma once
 
 #include "gapflow/scene/scene.hpp"
@@ -33,14 +33,14 @@ public:
     virtual pybind11::dict report() const = 0; ///< of the last step, at first of the start
     /// One step that does not pass `until`, nor scene.end, nor the next output time where files are written. Lets the
     /// interpreter handle signals once it is done; if one raises, on any rank, all ranks do. Throws ComputationError;
-    /// BufferError while views live.
+    /// BufferError while views exist.
     virtual pybind11::dict step(double until) = 0;
     virtual void set_force(const std::string& body, const std::vector<double>& force, const std::vector<double>& torque) = 0;
     virtual void set_velocity(const std::string& body, const std::vector<double>& velocity,
                               const std::vector<double>& angular_velocity) = 0;
 
     virtual pybind11::dict grid() const = 0;
-    /// A row a body, in the scene's order.
+    /// One row for each body, in the scene's order.
     virtual pybind11::dict bodies() const = 0;
     virtual pybind11::array velocity() const = 0; ///< at cell centres, mean of two faces
     virtual pybind11::array pressure() const = 0; ///< full; NaN in cells without an unknown of the grid
@@ -51,15 +51,15 @@ public:
     virtual pybind11::dict stages() const = 0; ///< seconds
     /// Vertices in the world and elements of a body's surface, chords at most `tolerance` off.
     virtual pybind11::tuple surface(const std::string& body, double tolerance) const = 0;
-    /// Views of the solver's own memory: they keep the session alive, and it cannot step while they live.
+    /// Views of the solver's own memory: they keep the session alive, and it cannot step while they exist.
     virtual pybind11::array face_velocity(int axis) = 0;
     virtual pybind11::array face_fraction(int axis) = 0;
 
     /// A checkpoint of this moment. Throws ComputationError.
     virtual void write_checkpoint(const std::string& file) = 0;
-    /// Ends the files of the run, before time.end with a checkpoint to go on from, and frees the simulation; if views live, its memory is left to them for good.
+    /// Ends the files of the run, before time.end with a checkpoint to continue from, and frees the simulation; if views exist, its memory is never freed.
     virtual void end() = 0;
-    /// The same where nobody can catch an error.
+    /// The same where errors cannot be caught.
     void end_or_print();
     int views() const { return views_; }
 

@@ -1,4 +1,4 @@
-"""What simulations tell of themselves, as plain values. D is the dimension."""
+"""Data about simulations, as plain values. D is the dimension."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -27,17 +27,17 @@ class StepReport:
     """Largest net outflow of a cell over its volume, 1/time."""
     energy_fluid: float
     energy_bodies: float
-    """Kinetic energy of the free bodies and what their springs store."""
+    """Kinetic energy of the free bodies and energy of their springs."""
     viscous_iterations: int
     """Of the bulk's viscous solve."""
     dissipation_grid: float
-    """Power that viscosity takes in the bulk."""
+    """Power that viscosity dissipates in the bulk."""
     dissipation_film: float
     """The same in films and their mouths."""
     seconds: float
     """Wall clock."""
     notes: list[str]
-    """For the user: thin bodies, contacts that do not settle, films that nothing continues; once each."""
+    """For the user: thin bodies, contacts that do not converge, films with blind ends; once each."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +85,7 @@ class Films:
     bodies: list[tuple[str, str]]
     """The two bodies (or walls) of each film."""
     nodes: Floats
-    """(N, D): where they are."""
+    """(N, D): their positions."""
     node_film: NDArray[np.int32]
     """(N,): number of the node's film in `bodies`."""
     thickness: Floats
@@ -108,7 +108,7 @@ class Films:
 
 @dataclass(frozen=True, slots=True)
 class SealedPocket:
-    """Fluid that nothing lets out."""
+    """Enclosed fluid without a way out."""
 
     cells: int
     """Of the grid."""
@@ -132,10 +132,10 @@ class AddedMass:
     cells: int
     film_nodes: int
     iterations: list[int]
-    """One a column."""
+    """One for each column."""
     sealed: list[SealedPocket]
     warnings: list[str]
-    """For the user, also shown as SceneWarning: thin bodies, films that nothing continues."""
+    """For the user, also shown as SceneWarning: thin bodies, films with blind ends."""
     seconds: float
 
     def __getitem__(self, labels: tuple[str, str]) -> float:

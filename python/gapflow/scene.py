@@ -24,7 +24,7 @@ Side = Union[str, Mapping[str, Any]]
 
 @dataclass(kw_only=True, slots=True)
 class Sides:
-    """What the fluid meets at the domain's ends. `"wall"` where nothing is given."""
+    """Boundary conditions at the domain's sides. `"wall"` by default."""
 
     x_low: Side | None = None
     x_high: Side | None = None
@@ -110,7 +110,7 @@ class Pair:
 
 @dataclass(kw_only=True, slots=True)
 class Spring:
-    """Pulls a body's position towards `anchor`: stiffness (force a length), damping (force a velocity)."""
+    """Pulls a body's position towards `anchor`: stiffness (force per length), damping (force per velocity)."""
 
     anchor: Vector
     stiffness: float
@@ -127,7 +127,7 @@ class Hinge:
 
 @dataclass(kw_only=True, slots=True)
 class Body:
-    """What bodies of all shapes have.
+    """Keys of bodies of all shapes.
 
     position: of the shape's own origin (its centre, but for a mesh). rotation: degrees in 2D; {"axis", "degrees"} or a
     quaternion [w, x, y, z] in 3D. density, or mass and inertia (about the centre of mass, body axes). motion: "free", "fixed"
@@ -236,7 +236,7 @@ class Output:
 
 @dataclass(kw_only=True, slots=True)
 class Scene:
-    """A whole scene; `domain` is needed always, `time` by simulations."""
+    """A whole scene; `domain` is always needed, `time` by simulations."""
 
     domain: Domain | Mapping[str, Any]
     bodies: list[Body] = field(default_factory=list)

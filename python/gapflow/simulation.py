@@ -25,7 +25,7 @@ from .scene import Scene, SceneLike, Toml, to_toml, toml_value
 
 
 class SceneWarning(UserWarning):
-    """Something in a scene that was read but not followed, or that makes its results doubtful."""
+    """A setting of a scene that has no effect, or that makes its results doubtful."""
 
 
 class BodyState:
@@ -111,7 +111,7 @@ class BodyState:
 
     @property
     def mass(self) -> float:
-        """2D: per unit depth. Of no meaning if the body is not free."""
+        """2D: per unit depth. Meaningless if the body is not free."""
         return self._row("mass")
 
     @property
@@ -266,7 +266,7 @@ class Simulation:
 
     @property
     def velocity(self) -> Floats:
-        """(*cells, D): fluid velocity at cell centres, the mean of two faces. In solids: continued from the fluid."""
+        """(*cells, D): fluid velocity at cell centres, the mean of two faces. In solids: extrapolated from the fluid."""
         return self._cached("velocity", lambda: _frozen(self._session.velocity()))
 
     @property

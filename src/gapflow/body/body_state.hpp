@@ -1,4 +1,4 @@
-// What a rigid body carries from step to step.
+// State of a rigid body from step to step.
 #pragma once
 
 #include "gapflow/body/rigid_body.hpp"

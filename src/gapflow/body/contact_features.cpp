@@ -50,7 +50,7 @@ ContactFeatures<D> contact_features(const Shape<D>& shape)
             joint.element[joint.element[0] < 0 ? 0 : 1] = e;
         }
 
-    // A vertex touches first if convex edges meet there, or if it is one of a curved part that no core stands for.
+    // A vertex can touch first if convex edges meet there, or if it belongs to a curved part without a core.
     const std::size_t count = mesh.vertices.size();
     std::vector<char> convex(count, 0), hollow(count, 0), curved(count, 0);
     if (features.cores.empty() && !shape.inside_out())

@@ -1,5 +1,5 @@
-// Parts of a shape that can touch another body first: round cores, sharp vertices, convex edges. Flat and hollow parts are
-// touched by the other body's parts.
+// Parts of a shape that can touch another body first: round cores, sharp vertices, convex edges. At flat and hollow parts the
+// other body's parts touch first.
 #pragma once
 
 #include "gapflow/geometry/shape.hpp"

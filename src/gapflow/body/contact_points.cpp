@@ -13,9 +13,9 @@ namespace gapflow {
 
 namespace {
 
-// Relative to the sizes of things: round-off in the place of a surface point.
+// Relative to the bodies' sizes: round-off in the position of a surface point.
 constexpr double round_off = 1e-9;
-// Most points a pair: a patch of contact needs its corners.
+// Most points per pair: a contact patch needs its corners.
 template <int D>
 constexpr int most_points = D == 2 ? 4 : 8;
 constexpr double nearly_beyond = 0.02;  // of a body's size
@@ -85,7 +85,7 @@ private:
                 return;
             }
             if (no_direction)
-                return; // the bodies' faces and edges see this place too
+                return; // the bodies' faces and edges find this place too
             add(p, radius, q.x, q.normal, q.distance - radius);
             return;
         }
@@ -122,8 +122,8 @@ private:
         return lowest >= -2 * depth - nearly_beyond * extent;
     }
 
-    /// A vertex of A that lies in a convex B or on its edge, nearest to a face that A's material is not on the outer side of, as where
-    /// boxes that are flush with each other overlap: the nearest face that it is.
+    /// A vertex of A in a convex B or on its edge, if A's material is not on the outer side of the nearest face (as with overlapping flush
+    /// boxes): the nearest face for which it is.
     void add_vertex_inside(const Vec<D>& p, double size)
     {
         Vec<D> place = p, normal = p;
@@ -247,7 +247,7 @@ void add_edge_pairs(const PlacedShape<3>& a, const ContactFeatures<3>& of_a, con
             const Vec<3> across = p.along.cross(q.along);
             const double size = p.along.norm() * q.along.norm();
             if (across.norm() < 1e-6 * size)
-                continue; // parallel: their ends see each other
+                continue; // parallel: the test of their ends finds the contact
             // p.from + s p.along and q.from + t q.along, nearest points of the two lines.
             const Vec<3> d = q.from - p.from;
             const double s = d.cross(q.along).dot(across) / across.squaredNorm();

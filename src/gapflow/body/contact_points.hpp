@@ -1,5 +1,5 @@
 // Where two solids touch or are about to (method, "Contact"): local minima of the distance between their surfaces, and the
-// ends of flat and straight contacts, so that nothing rocks.
+// ends of flat and straight contacts, so that resting bodies do not rock.
 #pragma once
 
 #include "gapflow/body/contact_features.hpp"
@@ -29,7 +29,7 @@ struct RelativeRow {
 template <int D>
 RelativeRow<D> relative_row(const ContactPoint<D>& contact, std::span<const Solid<D>> solids, const Vec<D>& direction);
 
-/// Contact points closer than `reach(a, b)`, at most a few a patch of contact: the deepest, then those furthest apart. Points
+/// Contact points closer than `reach(a, b)`, at most a few per contact patch: the deepest, then those furthest apart. Points
 /// closer to each other than `merge` that face the same way are one. Ordered by solids. Periods as for images().
 template <int D>
 std::vector<ContactPoint<D>> find_contacts(std::span<const Solid<D>> solids, std::span<const ContactFeatures<D>> features,

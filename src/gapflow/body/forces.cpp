@@ -31,7 +31,7 @@ Twist<D> elastic_wrench(const RigidBody<D>& body)
     return wrench<D>(body.spring->stiffness * (body.spring->anchor - origin), origin - body.centre());
 }
 
-// Inverse of the mass felt at the spring's point, in the direction where it is least.
+// Inverse of the effective mass at the spring's point, in the direction where it is least.
 template <int D>
 double mobility(const RigidBody<D>& body)
 {

@@ -1,4 +1,4 @@
-// Forces on a body that the fluid does not exert, over one time step: constant ones, gravity, springs.
+// Forces on a body other than the fluid's, over one time step: constant ones, gravity, springs.
 //
 // Velocities come from the coupled solve at t^{n+1}; poses have moved there before it, extrapolated (stage 3), and so lag by
 // dt/2 (V^n - V^{n-1}) behind the trapezoidal rule's. With x the pose at t^{n+1}, a force that depends on the pose is taken at
@@ -7,8 +7,8 @@
 //
 // which is Newmark's method with gamma = 1/2 + delta and beta = (1 + delta)^2 / 4 (N. M. Newmark, J. Eng. Mech. Div. 85,
 // 1959): the extrapolation's lag cancels. Terms with V^{n+1} join the mass matrix. delta = s^2 / (16 + s^2), with
-// s = (stiffness dt^2 + damping dt) / (mass felt at the spring's point), is the trapezoidal rule as long as the period is
-// resolved and damps what is not, for any stiffness. Gravity on a hinged body is taken with beta = 0 (the leapfrog rule).
+// s = (stiffness dt^2 + damping dt) / (effective mass at the spring's point), is the trapezoidal rule as long as the period is
+// resolved and damps unresolved oscillations, for any stiffness. Gravity on a hinged body is taken with beta = 0 (the leapfrog rule).
 #pragma once
 
 #include "gapflow/body/rigid_body.hpp"
@@ -31,7 +31,7 @@ TwistMatrix<D> spring_inertia(const RigidBody<D>& body, double dt);
 template <int D>
 Twist<D> forced_twist(const RigidBody<D>& body, const Vec<D>& gravity, double fluid_density, double dt);
 
-/// What an impulse adds to forced_twist().
+/// Change of forced_twist() by an impulse.
 template <int D>
 Twist<D> impulse_response(const RigidBody<D>& body, const Twist<D>& impulse, double dt);
 

@@ -26,7 +26,7 @@ Mat<3> cross_matrix(const Vec<3>& a)
 // Angular velocity at mid-step, by Newton for g(omega) = omega - J(q_m) L, J = I^-1 in the components that move.
 // A turn d(theta) of q_m changes I by [d theta] I - I [d theta], so with w = J L
 //     d(J L) = -J ([d theta] I - I [d theta]) w = J ([I w] - I [w]) d theta,   d theta = (dt/2) (1 + [phi]/2 + ...) d omega,
-// phi = dt/2 omega. Dropping the series' rest only costs a few iterations.
+// phi = dt/2 omega. Truncation of the series only costs a few iterations.
 Vec<3> midpoint_angular_velocity(const RigidBody<3>& body, const Vec<3>& L, double dt)
 {
     constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
@@ -50,7 +50,7 @@ Vec<3> midpoint_angular_velocity(const RigidBody<3>& body, const Vec<3>& L, doub
         last_change = size;
     }
     throw ComputationError("body '" + body.name + "' turns by " + std::to_string(dt * omega.norm()) +
-                           " radians in one step, too far to be followed; use a smaller time.max_step or cfl");
+                           " radians in one step, too much for the time integration; use a smaller time.max_step or cfl");
 }
 
 } // namespace

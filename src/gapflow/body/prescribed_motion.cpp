@@ -15,7 +15,7 @@ Rotation<D> rotation_of(const Spin<D>& angle)
     if constexpr (D == 2) {
         return Rotation<2>(angle[0]);
     } else {
-        // sin(t/2)/t by its series near 0, where the quotient loses its meaning.
+        // sin(t/2)/t by its series near 0, where the quotient is undefined.
         const double t = angle.norm();
         const double s = t < 1e-4 ? 0.5 - t * t / 48 : std::sin(0.5 * t) / t;
         return Rotation<3>(std::cos(0.5 * t), s * angle[0], s * angle[1], s * angle[2]);

@@ -1,4 +1,4 @@
-// State of a rigid body: where it is, its mass and momentum, and the forces on it that the fluid does not exert.
+// State of a rigid body: its pose, mass and momentum, and the forces on it other than the fluid's.
 //
 // Twists, wrenches and momenta are in world axes about the centre of mass.
 #pragma once
@@ -32,7 +32,7 @@ struct Spring {
     double damping = 0.0;
 };
 
-/// A prescribed body's motion as a controller set it: constant, from a pose at a time on.
+/// A prescribed body's motion set by a controller: constant velocity from a given pose and time on.
 template <int D>
 struct SteeredMotion {
     double since = 0.0;
@@ -60,13 +60,13 @@ struct RigidBody {
     Twist<D> twist = Twist<D>::Zero();
     /// L: kept from step to step, so that free tumbling conserves it; inertia(R) omega = L in the components that move.
     Spin<D> angular_momentum = Spin<D>::Zero();
-    Vec<D> acceleration = Vec<D>::Zero(); ///< over the last step, as far as it goes on; 0 at the start and after an impact
+    Vec<D> acceleration = Vec<D>::Zero(); ///< over the last step, the part to extrapolate; 0 at the start and after an impact
     Spin<D> angular_momentum_rate = Spin<D>::Zero(); ///< likewise
 
     Vec<D> force = Vec<D>::Zero();                         ///< constant external force at the centre of mass
     Spin<D> torque = Spin<D>::Zero();                      ///< constant external torque about the centre of mass
     std::shared_ptr<const PrescribedMotion<D>> prescribed; ///< where motion is prescribed
-    std::optional<SteeredMotion<D>> steered;               ///< what `prescribed` is, once a controller has set it
+    std::optional<SteeredMotion<D>> steered;               ///< the motion in `prescribed` if a controller has set it
 
     RigidBody() { can_move.fill(true); }
     /// World position of the centre of mass.
@@ -84,7 +84,7 @@ void set_mass(RigidBody<D>& body, double mass, const SpinMatrix<D>& inertia);
 template <int D>
 void place(RigidBody<D>& body, const Vec<D>& centre, const Rotation<D>& rotation);
 
-/// A prescribed body moves as told from now on.
+/// Sets the motion of a prescribed body from now on.
 template <int D>
 void steer(RigidBody<D>& body, const SteeredMotion<D>& motion);
 
@@ -135,12 +135,12 @@ Twist<D> twist_after(const RigidBody<D>& body, const Twist<D>& impulse);
 /// Twist at the start: no acceleration.
 template <int D>
 void set_initial_twist(RigidBody<D>& body, const Twist<D>& twist);
-/// Takes the twist at the end of a step of length dt, with L = I omega at the present pose, and keeps the change over the
-/// step as acceleration: `lasting` of it, the part that goes on (after an impact none).
+/// Sets the twist at the end of a step of length dt, with L = I omega at the present pose, and stores the change over the
+/// step as acceleration: the share `lasting` of it, which is extrapolated (after an impact none).
 template <int D>
 void finish_step(RigidBody<D>& body, const Twist<D>& twist_next, double dt, double lasting = 1);
 
-/// The body as grid and film see it. Refers to the body's shape.
+/// The body as a solid for grid and films. Refers to the body's shape.
 template <int D>
 Solid<D> solid_of(const RigidBody<D>& body);
 

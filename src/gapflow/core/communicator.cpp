@@ -102,8 +102,8 @@ int default_threads(int cores)
     return std::max(1, cores / ranks);
 }
 
-/// Memory of grid-sized arrays that a time step frees stays with the process for the next: handing pages back and forth
-/// costs as much as computing on them.
+/// Memory of grid-sized arrays that a time step frees stays with the process for the next step: returning pages to the system and
+/// requesting them again costs as much as computing on them.
 void keep_freed_memory()
 {
 #ifdef __GLIBC__

@@ -34,8 +34,8 @@ private:
     int size_ = 1;
 };
 
-/// Starts MPI and PETSc for the life of the object (PETSc gets no command line of ours), and chooses the number of threads
-/// unless OMP_NUM_THREADS does; create one in main().
+/// Starts MPI and PETSc for the lifetime of the object (PETSc does not get the command line), and chooses the number of threads
+/// unless OMP_NUM_THREADS is set; create one in main().
 class Environment {
 public:
     Environment();

@@ -32,7 +32,7 @@ public:
             kept_.erase(kept);
             return memory;
         }
-        // What does not fill a huge page any more stays in small ones: a round number of huge pages would be a tenth more at 128^3 cells.
+        // The remainder that does not fill a huge page uses small pages: rounding up to huge pages would need a tenth more at 128^3 cells.
         const std::size_t alignment = bytes >= 2 * huge_page ? huge_page : small_page;
         const std::size_t size = (bytes + small_page - 1) / small_page * small_page;
         void* memory = nullptr;
@@ -44,7 +44,7 @@ public:
         }
 #ifdef __linux__
         if (alignment == huge_page)
-            madvise(memory, size, MADV_HUGEPAGE); // a wish
+            madvise(memory, size, MADV_HUGEPAGE); // a request: may be ignored
 #endif
         size_[memory] = size;
         in_use(size);
@@ -86,7 +86,7 @@ private:
 
 BlockStore& store()
 {
-    static BlockStore* const blocks = new BlockStore; // never destroyed: arrays of static objects may outlive any order
+    static BlockStore* const blocks = new BlockStore; // never destroyed: arrays of static objects may be destroyed later
     return *blocks;
 }
 

@@ -1,5 +1,5 @@
 // Memory of grid-sized arrays: in huge pages where the system has them, because a stencil over a large 3D array otherwise
-// waits for address translation. What a time step frees is kept for the next one, which asks for the same sizes: pages from the
+// waits for address translation. Memory that a time step frees is kept for the next one, which needs the same sizes: pages from the
 // system cost as much as computing on them.
 #pragma once
 
@@ -15,8 +15,8 @@ constexpr std::size_t least_large_block = std::size_t{1} << 20;
 
 /// A block of at least `bytes` bytes, its content arbitrary. Throws std::bad_alloc. Any thread.
 void* take_large_block(std::size_t bytes);
-/// Gives back what take_large_block gave: kept for the next of about that size. Blocks in use and kept blocks together never take
-/// more than those in use once took.
+/// Returns a block of take_large_block; it is kept for the next request of about its size. Blocks in use and kept blocks together never
+/// exceed the past maximum of blocks in use.
 void give_large_block(void* memory);
 
 /// Allocator of std::vector.

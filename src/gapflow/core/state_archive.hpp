@@ -1,4 +1,4 @@
-// What a simulation carries from step to step, as named arrays: an object lists its members once, in list_state(archive, ...),
+// State of a simulation as named arrays: an object lists its members once, in list_state(archive, ...),
 // and the list serves to store and to restore them.
 //
 //     void list_state(StateArchive& archive) { archive("time", time_); archive("pull", pull_); }
@@ -19,7 +19,7 @@
 
 namespace gapflow {
 
-/// A state that does not fit what is to be restored from it: of another scene or version.
+/// A state that does not fit the objects to be restored from it: of another scene or version.
 class StateError : public InputError {
 public:
     using InputError::InputError;
@@ -35,7 +35,7 @@ class StateArchive {
 public:
     /// Stores into `state`.
     explicit StateArchive(StoredState& state) : into_(&state) {}
-    /// Restores from `state`. The calls throw StateError, the same on every rank, where it does not hold what they ask for.
+    /// Restores from `state`. The calls throw StateError, the same on every rank, where a requested array is missing or too short.
     explicit StateArchive(const StoredState& state) : from_(&state) {}
 
     bool restoring() const { return from_ != nullptr; }
@@ -94,7 +94,7 @@ public:
         list();
         prefix_ = outer;
     }
-    /// A property that is not state but must be what it was when the state was stored, to round-off.
+    /// A property that is not state but must have the value that it had when the state was stored, to round-off.
     void expect(const std::string& name, double value);
 
     /// Storing: the array to fill, on the root. See list_field() in grid/.
@@ -102,7 +102,7 @@ public:
     /// Restoring: the array; empty if there is none (and always but on the root).
     const std::vector<double>& stored_field(const std::string& name);
 
-    /// Restoring: throws StateError if the state holds more than was asked for.
+    /// Restoring: throws StateError if the state contains values that were not requested.
     void finish() const;
 
 private:

@@ -11,7 +11,7 @@ namespace gapflow {
 /// Number of insertions, deletions, replacements and swaps of neighbours that turn a into b.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to a misspelt name; empty if none is near enough to be what was meant.
+/// The candidate nearest to a misspelt name; empty if none is near enough to be the intended one.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 /// Shortest decimal text that reads back as the same number.

@@ -22,7 +22,7 @@ inline int thread_count()
 #endif
 }
 
-/// Calls f(begin, end) for parts that make up 0 <= i < n, one a thread, on no more than `threads`.
+/// Calls f(begin, end) for parts that make up 0 <= i < n, one for each thread, on at most `threads`.
 template <class F>
 void for_each_part_of(int threads, long n, F&& f)
 {

@@ -7,7 +7,7 @@
 
 namespace gapflow {
 
-/// Seconds since it was made.
+/// Seconds since its construction.
 class Stopwatch {
 public:
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -17,7 +17,7 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-/// Seconds and number of calls of every named stage of a run. Passed to whoever measures; not shared between threads.
+/// Seconds and number of calls of every named stage of a run. Passed to the functions that measure; not shared between threads.
 class StageTimers {
 public:
     struct Stage {

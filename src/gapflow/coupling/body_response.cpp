@@ -2,8 +2,8 @@
 //
 //     V = F^-1 (w + C^T (k s + lambda)),     lambda += k (s - C V)
 //
-// a few times: each brings C V - s down by k C M^-1 C^T. Redundant rows do no harm: they share their impulse evenly. For a row
-// that resists with k the first V is right, and lambda = k (s - C V) no part of the iteration.
+// a few times: each pass reduces C V - s by the factor k C M^-1 C^T. Redundant rows are allowed: they share their impulse evenly. For a row
+// with resistance k the first V is exact, and lambda = k (s - C V) is not part of the iteration.
 #include "gapflow/coupling/body_response.hpp"
 
 #include "gapflow/core/error.hpp"
@@ -12,8 +12,8 @@ namespace gapflow {
 
 namespace {
 
-// Stiffness of a contact over the bodies' own, 1 / (c M^-1 c^T), and the number of passes: the first costs so many digits in
-// the factor, together they leave 1e-15 of the speeds.
+// Stiffness of a contact relative to the bodies' own, 1 / (c M^-1 c^T), and the number of passes: the factorisation loses as many digits as
+// the stiffness has; both together leave an error of 1e-15 of the speeds.
 constexpr double relative_stiffness = 1e4;
 constexpr int passes = 4;
 

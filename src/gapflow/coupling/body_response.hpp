@@ -1,4 +1,4 @@
-// What the bodies' twists do under impulses: V = M^-1 (w + C^T lambda), with C V = s where contacts hold the bodies rigidly and
+// Response of the bodies' twists to impulses: V = M^-1 (w + C^T lambda), with C V = s where contacts hold the bodies rigidly and
 // lambda = k (s - C V) where they resist with k (method, "Contact"), else V = M^-1 w.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace gapflow {
 class BodyResponse {
 public:
     BodyResponse() = default;
-    /// `mass`: symmetric positive definite; `contact`: C, a row a held contact, possibly none, possibly redundant; `resistance`: k
+    /// `mass`: symmetric positive definite; `contact`: C, one row for each held contact, possibly none, possibly redundant; `resistance`: k
     /// of each row, infinite for rigid ones. Throws ComputationError where the mass is not positive definite.
     BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact,
                  const Eigen::VectorXd& resistance);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int chunk = 64; // cells of a row that are labelled at once where nothing closes a face
 
-// Labels n cells of a row from `first` on if all are open to each other and to what lies before, which has one label.
+// Labels n cells of a row from `first` on if all are open to each other and to the cells before them, which have one label.
 template <int D>
 bool label_if_joined(const Coupling<D>& coupling, CellField<D, int>& label, const Index<D>& first, int n)
 {
@@ -126,7 +126,7 @@ bool leads_on(const Link& link, const std::vector<char>& shut)
                                                                  [&](const auto& node) { return shut[node.first]; }));
 }
 
-// Labels all cells, each rank its own block's components, on from those of the ranks before. Returns the number of labels.
+// Labels all cells, each rank its own block's components, with numbers after those of lower ranks. Returns the number of labels.
 template <int D>
 int label_cells(const Coupling<D>& coupling, CellField<D, int>& label)
 {
@@ -271,7 +271,7 @@ void count_open_faces(const Coupling<D>& coupling, const CellField<D, int>& comp
         }
 }
 
-// Turns the cells' labels into components, and counts what belongs to each.
+// Turns the cells' labels into components, and counts the cells and ways out of each.
 template <int D>
 void number_parts(const Coupling<D>& coupling, const std::vector<char>& shut, const Numbering& numbering, FluidParts<D>& parts)
 {
@@ -300,7 +300,7 @@ void number_parts(const Coupling<D>& coupling, const std::vector<char>& shut, co
     }
 }
 
-// K^T 1_k of the free bodies, one column a component, and the size of its terms before constraints took their part.
+// K^T 1_k of the free bodies, one column per component, and the size of its terms before constraints are applied.
 template <int D>
 Eigen::MatrixXd component_impulses(const Coupling<D>& coupling, Eigen::VectorXd& magnitude)
 {
@@ -324,7 +324,7 @@ Eigen::MatrixXd component_impulses(const Coupling<D>& coupling, Eigen::VectorXd&
     return sums.topRows(dofs);
 }
 
-// Floating components other than the fluid at large.
+// Floating components other than the largest.
 template <int D>
 void list_sealed(Coupling<D>& coupling)
 {
@@ -346,7 +346,7 @@ void list_sealed(Coupling<D>& coupling)
     coupling.sealed.clear();
     if (sealed.empty())
         return;
-    const std::size_t row = static_cast<std::size_t>(solids + 1 + D); // who touches it; its cells; a cell's centre
+    const std::size_t row = static_cast<std::size_t>(solids + 1 + D); // the solids that touch it; its cells; a cell's centre
     std::vector<double> facts(sealed.size() * row, 0.0);
     auto touches = [&](int component, int solid) {
         if (place[component] >= 0 && !coupling.solids[solid].wall)
@@ -401,7 +401,7 @@ void find_null_space(Coupling<D>& coupling)
     const int count = static_cast<int>(system.components.size());
     Eigen::VectorXd magnitude;
     const Eigen::MatrixXd impulse = component_impulses(coupling, magnitude);
-    std::vector<int> touched; // floating components that free bodies feel
+    std::vector<int> touched; // floating components that free bodies touch
     std::vector<Eigen::VectorXd> null;
     for (int k = 0; k < count; ++k) {
         if (system.components[k].grounded)

@@ -13,10 +13,10 @@ namespace gapflow {
 
 namespace {
 
-// A contact's row that constraints leave less of cannot move its body.
+// Relative size below which a contact's row, after constraints, cannot move its body.
 constexpr double round_off = 1e-12;
 
-// Kinds of this rank's cells and their ghosts, the faces that the grid sees open, and their conductance a |f| / (rho dx).
+// Kinds of this rank's cells and their ghosts, the faces open on the grid, and their conductance a |f| / (rho dx).
 template <int D>
 void fill_grid(Coupling<D>& coupling)
 {
@@ -98,8 +98,8 @@ void fill_grid(Coupling<D>& coupling)
     }
 }
 
-// K in the rows of the grid: J of every body (walls left out: nothing flows through them), then what films add (walls too: those that
-// slide drag fluid along).
+// K in the rows of the grid: J of every body (without walls: they have no flux), then the films' contributions (with walls: sliding
+// walls drag fluid).
 template <int D>
 void fill_flux(Coupling<D>& coupling, FluxRows<D>&& rows)
 {
@@ -189,7 +189,7 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
     coupling.system.mass.setFromTriplets(entries.begin(), entries.end());
 }
 
-// Takes what constraints leave of an impulse on, or the twists of, the free bodies.
+// Projects impulses on, or twists of, the free bodies onto those that constraints admit.
 template <int D>
 void project(const Coupling<D>& coupling, Eigen::VectorXd& all)
 {
@@ -250,7 +250,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     find_components(coupling);
     coupling.network.faces.reset(); // a cache for this function only
 #ifndef NDEBUG
-    // Cells lost on the way show here. Where bodies overlap, the hidden parts of their hulls are lost by rights.
+    // Detects cells that the assembly left out. Where bodies overlap, the hidden parts of their surfaces are left out on purpose.
     bool apart = options.fractions == FractionMode::cut_cell && !coupling.network.films.empty();
     for (const Film<D>& film : coupling.network.films)
         for (double h : film.mesh.h)

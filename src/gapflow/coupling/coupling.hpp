@@ -17,11 +17,11 @@
 
 namespace gapflow {
 
-/// Velocities of the fluid where they live.
+/// Velocities of the fluid at the places where they are defined.
 template <int D>
 struct FluidVelocity {
-    FaceField<D> grid;        ///< normal component, mean over the open part of a face; traces take it for the face centre's
-    std::vector<Vec<D>> film; ///< tangential velocity of every film element, absolute, world axes
+    FaceField<D> grid; ///< normal component, mean over the open part of a face; traces use it as the value at the face centre
+    std::vector<Vec<D>> film;        ///< tangential velocity of every film element, absolute, world axes
     std::vector<double> film_normal; ///< normal speed of the fluid of every film element (method: w_n*)
     std::vector<double> conduit;     ///< flux out of the film through every conduit, absolute
 };
@@ -39,15 +39,15 @@ struct NormalInertia {
 /// mean U_w of the two walls' velocities along the film; kappa + theta = 1.
 struct Drag {
     double kappa = 1, theta = 0;
-    double wet = 1; ///< share of the gap that holds fluid: the rest is a void
+    double wet = 1; ///< share of the gap that contains fluid; the rest is a void
 };
 
-/// Share of the gap's thickness that holds fluid, of every film element and conduit; empty: all of it.
+/// Share of the gap's thickness that contains fluid, of every film element and conduit; empty: all of it.
 struct WetShares {
     std::vector<double> elements, conduits;
 };
 
-/// What drag adds to the bodies' mass: 1/2 mass (row_master . V + row_other . V - speed)^2.
+/// Contribution of drag to the bodies' mass: 1/2 mass (row_master . V + row_other . V - speed)^2.
 template <int D>
 struct DragInertia {
     NormalInertia<D> inertia;
@@ -56,7 +56,7 @@ struct DragInertia {
     double speed = 0;
 };
 
-/// Fluid that nothing lets out.
+/// Enclosed fluid without a way out.
 struct SealedPocket {
     long cells = 0;                  ///< of the grid
     long nodes = 0;                  ///< of films
@@ -69,7 +69,7 @@ struct Coupling {
     const Grid<D>* grid = nullptr;
     double density = 1;
     std::vector<Solid<D>> solids;
-    FaceField<D> open;              ///< fraction of every face that the grid sees open: after films closed theirs
+    FaceField<D> open;              ///< open fraction of every face on the grid, after films closed theirs
     CellField<D, std::int8_t> kind; ///< CellKind
     FilmNetwork<D> network;
     std::shared_ptr<const FaceFractions<D>> fractions; ///< before closing
@@ -77,13 +77,13 @@ struct Coupling {
 
     CoupledSystem<D> system;    ///< the free bodies' part, with rows K_b P_b and masses P M P + m (1 - P) (Solid::admissible)
     std::vector<int> free_body; ///< number of each solid among the free bodies, -1: none
-    /// K of all solids but walls; `body` is the solid. What the system has of them is the free bodies' share.
+    /// K of all solids but walls; `body` is the solid. The system contains the free bodies' share of it.
     std::vector<BodyFlux<D, Index<D>>> cell_flux;
     std::vector<BodyFlux<D, int>> node_flux;
-    std::vector<NormalInertia<D>> normal_inertia; ///< one a film element
-    std::vector<Drag> element_drag, conduit_drag; ///< one a film element or conduit; empty without viscosity
+    std::vector<NormalInertia<D>> normal_inertia; ///< one for each film element
+    std::vector<Drag> element_drag, conduit_drag; ///< one for each film element or conduit; empty without viscosity
     std::vector<std::vector<CarriedCell>>
-        cells_behind; ///< of each conduit: those that what walls carry goes to; empty: those of its pressure
+        cells_behind; ///< of each conduit: the cells that the walls' flux enters; empty: those of its pressure
     std::vector<DragInertia<D>> drag_inertia;
     BodyResponse response;            ///< of the free bodies: M^-1 of `system`
     Eigen::VectorXd held_speed;       ///< of the contacts in system.contact, less the share of solids that are not free
@@ -97,14 +97,14 @@ struct CouplingOptions {
     double viscosity_dt = 0;       ///< dynamic viscosity times the step's length
 };
 
-/// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). `wet` is asked once,
-/// when films are known and nothing else of the coupling is. Collective.
+/// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). `wet` is called
+/// once, after the films are built and before assembly. Collective.
 template <int D>
 Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
                    const CouplingOptions& options, const std::function<GapSettings(int, int)>& gap,
                    const std::set<FilmPair<D>>& alive, const std::function<WetShares(const Coupling<D>&)>& wet = {});
 
-/// out = D u + K V of every unknown: what flows out of its volume when the fluid moves with u and the solids with their
+/// out = D u + K V of every unknown: the outflow from its volume when the fluid moves with u and the solids with their
 /// twists. `sum_of_magnitudes` (if not null) receives the sum over rows of the squares of the terms' magnitudes.
 template <int D>
 void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::vector<Twist<D>>& twists, UnknownVector<D>& out,
@@ -114,11 +114,11 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
 template <int D>
 void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVelocity<D>& u);
 
-/// K^T p of all solids but walls: the fluid's impulse on each, about its centre, constraints left aside. Collective.
+/// K^T p of all solids but walls: the fluid's impulse on each, about its centre, before constraints. Collective.
 template <int D>
 std::vector<Twist<D>> impulses(const Coupling<D>& coupling, const UnknownVector<D>& p);
 
-/// Sum of K over all unknowns, one column a solid but walls: zero for every body wholly inside the domain. Collective.
+/// Sum of K over all unknowns, one column for each solid but walls: zero for every body wholly inside the domain. Collective.
 template <int D>
 std::vector<Twist<D>> closure(const Coupling<D>& coupling);
 
@@ -132,7 +132,7 @@ struct HeldContact {
     int a, b; ///< solids
     Twist<D> row_a, row_b;
     double speed;
-    double resistance = std::numeric_limits<double>::infinity(); ///< impulse over what is left of the speed
+    double resistance = std::numeric_limits<double>::infinity(); ///< impulse over the remaining speed
 };
 
 /// Replaces the contacts that hold the free bodies; `twists`: those of the other solids. From then on M^-1 is
@@ -147,7 +147,7 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
                                           const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal,
                                           Eigen::VectorXd& contact_impulse);
 
-/// Adds M^-1 K^T p to the twists of the free bodies, and what it adds to the held contacts' impulses. Collective.
+/// Adds M^-1 K^T p to the twists of the free bodies, and its contribution to the held contacts' impulses. Collective.
 template <int D>
 void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Twist<D>>& twists,
                           Eigen::VectorXd& contact_impulse);

@@ -25,7 +25,7 @@ std::array<Vec<D>, D - 1> tangents(const Vec<D>& normal)
 }
 
 // int 1/h^3 of every element: exact for h linear between its nodes (a triangle: A / (h0 h1 h2), a segment: l (h0 + h1) / (2 h0^2
-// h1^2)), times what the true thickness at its points makes of it. One point, in the middle of a parabola, sees (D + 1) / D times
+// h1^2)), times a factor for the true thickness at its points. A single point, in the middle of a parabola, has (D + 1) / D times
 // the parabola's mean.
 template <int D>
 std::vector<double> cubic_integrals(const FilmMesh<D>& mesh)
@@ -59,7 +59,7 @@ std::vector<double> cubic_integrals(const FilmMesh<D>& mesh)
     return integrals;
 }
 
-// Cosine of the angle between the film and what is its thickness, the distance from the master to the other: the gap across the
+// Cosine of the angle between the film and the line along which its thickness is measured, from the master to the other: the gap across the
 // film is h cos.
 template <int D>
 double slant(const FilmElement<D>& e)
@@ -69,7 +69,7 @@ double slant(const FilmElement<D>& e)
     return length > 1e-3 * h ? std::clamp(across.dot(e.normal) / length, 0.5, 1.0) : 1.0;
 }
 
-// Tangential part of the same distance over its normal part: what the walls' tangents are turned by against the film's.
+// Tangential part of the same distance over its normal part: the tangent of the angle between the walls and the film.
 template <int D>
 Vec<D> tilt(const FilmElement<D>& e)
 {
@@ -81,11 +81,11 @@ Vec<D> tilt(const FilmElement<D>& e)
     return g / std::max(1.0, g.norm());
 }
 
-// What the part along the film of the way from wall to wall changes by along t: the other wall's length over the master's less 1, times t.
+// Derivative along t of the distance's part along the film: the other wall's length over the master's minus 1, times t.
 template <int D>
 Vec<D> widening(const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t)
 {
-    constexpr double largest = 0.3; // where closest points pile up at an edge
+    constexpr double largest = 0.3; // where closest points accumulate at an edge
     Vec<D> change = Vec<D>::Zero();
     for (int i = 0; i < D; ++i)
         change += e.gradient[i].dot(t) * (mesh.y[e.nodes[i]] - mesh.x[e.nodes[i]]);
@@ -101,9 +101,9 @@ double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double 
                                                                             : 12 * scale;
 }
 
-// A film is shut where viscosity makes it heavier than this many times the lighter of the bodies that it lies between, one that it could
-// stop: whatever acts on that one, it moves by less than 1e-10 of what it would alone. What the film's pressure and the body's inertia
-// answer beyond that is lost in the rounding of their difference (a box on a floor: theory 7.2).
+// A film is impermeable where its effective mass under viscosity exceeds this multiple of that of the lighter free body beside it: under
+// any force that body moves by less than 1e-10 of its motion alone. Beyond this ratio the sum of the film's pressure force and the body's inertia
+// is lost in round-off (a box on a floor; method, "Films of viscous fluid").
 constexpr double heaviest_film = 1e10;
 
 Drag drag_of(double beta, double most)
@@ -115,8 +115,8 @@ Drag drag_of(double beta, double most)
     return drag;
 }
 
-// Where a film is shut: the largest beta of its elements and mouths. A wall that closes with unit speed drives the flux s through a place the
-// distance s from the film's thinnest point at most, which weighs (inertance) s^2 / kappa.
+// The largest beta of a film's elements and mouths, where it becomes impermeable. A wall that closes with unit speed drives at most the flux s
+// through a place at the distance s from the film's thinnest point; its effective mass is (inertance) s^2 / kappa.
 template <int D>
 struct Shut {
     double mass = std::numeric_limits<double>::infinity(); ///< of the lighter body that moves freely
@@ -139,7 +139,7 @@ struct Shut {
         thinnest = least == mesh.elements.end() ? Vec<D>(Vec<D>::Zero()) : least->centroid;
     }
 
-    /// A mouth may be all that drains a pocket, into which a body drives as much as its own section sweeps.
+    /// A mouth may be the only outlet of a pocket, into which a body drives the flux that its own section sweeps.
     double mouth_beta(double inertance) const
     {
         return section > 0 ? std::max(heaviest_film * mass / (inertance * section * section), 1.0) : mass;
@@ -158,7 +158,7 @@ struct Shut {
 //
 //     r_B = 1/2 (t - 7/6 g (g.t) + 1/6 D t) - 2/5 (g.t) n,     r_A = t - r_B,     U_w.t = r_A.U_A + r_B.U_B
 //
-// (theory 7.2; D t in 2D only). What a common rotation would make of it beside t.U at mid-gap is taken away from both by half.
+// (method, "Films of viscous fluid"; D t in 2D only). The difference that a common rotation makes to t.U at mid-gap is subtracted, half from each.
 template <int D>
 WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& t,
                       double wet)
@@ -253,7 +253,7 @@ void start_drag(Coupling<D>& coupling, FluidVelocity<D>& u_star)
 
 namespace {
 
-// Mean of the velocities of a film's two walls at mid-gap; of the share 1 - `wet` of the gap, a void, the master's.
+// Mean of the velocities of a film's two walls at mid-gap; for the share 1 - `wet` of the gap, a void, the master's.
 template <int D>
 Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twists, const Vec<D>& x,
                      double wet)

@@ -10,7 +10,7 @@ namespace gapflow {
 namespace {
 
 constexpr int most_nodes = 4000; // films with more are left out: not worth a second factorisation
-constexpr double shift = 1e-10;  // relative, on the diagonal: films that nothing lets out
+constexpr double shift = 1e-10;  // relative, on the diagonal: for films without a way out
 
 template <int D>
 using PairRow = Eigen::Matrix<double, 2 * twist_size<D>, 1>;

@@ -71,8 +71,8 @@ private:
             }
     }
 
-    // Item 8: stiffness S / rho grad N_i . grad N_j (harmonic on coarse elements), and the flux that the master carries
-    // along; item 9: inertia across the gap.
+    // Stiffness S / rho grad N_i . grad N_j (harmonic on coarse elements), the flux that moves with the master, and
+    // inertia across the gap.
     void assemble_elements()
     {
         coupling_.normal_inertia.clear();
@@ -97,7 +97,7 @@ private:
         matrix.finalize();
     }
 
-    // Method, "Films of viscous fluid": what both walls carry along, - theta int h U_w . grad N_i.
+    // Method, "Films of viscous fluid": the flux that both walls drag along, - theta int h U_w . grad N_i.
     void add_entrainment(const Film<D>& f, const FilmElement<D>& e)
     {
         const FilmMesh<D>& mesh = f.mesh;
@@ -109,7 +109,7 @@ private:
         }
     }
 
-    // Appends the columns of a film's nodes, which know none but each other.
+    // Appends the columns of a film's nodes, which are connected to each other only.
     void append_stiffness(const Film<D>& f, Eigen::SparseMatrix<double>& matrix)
     {
         const FilmMesh<D>& mesh = f.mesh;
@@ -148,7 +148,7 @@ private:
         }
     }
 
-    // Item 5: whoever looks at a closed face from outside film k sees a solid of its master there.
+    // From outside film k a closed face is part of the film's master.
     void assemble_closed_faces()
     {
         const auto& cells = network_.cells.cells;
@@ -185,7 +185,7 @@ private:
     struct CellFlux {
         int solid;
         Twist<D> flux; ///< wrench about the solid's centre
-        Vec<D> centre; ///< of the solid's image that lies here
+        Vec<D> centre; ///< of the solid's image at this place
     };
 
     // Flux of each solid out of a film cell through its own clipped faces; none where all of them lie in one solid.
@@ -216,8 +216,8 @@ private:
         return fluxes;
     }
 
-    // Items 6 and 7: the other wall's flux, shared over each point's nodes and taken out of the container of the cell where
-    // the closest point lies; what a film cell's own J and its points disagree on goes to the mouths.
+    // The other wall's flux, shared over each point's nodes and subtracted from the container of the cell that contains
+    // the closest point. The difference between a film cell's own J and its points' fluxes goes to the mouths.
     void assemble_other_walls()
     {
         const KeyMap<FilmCell<D>>& cells = network_.cells.cells;
@@ -282,7 +282,7 @@ private:
     }
 
     // A film cell's remainder leaves through the nearest mouth of its film (spread over all mouths it would short-circuit
-    // pockets that several films enclose); without mouths it is left to the film as a whole.
+    // pockets that several films enclose); without mouths it is spread over the film.
     void add_to_nearest_mouth(long key, const FilmCell<D>& cell, const Twist<D>& rest, std::vector<Twist<D>>& lost)
     {
         const Vec<D> x = grid_.cell_centre(grid_.cell_of_key(key) + cell.offset(cell.owner));
@@ -362,15 +362,15 @@ private:
         }
     }
 
-    // Method, "Conduits and joints": q = (p_film - p_bulk) length / (rho R) + q*; the master carries length h nu . U_m along.
+    // Method, "Conduits and joints": q = (p_film - p_bulk) length / (rho R) + q*; length h nu . U_m moves with the master.
     void assemble_mouths()
     {
         std::vector<Link>& links = coupling_.system.links;
         links.clear();
         coupling_.cells_behind.assign(network_.mouths.conduits.size(), {});
         for (const Conduit<D>& conduit : network_.mouths.conduits) {
-            // To the grid the faces that a film closes are its master's and bring in the master's velocity. What viscosity makes both walls carry
-            // takes its place face by face: led through the pressure's stencil, from cell to cell in a gap of a cell, it would drag the walls.
+            // For the grid the faces that a film closes move with its master. The flux that both walls drag along in viscous fluid replaces
+            // the master's face by face: distributed by the pressure's stencil, from cell to cell in a gap of a cell, it would drag the walls.
             if (D == 2 && conduit.kind == ConduitKind::smooth && !coupling_.conduit_drag.empty())
                 coupling_.cells_behind[links.size()] = cells_behind<D>(conduit, film(conduit.film), closed_areas_[conduit.film],
                                                                        conduit_places_[conduit.film], grid_.dx());
@@ -417,8 +417,8 @@ private:
 
 } // namespace
 
-// What both walls carry along, theta length h nu . U_w, leaves the film, with their velocities at mid-gap; what the master carries does not pass. With
-// cells behind the mouth all of length h nu . U_w goes there, and the 1 - theta of it that the mouth's flux has kept does not take the pressure's way.
+// The flux that both walls drag along, theta length h nu . U_w, leaves the film, with their velocities at mid-gap; the master's own flux does not.
+// With cells behind the mouth all of length h nu . U_w goes there, and the share 1 - theta of it in the mouth's flux is not distributed by the stencil.
 template <int D>
 void add_mouth(const Coupling<D>& coupling, std::size_t r, double share, FluxRows<D>& rows)
 {

@@ -11,7 +11,7 @@ namespace gapflow {
 /// K while it is assembled: flux rows of cells (all of the grid's that films touch) and of film nodes.
 template <int D>
 struct FluxRows {
-    /// Flux per unit twist of the few solids that a row knows, in the order in which they were added.
+    /// Flux per unit twist of the few solids in a row, in the order in which they were added.
     using Row = InlineVector<std::pair<int, Twist<D>>, 2>;
     KeyMap<Row> cells;      ///< by Grid::key
     std::vector<Row> nodes; ///< of film nodes
@@ -31,12 +31,12 @@ private:
     }
 };
 
-/// Adds all that films contribute to K (except the grid's own J of bulk and mixed cells), and fills the system's film
+/// Adds all contributions of films to K (except the grid's own J of bulk and mixed cells), and fills the system's film
 /// matrix and links and the coupling's normal inertia. The same on every rank.
 template <int D>
 void assemble_films(Coupling<D>& coupling, FluxRows<D>& rows);
 
-/// Adds `share` times what a conduit contributes to K.
+/// Adds `share` times a conduit's contribution to K.
 template <int D>
 void add_mouth(const Coupling<D>& coupling, std::size_t conduit, double share, FluxRows<D>& rows);
 

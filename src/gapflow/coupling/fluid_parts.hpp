@@ -14,8 +14,8 @@ struct FluidParts {
     std::vector<Component> components;
 };
 
-/// Parts that faces, film elements and links join; those that a shut node belongs to join nothing. `shut`: one a film node, the
-/// same on all ranks; empty: none is. Collective.
+/// Parts connected by faces, film elements and links; elements and links with a shut node connect nothing. `shut`: one value for each film
+/// node, the same on all ranks; empty: none is. Collective.
 template <int D>
 FluidParts<D> find_parts(const Coupling<D>& coupling, const std::vector<char>& shut);
 

@@ -7,7 +7,7 @@ namespace gapflow {
 
 namespace {
 
-// Faces that a film closes up to this far from a mouth, in dx, are its.
+// Faces that a film closes within this distance from a mouth, in dx, belong to the mouth.
 constexpr double mouth_reach = 4;
 
 // From the master to the other wall, at the mouth.
@@ -22,7 +22,7 @@ Vec<D> way_across(const Conduit<D>& conduit, const Film<D>& film)
     return across;
 }
 
-// Place on that way, -1/2 at the master.
+// Position between the walls, -1/2 at the master.
 template <int D>
 double place_across(const Vec<D>& from_middle, const Vec<D>& across)
 {

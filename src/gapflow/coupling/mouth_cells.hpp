@@ -1,4 +1,4 @@
-// Into which cells a mouth's walls carry its fluid (method, "Films of viscous fluid").
+// Cells that the flux dragged along by a mouth's walls enters (method, "Films of viscous fluid").
 #pragma once
 
 #include "gapflow/film/conduits.hpp"
@@ -8,7 +8,7 @@
 
 namespace gapflow {
 
-/// A face that a film closes, as a cell beside the film sees it.
+/// A face that a film closes, seen from a cell beside the film.
 template <int D>
 struct ClosedArea {
     long key;    ///< of the cell
@@ -16,19 +16,19 @@ struct ClosedArea {
     Vec<D> area; ///< normal times open area, out of the cell
 };
 
-/// Of what the master carries out of a mouth the cell gets weight + lean, of what the other wall does weight - lean. Weights sum to 1, leans to 0.
+/// The cell gets the share weight + lean of the flux that the master drags out of a mouth, weight - lean of the other wall's. Weights sum to 1, leans to 0.
 struct CarriedCell {
     long key;
     double weight, lean;
 };
 
 /// The cells behind the faces that the film closes at a smooth mouth, each face by its area across the film and by the share that either wall has of
-/// linear flow there. Empty where other films close most of the mouth. `places`: of all of the film's mouths, which share the faces out by distance.
+/// linear flow there. Empty where other films close most of the mouth. `places`: of all of the film's mouths; each face belongs to the nearest.
 template <int D>
 std::vector<CarriedCell> cells_behind(const Conduit<D>& conduit, const Film<D>& film, std::span<const ClosedArea<D>> closed,
                                       std::span<const Vec<D>> places, double dx);
 
-/// The cells of the mouth's pressure. What a wall carries out of a smooth mouth thicker than two cells falls linearly towards the other wall.
+/// The cells of the mouth's pressure. The flux that a wall drags out of a smooth mouth thicker than two cells falls linearly towards the other wall.
 template <int D>
 std::vector<CarriedCell> cells_around(const Grid<D>& grid, const Conduit<D>& conduit, const Film<D>& film);
 

@@ -11,7 +11,7 @@ namespace gapflow {
 
 namespace {
 
-// A body of revolution that turns drives nothing anywhere; what is left is round-off, and counts against the flux of its speed through a face.
+// A turning body of revolution has no flux. Fluxes that remain are round-off, measured against the flux of its speed through a face.
 template <int D>
 double squares_of_round_off(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists)
 {

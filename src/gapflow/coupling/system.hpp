@@ -64,8 +64,8 @@ struct CoupledSystem {
     /// Conductance of every face, 0 where closed. On open sides of the domain: to the pressure 0 beyond the face (distance
     /// dx/2, so twice the inner value). Valid on all faces of owned cells (both sides of the block).
     FaceField<D> conductance;
-    /// Faces on this rank's block (its ends included) whose flow films carry. No part of the system: they tell multigrid which
-    /// cells the films join.
+    /// Faces on this rank's block (its ends included) whose flow is part of a film. Not part of the system: multigrid uses them to
+    /// connect the cells that the films join.
     std::vector<FilmFace<D>> film_faces;
     int nodes = 0;
     Eigen::SparseMatrix<double> film;             ///< nodes x nodes, symmetric, positive semidefinite; the same on all ranks
@@ -74,7 +74,7 @@ struct CoupledSystem {
     std::vector<BodyFlux<D, Index<D>>> cell_flux; ///< K in this rank's cells
     std::vector<BodyFlux<D, int>> node_flux;      ///< K in film nodes, the same on all ranks
     Eigen::SparseMatrix<double> mass;             ///< dofs x dofs, symmetric positive definite; the same on all ranks
-    /// Contacts that hold the bodies: C, rows x dofs, and what each resists with. M^-1 in this system stands for
+    /// Contacts that hold the bodies: C, rows x dofs, and the resistance of each. M^-1 in this system stands for
     /// BodyResponse(mass, contact, contact_resistance).
     Eigen::SparseMatrix<double> contact;
     Eigen::VectorXd contact_resistance; ///< impulse over speed; infinite: rigid

@@ -9,7 +9,7 @@ namespace gapflow {
 
 namespace {
 
-// A shut conduit keeps this part of its conductance: no pocket loses its pressure level.
+// A shut conduit keeps this part of its conductance, so that the pressure level of a pocket stays determined.
 constexpr double shut_share = 1e-6;
 
 } // namespace
@@ -53,7 +53,7 @@ void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::Vecto
             if (!is_void[entry.row()] && !is_void[column])
                 entries.emplace_back(static_cast<int>(entry.row()), column, entry.value());
     for (int node = 0; node < system.nodes; ++node)
-        if (is_void[node]) // any number will do: nothing else is in the row, and its right-hand side is 0
+        if (is_void[node]) // any number: the row has no other entry, and its right-hand side is 0
             entries.emplace_back(node, node, 1.0);
     system.film.setFromTriplets(entries.begin(), entries.end());
 
@@ -64,7 +64,7 @@ void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::Vecto
     std::copy_if(node_flux_.begin(), node_flux_.end(), std::back_inserter(system.node_flux),
                  [&](const BodyFlux<D, int>& entry) { return !is_void[entry.row]; });
 
-    // Whatever hangs together with a void has its pressure level from it.
+    // The pressure level of a component with a void is determined by the void.
     system.components = components_;
     for (int node = 0; node < system.nodes; ++node)
         if (is_void[node])
@@ -131,7 +131,7 @@ typename WetSystem<D>::Outcome WetSystem<D>::outcome(const UnknownVector<D>& p, 
     return outcome;
 }
 
-// L p of films and links, voids and all: of every film node, and of the cells of links.
+// L p of films and links, voids included: of every film node, and of the cells of links.
 template <int D>
 UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p, std::vector<double>* drop) const
 {

@@ -15,7 +15,7 @@ namespace gapflow {
 namespace {
 
 constexpr double sample_distance = 0.5;     // of a conduit's grid pressure beyond the rim, in dx
-constexpr double mouth_radius = 0.8;        // r in the mouth formulas, in dx: what the grid itself resolves
+constexpr double mouth_radius = 0.8;        // r in the mouth formulas, in dx: the radius that the grid resolves
 constexpr double open_resistance = 0.2;     // of a mouth on an open side
 constexpr double minimum_resistance = 0.02; // keeps wide mouths positive
 constexpr double touching = 1e-6;           // distance to a third body that closes a rim, in dx
@@ -30,7 +30,7 @@ public:
     {
     }
 
-    /// Finds what each point of the rims ends at; after the first time only for points near the cells that changed since.
+    /// Finds the type of end at each point of the rims; after the first call only for points near cells that changed since.
     void find(CellStates<D>& states, const std::vector<long>& changed)
     {
         states_ = &states;
@@ -74,7 +74,7 @@ public:
             else if (end.joints.empty()) {
                 result.blind_length += points_[i].length;
                 if (!grid_.in_domain(grid_.wrapped(grid_.cell_of(points_[i].x))))
-                    continue; // no fluid either: nothing to tell
+                    continue; // no fluid either: nothing to report
                 if (result.blind.empty() || result.blind.back().film != points_[i].film)
                     result.blind.push_back({points_[i].film, points_[i].x, 0.0});
                 result.blind.back().length += points_[i].length;
@@ -85,7 +85,7 @@ public:
     }
 
 private:
-    /// What a point of a rim ends at; nothing of it: blind.
+    /// The end at a point of a rim; none: blind.
     struct End {
         bool closed = false;
         std::optional<Conduit<D>> conduit;
@@ -116,7 +116,7 @@ private:
             joints_.add(point, 0, joint_reach * dx, end.joints);
     }
 
-    // The rim abuts a third solid: going on would enter it. Or the surfaces touch there and are one solid.
+    // The rim abuts a third solid: a point further out would lie in it. Or the surfaces touch there and are one solid.
     bool closed(const RimPoint<D>& point)
     {
         if (point.edge->end == RimEnd::touching)
@@ -198,8 +198,8 @@ private:
         return either ? ConduitKind::edge_face : ConduitKind::edge_edge;
     }
 
-    // A mouth thicker than two cells that goes on as a channel reads and feeds the cells all across it: the mean of stencils, one a cell's
-    // thickness. One in its middle alone would have all of the flow bend to it, and what bends would be dragged along the walls.
+    // A mouth thicker than two cells that continues as a channel is connected to all cells across it: the mean of several stencils, one for
+    // each cell of thickness. With a single stencil in the middle the flow would converge to it, and this transverse flow would drag on the walls.
     std::vector<std::pair<long, double>> stencil_across(const RimPoint<D>& point, const Vec<D>& y)
     {
         const int count = static_cast<int>(std::ceil(point.h / grid_.dx() - 1e-9));
@@ -240,8 +240,8 @@ private:
                        std::move(cells)};
     }
 
-    // A smooth end goes on as a channel up to where the stencil takes its pressure: the weighted mean of its cells, along the
-    // rim's outward direction, and what handing the flux back to cells that are apart loses, their variance over dx (f (1 - f)
+    // Beyond a smooth end the gap continues as a channel up to the stencil's point: the weighted mean of its cells along the
+    // rim's outward direction, plus the loss from returning the flux to cells that lie apart, their variance over dx (f (1 - f)
     // dx for a sample a fraction f between two cells).
     double channel_length(const RimPoint<D>& point, const std::vector<std::pair<long, double>>& cells) const
     {
@@ -255,7 +255,7 @@ private:
         return std::max(mean + (square - mean * mean) / grid_.dx(), 0.1 * grid_.dx());
     }
 
-    // The block of four cells a side around a cell.
+    // The block of four cells per side around a cell.
     long block(const Index<D>& cell) const
     {
         return cell_number<D>(grid_.wrapped(cell).unaryExpr([](int k) { return k >> 2; }));
@@ -277,9 +277,9 @@ private:
 } // namespace
 
 // Potential flow from a half-plane into a slot (conformal map dz/dzeta = (h / pi) sqrt(zeta^2 - 1) / zeta), matched at
-// r = 0.8 dx. Beside a wall that goes on the slot's mirror image moves away from its mouth as h grows, and the grid resolves
-// less of the flow between them: r grows with h (its factor was measured). A smooth end is a channel up to the sample point,
-// and the 1/6 is what multilinear interpolation and its transpose lose, f (1 - f) dx / h in the mean.
+// r = 0.8 dx. Beside a wall that goes on the distance between the slot and its mirror image grows with h, and the grid resolves
+// less of the flow between them: r grows with h (its factor is fitted). A smooth end is a channel up to the sample point,
+// and the 1/6 is the loss of multilinear interpolation and its transpose, f (1 - f) dx / h on average.
 double mouth_resistance(ConduitKind kind, double h, double dx)
 {
     using std::numbers::pi;

@@ -12,7 +12,7 @@ namespace gapflow {
 
 enum class ConduitKind {
     edge_edge, ///< sharp edges of both bodies: a slot between two right angles
-    edge_face, ///< a sharp edge of one, the other goes on: half of that slot by symmetry
+    edge_face, ///< a sharp edge of one, the other continues: half of that slot by symmetry
     smooth,    ///< h reaches h_c between smooth surfaces
     open_side, ///< the film ends on an open side of the domain
     inflow     ///< the film ends on an inflow side
@@ -39,11 +39,11 @@ struct Joint {
     double conductance; ///< at fluid density 1
 };
 
-/// Where a film's rim found nothing to join.
+/// A part of a film's rim with neither conduit nor joint.
 template <int D>
 struct BlindEnd {
     int film;
-    Vec<D> x;      ///< a place of it
+    Vec<D> x;      ///< a point of it
     double length; ///< of rim (2D: number of ends)
 };
 
@@ -52,8 +52,8 @@ struct Mouths {
     std::vector<Conduit<D>> conduits;
     std::vector<Joint<D>> joints;
     double closed_length = 0;       ///< of rim that ends against a wall or a third body (2D: number of ends)
-    double blind_length = 0;        ///< of rim that found nothing to join
-    std::vector<BlindEnd<D>> blind; ///< one a film that has some
+    double blind_length = 0;        ///< of rim with neither conduit nor joint
+    std::vector<BlindEnd<D>> blind; ///< one for each film that has some
 };
 
 /// Resistance R of a mouth of thickness h.
@@ -70,7 +70,7 @@ struct FilmNetwork {
 };
 
 /// Finds films, classifies cells, closes faces, finds mouths, absorbs pockets, until nothing changes. A film without any film
-/// cell is dropped (it would only double the open faces beside it).
+/// cell is dropped (it would only duplicate the open faces beside it).
 template <int D>
 FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
                                   const FaceFractions<D>& fractions, const std::function<GapSettings(int, int)>& settings,

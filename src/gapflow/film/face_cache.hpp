@@ -9,7 +9,7 @@
 
 namespace gapflow {
 
-/// The grid's faces as films see them: any face of the domain, the same on every rank. Indices may lie outside the domain along
+/// The grid's clipped faces for the films: any face of the domain, the same on every rank. Indices may lie outside the domain along
 /// periodic axes.
 template <int D>
 class FaceCache {
@@ -25,12 +25,12 @@ public:
     /// Parts in solids, at the index stored (see displacement()). May be none for a face that lies wholly in one solid and
     /// whose cells do too.
     std::span<const SolidPart<D>> parts(int axis, const Index<D>& f) const;
-    /// Centroid of the open part, next to the index asked for.
+    /// Centroid of the open part, next to the requested index.
     Vec<D> open_centroid(int axis, const Index<D>& f) const;
-    /// A point that stands for the open part, next to the index asked for: the centroid, where that lies in no solid and the
-    /// solids are too thick to divide a face, else that of the open piece that holds the face's deepest point.
+    /// A representative point of the open part, next to the requested index: the centroid, where that lies in no solid and the
+    /// solids are too thick to divide a face, else the centroid of the open piece that contains the face's deepest point.
     Vec<D> open_point(int axis, const Index<D>& f) const;
-    /// Displacement of the index asked for from the one that is stored.
+    /// Displacement of the requested index from the stored one.
     Vec<D> displacement(const Index<D>& f) const;
     long key(int axis, const Index<D>& f) const;
     const Grid<D>& grid() const { return *grid_; }

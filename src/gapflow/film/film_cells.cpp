@@ -12,10 +12,10 @@ namespace {
 
 // Open fractions below this do not count.
 constexpr double negligible_opening = 1e-12;
-// In dx: what lies this close to a plane of the grid lies on it, as for fractions.
+// In dx: points this close to a plane of the grid count as on it, as for fractions.
 constexpr double on_plane = 1e-6;
 
-// Sum of open fractions below which a mixed cell gets its faces to other mixed cells back.
+// Sum of open fractions below which a mixed cell's faces to other mixed cells are reopened.
 constexpr double strangled_aperture = 0.25;
 
 // Largest grid component that a film absorbs.
@@ -77,7 +77,7 @@ void cells_on_segment(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& y, std
 
 namespace {
 
-/// Points that stand for the open faces of a cell.
+/// Representative points of the open faces of a cell.
 template <int D>
 struct OpenPoints {
     std::array<Vec<D>, 2 * D> points;
@@ -93,8 +93,8 @@ struct Classifier {
     const Grid<D>& grid;
     FilmCells<D>& result;
 
-    // Of a cell of the domain; a little inside it: where a film ends on a plane of the grid the round-off of its bodies' positions must
-    // not tell which cells are film.
+    // Of a cell of the domain, slightly inside it: where a film ends on a plane of the grid the round-off of its bodies' positions must
+    // not decide which cells are film.
     OpenPoints<D> open_points(const Index<D>& cell) const
     {
         OpenPoints<D> open;
@@ -301,8 +301,8 @@ typename CellStates<D>::State CellStates<D>::operator()(const Index<D>& cell)
 
 namespace {
 
-// A mixed cell whose faces to other mixed cells were closed may be left with a sliver of an opening, through which all that its
-// film does not take would be forced: those faces open again.
+// A mixed cell whose faces to other mixed cells were closed may be left with a sliver of an opening, through which all fluid that its
+// film does not take would be forced: those faces are reopened.
 template <int D>
 void reopen_strangled(const FaceCache<D>& faces, FilmCells<D>& cells)
 {
@@ -347,7 +347,7 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
             if (!side.inside || faces.open(side.axis, side.face) <= 0)
                 continue;
             const FilmCell<D>* other = cells.cells.find(grid.key(grid.wrapped(side.cell)));
-            if (other && side.end == 1) // met from the other cell too
+            if (other && side.end == 1) // visited from the other cell too
                 continue;
             const bool film = cell.kind == CellKind::film, other_film = other && other->kind == CellKind::film;
             int owner = -1;
@@ -381,7 +381,7 @@ std::vector<long> absorb_pockets(const FaceCache<D>& faces, CellStates<D>& state
                                  FilmCells<D>& cells)
 {
     const Grid<D>& grid = faces.grid();
-    KeyMap<char> done, large; // in a component dealt with; in one that is no pocket
+    KeyMap<char> done, large; // cells of components already visited; of those that are not pockets
     KeyMap<char> reach;
     for (long key : reached)
         reach.insert(key);

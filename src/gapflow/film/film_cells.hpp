@@ -65,7 +65,7 @@ struct CellSide {
 template <int D>
 std::array<CellSide<D>, 2 * D> sides_of(const Grid<D>& grid, const Index<D>& cell);
 
-/// The gaps of films, to ask which points lie in them.
+/// The gaps of films: tests whether points lie in them.
 template <int D>
 class FilmGaps {
 public:
@@ -90,15 +90,15 @@ private:
 template <int D>
 void cells_on_segment(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& y, std::vector<Index<D>>& result);
 
-/// Classifies the cells of all films (method, "Cells and faces", item 4, without pockets).
+/// Classifies the cells of all films (method, "Cells and faces", without pockets).
 template <int D>
 FilmCells<D> classify_cells(const FaceCache<D>& faces, const FilmGaps<D>& gaps);
 
-/// Finds the faces that films close (item 5); to be called again after cells changed kind.
+/// Finds the faces that films close; to be called again after cells changed kind.
 template <int D>
 void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D>& cells);
 
-/// Kinds and openings of cells as closed faces leave them, found when first asked for.
+/// Kinds and openings of cells after faces were closed, computed on first request.
 template <int D>
 class CellStates {
 public:
@@ -121,7 +121,7 @@ private:
 };
 
 /// Turns small components of the grid that touch a film and that no conduit reaches into film; `reached` are the keys of
-/// cells that conduits draw on. Returns the keys of the cells that changed (close_faces and the conduits must then be redone).
+/// cells in conduits' stencils. Returns the keys of the cells that changed (close_faces and the conduits must then be redone).
 template <int D>
 std::vector<long> absorb_pockets(const FaceCache<D>& faces, CellStates<D>& states, const std::vector<long>& reached,
                                  FilmCells<D>& cells);

@@ -8,17 +8,18 @@ namespace gapflow {
 
 namespace {
 
-// Energy that transport adds at most, where the flux is not quite that of the volume balance: by this for each element that the flow
-// crosses, and no more than that. (By the step alone, the noise of the small steps about a point of contact would grow.)
+// Largest relative energy increase in transport, since the flux deviates slightly from the volume balance: the first value for each element
+// that the flow crosses, the second in all. (With a bound per step alone, noise would grow in the small steps near a point of contact.)
 constexpr double growth_on_the_way = 0.25, most_growth = 0.05;
 constexpr double most_opening = 1.5; // of a mouth in a step
-constexpr double behind = 2;         // what lies behind a mouth, in shares of the film by its length of the rim
-constexpr double discretised = 1.01; // what a film's elements are off by
-constexpr double thrown_margin = 10; // of the energy of the heads' own fluxes over that: plates that meet take up to that much
+constexpr double behind = 2;         // part of the film behind a mouth, in shares of the film by its length of the rim
+constexpr double discretised = 1.01; // discretisation error of a film's elements
+constexpr double thrown_margin =
+    10; // of the energy of the heads' own fluxes over that: plates that meet need up to this factor
 
-// Of mouths' heads over what the films gave away in a step that takes the part r of their thickness. Second order: heads of the step's middle
-// take 3 r (1 + r/2) of the flow's energy (plates that nothing but the film stops), and transport, with feet 1 - r of the way to the mouth and
-// half of the pressure where the fluid comes from, takes less of it. Else: 3 r, at the rate of the step's start, and feet by the midpoint rule.
+// Ratio of the energy of the mouths' heads to the films' loss in transport, in a step that reduces their thickness by the part r. Second order:
+// heads of the step's middle take 3 r (1 + r/2) of the flow's energy (plates stopped by the film alone), and transport, with feet 1 - r of the
+// way to the mouth and half of the pressure at the foot, takes less of it. Else: 3 r, at the rate of the step's start, and feet by the midpoint rule.
 double head_margin(double r, bool second_order)
 {
     if (!(r > 1e-6))
@@ -52,7 +53,7 @@ limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, co
              const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
 {
     struct Sum {
-        double area = 0, volume = 0, motion = 0, inflow = 0, beyond = 0; // beyond: volume of elements where no film was
+        double area = 0, volume = 0, motion = 0, inflow = 0, beyond = 0; // beyond: volume of elements where there was no film
         double slowness = 0;                                             // sum of area / thickness
         std::vector<std::pair<double, double>> parts;                    // speed squared and volume of each element
         double fastest = std::numeric_limits<double>::infinity();
@@ -91,14 +92,14 @@ limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, co
         const PlacedShape<D>& master = solids[network.films[conduits[r].film].pair.master].shape;
         const Vec<D> place = master.to_body(conduits[r].x), U = old->master_velocity(place);
         double u = std::min(conduits[r].outward.dot(at_conduit[r].velocity - U), 0.0);
-        // No faster than what the mouth itself let in: elements that the film's end cuts small may carry ten times that, and a mouth that opens
+        // At most the speed of the mouth's own flux: small elements cut by the film's end may have ten times that speed, and a mouth that opens
         // where a corner touched any speed.
         if (const auto* mouth = old->mouth(place, conduits[r].outward)) {
             const double h = std::max(mouth->h, conduits[r].h / most_opening);
             u = std::max(u, std::min((mouth->flux - mouth->h * mouth->outward.dot(mouth->master_velocity)) / h, 0.0));
         }
         const double volume = conduits[r].length * conduits[r].h * -u * dt;
-        // More than fills the film has passed through it; and in the film the flux goes on, not the speed.
+        // Fluid beyond the film's volume has passed through it; and the flux is continuous into the film, not the speed.
         const double flux = u * conduits[r].h, share = std::min(1.0, behind * conduits[r].length / rim[old]);
         sums[old].inflow += std::min(std::min(volume, old->volume()) * u * u, flux * flux * share * sums[old].slowness);
     }

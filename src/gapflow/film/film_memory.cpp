@@ -12,21 +12,21 @@ namespace gapflow {
 
 namespace {
 
-constexpr int longest_walk = 100; // elements: a walk that is longer may go round in circles
-// An old film within this many cells of a new element's arrival point is its past.
+constexpr int longest_walk = 100; // elements: a longer walk may be a cycle
+// A new element takes its velocity from an old film within this many cells of its arrival point.
 constexpr double memory_reach = 2.0;
 // A new element is an old one if its centroid lies within this part of the old one's size from it.
 constexpr double same_element = 0.25;
-// Interpolated velocities relative to the master exceed those of the elements around by this factor at most.
+// Interpolated velocities relative to the master exceed those of the surrounding elements by this factor at most.
 constexpr double surplus_bound = 1.5;
-// The pressure adds no more than this part of the speed around to a velocity in half a step.
+// The pressure adds at most this part of the surrounding speed to a velocity in half a step.
 constexpr double most_push = 0.5;
-// Speeds are means over the elements around a vertex, and over no less than the gap's own thickness, or this in dx: what a film does over
-// less is no flow of a film. (Its end cuts elements of a hundredth of a cell, through which next to nothing flows at any speed.)
+// Speeds are means over the elements around a vertex, and over at least the gap's own thickness, or this in dx: on smaller lengths the film
+// model has no meaning. (A film's end cuts elements of a hundredth of a cell, which have a negligible flux at any speed.)
 constexpr double smallest_patch = 0.25;
-// A mouth continues an old one within this many cells.
+// A mouth takes over the flux of an old one within this many cells.
 constexpr double mouth_reach = 2.0;
-// In dx: a point further from a film is not of it. Shape functions less than `at_vertex` are round-off.
+// In dx: a point further from a film does not belong to it. Shape functions less than `at_vertex` are round-off.
 constexpr double beside_film = 0.05;
 constexpr double at_vertex = 1e-6;
 // Films of up to this many elements are searched without bins.
@@ -290,7 +290,7 @@ typename FilmMemory<D>::Place FilmMemory<D>::locate(const Vec<D>& x_body, int hi
 template <int D>
 Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) const
 {
-    // Beyond the film the flux goes on linearly over one element's length; the thickness too, within a factor of two. Inside, the
+    // Beyond the film the flux is extrapolated linearly over one element's length; the thickness too, within a factor of two. Inside, the
     // thickness is quadratic: from the vertices and the element's mean (a bubble c sum lambda_i lambda_j of mean 1).
     Vec<D> flux = Vec<D>::Zero();
     double h = 0, mean = 0, bubble = 0, least = std::numeric_limits<double>::infinity(), most = 0;
@@ -306,7 +306,7 @@ Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) 
         most = std::max(most, h_[node]);
     }
     h += bubble * (h_mean_[place.element] - mean);
-    // Where the gap closes to a tip the division would make much of little: no faster than the elements around, nearly.
+    // Where the gap closes to a tip the division amplifies errors: limits the speed to about that of the surrounding elements.
     Vec<D> relative = flux / std::clamp(h, 0.5 * least, 2 * most);
     const double bound = surplus_bound * speed_about(place.element);
     if (relative.norm() > bound)
@@ -314,14 +314,14 @@ Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) 
     return master_velocity(x_body) + relative;
 }
 
-// What the pressure adds to the velocity in half of dt, no more than half of the speed around.
+// Velocity that the pressure adds in half of dt, at most half of the surrounding speed.
 template <int D>
 Vec<D> FilmMemory<D>::half_push(const Place& place, double dt) const
 {
     if (!second_order() || idle_[place.element] || coarse_[place.element])
         return Vec<D>::Zero();
-    // Continuous from element to element, and beyond the film's end what it is there: in which element a point lies may be a matter of
-    // round-off.
+    // Continuous from element to element, and constant beyond the film's end: round-off may decide in which element a point
+    // lies.
     Vec<D> change = Vec<D>::Zero();
     double sum = 0, speed = 0;
     for (int i = 0; i < D; ++i) {
@@ -387,12 +387,12 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     };
     Place foot = arrival;
     Vec<D> x_foot = x_body;
-    Vec<D> pushed = Vec<D>::Zero(); // on the way, beyond what the pressure does where it arrives
+    Vec<D> pushed = Vec<D>::Zero(); // by the pressure at the foot, relative to that at the arrival point
     if (dt > 0) {
         const Vec<D> x_middle = x_body - 0.5 * dt * relative(x_body, arrival);
         const Place middle = locate(x_middle, hint);
         Vec<D> on_the_way = relative(x_middle, middle);
-        if (second_order()) { // as half of the step makes it
+        if (second_order()) { // the velocity at the middle of the step
             const Vec<D> x_before = x_middle - 0.5 * dt * on_the_way;
             const Place before = locate(x_before, hint);
             on_the_way = relative(x_before, before) +
@@ -402,10 +402,10 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
         foot = locate(x_foot, hint);
         pushed = half_push(foot, dt) - half_push(arrival, dt);
     }
-    // What the old element has beyond its vertex values is kept where the new element is the old one and as far as the foot is
-    // still in it: no diffusion at rest, and elsewhere that of linear interpolation (kept whole, the scheme would be a centred
-    // difference forward in time, which grows; on a changed mesh it would be noise of small cut elements). Not where the element
-    // is coarse for its gap: about a point of contact its velocity is noise, and would only gain by this.
+    // The difference between the old element's value and the interpolated one is kept where the new element is the old one, in proportion
+    // to the part of the foot still in it: no diffusion at rest, elsewhere that of linear interpolation (kept whole, the scheme would be a
+    // centred difference with a forward step in time, which is unstable; on a changed mesh it would be noise of small cut elements). Not where
+    // the element is coarse for its gap: near a point of contact its velocity is noise, which this would amplify.
     const std::array<int, D>& nodes = elements_[arrival.element];
     const double fastest = idle_[arrival.element] ? std::numeric_limits<double>::infinity() : speed_about(arrival.element);
     const Vec<D>& centroid = centroid_[arrival.element];

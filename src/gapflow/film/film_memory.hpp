@@ -1,4 +1,4 @@
-// What the films of a pair carried in the last step, as a field on the master's surface that can be traced back along.
+// Velocities of a pair's films after the last step, as a field on the master's surface in which traces can be followed back.
 #pragma once
 
 #include "gapflow/film/conduits.hpp"
@@ -27,9 +27,9 @@ public:
         ConduitKind kind;
     };
 
-    /// `films`: the pieces of this pair; `w`: one world vector an element of all films of the network. Where `idle` (one an
-    /// element of the network, or none) an element says nothing of the velocity around it. `push`: acceleration by the pressure, one an
-    /// element of the network, or none.
+    /// `films`: the pieces of this pair; `w`: one world vector for each element of all films of the network. Elements marked in `idle` (one
+    /// value for each element of the network, or none) are excluded from the reconstruction. `push`: acceleration by the pressure, one for
+    /// each element of the network, or none.
     FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
                const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& push, const std::vector<char>& idle, double dx);
 
@@ -38,7 +38,7 @@ public:
         Vec<D> velocity, normal;
         bool near;      ///< an old film lies within two cells of the arrival point
         bool beyond;    ///< but not there
-        double fastest; ///< speed about the arrival point, as speed_about(); infinite where the old film was idle
+        double fastest; ///< speed around the arrival point, as speed_about(); infinite where the old film was idle
     };
     /// `hint`: an element near it, or -1; on return the one it arrived in.
     Transported transport(const Vec<D>& x_body, double dt, int& hint) const;
@@ -48,7 +48,7 @@ public:
     bool second_order() const { return !push_.empty(); }
     /// Velocity there (world axes) after half of dt; second order only.
     Vec<D> half_way(const Vec<D>& x_body, double dt, int& hint) const;
-    /// A field given at the vertices, linear over the elements, at a point of the master's frame; 0 where no film was. `hint` as
+    /// A field given at the vertices, linear over the elements, at a point of the master's frame; 0 where there was no film. `hint` as
     /// above.
     double at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const;
     int elements() const { return static_cast<int>(elements_.size()); }
@@ -56,12 +56,12 @@ public:
     double area() const { return area_; }
     double volume() const { return volume_; }
     double motion() const { return motion_; }
-    /// Speed relative to the master about an element: the largest about its vertices, each the root of the mean square over the volume
-    /// around. (Single elements tell little: those that the film's end cuts small may carry ten times the speed of the flow.)
+    /// Speed relative to the master around an element: the largest of its vertices' values, each the root of the mean square over the volume
+    /// around the vertex. (Single elements are unreliable: small ones cut by the film's end may have ten times the speed of the flow.)
     double speed_about(int element) const;
     /// Velocity of the master's old rigid motion at a point of its frame (world axes).
     Vec<D> master_velocity(const Vec<D>& x_body) const;
-    /// The old mouth that a new one at this place continues; null: none near.
+    /// The old mouth whose flux a new one at this place takes over; null: none near.
     const Mouth* mouth(const Vec<D>& x_body, const Vec<D>& outward) const;
 
     std::vector<Mouth> mouths;
@@ -91,9 +91,9 @@ private:
     std::vector<std::array<int, D>> beyond_; ///< element across the facet opposite each node, -1: none
     std::vector<Vec<D>> centroid_;           ///< master's frame
     std::vector<double> radius_;             ///< of elements about their centroids
-    std::vector<double> speed_; ///< |w - U_m| about a vertex: root of the mean square over the volume of the elements around
+    std::vector<double> speed_; ///< |w - U_m| around a vertex: root of the mean square over the volume of the elements around
     std::vector<double> h_, h_mean_;         ///< thickness at the vertices, mean over the elements
-    std::vector<char> coarse_, idle_;        ///< elements too large for their gap; those that say nothing of the flow
+    std::vector<char> coarse_, idle_;        ///< elements too large for their gap; those excluded from the reconstruction
     std::vector<Vec<D>> w_, normal_;         ///< of elements, world axes
     std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
     std::vector<Vec<D>> push_, push_vertex_; ///< acceleration by the pressure, of elements and vertices, world axes; or none

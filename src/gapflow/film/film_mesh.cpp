@@ -1,4 +1,4 @@
-// From the cut surface to films: connected pieces, thickness, mid-gap elements, rims (method, 3.1).
+// From the cut surface to films: connected pieces, thickness, mid-gap elements, rims (method, "Mesh").
 //
 // On a mid-gap simplex with vertices X_k, area A and unit normal n (vertices anticlockwise about n) the linear shape
 // functions have the gradients n x (X_{k+2} - X_{k+1}) / 2A; on a segment +- tangent / length.
@@ -227,7 +227,7 @@ private:
                 rim.nodes[1] = element.nodes[(k + 1) % 3];
                 const Vec<3> along = mid_[b] - mid_[a];
                 rim.length = along.norm();
-                // rims far shorter than the element leave the direction to its gradients
+                // for rims far shorter than the element the direction comes from its gradients
                 rim.outward = along.cross(element.normal);
                 rim.outward =
                     rim.length > 0 ? Vec<3>(rim.outward / rim.length) : Vec<3>(-element.gradient[(k + 2) % 3].normalized());
@@ -249,7 +249,7 @@ private:
                 return RimEnd::master_edge;
             if (end_a && end_a == end_b)
                 return *end_a;
-            // Two ends meet, or what lies beyond was dropped: look there, a little further if the rim is curved.
+            // Two ends meet, or the part beyond was dropped: test there, slightly further out if the rim is curved.
             const int patch = elements_[e].patch;
             for (double step : {1e-6, 1e-3, 1e-2}) {
                 const Vec<D> beyond = 0.5 * (cut_.nodes[a].x + cut_.nodes[b].x) + step * test_.options.dx * outward;
@@ -275,7 +275,7 @@ private:
     std::vector<int> number_;
 };
 
-/// The films with all sizes times `scale`; nothing if they have more nodes than the cap.
+/// The films with all sizes times `scale`; nothing if they have more nodes than allowed.
 template <int D>
 std::optional<std::vector<FilmMesh<D>>> films_at_scale(const GapSurface<D>& base, double scale)
 {

@@ -25,7 +25,7 @@ enum class RimEnd {
     thickness,   ///< h reaches h_c
     normals,     ///< the surfaces no longer face each other
     third_body,  ///< another body (or image) is nearer beyond
-    touching,    ///< the surfaces touch and stand still: one solid from there on
+    touching,    ///< the surfaces touch and are at rest: one solid from there on
     patch        ///< the closest point jumps to another patch of the other body
 };
 
@@ -38,12 +38,12 @@ struct FilmElement {
     Vec<D> centroid_master;         ///< on the master
     Vec<D> centroid_other;          ///< on the other
     Vec<D> into_other;              ///< unit normal into the other, mean over the element's points
-    Vec<D> place_on_other;          ///< their mean place on the other
+    Vec<D> place_on_other;          ///< the points' mean position on the other
     double measure;                 ///< area (2D: length) at mid-gap
     double volume;                  ///< S = int h
     double inverse;                 ///< I = int 1/h, exact for h linear over each quadrature point's piece
     double lateral; ///< over which the gap doubles: sqrt(2 h R), least h of its nodes; infinite between flat surfaces
-    bool coarse;    ///< larger than the gap's lateral scale asks for: uses the harmonic conductance
+    bool coarse;    ///< larger than the gap's lateral scale requires: uses the harmonic conductance
 
     /// Conductance at density 1 times the gradients' product: S, on coarse elements the harmonic mean's (measure)^2 / I.
     double conductance() const { return coarse ? measure * measure / inverse : volume; }
@@ -80,12 +80,12 @@ struct FilmMesh {
     int other_patch = 0;           ///< of the other; where several join smoothly, the lowest of them
     std::vector<Vec<D>> x, y, mid; ///< nodes: on the master, closest point on the other, mid-gap
     std::vector<double> h;         ///< at the nodes, not less than the floor; less `skin` where that is not 0
-    double skin = 0;               ///< taken off h everywhere: what of the gap nothing flows in
+    double skin = 0;               ///< subtracted from h everywhere: the part of the gap without flow
     std::vector<FilmElement<D>> elements;
     std::vector<RimEdge<D>> rim;
     std::vector<FilmPoint<D>> points;
     bool flat = false;   ///< both surfaces flat here
-    bool capped = false; ///< the cap on nodes kept elements coarser than asked for
+    bool capped = false; ///< the limit on nodes keeps elements coarser than required
 };
 
 struct FilmMeshOptions {
@@ -98,31 +98,30 @@ struct FilmMeshOptions {
     double curved = 0.2;            ///< element size in sqrt(2 R h), where a surface is curved
     double smallest = 0.0;          ///< element size, in dx, never refined below; 0: default (2D 1e-4, 3D 1/32)
     double straddle = 0.125;        ///< size of elements cut by the film's end, in dx
-    double straddle_smooth =
-        0.125;            ///< the same where the film goes out between smooth curved surfaces (no edge, no patch ends it)
-    double kink = 0.03;   ///< of a cut's length: how far the film's end may lie from a straight line (3D)
-    double spacing = 0.0; ///< of quadrature points, in dx; 0: default (1/8 in 2D; 3D: 1/4, where both are flat 1/2)
-    double ratio = 1.5;   ///< largest change of h over an element
+    double straddle_smooth = 0.125; ///< the same where the film ends between smooth curved surfaces (at no edge and no patch)
+    double kink = 0.03;             ///< of a cut's length: how far the film's end may lie from a straight line (3D)
+    double spacing = 0.0;           ///< of quadrature points, in dx; 0: default (1/8 in 2D; 3D: 1/4, where both are flat 1/2)
+    double ratio = 1.5;             ///< largest change of h over an element
     int node_cap = 100000;
     Vec<3> origin = Vec<3>::Zero(); ///< of the grid, to cut points at its planes
 };
 
 /// Sizes for the coupled system. In 3D coarser than the defaults where surfaces are curved: in twelve cases of ball on ball and
-/// ball on wall added masses stay within 0.15 % of those with elements of a quarter of the size. Inertia feels the thinnest part of a
-/// gap by its logarithm only; in `viscous` fluid nearly all of the pressure is there, and elements get as small as sqrt(2 R h) asks for.
+/// ball on wall added masses stay within 0.15 % of those with elements of a quarter of the size. Inertia depends on the smallest thickness
+/// by its logarithm only; in `viscous` fluid nearly all of the pressure is there, and elements get as small as sqrt(2 R h) requires.
 template <int D>
 FilmMeshOptions coupling_sizes(bool viscous);
 
 /// All films of `other` on `master` (empty if none). `third(x, n)` is the distance to the nearest
 /// solid that is neither and competes with the other for the surface point x with normal n.
 /// Geometry only: the result does not depend on the order of bodies, moves with the pair, and is the same on all ranks.
-/// `base`: the master's surface_mesh(), for callers that keep it.
+/// `base`: the master's surface_mesh(), for callers that have it already.
 template <int D>
 std::vector<FilmMesh<D>> film_meshes(const PlacedShape<D>& master, const PlacedShape<D>& other,
                                      const std::function<double(const Vec<D>&, const Vec<D>&)>& third,
                                      const FilmMeshOptions& options, const SurfaceMesh<D>* base = nullptr);
 
-/// Takes the skin, less than the mesh's floor, off its thickness.
+/// Subtracts the skin, which is less than the mesh's floor, from its thickness.
 template <int D>
 void take_skin_off(FilmMesh<D>& mesh, double skin);
 

@@ -11,14 +11,14 @@ namespace gapflow {
 
 namespace {
 
-// A mouth thinner than its film carries its flux on, seen from the master, up to this times what the film's speeds there make of its
-// section: where it narrows beside a point of contact, the flux of wider ones would become a jet that nothing drives. (Wide mouths keep
-// theirs: each step would take it away and each solve give it back, and the energy of that would grow.)
+// A mouth thinner than its film keeps its flux, relative to the master, up to this multiple of the film's speed there times its
+// section: where it narrows beside a point of contact, the flux of a wider mouth would become a jet without a physical cause. (The flux of
+// wide mouths is not limited: each step would remove it, each solve would restore it, and the energy of that would grow.)
 constexpr double mouth_bound = 2.0;
 // Mouths thinner than this times their film's mean thickness lie beside a point of contact, and their outflow's head adds no more than
 // their own flux; much thinner ones have none.
 constexpr double thin_mouth = 0.5, blocked_mouth = 0.1;
-// Of the angle between an element's normal and the other's, which is 30 degrees at most where there is a film; else its mean normal says nothing.
+// Of the angle between an element's normal and the other's, which is 30 degrees at most where there is a film; else its mean normal is unreliable.
 constexpr double least_cosine = 0.5;
 
 double square(double x)
@@ -70,7 +70,7 @@ public:
                 memory_[k] = it->second.get();
     }
 
-    // What the old films carry to the new elements and conduits.
+    // Velocities transported from the old films to the new elements and conduits.
     void transport()
     {
         for_each_job(static_cast<int>(memory_.size()), [&](int k) {
@@ -94,7 +94,7 @@ public:
         });
     }
 
-    // The bulk's velocity: at elements that no old film is near, then at all conduits.
+    // The bulk's velocity: at elements without an old film near them, then at all conduits.
     std::vector<Vec<D>> from_grid(const VelocitySampler<D>& grid_velocity) const
     {
         std::vector<Vec<D>> places;
@@ -102,18 +102,18 @@ public:
             for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
                 if (!at_element_[film.first_element + e].near)
                     places.push_back(film.mesh.elements[e].centroid);
-        for (const Conduit<D>& conduit : conduits_) // at smooth ends beyond the cells that the film takes
+        for (const Conduit<D>& conduit : conduits_) // at smooth ends beyond the film's own cells
             places.push_back(at_conduit_[&conduit - conduits_.data()].near && conduit.kind == ConduitKind::smooth
                                  ? Vec<D>(conduit.x + 0.5 * conduit.h * conduit.outward)
                                  : conduit.x);
         return grid_velocity(places);
     }
 
-    // Elements' velocities; what the pairs gave away for their energy's sake.
+    // Elements' velocities; the pairs' energy losses.
     auto move_elements(const std::vector<double>& normal_speed, typename std::vector<Vec<D>>::const_iterator& next,
                        FilmFlow<D>& flow) const
     {
-        std::vector<double> turned; // of an element's normal speed: what flowed along the film where it came from
+        std::vector<double> turned; // of an element's normal speed: the part that was along the film at the foot of its trace
         for (std::size_t k = 0; k < memory_.size(); ++k)
             for (const FilmElement<D>& e : network_.films[k].mesh.elements) {
                 const Transported& old = at_element_[flow.velocity.size()];
@@ -127,7 +127,7 @@ public:
                 flow.velocity.push_back(tangential<D>(w, e.normal));
             }
         auto given_away = limit_motion(network_, solids_, memory_, at_element_, at_conduit_, dt_, flow.velocity);
-        // Round a corner what flowed along the film meets its walls: no faster than what is left along it.
+        // At a corner the flow along the old film hits the new film's walls: it counts with at most the speed that remains along the film.
         for (std::size_t k = 0; k < memory_.size(); ++k)
             for (std::size_t i = 0; i < network_.films[k].mesh.elements.size(); ++i) {
                 const std::size_t at = network_.films[k].first_element + i;
@@ -187,7 +187,7 @@ private:
         return mean;
     }
 
-    // Flux, factor of the conductance and flux by the outflow's head of a mouth that an old film is near to. `bulk`: its velocity there.
+    // Flux, factor of the conductance and flux by the outflow's head of a mouth with an old film near it. `bulk`: its velocity there.
     std::tuple<double, double, double> mouth(int r, double mean_thickness, const Vec<D>& bulk, const MouthLaw& law) const
     {
         const Conduit<D>& conduit = conduits_[r];
@@ -195,7 +195,7 @@ private:
         const double section = conduit.length * conduit.h;
         const Vec<D> place = solids_[network_.films[conduit.film].pair.master].shape.to_body(conduit.x);
         const Vec<D> w = at_conduit_[r].velocity, U = memory.master_velocity(place);
-        double u = conduit.outward.dot(w - U); // out of the film, seen from the master
+        double u = conduit.outward.dot(w - U); // out of the film, relative to the master
         const auto* old = memory.mouth(place, conduit.outward);
         double q = section * conduit.outward.dot(w), scale = 1.0, head = 0.0;
         if (old) {
@@ -204,8 +204,8 @@ private:
             const double with_master = section * conduit.outward.dot(U), most = mouth_bound * section * at_conduit_[r].fastest;
             q = conduit.h < mean_thickness ? with_master + std::clamp(flux - with_master, -most, most) : flux;
         }
-        // Without losses, fluid that passes a mouth has the film's kinetic energy on one side of it and the bulk's on the other, which the bulk's
-        // transport gives or takes. The head is the difference: where fluid leaves by a sharp mouth, and where it enters by a smooth one.
+        // Without losses, fluid that passes a mouth has the film's kinetic energy on one side and the bulk's on the other, which the bulk's
+        // transport supplies or takes up. The head is the difference: where fluid leaves by a sharp mouth, and where it enters by a smooth one.
         const bool smooth = conduit.kind == ConduitKind::smooth;
         const double beyond = conduit.kind == ConduitKind::open_side ? 0.0 : square(conduit.outward.dot(bulk - U));
         const bool enters = u < 0 && conduit.kind != ConduitKind::inflow && (!smooth || !law.jet);

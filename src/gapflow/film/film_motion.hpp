@@ -1,12 +1,12 @@
-// What films carry from step to step, and its advection on the moving surface mesh (method, "The time step").
+// The films' velocities from step to step, and their advection on the moving surface mesh (method, "The time step").
 //
 // An element's velocity is w = u + V_n n in world axes (u tangential, V_n the normal speed of the mid-gap surface).
 // Semi-Lagrangian on the master: trace back by dt (u - P U_m) along the old mesh in the master's frame, transport w as a world
-// vector, and turn its surplus into the new tangent plane:
+// vector, and turn it into the new tangent plane:
 //     w* = w^(x*) + theta (w_e - w^(x_e)),    w^ = U_m + (h (w - U_m))^ / h^, theta = 1 where the
 //                                             new element is the old element e, 0 where the mesh has changed,
 // (.)^: from vertex values (local least squares in the tangent plane, weighted by S). The flux h (w - U_m) varies slowly where the
-// gap does not: interpolating w itself, which goes like 1/h, overestimates it on both sides of a throat and pumps the fluid through.
+// gap does not: interpolation of w itself, which varies as 1/h, overestimates it on both sides of a throat and drives fluid through it.
 //     w_new = w* + lambda n_bar,      n_bar parallel to n_old + n_new,   lambda such that w_new . n_new is the new normal speed.
 // A trace that leaves the old film uses w^ extrapolated linearly beyond its end, never the grid's velocity.
 #pragma once
@@ -21,16 +21,16 @@
 
 namespace gapflow {
 
-/// All that films remember, by pair.
+/// The films' velocities after the last step, by pair.
 template <int D>
 using FilmMemories = std::map<FilmPair<D>, std::shared_ptr<const FilmMemory<D>>>;
 
 /// Velocities with which films enter the next projection.
 template <int D>
 struct FilmFlow {
-    std::vector<Vec<D>> velocity;      ///< u*, tangential, one an element
-    std::vector<double> normal;        ///< w_n*, one an element
-    std::vector<double> conduit;       ///< q*, absolute, one a conduit
+    std::vector<Vec<D>> velocity;      ///< u*, tangential, one for each element
+    std::vector<double> normal;        ///< w_n*, one for each element
+    std::vector<double> conduit;       ///< q*, absolute, one for each conduit
     std::vector<double> conduit_scale; ///< factor on the conduit's 1/R (semi-implicit inflow)
 };
 
@@ -43,14 +43,14 @@ struct MouthLaw {
     bool jet = false;         ///< outflow leaves as a jet: its kinetic head is lost
 };
 
-/// Advects what the old films carried onto the new ones. `predicted`: V^n + dt A; `grid_velocity` samples the bulk's continued
-/// velocity at a list of points (elements and conduits that no old film is near), once.
+/// Advects the old films' velocities onto the new ones. `predicted`: V^n + dt A; `grid_velocity` samples the bulk's extrapolated
+/// velocity at a list of points (elements and conduits without an old film near them), once.
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
                          const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
                          const std::function<MouthLaw(int, int)>& law, double dt);
 
-/// Remembers the films after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}; `idle`, `push`: as in
+/// Stores the films' velocities after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}; `idle`, `push`: as in
 /// FilmMemory.
 template <int D>
 FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
@@ -58,9 +58,9 @@ FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const So
                                const std::vector<double>& conduit, double dx, const std::vector<char>& idle = {},
                                const std::vector<Vec<D>>& push = {});
 
-/// Speed normal to the gap of an element's fluid: row . twist, master's and other's together. Walls that are parallel give it the mean of
-/// their velocities at mid-gap, n . 1/2 (U_A + U_B). Else the other gives what it moves along its own normal, over twice the cosine between
-/// that and n (a ball that turns about its centre gives none), and the master the rest of n . U where both move as one.
+/// Speed normal to the gap of an element's fluid: row . twist, master's and other's together. Between parallel walls it is the mean of
+/// their velocities at mid-gap, n . 1/2 (U_A + U_B). Else the other contributes its speed along its own normal, over twice the cosine between
+/// that and n (a ball that turns about its centre contributes 0), and the master the remainder, such that a common motion gives n . U.
 template <int D>
 struct NormalRows {
     Twist<D> master, other;
@@ -68,7 +68,7 @@ struct NormalRows {
 template <int D>
 NormalRows<D> normal_rows(const FilmMesh<D>& mesh, const FilmElement<D>& element, std::span<const Solid<D>> solids);
 
-/// That speed, one an element.
+/// That speed, one for each element.
 template <int D>
 std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
                                       const std::vector<Twist<D>>& twists);

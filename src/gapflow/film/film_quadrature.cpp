@@ -156,8 +156,8 @@ void divide(const std::array<Vec<3>, 3>& y, int q, const FilmMeshOptions& o, std
 }
 
 /// Shares the flux of a curved other wall over an element's points as the wall itself has it, not its chord (2D): a wall that slides along
-/// itself sweeps nothing anywhere. The chord of a wall of radius R sweeps U (L/2 - s) / R at s, the more against the gap the better it conforms.
-/// What both make of the whole element differs by little and is shared evenly, so the sum stays the chord's.
+/// itself sweeps no volume anywhere. The chord of a wall of radius R sweeps U (L/2 - s) / R at s, an error that matters most between conforming
+/// surfaces. The small difference of both over the whole element is shared evenly, so the sum stays the chord's.
 void bend_areas(const Vec<2>& area, const std::array<Vec<2>, 2>& y, std::span<FilmPoint<2>> points)
 {
     constexpr double least_cosine = 0.5, straight = 1e-12;
@@ -205,7 +205,7 @@ struct Divisions {
     int edge, for_inverse; // of an element's edge; the same for the mean of 1/h
 };
 
-// So fine that pieces are as small as the grid asks for, and their thicknesses alike.
+// So fine that pieces are as small as the grid requires, and their thicknesses similar.
 template <int D>
 Divisions divisions_of(const std::array<Vec<D>, D>& x, const std::array<Vec<D>, D>& y, const Barycentric<D>& h,
                        const FilmMeshOptions& o, bool flat)

@@ -10,7 +10,7 @@ namespace gapflow {
 
 namespace {
 
-// Films live up to this multiple of h_c once they exist, so that they do not chatter.
+// A film that exists is kept up to this multiple of h_c, so that it does not appear and vanish alternately.
 constexpr double hysteresis = 1.3;
 // Surfaces no further apart than this, in dx, and facing the same way are one surface.
 constexpr double coincident = 1e-6;
@@ -24,8 +24,8 @@ std::tuple<int, int, double, std::string> master_rank(const Solid<D>& solid, dou
     return {unbounded ? 2 : solid.shape.shape().inside_out() ? 1 : 0, static_cast<int>(solid.motion), radius, solid.name};
 }
 
-// Whether surfaces are further apart than `reach`, as far as the bounding ball of one, radius about the centre of its bounds,
-// against the other's distance tells.
+// Whether surfaces are further apart than `reach`, by a sufficient test: the bounding ball of one, radius about the centre of its bounds,
+// against the other's distance.
 template <int D>
 bool are_apart(const PlacedShape<D>& a, double radius_a, const PlacedShape<D>& b, double radius_b, double reach)
 {
@@ -87,7 +87,7 @@ public:
         }
         const Vec<D> centre = 0.5 * (low + high);
         const double radius = 0.5 * (high - low).norm() + around[0];
-        if (periodic && radius > 4 * grid.dx()) // further than the clipper sees
+        if (periodic && radius > 4 * grid.dx()) // further than the clipper searches
             return;
         clipper.near(centre, radius, near_);
         std::erase_if(near_, [&](int i) {
@@ -97,10 +97,10 @@ public:
         listed_ = true;
     }
 
-    /// Distance from the master's surface point x with normal n to the nearest third solid (or image) that faces it too, and so
+    /// Distance from the master's surface point x with normal n to the nearest third solid (or image) that also faces it and
     /// competes with the pair's other solid for the film there; negative inside any third solid and beyond an open side of the
-    /// domain, where films end; infinity if none is within reach. Where a third solid's surface is the master's too (flush
-    /// bodies), the one first by name has the film. x may lie outside a periodic domain.
+    /// domain, where films end; infinity if none is within reach. Where a third solid's surface coincides with the master's (flush
+    /// bodies), the first of them by name has the film. x may lie outside a periodic domain.
     double distance(const Vec<D>& x, const Vec<D>& n) const
     {
         const Vec<D> size = grid_.size();
@@ -153,7 +153,7 @@ private:
             return true;
         const Vec<D> normal = image.shape.closest(x).normal;
         if (std::abs(d) <= coincident * grid_.dx() && n.dot(normal) > same_way)
-            // Round-off must not tell which of two flush bodies bears the film there: the names do.
+            // Round-off must not decide which of two flush bodies has the film there: the names do.
             return !(solids_[image.solid].name < solids_[pair_.master].name);
         if (d < nearest && (d < 0 || n.dot(normal) < facing_cosine))
             nearest = d;

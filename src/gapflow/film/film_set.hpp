@@ -1,4 +1,4 @@
-// All films of a configuration: which pairs of solids have one, which of the two is the master (method, 3 and 3.5).
+// All films of a configuration: which pairs of solids have one, which of the two is the master (method, "Films").
 #pragma once
 
 #include "gapflow/film/film_mesh.hpp"
@@ -24,14 +24,13 @@ struct FilmPair {
 
 struct GapSettings {
     bool film = true;
-    double threshold = 0; ///< h_c, a length; a pair that has a film keeps it up to 1.3 h_c
-    double floor = 0;     ///< h_floor, a length
-    std::optional<double>
-        touching;    ///< of a pair that stands still: no film where the surfaces are no further apart than this, a length
-    double skin = 0; ///< of the thickness, less than the floor, nothing flows in (dry contact)
+    double threshold = 0;           ///< h_c, a length; a pair that has a film keeps it up to 1.3 h_c
+    double floor = 0;               ///< h_floor, a length
+    std::optional<double> touching; ///< of a pair at rest: no film where the surfaces are no further apart than this, a length
+    double skin = 0;                ///< part of the thickness, less than the floor, without flow (dry contact)
     bool lasting =
-        false; ///< a film is born as wide as it will be kept: what it covered only later would not know how its fluid moves
-    bool viscous = false; ///< the film's mesh resolves the peak of pressure that squeezes viscous fluid out
+        false; ///< a new film is created with the extent to which it will be kept: a part added later would have no velocity history
+    bool viscous = false; ///< the film's mesh resolves the pressure peak in viscous fluid that is squeezed out
 };
 
 /// One connected piece of film.

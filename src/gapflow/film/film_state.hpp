@@ -1,4 +1,4 @@
-// How a stored state names a pair with films.
+// Entries of a pair with films in a stored state.
 #pragma once
 
 #include "gapflow/core/state_archive.hpp"

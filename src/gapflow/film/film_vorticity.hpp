@@ -1,11 +1,11 @@
-// Vorticity of films about points where curved surfaces nearly touch (method, "The time step"). There the gap widens over less than a
-// cell, the velocity of ideal flow is singular, and what transport errs by is vorticity: left alone it gains step by step until
-// whirls about the point of contact outrun everything else. Any element velocity splits, orthogonally in kinetic energy, into
+// Damps vorticity of films around points where curved surfaces nearly touch (method, "The time step"). There the gap widens over less than
+// a cell, the velocity of ideal flow is singular, and the error of the transport is vorticity, which grows from step to step until vortices
+// around the point of contact are the fastest flow. Any element velocity splits, orthogonally in kinetic energy, into
 //
 //     u = grad phi + (A / S) rot psi,       psi linear on the elements, 0 on the rim,
 //
-// and the projection answers for grad phi alone. Sweeps of Jacobi's method take psi out where the gap is that narrow: fluxes
-// through no element's sides change their balance, and energy only falls.
+// and the projection determines grad phi alone. Sweeps of Jacobi's method reduce psi where the gap is that narrow. The flux
+// balance of no element changes, and energy only falls.
 #pragma once
 
 #include "gapflow/film/conduits.hpp"

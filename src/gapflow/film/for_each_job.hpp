@@ -3,7 +3,7 @@
 
 namespace gapflow {
 
-/// Calls f(0) .. f(n - 1), in any order, on as many threads as OpenMP gives (one without it).
+/// Calls f(0) .. f(n - 1), in any order, on as many threads as OpenMP provides (without OpenMP: one).
 template <class F>
 void for_each_job(int n, F&& f)
 {

@@ -1,4 +1,4 @@
-// The master's surface near the gap, refined to the gap's scales (method, 3.1 item 2). Private to film/.
+// The master's surface near the gap, refined to the gap's scales (method, "Mesh"). Private to film/.
 #pragma once
 
 #include "gapflow/film/edge_table.hpp"
@@ -46,15 +46,15 @@ public:
     /// Base mesh: the elements of the master that may reach the gap. Vertices are split along sharp edges.
     GapSurface(const GapTest<D>& test, const SurfaceMesh<D>& base);
 
-    /// Splits until no element is larger than the largest size times `scale`; drops what cannot reach the gap. False if that
-    /// takes more vertices in the gap than the cap.
+    /// Splits until no element is larger than the largest size times `scale`; drops elements that cannot reach the gap. False if that
+    /// needs more vertices in the gap than allowed.
     bool refine_coarsely(double scale);
-    /// The patches of the other met in the gap.
+    /// The other's patches that face the gap.
     std::vector<int> other_patches() const;
     /// Counts only these patches of the other as its surface from now on.
     void restrict_to(const std::vector<int>& label);
     /// Splits until every element in the gap has its size times `scale` and the gap's end cuts elements in straight lines.
-    /// False if that takes more vertices in the gap than the cap.
+    /// False if that needs more vertices in the gap than allowed.
     bool refine(double scale);
 
     const GapTest<D>& test() const { return test_; }

@@ -1,4 +1,4 @@
-// Which points of the master's surface lie in the gap of the other (method, 3.1 item 1). Private to film/.
+// Which points of the master's surface lie in the gap of the other (method, "Mesh"). Private to film/.
 #pragma once
 
 #include "gapflow/film/film_mesh.hpp"

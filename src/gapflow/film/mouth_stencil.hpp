@@ -1,4 +1,4 @@
-// Which cells of the grid a mouth reads its pressure from, and feeds (method, "Conduits and joints").
+// The cells of the grid from which a mouth takes its pressure and to which its flux goes (method, "Conduits and joints").
 #pragma once
 
 #include "gapflow/film/film_cells.hpp"
@@ -9,8 +9,8 @@
 namespace gapflow {
 
 /// Multilinear weights over bulk and mixed cells around y, those connected to the heaviest one through open faces
-/// nearby (within one cell of the stencil: nothing leaks through a thin wall). Grid::key, weight; sum 1. Empty:
-/// there is no such cell.
+/// nearby (within one cell of the stencil, so that nothing leaks through a thin wall). Grid::key, weight; sum 1. Empty
+/// if there is no such cell.
 template <int D>
 std::vector<std::pair<long, double>> mouth_stencil(CellStates<D>& states, const Vec<D>& y);
 

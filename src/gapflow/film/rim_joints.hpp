@@ -16,7 +16,7 @@ long cell_number(const Index<D>& cell)
     return k;
 }
 
-/// Finds the rims next to points of rims.
+/// Finds the rims of other films near a point of a rim.
 template <int D>
 class RimJoints {
 public:

@@ -1,12 +1,12 @@
 // Conforming refinement of the gap's surface by marked edges.
 //
 // An element may not be longer than min(largest dx, curved sqrt(2 R h)), nor h change by more than a factor over it, nor an
-// element that the gap's end cuts be longer than straddle dx, all down to smallest dx (method, 3.1 item 2). Marks live on
-// edges; with any edge of a triangle its longest is marked (Rivara, Int. J. Numer. Methods Eng. 20 (1984) 745), and triangles
+// element that the gap's end cuts be longer than straddle dx, all down to smallest dx (method, "Mesh"). Edges are
+// marked; with any edge of a triangle its longest is marked (Rivara, Int. J. Numer. Methods Eng. 20 (1984) 745), and triangles
 // with one, two or three marked edges are split alike from both sides of each edge, so the mesh stays conforming. Lengths
 // equal to 1e-9 count as equal: the mesh does not depend on the orientation of the scene.
 //
-// What cannot be in the gap is dropped between rounds: phi_B is 1-Lipschitz and every point of an element lies within 0.6
+// Elements that cannot be in the gap are dropped between rounds: phi_B is 1-Lipschitz and every point of an element lies within 0.6
 // of its longest edge of a vertex.
 #include "gapflow/film/gap_surface.hpp"
 
@@ -67,7 +67,7 @@ bool GapSurface<D>::varies(double h0, double h1) const
     return std::max(h0, h1) > slack * test_.options.ratio * std::min(h0, h1);
 }
 
-/// Whether the gap goes out between curved surfaces at a vertex that is not in it: no edge of either ends it.
+/// Whether the gap ends between curved surfaces at a vertex that is not in it, not at an edge of either.
 template <int D>
 bool GapSurface<D>::goes_out_smoothly(const Vertex& v, int patch) const
 {
@@ -103,7 +103,7 @@ bool GapSurface<D>::too_long(const Edge& edge, bool coarse) const
             curvature = std::max(curvature, test_.curvature(edge.patch, v->p.patch));
             if (edge.second >= 0 && !edge.crease)
                 curvature = std::max(curvature, test_.curvature(edge.second, v->p.patch));
-            // where bodies overlap the gap is even (the floor): what varies is the distance to the overlap's edge
+            // where bodies overlap the thickness is constant (the floor): the distance to the overlap's edge varies
             h = std::min(h, std::max(std::abs(v->p.distance), test_.options.floor));
         }
     return curvature > 0 && length > slack * std::max(sizes_.smallest, sizes_.curved * std::sqrt(2 * h / curvature));
@@ -117,7 +117,7 @@ bool GapSurface<D>::mark_edges(bool coarse)
         any |= edge.marked = too_long(edge, coarse);
     if (coarse)
         return any;
-    // elements that may hold a piece of the gap which no vertex sees
+    // elements that may contain a piece of the gap but no vertex in it
     for (std::size_t e = 0; e < elements_.size(); ++e) {
         const auto& nodes = elements_[e].nodes;
         if (std::any_of(nodes.begin(), nodes.end(), [&](int v) { return vertices_[v].inside(); }))
@@ -131,7 +131,7 @@ bool GapSurface<D>::mark_edges(bool coarse)
     return any;
 }
 
-/// Marks what the cut at the gap's end asks for: h up to the end within the largest ratio, straight cuts.
+/// Marks the edges that the cut at the gap's end requires: h up to the end within the largest ratio, straight cuts.
 template <int D>
 bool GapSurface<D>::mark_at_end()
 {
@@ -320,7 +320,7 @@ bool GapSurface<D>::out_of_reach(int e) const
         return true;
     if (linear)
         return nearest >= threshold || facing >= facing_cosine || small;
-    // Curvatures over the largest size are those of facets' edges: the normal may turn at once.
+    // Curvatures over the largest size are those of facets' edges: the normal may change abruptly.
     if (!small)
         return nearest >= threshold + 0.6 * length + std::min(0.25 * std::abs(kappa_master) * length, 0.5) * length;
     const double bend = 0.25 * length * length;

@@ -14,7 +14,7 @@ struct Facet {
     Vec<D> normal;
 };
 
-/// Closest point of a facet and what it lies on: the facet's interior (ridge and vertex -1), in 3D the inside of the edge
+/// Closest point of a facet and the part on which it lies: the facet's interior (ridge and vertex -1), in 3D the inside of the edge
 /// without local vertex `ridge`, or the local vertex `vertex`.
 template <int D>
 struct FacetPoint {

@@ -24,7 +24,7 @@ struct ClosedSurface {
 /// Welds vertices where the facets need it (first identical ones, then those within 1e-6 of the size), drops facets that
 /// collapse, checks that every ridge has two facets of consistent orientation, and turns the surface over if its volume is
 /// negative. Then every connected part must be outward, or inward where it is a cavity inside another part. Surfaces that
-/// cut themselves are not found. Throws InputError that starts with `name` and tells the first bad ridge.
+/// cut themselves are not detected. Throws InputError that starts with `name` and names the first bad ridge.
 template <int D>
 ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name);
 

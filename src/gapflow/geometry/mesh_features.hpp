@@ -16,7 +16,7 @@ struct MeshFeatures {
     std::vector<double> patch_curvature;     ///< 0 if planar within 1e-6 of its size
     std::vector<Vec<D>> vertex_normal;       ///< angle-weighted pseudonormal (Baerentzen & Aanaes 2005)
     std::vector<Feature> vertex_feature;     ///< 3D: edge where a sharp edge passes or ends, corner where they meet or turn
-    std::vector<bool> vertex_one_fan;        ///< false: parts touch here, the pseudonormal does not tell the side
+    std::vector<bool> vertex_one_fan;        ///< false: parts touch here, the pseudonormal does not determine the side
     std::vector<int> fan_start, fan;         ///< facets at vertex v: fan[fan_start[v]] .. fan[fan_start[v + 1] - 1]
 
     std::span<const int> facets_at(int vertex) const

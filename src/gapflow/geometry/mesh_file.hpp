@@ -13,7 +13,7 @@ namespace gapflow {
 template <int D>
 SurfaceMesh<D> read_surface_file(const std::string& file, double scale);
 
-/// The same of a file's content; `file` stands for it in messages, and its extension tells the format.
+/// The same of a file's content; `file` is its name in messages, and its extension determines the format.
 template <int D>
 SurfaceMesh<D> parse_surface(const std::string& text, const std::string& file, double scale);
 

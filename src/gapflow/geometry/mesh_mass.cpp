@@ -17,7 +17,7 @@ MassProperties<D> mass_properties_of(const SurfaceMesh<D>& mesh)
     Vec<D> first = Vec<D>::Zero();
     Mat<D> second = Mat<D>::Zero();
     for (const auto& facet : mesh.elements) {
-        Mat<D> v; // one vertex a column
+        Mat<D> v; // one vertex per column
         for (int i = 0; i < D; ++i)
             v.col(i) = mesh.vertices[facet[i]] - origin;
         const double part = v.determinant() / (D == 2 ? 2 : 6);

@@ -13,7 +13,7 @@
 
 namespace gapflow {
 
-/// What the closest point lies on. Smooth edges of a mesh (normals within 30 degrees) count as face.
+/// Part of the surface on which the closest point lies. Smooth edges of a mesh (normals within 30 degrees) count as face.
 enum class Feature { face, edge, corner };
 
 template <int D>
@@ -35,7 +35,7 @@ template <int D>
 struct SurfaceMesh {
     std::vector<Vec<D>> vertices;
     std::vector<std::array<int, D>> elements;
-    std::vector<int> patch; ///< one an element
+    std::vector<int> patch; ///< one for each element
 };
 
 template <int D>
@@ -52,8 +52,8 @@ struct Plane {
     double offset;
 };
 
-/// Points and segments whose surroundings within a radius belong to the solid, their outer side to its surface as far as it
-/// is one: the centre of a ball, the axis of a capsule or cylinder.
+/// Points and segments whose surroundings within a radius belong to the solid and generate its round surface:
+/// the centre of a ball, the axis of a capsule or cylinder.
 template <int D>
 struct Core {
     Vec<D> from, to; ///< equal: a point
@@ -102,9 +102,9 @@ public:
     virtual bool complement() const { return false; }
     /// The solid is the outside of its surface (every shape turned inside out).
     virtual bool inside_out() const { return false; }
-    /// The solid is convex: no point of the fluid has two nearest places on it that are not next to each other.
+    /// The solid is convex: the nearest point on it is unique for every point of the fluid.
     virtual bool convex() const { return true; }
-    /// What makes the shape's curved parts, if they are round; empty for all other shapes and shapes turned inside out.
+    /// The cores of the shape's curved parts, if they are round; empty for all other shapes and shapes turned inside out.
     virtual std::vector<Core<D>> cores() const { return {}; }
 };
 
@@ -125,14 +125,14 @@ std::unique_ptr<Shape<3>> make_cylinder(double radius, double length);
 /// Everything behind the plane through the origin with this outward normal (of any length).
 template <int D>
 std::unique_ptr<Shape<D>> make_half_space(const Vec<D>& normal);
-/// Closed triangle mesh, OBJ or STL (3D), or polygon file (2D: one "x y" a line, closed on itself, blank line between loops,
+/// Closed triangle mesh, OBJ or STL (3D), or polygon file (2D: one "x y" per line, closed on itself, blank line between loops,
 /// '#' comments; holes run the other way round). Coordinates times `scale`; the frame is the file's, the centre of volume
 /// anywhere. Vertices that the file repeats are welded (3D). Checks that it is watertight and consistently oriented (turns
-/// it if wholly inside out; a part inside another must be a cavity); a surface that cuts itself is not found. Throws
+/// it if wholly inside out; a part inside another must be a cavity); a surface that cuts itself is not detected. Throws
 /// InputError naming the file and the first bad edge.
 template <int D>
 std::unique_ptr<Shape<D>> make_mesh(const std::string& file, double scale);
-/// The same of a surface that is in memory; `name` stands for it in messages.
+/// The same of a surface in memory; `name` is its name in messages.
 template <int D>
 std::unique_ptr<Shape<D>> make_mesh(SurfaceMesh<D> surface, const std::string& name);
 /// The same surface with the solid on its other side (containers).

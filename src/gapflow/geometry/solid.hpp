@@ -1,4 +1,4 @@
-// Solids as the fluid sees them: shapes at their poses, domain walls among them, and their images in a periodic domain.
+// Solids in the fluid: shapes at their poses, domain walls included, and their images in a periodic domain.
 #pragma once
 
 #include "gapflow/geometry/pose.hpp"
@@ -21,7 +21,7 @@ struct Solid {
     Vec<D> centre = Vec<D>::Zero(); ///< reference point of its twist and wrench: the centre of mass
     Motion motion = Motion::fixed;
     bool wall = false; ///< a closed side of the domain: a half-space that owns the whole side's faces
-    /// Of a free body: the orthogonal projector onto the twists that its constraints let it have.
+    /// Of a free body: the orthogonal projector onto the twists that its constraints admit.
     TwistMatrix<D> admissible = TwistMatrix<D>::Identity();
 };
 

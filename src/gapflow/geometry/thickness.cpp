@@ -20,7 +20,7 @@ constexpr double low_part = 0.1, high_part = 0.9; // quantiles of a patch's thic
 template <int D>
 struct Sample {
     Vec<D> x, middle;
-    Vec<D> place() const { return faces ? middle : x; } ///< where patches count it: of a sheet both sides alike
+    Vec<D> place() const { return faces ? middle : x; } ///< its position in patches: of a sheet the same for both sides
     double thickness;                                   ///< most: not thinner
     bool faces;                                         ///< an opposite surface
 };
@@ -190,7 +190,7 @@ Thickness<D> sheet_thickness(const PlacedShape<D>& solid, double cell, double mo
     const auto thickest = std::max_element(samples.begin(), samples.end(),
                                            [](const Sample<D>& a, const Sample<D>& b) { return a.thickness < b.thickness; });
     result = {thickest->thickness, thickest->middle};
-    if (result.value < most) { // a star's middle reaches its surface at inner corners only
+    if (result.value < most) { // the middle of a star touches its surface at inner corners only
         constexpr int lattice = D == 2 ? 24 : 12;
         for (int k = 0; k < static_cast<int>(std::pow(lattice, D) + 0.5); ++k) {
             Vec<D> x = bounds.low;

@@ -1,4 +1,4 @@
-// How thick a solid is where a grid sees it: balls inside it that touch its surface.
+// Thickness of a solid on the scale of a grid: balls inside it that touch its surface.
 #pragma once
 
 #include "gapflow/geometry/pose.hpp"
@@ -10,14 +10,14 @@ namespace gapflow {
 /// Where a solid is thinnest.
 template <int D>
 struct Thickness {
-    double value; ///< a length, not more than what was asked for
+    double value; ///< a length, at most the given limit
     Vec<D> at;    ///< in the solid, half-way between the surfaces
 };
 
 /// The smallest thickness of a solid that holds over a patch three cells wide, or over all of it if that is smaller; `most`
 /// where it is no thinner. At a point of the surface it is the diameter of the largest ball inside that touches the surface
-/// there; it counts where the ball also touches a surface that faces the other way. Edges, corners, wedges that soon become
-/// thick, and what is smaller than the patch (ridges, short fins) do not count. Solids without bounds or inside out have no
+/// there; it counts where the ball also touches a surface that faces the other way. Edges, corners, wedges of more than a small
+/// angle, and parts smaller than the patch (ridges, short fins) do not count. Solids without bounds or inside out have no
 /// thickness: `most`. `beyond(x, n)`, if given: how far other solids continue this one from its surface point x along the
 /// normal n.
 template <int D>

@@ -33,7 +33,7 @@ struct PartSum {
 template <int D>
 struct FaceSums {
     PartSum<D> open;
-    std::vector<PartSum<D>> solid; ///< one a cutter
+    std::vector<PartSum<D>> solid; ///< one for each cutter
 
     void reset(std::size_t cutters)
     {
@@ -43,7 +43,7 @@ struct FaceSums {
 };
 
 /// Parts of the face with low corner `corner` and edges dx along `tangents`. Points within `tolerance` of a surface are on
-/// it; points in several solids go to the smallest distance, ties to the first cutter. At most 64 cutters.
+/// it; points in several solids belong to the one with the smallest distance, ties to the first cutter. At most 64 cutters.
 void clip_face(const Vec<2>& corner, double dx, const std::array<int, 1>& tangents, std::span<const Cutter<2>> cutters,
                double tolerance, FaceSums<2>& sums);
 void clip_face(const Vec<3>& corner, double dx, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters,

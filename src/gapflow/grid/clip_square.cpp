@@ -4,9 +4,9 @@
 //
 // exactly by the planes of flat-faced solids, and by phi of other shapes interpolated on 2 x 2 x 2 triangles whose diagonals
 // meet in the middle of the face (the pattern has the square's own symmetries), those near a surface cut in four once more
-// (volume of a ball of radius 4 dx: -0.13 % instead of -0.52 %). A fragment knows the solids it lies in: none: open;
+// (error of the volume of a ball of radius 4 dx: -0.13 % instead of -0.52 %). Each fragment stores the solids in which it lies: none: open;
 // one: that solid's; several: split once more where their distances, linear on the triangles about its middle, are equal. All
-// splits share out the whole fragment, so the parts sum to the square. Exact for flat faces that do not overlap, else second
+// splits divide the whole fragment, so the parts sum to the square. Exact for flat faces that do not overlap, else second
 // order (after Ng, Min & Gibou 2009). Method, "Face fractions".
 #include "gapflow/grid/clip_kernels.hpp"
 
@@ -231,7 +231,7 @@ private:
         cut_all(linear_);
     }
 
-    // Cuts the fragments by every solid in turn and hands them out.
+    // Cuts the fragments by every solid in turn and adds them to the parts.
     void cut_all(std::span<const Affine> linear)
     {
         for (int i = 0; i < static_cast<int>(cutters_.size()); ++i) {
@@ -299,7 +299,7 @@ private:
             const double u[3] = {mid_u, p.u[k], p.u[next]}, v[3] = {mid_v, p.v[k], p.v[next]};
             if (!((u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]) > 1e-15))
                 continue;
-            // Each takes what is nearer to it than to any other; where two are as near, the first.
+            // Each solid takes the part nearer to it than to any other; at equal distances the first.
             for (std::size_t o = 0; o < owners_.size(); ++o) {
                 Polygon mine, low, high;
                 for (int c = 0; c < 3; ++c)

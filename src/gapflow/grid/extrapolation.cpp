@@ -4,8 +4,8 @@
 //                if there is none: mean of the valid neighbours;
 //     layer k:   u_f = mean of the neighbours in layers < k.
 //
-// First order, second order in layer 1 (method, "The time step": the first continued layer linear, further ones means).
-// After one sweep over the grid only the front of the continuation is visited.
+// First order, second order in layer 1 (method, "The time step": the first extrapolated layer linear, further ones means).
+// After one sweep over the grid only the front of the extrapolation is visited.
 #include "gapflow/grid/extrapolation.hpp"
 
 #include "gapflow/core/threads.hpp"

@@ -15,8 +15,8 @@ namespace gapflow {
 namespace {
 
 constexpr double negligible = 1e-12; // open fractions below this are 0
-// Surfaces within this of a grid plane (in dx) lie on it, and openings below it beside a single solid are closed: a body
-// that is aligned with the grid does not flip whole faces open and shut with the round-off of its position.
+// Surfaces within this of a grid plane (in dx) count as on it, and openings below it beside a single solid are closed: otherwise
+// the round-off of the position of a body aligned with the grid would open and close whole faces.
 constexpr double alignment = 1e-6;
 constexpr double well_conditioned = 1e-3; // open fractions above this get their centroid from the balance of moments
 

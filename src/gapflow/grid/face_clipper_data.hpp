@@ -1,4 +1,4 @@
-// What a FaceClipper holds. Private to grid/.
+// Data of a FaceClipper. Private to grid/.
 #pragma once
 
 #include "gapflow/grid/clip_kernels.hpp"

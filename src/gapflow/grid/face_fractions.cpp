@@ -46,7 +46,7 @@ public:
         const ImageBins<D>& bins = data_.bins;
         const Index<D> end = high_ + Index<D>::Ones(); // each cell fills the faces on its low sides
         const Index<D> first_bin = bins.bin_of(low_), end_bin = bins.bin_of(high_) + Index<D>::Ones();
-        std::vector<Work> works(end_bin[D - 1] - first_bin[D - 1]); // one a plane of bins, put together in their order
+        std::vector<Work> works(end_bin[D - 1] - first_bin[D - 1]); // one for each plane of bins, joined in their order
         for_each_plane(0, static_cast<int>(works.size()), [&](int plane) {
             Index<D> from = first_bin, to = end_bin;
             from[D - 1] += plane;
@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    /// What a part of the flood finds; `cut` of its faces counts from its own first one.
+    /// Result of a part of the flood; `cut` of its faces counts from its own first one.
     struct Work {
         std::vector<int> candidates; ///< a stack: each level of the recursion adds its own
         std::vector<double> phi;
@@ -86,7 +86,7 @@ private:
         ClippedFace<D> parts;
     };
 
-    // Appends what it has found.
+    // Appends its result.
     void take(Work& work)
     {
         const int before = static_cast<int>(result_.faces.size());

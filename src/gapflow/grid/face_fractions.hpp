@@ -82,7 +82,7 @@ struct FaceFractions {
 
 /// Clips the faces within reach of a surface and fills the rest by flood: open outside, closed inside. A wholly solid face
 /// that borders a cell with any open or partly solid face, or with a face in another solid, has an entry in `faces` too (it
-/// belongs to that cell's hull); so has every face on a closed side.
+/// belongs to that cell's boundary); so has every face on a closed side.
 template <int D>
 FaceFractions<D> face_fractions(const Grid<D>& grid, const FaceClipper<D>& clipper);
 

@@ -75,7 +75,7 @@ void for_each_row_on_threads(const Index<D>& low, const Index<D>& high, F&& f)
     for_each_plane(low[D - 1], high[D - 1], [&](int plane) { for_each_row_of_plane<D>(low, high, plane, f); });
 }
 
-/// A value a cell, on owned cells and `ghost` layers around them.
+/// One value for each cell, on owned cells and `ghost` layers around them.
 template <int D, class T = double>
 class CellField {
 public:
@@ -98,7 +98,7 @@ private:
     LargeVector<T> values_;
 };
 
-/// A value a face: one CellField an axis; entry c of axis `a` is the face of cell c on its low side along a.
+/// One value for each face: one CellField per axis; entry c of axis `a` is the face of cell c on its low side along a.
 /// A rank owns the faces c of its cells c, and the last rank of a non-periodic axis the faces on the high side of the domain.
 template <int D, class T = double>
 class FaceField {
@@ -139,8 +139,8 @@ void for_each_marked(const CellField<D, std::int8_t>& field, const Index<D>& low
     });
 }
 
-/// Fills the ghosts that other ranks own (also across periodic sides), to the depth of `layers` (default: all). What lies
-/// beyond walls, open and inflow sides is left as it is. Collective. For face fields the domain's last faces travel along.
+/// Fills the ghosts that other ranks own (also across periodic sides), to the depth of `layers` (default: all). Ghosts
+/// beyond walls, open and inflow sides stay unchanged. Collective. For face fields the domain's last faces are included.
 template <int D, class T>
 void exchange(const Grid<D>& grid, CellField<D, T>& field, int layers = -1);
 template <int D, class T>

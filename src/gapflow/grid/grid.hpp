@@ -16,7 +16,7 @@
 
 namespace gapflow {
 
-/// What happens on a side of the domain.
+/// Boundary condition on a side of the domain.
 enum class SideKind { wall, open, periodic, inflow };
 
 template <int D>

@@ -8,8 +8,8 @@
 
 namespace gapflow {
 
-/// Value of the velocity component normal to `axis` at x, linear in every axis between faces; x is clamped to what the field
-/// stores. Ghosts must be filled.
+/// Value of the velocity component normal to `axis` at x, linear in every axis between faces; x is clamped to the field's
+/// block. Ghosts must be filled.
 template <int D>
 double interpolate_face(const Grid<D>& grid, const CellField<D>& component, int axis, const Vec<D>& x)
 {

@@ -1,6 +1,6 @@
-// Layout: attributes of the file say what it is and where the run was; every array of the state is a dataset under
-// /numbers, /integers or /fields, its name the path. The file is put together in memory and written as a whole, so that a full
-// disk is told by its own error and never leaves half a file. A CRC over all content finds damage that HDF5 does not see.
+// Layout: attributes of the file give its type and the run's position in time; every array of the state is a dataset under
+// /numbers, /integers or /fields, its name the path. The file is assembled in memory and written as a whole, so that a full
+// disk gives its own error and never leaves half a file. A CRC over all content detects damage that HDF5 does not.
 #include "gapflow/output/checkpoint.hpp"
 
 #include "gapflow/output/file.hpp"
@@ -21,10 +21,9 @@ namespace gapflow {
 namespace {
 
 constexpr const char* format_name = "gapflow checkpoint";
-constexpr std::int64_t format_version =
-    5; // goes up (in restart_test.py too) whenever a state of before can no longer be restored
+constexpr std::int64_t format_version = 5; // incremented (in restart_test.py too) whenever older states cannot be restored
 
-/// What is wrong with a file, without its name.
+/// A problem with a file, without its name.
 class Unreadable : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -225,7 +224,7 @@ void fill(const std::filesystem::path& path, Checkpoint& checkpoint)
 
 void silence_hdf5()
 {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // errors are told by exceptions
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // errors are reported by exceptions
 }
 
 void broadcast(std::string& text, const Communicator& comm)
@@ -255,7 +254,7 @@ void broadcast(std::map<std::string, std::vector<T>>& arrays, const Communicator
 
 using Json = nlohmann::ordered_json;
 
-// What must be the same in both scenes.
+// The part that must be the same in both scenes.
 Json essence(const std::string& scene)
 {
     Json json = Json::parse(scene);
@@ -338,7 +337,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const Communicator
             fill(path, checkpoint);
         } catch (const InputError&) {
             throw;
-        } catch (const std::exception& problem) { // a damaged size may also ask for too much memory
+        } catch (const std::exception& problem) { // a damaged size may also request too much memory
             throw InputError(path.string() + ": not a checkpoint, or damaged (" + problem.what() +
                              "); take another checkpoint or start the run anew");
         }

@@ -1,4 +1,4 @@
-// checkpoint.h5: the state of a run between two steps, from which it goes on.
+// checkpoint.h5: the state of a run between two steps, from which it can be continued.
 #pragma once
 
 #include "gapflow/core/communicator.hpp"
@@ -10,7 +10,7 @@
 
 namespace gapflow {
 
-/// Where a run's files are.
+/// Position of a run in its output files.
 struct RunPosition {
     long step = 0;           ///< last one in the tables
     int frames = 0;          ///< output times whose fields are written
@@ -31,11 +31,11 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
 /// Collective.
 Checkpoint read_checkpoint(const std::filesystem::path& path, const Communicator& comm);
 
-/// Throws InputError, naming the first key that differs, if a run of `scene` cannot go on from a checkpoint of another scene:
-/// all but title, time, solver and output must be the same. Names of folders of the scene's files do not count.
+/// Throws InputError, naming the first key that differs, if a run of `scene` cannot continue from a checkpoint of another scene:
+/// all but title, time, solver and output must be the same. Names of folders of the scene's files are not compared.
 void require_same_scene(const std::filesystem::path& path, const Checkpoint& checkpoint, const Scene& scene);
 
-/// The InputError for a state that Simulation refused.
+/// The InputError for a state that Simulation rejected.
 [[noreturn]] void throw_checkpoint_error(const std::filesystem::path& path, const std::string& problem);
 
 } // namespace gapflow

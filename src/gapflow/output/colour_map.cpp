@@ -26,7 +26,7 @@ ColourRange widened(double low, double high)
 
 void sample(const std::vector<float>& from, const std::vector<float>* fluid, std::vector<float>& to)
 {
-    constexpr std::size_t most = 20'000; // of a plane: more would say the same
+    constexpr std::size_t most = 20'000; // of a plane: a sufficient sample
     const std::size_t stride = from.size() / most + 1;
     for (std::size_t i = 0; i < from.size(); i += stride)
         if (std::isfinite(from[i]) && (!fluid || (*fluid)[i] > 0))

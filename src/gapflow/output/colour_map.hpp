@@ -1,4 +1,4 @@
-// Colours for values, told apart by readers with any colour vision.
+// Colours for values, distinguishable with any colour vision.
 //
 // pressure: diverging, C. Brewer's RdBu (colorbrewer2.org), blue low, red high; speed: viridis, film pressure: plasma (S. van
 // der Walt, N. Smith: perceptually uniform, rising in lightness). Each is a table of 17 colours, linear in between.
@@ -34,7 +34,7 @@ struct ColourRanges {
 };
 
 /// Collects values of frames for ranges that all frames share. Of every frame the 1 % and the 99 % value, of these over all
-/// frames the 3 % and the 97 % one: neither single cells nor a slam in a single one of many frames set them. Pressure:
+/// frames the 3 % and the 97 % one: neither single cells nor an impact in a single one of many frames determine them. Pressure:
 /// symmetric about the reference pressure where that lies inside; speed: from 0.
 class RangeSampler {
 public:

@@ -1,4 +1,4 @@
-// The columns of a run's tables: the one list that the files, `converge` and the Python package go by.
+// The columns of a run's tables: the one list that the files, `converge` and the Python package use.
 #pragma once
 
 #include "gapflow/output/table.hpp"

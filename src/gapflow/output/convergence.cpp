@@ -102,7 +102,7 @@ CsvTable read_csv(const std::string& file)
             continue;
         }
         if (in.eof() && table.names[0] == "step")
-            break; // a table of a run ends each line: this one was cut off when the run was killed
+            break; // an incomplete last line: the run was killed while it was written
         if (cells.size() != table.names.size())
             throw InputError(file + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) +
                              " columns, the first line names " + std::to_string(table.names.size()) + "; complete the line");
@@ -196,7 +196,7 @@ std::optional<double> observed_order(const std::vector<double>& h, const std::ve
             x.push_back(std::log(s));
         return slope_of(x, y);
     }
-    // What the law leaves of log(error) has no slope against log(h) at the order sought; the slope falls with p: bisection.
+    // At the order sought the residual of log(error) has no slope against log(h); the slope falls with p: bisection.
     auto remaining_slope = [&](double p) {
         std::vector<double> x, rest;
         for (std::size_t i = 0; i < y.size(); ++i) {

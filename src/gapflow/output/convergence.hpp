@@ -6,7 +6,7 @@
 //     max error = max |e_i| / R,       L2 error = sqrt( integral e^2 dt / integral dt ) / R   (trapezoidal rule).
 //
 // The observed order p is that of an error C (h^p - h_ref^p): h_ref = 0 for a reference from elsewhere, the finest spacing
-// where the finest run is the reference, whose own error would otherwise feign a higher order (P. J. Roache, Verification and
+// where the finest run is the reference, whose own error would otherwise make the order appear higher (P. J. Roache, Verification and
 // Validation in Computational Science and Engineering, 1998, chapter 5).
 #pragma once
 
@@ -57,7 +57,7 @@ struct SeriesError {
 SeriesError error_of(const Series& run, const Series& reference, const TimeWindow& window);
 
 /// Observed order of errors at several spacings h, C (h^p - reference_h^p): exact for two, else fitted so that the logarithms
-/// leave no least-squares slope (reference_h = 0: it is that slope). Empty with fewer than two errors > 0, or if no p in -5 ... 20 fits.
+/// have no remaining least-squares slope (reference_h = 0: it is that slope). Empty with fewer than two errors > 0, or if no p in -5 ... 20 fits.
 std::optional<double> observed_order(const std::vector<double>& h, const std::vector<double>& error, double reference_h);
 
 struct ConvergenceRow {

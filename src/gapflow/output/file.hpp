@@ -1,4 +1,4 @@
-// Files that are complete at any moment: what an interrupted run leaves is valid.
+// Files that are complete at any moment: the files of an interrupted run are valid.
 #pragma once
 
 #include "gapflow/core/communicator.hpp"
@@ -13,10 +13,10 @@ namespace gapflow {
 /// Creates a folder and its parents and tries to write into it. Throws InputError with path, reason and remedy.
 void prepare_folder(const std::filesystem::path& folder);
 
-/// Throws ComputationError: path, what could not be done, the reason of errno value `error`, and the remedy.
+/// Throws ComputationError: path, the operation that failed, the reason of errno value `error`, and the remedy.
 [[noreturn]] void throw_file_error(const std::filesystem::path& path, const std::string& action, int error);
 
-/// What a file's name ends with until it is complete.
+/// Ending of a file's name until it is complete.
 inline constexpr const char* partial_extension = ".partial";
 
 /// A file written under a temporary name in its folder, which takes its own name only once it is complete and on the disk;

@@ -439,10 +439,10 @@ std::vector<std::filesystem::path> write_frame_pictures(const StoredRun& run, co
                                                         const CountWatcher& watch)
 {
     if (run.frames.empty())
-        throw InputError(run.folder.string() + ": no output time is there to draw; the run has not got that far, or its files "
+        throw InputError(run.folder.string() + ": there is no output time to draw; the run has not reached one, or its files "
                                                "fields/ and bodies/ are gone");
     const RunView view = view_run(run);
-    // Colours are those of the whole run, of up to 40 frames of it: a slam in one frame must not set them.
+    // Colour ranges come from the whole run, from up to 40 of its frames: an impact in one frame must not determine them.
     const std::size_t stride = (run.frames.size() + 39) / 40;
     RangeSampler sampler;
     bool films = false;

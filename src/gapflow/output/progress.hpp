@@ -1,4 +1,4 @@
-// How far a run is: a line that repaints itself on a terminal, a line per output time into a pipe.
+// Progress of a run: a line that repaints itself on a terminal, a line per output time into a pipe.
 #pragma once
 
 #include "gapflow/core/communicator.hpp"
@@ -52,8 +52,8 @@ private:
 /// Called after each part of a long work: parts done, parts in all.
 using CountWatcher = std::function<void(std::size_t done, std::size_t of)>;
 
-/// How far a work of many parts is, as "frames: 3 of 20": on a terminal a line that repaints itself, in a log a line every ten
-/// seconds, so that short work leaves none.
+/// Progress of work with many parts, as "frames: 3 of 20": on a terminal a line that repaints itself, in a log a line every ten
+/// seconds, so that short work adds none.
 class CountProgress {
 public:
     /// `out` outlives the object.

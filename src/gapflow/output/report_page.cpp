@@ -136,7 +136,7 @@ std::string code_for_page(std::string_view code)
     return result;
 }
 
-// The template with {{name}} replaced, in one pass: what is put in is not searched.
+// The template with {{name}} replaced, in one pass: inserted text is not searched.
 std::string filled(std::string_view page, const std::vector<std::pair<std::string, std::string>>& values)
 {
     std::string result;
@@ -355,7 +355,7 @@ std::string title_of(const StoredRun& run)
     return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
 }
 
-/// What the run was told of, as a list; nothing where there was nothing.
+/// The run's warnings as a list; empty without warnings.
 std::string warnings_html(const Json& record)
 {
     std::string items;

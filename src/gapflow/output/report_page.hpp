@@ -1,4 +1,4 @@
-// One HTML page of a run: plots, a view to play, the scene, machine and timings. It needs nothing but itself.
+// One HTML page of a run: plots, an animated view, the scene, machine and timings. The file is self-contained.
 #pragma once
 
 #include "gapflow/output/progress.hpp"
@@ -9,7 +9,7 @@
 
 namespace gapflow {
 
-/// What keeps a page small. Frames and steps beyond are thinned evenly, first and last stay; the page says so.
+/// Limits of a page's size. Frames and steps beyond are thinned evenly, first and last stay; the page says so.
 struct PageLimits {
     long plane_cells = 1 << 17;           ///< of one field on one plane: coarser means beyond
     std::size_t frame_bytes = 48 << 20;   ///< of all frames, before compression to a half or less
@@ -22,7 +22,7 @@ struct PageSummary {
 };
 
 /// Writes the page. Throws InputError for damaged files of the run and ComputationError if it cannot write.
-/// `watch` is told of every output time that is read.
+/// `watch` is called for every output time that is read.
 PageSummary write_report_page(const StoredRun& run, const std::filesystem::path& page, const PageLimits& limits = {},
                               const CountWatcher& watch = {});
 

@@ -101,7 +101,7 @@ void Run<D>::interrupt()
         return;
     if (!stored_)
         files_->write_checkpoint(*simulation_, smallest_gap_);
-    if (!shown_) // a look at where it stopped; a run that goes on from the checkpoint replaces it
+    if (!shown_) // fields at the stop; a run that continues from the checkpoint replaces them
         files_->write_fields(*simulation_);
     files_->finish(*simulation_, "interrupted");
 }

@@ -1,4 +1,4 @@
-// A run: a simulation from its start, or from a checkpoint, through its output times, and the files that it leaves.
+// A run: a simulation from its start, or from a checkpoint, through its output times, and its files.
 #pragma once
 
 #include "gapflow/output/run_files.hpp"
@@ -12,16 +12,16 @@
 
 namespace gapflow {
 
-/// Where a run's files are.
+/// Location of a run's files.
 struct RunPlace {
     std::string folder; ///< for the files; empty: none are written
     std::string
-        resume; ///< checkpoint to go on from; empty: from the scene's start. With a folder, its files are cut back to it.
+        resume; ///< checkpoint to continue from; empty: from the scene's start. With a folder, its files are cut back to it.
     std::string version; ///< of the program, for the files
 };
 
-/// What the command and Python drive: steps land on output times; tables, fields and checkpoints are written when they are due; whatever
-/// ends the run leaves valid files.
+/// Driver of a run for the command and for Python: steps end at output times; tables, fields and checkpoints are written when they are due; the
+/// files are valid however the run ends.
 template <int D>
 class Run {
 public:
@@ -30,19 +30,19 @@ public:
 
     /// Writes the start's rows and fields, where there are files and the run does not go on from a checkpoint. Collective.
     void write_start();
-    /// One step that passes neither `until`, nor time.end while that is ahead, nor, with files, an output time; writes what is due. After
-    /// an exception the files tell that the run failed, and the simulation has no state. Collective.
+    /// One step that passes neither `until`, nor time.end while that is ahead, nor, with files, an output time; writes the files that are due.
+    /// After an exception the files record that the run failed, and the simulation has no state. Collective.
     const StepReport& step(double until = std::numeric_limits<double>::infinity());
     /// A checkpoint of this moment into a file. Throws ComputationError. Collective.
     void write_checkpoint(const std::filesystem::path& path) const;
-    /// Ends the files before time.end: a checkpoint to go on from, fields of this moment, the record. Collective.
+    /// Ends the files before time.end: a checkpoint to continue from, fields of this moment, the record. Collective.
     void interrupt();
     /// Ends the files. Collective.
     void finish();
 
     Simulation<D>& simulation() { return *simulation_; }
     const Simulation<D>& simulation() const { return *simulation_; }
-    /// The simulation, which outlives the run: for who has views of its memory.
+    /// The simulation, which may outlive the run: for owners of views of its memory.
     std::unique_ptr<Simulation<D>> release() { return std::move(simulation_); }
     /// Of the last step; at first of the start.
     const StepReport& report() const { return report_; }

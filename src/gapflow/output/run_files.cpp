@@ -21,10 +21,10 @@ auto rotation_numbers(const Rotation<D>& rotation)
         return Eigen::Vector4d(rotation.w(), rotation.x(), rotation.y(), rotation.z());
 }
 
-// Folders of the run's folder that hold a file an output time.
+// Folders of the run's folder with one file for each output time.
 constexpr const char* parts[] = {"fields", "bodies", "films"};
 
-// Removes what a killed run left half written, and files of output times from `frames` on.
+// Removes incomplete files of a killed run, and files of output times from `frames` on.
 void remove_leftovers(const std::filesystem::path& folder, int frames)
 {
     const auto clean = [&](const std::filesystem::path& place, bool has_frames) {

@@ -12,11 +12,11 @@
 
 namespace gapflow {
 
-/// Writes a simulation's state into a folder. Everything is complete after each call, whatever happens next.
+/// Writes a simulation's state into a folder. All files are complete after each call.
 template <int D>
 class RunFiles {
 public:
-    /// Prepares the folder and the tables; an earlier run's checkpoint goes. With `from`, the files of the run that left that
+    /// Prepares the folder and the tables; an earlier run's checkpoint is removed. With `from`, the files of the run that wrote that
     /// checkpoint are cut back to it and continued. Throws InputError if the folder cannot be written. Collective.
     RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version,
              const RunPosition* from = nullptr);

@@ -60,7 +60,7 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
         json["timings"]["stages"][name] = {{"seconds", stage.seconds}, {"count", stage.count}};
     json["peak_memory_bytes"] = {{"largest_rank", record.memory.largest_rank}, {"sum", record.memory.sum}};
     json["scene"] = record.scene;
-    // Text that is not UTF-8 (a file name in the scene) must not cost the record.
+    // Text that is not UTF-8 (a file name in the scene) must not prevent the record.
     write_atomically(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 

@@ -1,4 +1,4 @@
-// run.json: what was run, where, how long it took.
+// run.json: the scene, the machine and the times of a run.
 #pragma once
 
 #include "gapflow/core/communicator.hpp"
@@ -18,7 +18,7 @@ struct Machine {
     int threads = 1; ///< of the root
 };
 
-/// What the system tells of this machine.
+/// The system's data about this machine.
 Machine describe_machine(const Communicator& comm);
 
 /// Largest resident memory so far, in bytes.
@@ -33,7 +33,7 @@ struct RunRecord {
     std::string scene;                 ///< the resolved scene, as text
     std::string status = "running";    ///< then "done", "failed" or "interrupted"
     std::string message;               ///< reason, if failed
-    std::vector<std::string> warnings; ///< what the user was told, once each
+    std::vector<std::string> warnings; ///< given to the user, once each
     Machine machine;
     double time = 0; ///< reached, in the scene's unit
     long steps = 0;
@@ -45,7 +45,7 @@ struct RunRecord {
 /// Writes the record, replacing an earlier one in one go. Throws ComputationError. Not collective: call it on the root.
 void write_run_record(const std::filesystem::path& path, const RunRecord& record);
 
-/// The warnings of a record that an earlier part of the run left; none if it cannot be read.
+/// The warnings in the record of an earlier part of the run; none if it cannot be read.
 std::vector<std::string> warnings_of_record(const std::filesystem::path& path);
 
 } // namespace gapflow

@@ -116,8 +116,8 @@ FieldPlane plane_of(const VtkContent& image, int axis, double position)
                 plane.speed.push_back(valued ? static_cast<float>(u.norm()) : none);
             }
         }
-    // One layer is what interpolation asks for. In 2D bodies and films are drawn over it, so that more hides narrow corners; in
-    // 3D it would stick out of a container.
+    // Interpolation needs one layer. In 2D bodies and films are drawn over further layers, which avoid gaps in narrow corners; in
+    // 3D they would stick out of a container.
     for (std::vector<float>* values : {&plane.pressure, &plane.speed, &plane.u, &plane.v})
         if (!values->empty())
             fill_next_to_values(*values, plane.cells, image.cells[2] == 0 ? 3 : 1);

@@ -1,4 +1,4 @@
-// A run prepared for looking at, by the report's page and by the pictures: bodies as outlines or surfaces that move rigidly,
+// A run prepared for display, in the report's page and in pictures: bodies as outlines or surfaces that move rigidly,
 // fields on planes without holes next to bodies, films as chains or surfaces.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The folder of a run as it lies on the disk: record, tables and the list of output frames. Also of a run that is going on or
-// was stopped.
+// The folder of a run on the disk: record, tables and the list of output frames. Also of a run in progress or
+// stopped early.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -25,13 +25,13 @@ private:
     double width_, height_;
 };
 
-/// What is in front, pixel by pixel.
+/// Colour and depth of the foremost surface, pixel by pixel.
 class SurfaceRaster {
 public:
     SurfaceRaster(const Camera& camera, int width, int height);
 
-    /// colour(weights of the corners) of a pixel inside; nothing drawn where `visible` says no. Returns nothing behind what is
-    /// there.
+    /// colour(weights of the corners) of a pixel inside; not drawn where `visible` is false, nor behind pixels already
+    /// drawn.
     using Shade = std::function<std::pair<Colour, bool>(const Eigen::Vector3d& weights)>;
     void triangle(const std::array<Eigen::Vector3d, 3>& corners, const Shade& shade);
     /// The same, mixed by `share` over what is in front of it.

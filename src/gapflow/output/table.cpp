@@ -45,7 +45,7 @@ Table::Table(Open, const std::filesystem::path& path, std::size_t columns) : pat
 
 Table::Table(const std::filesystem::path& path, std::vector<std::string> columns) : Table(Open{}, path, columns.size())
 {
-    // Fails where there is nothing to cut (a device), which the write tells.
+    // Fails where the file cannot be cut (a device); the write then reports it.
     [[maybe_unused]] const int cut = ::ftruncate(descriptor_, 0);
     pending_ = header_of(columns);
     flush();
@@ -95,7 +95,7 @@ void Table::flush()
             left.remove_prefix(static_cast<std::size_t>(written));
         } else if (written == 0 || errno != EINTR) {
             const int error = written == 0 ? ENOSPC : errno;
-            // Complete lines only: a part of the step goes.
+            // Complete lines only: an incomplete step is removed.
             [[maybe_unused]] const int cut = ::ftruncate(descriptor_, complete);
             pending_.clear();
             throw_file_error(path_, "cannot write the table", error);

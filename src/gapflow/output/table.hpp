@@ -1,4 +1,4 @@
-// Tables as CSV: a header line, then complete lines only, a step at a time.
+// Tables as CSV: a header line, then complete lines only, one step at a time.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace gapflow {
 
-/// A column of a table whose rows are objects: its name, and which member stands in it.
+/// A column of a table whose rows are objects: its name and the member that it contains.
 template <class Row>
 struct Column {
     const char* name;
@@ -49,7 +49,7 @@ public:
     Table(Table&& other) noexcept;
     Table& operator=(Table&&) = delete;
 
-    /// Adds a row; vectors fill a column a component. The values must fill the columns exactly. In memory until flush().
+    /// Adds a row; vectors fill one column per component. The values must fill the columns exactly. In memory until flush().
     template <class... T>
     void row(const T&... values)
     {

@@ -101,7 +101,7 @@ void write_data_array(AtomicFile& file, const VtkArray& array, std::size_t tuple
     });
 }
 
-// <PointData> or <CellData>; its first scalar and first vector are what a viewer shows.
+// <PointData> or <CellData>; viewers show its first scalar and first vector.
 void write_data(AtomicFile& file, const std::string& element, const std::vector<VtkArray>& arrays, std::size_t tuples,
                 VtkPrecision precision)
 {

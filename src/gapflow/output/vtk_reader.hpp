@@ -27,7 +27,7 @@ struct VtkContent {
     const VtkArray* point_array(const std::string& name) const;
 };
 
-/// Throws InputError with the path if the file is not there or is none of ours.
+/// Throws InputError with the path if the file is missing or was not written by vtk.hpp.
 VtkContent read_vtk(const std::filesystem::path& path);
 
 } // namespace gapflow

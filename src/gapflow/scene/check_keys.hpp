@@ -1,4 +1,4 @@
-// Checks that follow from the table of keys alone: names, types, ranges, what has to be given.
+// Checks that follow from the table of keys alone: names, types, ranges, required keys.
 #pragma once
 
 #include "gapflow/scene/document.hpp"

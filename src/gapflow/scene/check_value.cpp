@@ -13,7 +13,7 @@ using T = KeyType;
 
 constexpr double largest = 1e30; ///< of any number: products of a few of them stay finite
 
-/// Checks one value; knows what to say about it.
+/// Checks one value and composes the message about it.
 struct Check {
     const Node& value; ///< of the whole key, shown in messages
     const KeyInfo& key;

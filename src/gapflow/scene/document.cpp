@@ -26,7 +26,7 @@ Node translate(const toml::node& from, const std::string& file);
 
 void translate_table(const toml::table& table, const std::string& file, Node& node)
 {
-    std::vector<std::pair<toml::source_position, Node>> entries; // the library sorts by name, messages want the file's order
+    std::vector<std::pair<toml::source_position, Node>> entries; // the library sorts by name, messages need the file's order
     for (const auto& [key, value] : table) {
         Node item = translate(value, file);
         item.key = key.str();

@@ -1,4 +1,4 @@
-// A TOML document as a plain tree. The only file that knows the TOML library is document.cpp.
+// A TOML document as a plain tree. Only document.cpp uses the TOML library.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ Node read_document(const std::string& file);
 /// The same of a text; `file` names it in messages.
 Node parse_document(std::string_view content, const std::string& file);
 
-/// One TOML value; a text that is not one is taken as it stands, unless it starts like a list, a table or a quoted text
+/// One TOML value; a text that is not valid TOML is taken literally, unless it starts like a list, a table or a quoted text
 /// (then InputError). `where` goes into the node and into messages.
 Node parse_value(const std::string& text, const std::string& where);
 

@@ -41,7 +41,7 @@ std::string meaning_of_table(const std::string& table)
     if (table == "domain")
         return "The box that the fluid fills, and its grid.";
     if (table == "domain.sides")
-        return "What the fluid meets at the domain's sides.";
+        return "Boundary conditions at the domain's sides.";
     if (table == "fluid")
         return "Its density, pressures and start.";
     if (table == "grid")

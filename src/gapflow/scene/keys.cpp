@@ -33,7 +33,7 @@ std::vector<KeyInfo> gap_keys()
          "\"wet\"",
          any,
          {"wet", "dry"},
-         "a closed gap keeps breathing fluid (wet) or is sealed with a void (dry)"},
+         "a closed gap keeps exchanging fluid (wet) or starts with a void (dry)"},
         {"gap.roughness",
          T::number_or_word,
          "m",
@@ -48,7 +48,7 @@ std::vector<KeyInfo> gap_keys()
          "\"auto\"",
          any,
          {"auto", "reversible", "jet"},
-         "flow out of a film regains its head (reversible) or loses it (jet); auto: jet with viscosity"},
+         "flow out of a film recovers its head (reversible) or loses it (jet); auto: jet with viscosity"},
     };
 }
 
@@ -112,7 +112,7 @@ std::vector<KeyInfo> body_keys()
          "\"free\"",
          any,
          {"free", "fixed", "prescribed"},
-         "moved by fluid and forces, held, or moved as told by velocities or a file"},
+         "moved by fluid and forces, held, or moved with given velocities or as in a file"},
         {"body.motion_file",
          T::text,
          "",
@@ -130,7 +130,7 @@ std::vector<KeyInfo> body_keys()
          "",
          any,
          {"x", "y", "z", "rx", "ry", "rz"},
-         "of a free body: only these of its motions (2D: x, y, rz; world axes through the centre of mass); all if not given"},
+         "of a free body: its free motions (2D: x, y, rz; world axes through the centre of mass); all if not given"},
         {"body.spring.anchor", T::vector, "m", "", any, {}, "point that a spring pulls the position towards", "with a spring"},
         {"body.spring.stiffness", T::number, "N/m", "", non_negative, {}, "of the spring", "with a spring"},
         {"body.spring.damping", T::number, "N s/m", "0.0", non_negative, {}, "of the spring"},
@@ -171,7 +171,7 @@ std::vector<KeyInfo> scene_keys()
                             "\"wall\"",
                             any,
                             {"wall", "open", "periodic"},
-                            "what the fluid meets at the " + end + " end of " + axis});
+                            "boundary condition at the " + end + " end of " + axis});
     append(keys,
            {
                {"fluid.density", T::number, "kg/m^3", "1.0", positive, {}, "of the fluid"},
@@ -206,7 +206,7 @@ std::vector<KeyInfo> scene_keys()
                 "\"refuse\"",
                 any,
                 {"refuse", "allow"},
-                "bodies thinner than a cell, which the fluid does not see, are an error, or only warned of"},
+                "bodies thinner than a cell, which hardly affect the fluid, cause an error, or only a warning"},
            });
     append(keys, gap_keys());
     append(keys, contact_keys());

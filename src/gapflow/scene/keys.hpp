@@ -46,7 +46,7 @@ struct KeyInfo {
 /// All keys, in the order of the reference page.
 std::vector<KeyInfo> scene_keys();
 
-/// What a value may be, in words, in a scene of the given dimension (0: not yet known).
+/// Description of the values allowed, in a scene of the given dimension (0: not yet known).
 std::string allowed_values(const KeyInfo& key, int dimension);
 
 /// Names of the keys and tables that a misspelt dotted name may have meant, nearest only; empty if nothing is near.

@@ -209,7 +209,7 @@ void read_motion(const Values& v, Scene& scene, BodyScene& body)
     if (body.motion != Motion::free)
         for (const char* name : {"force", "torque"})
             ignore(name);
-    if (body.motion == Motion::fixed) // so that no reader of the scene takes it for moving
+    if (body.motion == Motion::fixed) // so that no user of the scene treats it as moving
         body.velocity = body.angular_velocity = {};
 }
 
@@ -272,7 +272,7 @@ void read_spring(const Values& v, BodyScene& body)
     body.spring = SpringScene{v.triple("spring.anchor"), v.number("spring.stiffness"), v.number("spring.damping")};
 }
 
-/// What holds a free body back.
+/// Constraints of a free body.
 void read_constraints(const Values& v, Scene& scene, BodyScene& body)
 {
     if (body.motion != Motion::free) {

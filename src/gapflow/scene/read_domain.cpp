@@ -118,7 +118,7 @@ void read_side(const Values& v, int number, Scene& scene)
 
 void check_periodic(const Values& v, const Scene& scene)
 {
-    const int least = 3 + static_cast<int>(std::ceil(scene.cfl)); // the halo of a grid may not lap itself
+    const int least = 3 + static_cast<int>(std::ceil(scene.cfl)); // the halo of a grid must not overlap itself
     for (int axis = 0; axis < scene.dimension; ++axis) {
         const bool low = scene.sides[2 * axis].kind == SideScene::Kind::periodic;
         const bool high = scene.sides[2 * axis + 1].kind == SideScene::Kind::periodic;

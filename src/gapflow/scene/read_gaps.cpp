@@ -9,7 +9,7 @@ namespace gapflow {
 
 namespace {
 
-/// [gap] and [contact] have defaults, a pair keeps what it does not give. `automatic`: the roughness that "auto" stands for.
+/// [gap] and [contact] have defaults; a pair keeps the values that it does not give. `automatic`: the roughness for "auto".
 void read_settings(const Values& v, const std::string& gap_table, const std::string& contact_table, bool defaults,
                    double automatic, GapScene& gap, ContactScene& contact)
 {
@@ -39,11 +39,11 @@ void read_settings(const Values& v, const std::string& gap_table, const std::str
         contact.friction = v.number(c + "friction");
     if (wanted(c + "thickness"))
         contact.thickness = v.number(c + "thickness");
-    if (gap.automatic_roughness) // surfaces that are to come closer than that may
+    if (gap.automatic_roughness) // a given contact thickness below it allows surfaces to come closer
         gap.roughness = contact.thickness > 0 ? std::min(automatic, contact.thickness) : automatic;
 }
 
-/// Dry contact and cavitation know the absolute pressure; `name`: the key that asks for them.
+/// Dry contact and cavitation need the absolute pressure; `name`: the key that requests them.
 void check_level(const Values& v, const std::string& name, const Scene& scene)
 {
     const auto open = [](const SideScene& side) { return side.kind == SideScene::Kind::open; };
@@ -62,7 +62,7 @@ void check_dry(const Values& v, const std::string& gap_table, const GapScene& ga
         v.refuse(name, "dry contact needs the gap's film", "leave model = \"none\" and contact = \"dry\" to different pairs");
 }
 
-/// What a pair may name: bodies and closed sides.
+/// The names allowed in a pair: bodies and closed sides.
 std::vector<std::string> partners(const Scene& scene)
 {
     std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// Parts of read_scene(): each fills its part of the scene from checked values and refuses what does not fit together.
+// Parts of read_scene(): each fills its part of the scene from checked values and rejects inconsistent ones.
 #pragma once
 
 #include "gapflow/scene/scene.hpp"

@@ -33,7 +33,7 @@ void read_fluid(const Values& v, Scene& scene)
     scene.thin = v.choice<Scene::Thin>("grid.thin");
 }
 
-/// Refuses a time that the run consists of too many of to ever end.
+/// Rejects a time interval so short that the run would consist of too many of them.
 void check_count(const Values& v, const char* name, double every, double end, double most, const char* what)
 {
     if (!(every > 0) || end / every <= most)
@@ -68,7 +68,7 @@ void read_output(const Values& v, Scene& scene)
     check_count(v, "output.checkpoint_every", scene.checkpoint_every, scene.end, most_outputs, "checkpoints");
 }
 
-/// Fluid that flows in must find a way out. What prescribed bodies make room for, and flow both in and out, is left to the run.
+/// Fluid that flows in needs a way out. Volume swept by prescribed bodies, and sides with both in- and outflow, are checked in the run.
 void check_way_out(const Values& v, const Scene& scene)
 {
     for (const BodyScene& body : scene.bodies)

@@ -1,4 +1,4 @@
-// A scene as plain data: what the user wrote, with defaults filled in, checked by the reader.
+// A scene as plain data: the user's values with defaults filled in, checked by the reader.
 #pragma once
 
 #include <array>
@@ -91,8 +91,9 @@ struct BodyScene {
     Triple velocity{};
     Triple angular_velocity{}; ///< 2D: the first number
     Triple force{};
-    Triple torque{};                                              ///< 2D: the first number
-    std::array<bool, 6> free{true, true, true, true, true, true}; ///< x y z rx ry rz: what a free body can do; 2D uses x y rz
+    Triple torque{}; ///< 2D: the first number
+    std::array<bool, 6> free{true, true, true,
+                             true, true, true}; ///< x y z rx ry rz: free components of a free body's motion; 2D uses x y rz
     std::optional<SpringScene> spring;
     std::optional<HingeScene> hinge; ///< only with all of `free`
 };
@@ -117,7 +118,7 @@ struct Scene {
     double density = 1.0;
     double viscosity = 0.0;
     double reference_pressure = 0.0;
-    std::optional<double> vapour_pressure; ///< absolute; empty: wet films bear any tension
+    std::optional<double> vapour_pressure; ///< absolute; empty: wet films withstand any tension
     Triple fluid_velocity{};
     Initial initial = Initial::rest;
 
@@ -143,7 +144,7 @@ struct Scene {
     std::vector<std::string> fields{"velocity", "pressure"};
     double checkpoint_every = 0.0; ///< 0: only at the end and when interrupted
 
-    std::vector<std::string> warnings; ///< what the reader accepted but did not follow, for the caller to print
+    std::vector<std::string> warnings; ///< about settings that were accepted but not used, for the caller to print
 
     /// Settings that hold for a pair, by the names of its bodies in any order.
     const GapScene& gap_of(const std::string& a, const std::string& b) const;
@@ -164,22 +165,22 @@ std::vector<double> value_at(const TimeTable& table, double time);
 /// Slopes of a table at a time: of the segment that starts at or holds it; 0 beyond its ends.
 std::vector<double> derivative_at(const TimeTable& table, double time);
 
-/// gap.roughness = "auto" in runs, in cells: a film of this thickness answers as one of no thickness does, within the accuracy of the
-/// grid, and steps and solves stay far from what double precision cannot resolve (theory, "Roughness").
+/// gap.roughness = "auto" in runs, in cells: a film of this thickness behaves as one of zero thickness, within the accuracy of the
+/// grid, and steps and solves stay well within the resolution of double precision (method, "Mesh").
 inline constexpr double automatic_roughness = 0.005;
 
-/// What a reader shall check beyond the file's own sense.
+/// Additional checks of the reader.
 enum class Purpose { run, added_mass, check };
 
-/// Bytes that a run without viscosity needs on one rank, for `check` and for refusing an absurd one: a fixed part, one a cell and
-/// one for surfaces, fitted to the peaks of measured runs (docs/performance.md).
+/// Bytes that a run without viscosity needs on one rank, for `check` and for rejecting runs that are far too large: a fixed part, a part
+/// per cell and a part for surfaces, fitted to the peaks of measured runs (docs/performance.md).
 double expected_memory(int dimension, double cells);
 
 /// Reads and validates a scene. `overrides` are dotted keys and TOML values as given to --set.
 /// Throws InputError that names file, line, key, value, range and remedy.
 Scene read_scene(const std::string& file, const std::vector<std::pair<std::string, std::string>>& overrides, Purpose purpose);
 
-/// The default roughness of gaps for people: its length, in cells, and whether it is the automatic one.
+/// Text about the default roughness of gaps for the user: its length, in cells, and whether it is the automatic one.
 std::string roughness_text(const Scene& scene);
 
 /// The resolved scene as JSON text under the scene file's key names (goes into run.json).

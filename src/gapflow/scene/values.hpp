@@ -12,14 +12,14 @@ namespace gapflow {
 
 class Values {
 public:
-    /// Keys are named relative to `prefix` of the key table ("" for the document, "body." for a body); `shown` stands before
+    /// Keys are named relative to `prefix` of the key table ("" for the document, "body." for a body); `shown` precedes
     /// them in messages.
     Values(const Node& table, std::string prefix, std::string shown, const std::vector<KeyInfo>& keys, int dimension);
 
     int dimension() const { return dimension_; }
     const Node& table() const { return table_; }
     std::string shown(const std::string& name) const { return shown_ + name; }
-    /// What the user wrote, or null.
+    /// The value in the file, or null.
     const Node* given(const std::string& name) const;
     /// Given, or with a default.
     bool has(const std::string& name) const;

@@ -10,7 +10,7 @@ namespace gapflow {
 namespace {
 
 /// Calls f(row, column, value) for the entries of L in this rank's rows (rank 0: film nodes), values to be summed. Links
-/// enter through whoever owns the row: columns of other ranks' cells are asked for by `number_of(key)`.
+/// enter on the rank that owns the row: `number_of(key)` gives the columns of other ranks' cells.
 template <int D, class NumberOf, class F>
 void for_each_fluid_entry(const CoupledSystem<D>& system, const Numbering<D>& numbering, NumberOf&& number_of, F&& f)
 {

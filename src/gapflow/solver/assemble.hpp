@@ -8,7 +8,7 @@
 
 namespace gapflow {
 
-/// Numbers of the unknowns in the whole system: film nodes 0 .. nodes-1 (on rank 0), then cells, rank by rank.
+/// Numbering of the unknowns in the whole system: film nodes 0 .. nodes-1 (on rank 0), then cells, rank by rank.
 template <int D>
 struct Numbering {
     CellField<D, int> cell; ///< of each owned cell and the ghosts beside it, -1: no unknown

@@ -1,7 +1,7 @@
 // Woodbury: (B^-1 + K M^-1 K^T)^-1 = B - B K (M + K^T B K)^-1 K^T B. The full small matrix, never one body at a time: block
-// diagonals are not safely definite. With W = B K kept (single precision, in the cells of conduits double: stiff links
-// amplify what rounding makes of the difference between a film node and its cell) a correction costs two passes over W; for
-// more bodies W is not kept and B is applied a second time to K (M + K^T W)^-1 K^T z.
+// diagonals are not safely definite. With W = B K stored (single precision, in the cells of conduits double: stiff links
+// amplify the rounding of the difference between a film node and its cell) a correction costs two passes over W; for
+// more bodies W is not stored and B is applied a second time to K (M + K^T W)^-1 K^T z.
 
 #include "gapflow/solver/body_correction.hpp"
 
@@ -13,7 +13,8 @@ namespace gapflow {
 
 namespace {
 
-constexpr double held_stiffness = 1e6; // of contacts over the bodies' own with their added mass: rigid to a preconditioner
+constexpr double held_stiffness =
+    1e6; // of contacts relative to the bodies' own with their added mass: rigid for a preconditioner
 
 } // namespace
 
@@ -23,13 +24,13 @@ double BodyCorrection<D>::lightness(const Inverse& inverse) const
     const CoupledSystem<D>& system = matrix_.system();
     const Eigen::VectorXd mass = system.mass.diagonal();
     Eigen::VectorXd direction(matrix_.dofs());
-    for (int d = 0; d < matrix_.dofs(); ++d) { // no two bodies alike: squeezing a film takes relative motion
+    for (int d = 0; d < matrix_.dofs(); ++d) { // a different value for each body: squeezing a film needs relative motion
         const double golden = 0.6180339887498949 * (d + 1);
         direction[d] = (2 * (golden - std::floor(golden)) - 1) / std::sqrt(mass[d]);
     }
     UnknownVector<D> r = zero_vector(system), z = zero_vector(system);
     matrix_.add_flux(direction, r);
-    r.nodes.setZero(); // the bulk's part alone: what films add are a few isolated eigenvalues, one iteration each
+    r.nodes.setZero(); // the bulk's part alone: films add a few isolated eigenvalues, one iteration each
     inverse(r, z);
     z.nodes.setZero();
     const Eigen::VectorXd response = matrix_.transpose_flux(z);
@@ -50,8 +51,8 @@ bool BodyCorrection<D>::set_up(const Inverse& inverse, double bytes_per_cell, st
     const int dofs = matrix_.dofs();
     kept_ = 4.0 * dofs <= bytes_per_cell;
     if (kept_)
-        exact_cells_ =
-            std::move(banded); // a pocket that only films drain has a pressure of 1e8 there, and what is left of it counts
+        exact_cells_ = std::move(
+            banded); // a pocket with films as its only outlets has a pressure of 1e8 there, and its rounding error matters
     if (kept_)
         for (const Link& link : system.links)
             for (const auto& entry : link.cells)
@@ -99,7 +100,7 @@ void BodyCorrection<D>::update()
     if (system.contact.rows() > 0) {
         const Eigen::VectorXd mobility = system.contact.cwiseAbs2() * capacitance.diagonal().cwiseInverse();
         Eigen::VectorXd stiffness = held_stiffness * mobility.cwiseInverse();
-        stiffness = (mobility.array() > 0).select(stiffness, 0.0); // 0: constraints leave the contact nothing to push
+        stiffness = (mobility.array() > 0).select(stiffness, 0.0); // 0: constraints prevent the contact from moving its bodies
         stiffness = stiffness.cwiseMin(system.contact_resistance);
         capacitance += system.contact.transpose() * stiffness.asDiagonal() * system.contact;
     }

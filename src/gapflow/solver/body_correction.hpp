@@ -19,13 +19,13 @@ public:
 
     explicit BodyCorrection(const CoupledOperator<D>& matrix) : matrix_(matrix) {}
 
-    /// Estimates how strongly the bodies act: the largest ratio of mass added by the bulk to own mass among them in one (mixed)
+    /// Estimates the bodies' influence: the largest ratio of the bulk's added mass to own mass among them in one (mixed)
     /// direction.
     /// One application of B. Collective.
     double lightness(const Inverse& inverse) const;
     /// Computes the columns, dofs applications of B. They are kept if they need no more than `bytes_per_cell`. False, and
     /// nothing changed, if round-off outweighs the mass of very light bodies. Collective.
-    /// `banded`: this rank's cells in which B answers to films.
+    /// `banded`: this rank's cells in which the films' band acts.
     bool set_up(const Inverse& inverse, double bytes_per_cell, std::vector<Index<D>> banded = {});
     bool ready() const { return ready_; }
     /// Takes the system's masses and contacts anew.
@@ -38,7 +38,7 @@ public:
 private:
     struct Column {
         std::vector<float> cells;
-        /// Where single precision would break the balance between film and cells: what is left of B K in double.
+        /// Where single precision would break the balance between film and cells: the rounding error of B K in double.
         std::vector<double> remainder;
         Eigen::VectorXd nodes;
     };

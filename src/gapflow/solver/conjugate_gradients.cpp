@@ -213,7 +213,7 @@ namespace {
 enum class Stop { reached, broken, bodies_added };
 
 // Iterations from the residual r of norm `start` until it falls to nine tenths of the target, the preconditioner or the matrix is found not
-// to be positive (with the reason), or the preconditioner has taken the bodies in.
+// to be positive (with the reason), or the preconditioner has added the bodies' correction.
 template <int D>
 Stop iterate(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner, const NullSpace<D>& null_space,
              KrylovVectors<D>& vectors, UnknownVector<D>& x, double start, double target, int max_iterations, int& iterations,

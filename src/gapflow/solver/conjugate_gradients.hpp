@@ -7,7 +7,7 @@
 
 namespace gapflow {
 
-/// Storage that lives as long as the solver: nothing is allocated while iterating.
+/// Storage with the lifetime of the solver: nothing is allocated while iterating.
 template <int D>
 struct KrylovVectors {
     UnknownVector<D> r, z, p, q;
@@ -24,7 +24,7 @@ template <int D>
 void compatible(const CoupledSystem<D>& system, const NullSpace<D>& null_space, const UnknownVector<D>& rhs,
                 UnknownVector<D>& v);
 
-/// r = rhs - A x in all unknowns; returns the norm of its part that the null vectors leave.
+/// r = rhs - A x in all unknowns; returns the norm of its part orthogonal to the null vectors.
 template <int D>
 double true_residual(const CoupledOperator<D>& matrix, const NullSpace<D>& null_space, UnknownVector<D>& x,
                      const UnknownVector<D>& rhs, UnknownVector<D>& q, UnknownVector<D>& r);

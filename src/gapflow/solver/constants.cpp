@@ -1,6 +1,6 @@
-// Coarse correction for constants: L 1_k = 0 for a sealed part of the fluid, and nearly so for one that only films join to
-// the rest, so that neither multigrid (which knows only faces) nor the films' band (which is local) sees its level. Its
-// energy is the bodies' and the films':
+// Deflation of the constants: L 1_k = 0 for a sealed part of the fluid, and nearly so for one that only films join to
+// the rest, so that neither multigrid (which has only faces) nor the films' band (which is local) corrects its level. The energy
+// of a constant comes from the bodies and the films:
 //
 //     E = Z^T (L + K M^-1 K^T) Z = Z^T L Z + G G^T,   G = (Z^T K) M^-1/2,     B gains Z E^+ Z^T.
 //
@@ -19,7 +19,8 @@ namespace gapflow {
 namespace {
 
 constexpr int full_parts = 48;
-constexpr double weak_conduits = 1e-6; // relative to the film's conductances: the band's own solve loses the film's level
+constexpr double weak_conduits =
+    1e-6; // relative to the film's conductances: below, the band's own solve does not resolve the film's level
 
 } // namespace
 
@@ -27,7 +28,7 @@ template <int D>
 ConstantCorrection<D>::ConstantCorrection(const CoupledOperator<D>& matrix, const FilmBand<D>& band)
     : system_(matrix.system()), matrix_(matrix), band_(band), node_part_(matrix.system().nodes, -1)
 {
-    // The usual case: the solver projects all constants out, and no part of a component has a level of its own.
+    // The usual case: the null space contains all constants, and no part of a component has a separate level.
     const int weak_films = number_weak_films();
     const bool whole = std::all_of(system_.components.begin(), system_.components.end(),
                                    [](const Component& c) { return c.grid_parts == 0 || c.grid_parts == 1; });
@@ -51,8 +52,8 @@ bool ConstantCorrection<D>::all_constants_null() const
     return floating == system_.null_space.cols();
 }
 
-// Parts that nothing acts on (no body, no link) have no energy: no column. Nor have parts that the films' band holds whole, of
-// which it solves for the level.
+// Parts without a body or link have no energy and no column. Parts that lie wholly in the films' band have no column either: the band's
+// solve determines their level.
 template <int D>
 void ConstantCorrection<D>::number_columns(bool whole)
 {
@@ -132,7 +133,7 @@ void ConstantCorrection<D>::column(int k, UnknownVector<D>& z) const
     prolong(Eigen::VectorXd::Unit(columns_, k), z);
 }
 
-// What the band makes of each of the columns that are not films of their own.
+// Extends each column that is not a film of its own over the band.
 template <int D>
 void ConstantCorrection<D>::extend_over_band()
 {

@@ -1,5 +1,5 @@
-// The constants on connected parts of the fluid: null space of the system, and a coarse correction for those parts whose
-// level only bodies or films fix.
+// The constants on connected parts of the fluid: null space of the system, and deflation of those parts whose
+// level only bodies or films determine.
 #pragma once
 
 #include "gapflow/solver/coupled_operator.hpp"
@@ -34,8 +34,8 @@ private:
 };
 
 /// Z (Z^T A Z)^+ Z^T with A = L + K M^-1 K^T. Z: for each part of the grid (joined by faces) that no open side touches its
-/// constant, continued harmonically into the films that hang on it; for each film that hangs on much weaker conduits, or on
-/// none, its constant. Beyond the `full_parts` largest, parts count by themselves: the diagonal of Z^T A Z.
+/// constant, extended harmonically into the films connected to it; for each film with much weaker conduits, or without
+/// any, its constant. Beyond the `full_parts` largest, parts are treated separately: the diagonal of Z^T A Z.
 template <int D>
 class ConstantCorrection {
 public:
@@ -55,7 +55,7 @@ private:
     void column(int k, UnknownVector<D>& z) const;
     void extend_over_band();
     void set_up_energies();
-    /// Of each column: sums of magnitudes, which tell an energy from round-off.
+    /// Of each column: sums of magnitudes, to distinguish an energy from round-off.
     struct Magnitudes {
         Eigen::VectorXd links;   ///< of the links' part of its energy
         Eigen::VectorXd fluxes;  ///< of the bodies' part
@@ -74,7 +74,7 @@ private:
     int full_ = 0;                     ///< columns with a full energy matrix, the first ones
     CellField<D, int> part_;           ///< column of each cell's constant, -1: none
     std::vector<int> node_part_;       ///< column of each node's constant, -1: none
-    Eigen::MatrixXd extension_;        ///< band unknowns x full_: what harmonic continuation adds to the constants
+    Eigen::MatrixXd extension_;        ///< band unknowns x full_: harmonic extension minus the constants
     Eigen::MatrixXd inverse_energy_;   ///< full_ x full_
     Eigen::VectorXd inverse_diagonal_; ///< of the others
 };

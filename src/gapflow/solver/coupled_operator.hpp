@@ -10,7 +10,7 @@
 namespace gapflow {
 
 /// The film's matrix as edges, flux = conductance (p_i - p_j), and grounds, flux = conductance p_i: differences keep the
-/// constants' product exactly zero where a film of conductance 1e7 hangs on conduits of 1e-7.
+/// constants' product exactly zero where a film of conductance 1e7 has conduits of 1e-7.
 struct FilmEdge {
     int i, j;
     double conductance;
@@ -41,7 +41,7 @@ public:
     Eigen::VectorXd inverse_mass(const Eigen::VectorXd& w) const;
 
     /// The parts of apply(), for callers that pass over memory once for several things: first begin_product (once as long as
-    /// nobody writes p beyond the domain), then product_plane of every plane normal to the last axis, once p is known on the
+    /// p is not written beyond the domain), then product_plane of every plane normal to the last axis, once p is known on the
     /// planes beside it and ghosts are filled, then finish_product with the sum of what product_plane returned.
     void begin_product(UnknownVector<D>& p) const;
     double product_plane(const CellField<D>& p, CellField<D>& y, int plane) const;

@@ -4,10 +4,10 @@
 //     z_1 = R_b^T A_b^-1 R_b r;     x = G (r - L z_1);     z = z_1 + x + R_b^T A_b^-1 R_b (r - L (z_1 + x)),
 //
 // symmetric and positive. Since A_b z_1 = r on the band, r - L z_1 is 0 there and differs from r only in the cells beside
-// it, and the last residual is -L x. The film's coupling never enters the diagonal that multigrid sees, where it would act
-// as a false ground.
+// it, and the last residual is -L x. The film's coupling does not enter multigrid's diagonal, where it would act as a spurious
+// connection to ground.
 //
-// A block of A_b that nothing outside fixes is singular: its constant is taken out of the right-hand side and the result.
+// A block of A_b without connections to the outside is singular: its constant is projected out of the right-hand side and the result.
 
 #include "gapflow/solver/film_band.hpp"
 
@@ -23,8 +23,8 @@ namespace gapflow {
 namespace {
 
 constexpr int layers = 2; // cells between a conduit's cells and the band's end
-// Where films are everywhere, a band between all of them is a factorisation of the whole fluid: then the conduits' own cells
-// must do. It does where the band has more cells than this, and than a share of the films' nodes.
+// Where films are everywhere, a band around all of them would be a factorisation of the whole fluid: then the band consists of the
+// conduits' own cells. This is so where the band has more cells than this, and than a share of the films' nodes.
 constexpr std::size_t few_cells = 8000;
 constexpr double share_of_nodes = 1.0 / 3;
 constexpr double shift = 1e-12; // relative, on the diagonal: films whose conduits are 1e-12 of their own conductance
@@ -75,7 +75,7 @@ void FilmBand<D>::find_cells()
 {
     const Grid<D>& grid = *system_.grid;
     const Block<D> level = block_of_level<D>(grid.low(), grid.high());
-    // Every rank tells of its cells: whether there is an unknown, and the conductances around.
+    // Every rank sends its cells' data: whether there is an unknown, and the conductances around.
     constexpr int width = 2 * D + 1;
     const std::vector<long> around = cells_around_links(system_);
     std::vector<double> told(width * around.size(), 0.0);
@@ -298,7 +298,7 @@ void FilmBand<D>::first(const UnknownVector<D>& r, double scale, Level<D>& level
         return;
     const Eigen::VectorXd on_band = gather(r);
     correction_ = solve(on_band);
-    std::vector<double> mean(block_size_.size(), 0.0); // what solve() leaves of r: the floating blocks' constants
+    std::vector<double> mean(block_size_.size(), 0.0); // the floating blocks' constants in r, which solve() does not act on
     for (int i = 0; i < size_; ++i)
         if (block_[i] >= 0)
             mean[block_[i]] += on_band[i] / block_size_[block_[i]];

@@ -21,7 +21,7 @@ public:
 
     bool empty() const { return size_ == 0; }
     int size() const { return size_; }
-    /// Whether nothing outside the band fixes the level of the block that holds the row.
+    /// Whether the level of the row's block is undetermined, without a connection to the outside of the band.
     bool floating(int row) const { return block_[row] >= 0; }
 
     /// A band cell that this rank owns.
@@ -34,7 +34,7 @@ public:
 
     /// Values on the band of a vector. Collective.
     Eigen::VectorXd gather(const UnknownVector<D>& v) const;
-    /// The submatrix' inverse; on blocks that nothing outside fixes, the pseudo-inverse.
+    /// The submatrix' inverse; on floating blocks, without connections to the outside, the pseudo-inverse.
     Eigen::VectorXd solve(const Eigen::VectorXd& r) const;
 
     /// First half: correction = solve(r on the band); turns `level.b`, which holds scale * r, into scale * (r - L correction).

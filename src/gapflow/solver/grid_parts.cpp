@@ -12,7 +12,7 @@ namespace gapflow {
 
 namespace {
 
-/// Everything of every rank, in order of the ranks.
+/// The values of all ranks, in order of the ranks.
 std::vector<long> gathered(const std::vector<long>& mine, const Communicator& comm)
 {
     int count = static_cast<int>(mine.size());

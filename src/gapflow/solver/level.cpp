@@ -131,8 +131,8 @@ std::vector<std::pair<long, double>> link_conductances(const CoupledSystem<D>& s
     return cells;
 }
 
-/// What multigrid sees of a face that a film closes. Cells and films meet in links only: what a cell has of them bounds it. Else
-/// a pore that hardly anything joins to the rest would look open to all films beside it.
+/// Conductance in multigrid of a face that a film closes. Cells and films are connected by links only: the sum of a cell's links bounds it.
+/// Otherwise a pore with weak connections to the rest would appear open to all films beside it.
 template <int D>
 double bounded_conductance(const Grid<D>& grid, const FilmFace<D>& face, const std::vector<std::pair<long, double>>& linked)
 {

@@ -50,7 +50,7 @@ struct Level {
             row = row * (block.high[axis] - block.low[axis]) + (c[axis] - block.low[axis]);
         return row;
     }
-    /// What a row's number gains by a step along an axis other than the first.
+    /// Increase of a row's number by a step along an axis other than the first.
     long row_stride(int axis) const { return block.stride[axis] / block.stride[1]; }
     float face(int axis, const Index<D>& f) const { return conductance[axis].value(row_number(f), f[0] - low[0]); }
     float inverse(const Index<D>& c) const { return inverse_diagonal.value(row_number(c), c[0] - low[0]); }
@@ -90,7 +90,7 @@ bool can_halve(const Level<D>& level, const Grid<D>& grid);
 template <int D>
 Level<D> coarsened(const Level<D>& fine, const Communicator& comm);
 
-/// Storage, inverse diagonal and weights for a level whose cells and conductances (or the want of them) are known.
+/// Storage, inverse diagonal and weights for a level whose cells and conductances (possibly none) are known.
 template <int D>
 void allocate(Level<D>& level, const Communicator& comm);
 template <int D>

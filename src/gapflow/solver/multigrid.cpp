@@ -1,5 +1,5 @@
 // Symmetric V(2,2) cycle: x <- smooth(x); x += P cycle(R (b - A x)); x <- smooth^T(x). On fewer than 64 cells the
-// pseudo-inverse: the constants of floating parts are left to the null space and to the correction of constants.
+// pseudo-inverse: the null space and the deflation of constants treat the constants of floating parts.
 //
 // Several ranks: every rank halves its own block as long as all blocks start at even cells; then the right-hand side is
 // gathered on every rank and the coarser levels are computed redundantly, with the same bits.

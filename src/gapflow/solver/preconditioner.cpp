@@ -9,15 +9,15 @@ namespace gapflow {
 
 namespace {
 
-// Added over own mass from where bodies are corrected for at once: the more columns that takes, the later.
+// Ratio of added to own mass above which bodies are corrected for from the start; it grows with the number of columns.
 double light(int dofs)
 {
     return std::max(2.0, 0.25 * dofs);
 }
-constexpr int few_dofs = 48;        // more columns than this only once iterations turn out slow
+constexpr int few_dofs = 48;        // more columns than this only if the iterations converge slowly
 constexpr double column_bytes = 96; // a cell, for kept columns
 
-/// Films' cells count as the grid's.
+/// Film cells count as cells of the grid.
 template <int D>
 Multigrid<D> multigrid_of(const CoupledOperator<D>& matrix)
 {

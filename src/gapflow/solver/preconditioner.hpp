@@ -1,4 +1,4 @@
-// The preconditioner of the coupled system: films' band, multigrid, band; bodies; constants.
+// The preconditioner of the coupled system: films' band, multigrid, band; bodies; deflation of constants.
 #pragma once
 
 #include "gapflow/solver/body_correction.hpp"
@@ -19,7 +19,7 @@ public:
 
     /// z = B r; 0 in cells without unknown. `size`: about |r|, the scale for single precision. Collective.
     void apply(const UnknownVector<D>& r, UnknownVector<D>& z, double size);
-    /// The same, but unless `in_z` the cells of z may stay where the cycle left them, to be read by result and result_rest.
+    /// The same, but unless `in_z` the cells of z may stay in the cycle's storage, to be read by result and result_rest.
     /// `loaded`: load() has been called for all cells with to_level = 1 / size.
     void apply_in_place(const UnknownVector<D>& r, UnknownVector<D>& z, double size, bool loaded, bool in_z);
     /// Hands n cells of a row of r to the next application.
@@ -72,7 +72,7 @@ private:
     FilmBand<D> band_;
     std::optional<ConstantCorrection<D>> constants_;
     BodyCorrection<D> bodies_;
-    double from_level_ = 1; ///< what the finest level's x is to be multiplied by
+    double from_level_ = 1; ///< factor on the finest level's x
     bool dense_ = true;     ///< the last result is in z
 };
 

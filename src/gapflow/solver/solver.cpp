@@ -78,7 +78,7 @@ void CoupledSolver<D>::update_bodies()
     data_->matrix.update_bodies();
     if (data_->preconditioner) {
         data_->preconditioner->update_bodies();
-        data_->petsc.reset(); // its columns for the bodies are those of before
+        data_->petsc.reset(); // its columns for the bodies are out of date
     }
 }
 

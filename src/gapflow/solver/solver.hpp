@@ -11,7 +11,7 @@ namespace gapflow {
 
 enum class Backend { multigrid, petsc };
 
-/// When the preconditioner corrects for the bodies: decided by their lightness and by the iterations' progress, or as told.
+/// When the preconditioner corrects for the bodies: decided by their lightness and by the iterations' progress, or as set.
 enum class BodyMode { automatic, always, never };
 
 struct SolverOptions {
@@ -43,7 +43,7 @@ public:
     /// The same to another tolerance than the options'.
     SolveReport solve(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude, double tolerance) const;
 
-    /// Takes the system's masses and contacts anew, after they changed; all else must be as it was.
+    /// Reads the system's masses and contacts again after they changed; all else must be unchanged.
     void update_bodies();
 
     /// Whether the preconditioner corrects for the bodies, by now.

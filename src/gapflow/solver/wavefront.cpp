@@ -3,11 +3,11 @@
 //
 //     relax red (t), black (t - 1), red (t - 2), black (t - 3), restrict (t - 4)      at front t,
 //
-// a handful of planes stays in the cache while all sweeps pass over it: the same values as sweep by sweep, at a fifth of the
-// memory traffic. Threads take slabs of planes: first every stage as far as it needs nothing of other slabs (a trapezoid),
-// then, after one barrier, what is missing around the slabs' common planes. The ends that other ranks continue come last,
+// a few planes stay in the cache while all sweeps pass over them: the same values as sweep by sweep, at a fifth of the
+// memory traffic. Threads take slabs of planes: first every stage as far as it is independent of other slabs (a trapezoid),
+// then, after one barrier, the rest around the slabs' common planes. The ends next to other ranks come last,
 // stage by stage with an exchange of ghosts before each. All values are those of whole sweeps, on any number of threads and
-// ranks. Blocks with neighbours along other axes, or of few planes, go sweep by sweep.
+// ranks. Blocks with neighbours along other axes, or of few planes, are computed sweep by sweep.
 
 #include "gapflow/solver/wavefront.hpp"
 

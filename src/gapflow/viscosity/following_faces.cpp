@@ -74,8 +74,8 @@ Index<D> FollowingFaces<D>::leader_of(int axis, const Index<D>& f, const Lattice
     return f;
 }
 
-// No neighbour: a gap narrower than the grid. Drag towards the velocity of a linear profile between its walls, as much as keeps the face's
-// share of Poiseuille flow.
+// No neighbour: a gap narrower than the grid. Drag towards the velocity of a linear profile between its walls, with the stiffness that gives
+// the face its share of Poiseuille flow.
 template <int D>
 void FollowingFaces<D>::follow_solids(int axis, const Vec<D>& x, double area, FollowingFace<D>& following)
 {

@@ -41,7 +41,7 @@ std::optional<NarrowGap<D>> NarrowGaps<D>::narrow_gap(const Vec<D>& x)
     return gap;
 }
 
-// Mean of y (h - y) / 2 over the part `open` of a face around its centroid: that there, and what the profile's curvature takes.
+// Mean of y (h - y) / 2 over the part `open` of a face around its centroid: the value there minus a term for the profile's curvature.
 template <int D>
 double NarrowGaps<D>::face_mean(const NarrowGap<D>& gap, int axis, const Vec<D>& centroid, double open) const
 {

@@ -17,7 +17,7 @@ struct NarrowGap {
     std::array<Vec<D>, 2> foot;
     Vec<D> x, normal;   ///< of the point; unit, from the near surface to the far one
     double near, width; ///< distance to the near surface; of the gap
-    double value;       ///< what the point has in plane Poiseuille flow y (h - y) / 2
+    double value;       ///< of plane Poiseuille flow y (h - y) / 2 at the point
     double lacking;     ///< force that the lattice lacks there, of the unit pressure gradient's
 };
 
@@ -33,11 +33,11 @@ public:
 
     /// Gaps of a few cells: a point next to a surface, whose second difference is too weak there. Returns whether there is one.
     bool find(int axis, const Index<D>& f, long at, double share);
-    /// A face that follows a point of a narrow gap: as stiff as its own share of that flow asks for. Returns what it passes on of the
-    /// pressure's force to its leader.
+    /// A face that follows a point of a narrow gap: sets its stiffness according to its own share of that flow. Returns the part of the
+    /// pressure's force that it passes on to its leader.
     double stiffen(int axis, const Index<D>& f, const LatticeFace<D>& face, const Index<D>& leader,
                    FollowingFace<D>& following);
-    /// Takes what a face passes on to its leader, if that lies in a gap.
+    /// Adds the force that a face passes on to its leader, if the leader lies in a gap.
     void pass_on(int axis, long leader, double force);
     /// Adds the drag of all gaps found.
     void add_drag(ViscousTerms<D>& terms);

@@ -1,4 +1,4 @@
-// What the faces of the grid are to the lattice of the viscous step: on it, following a neighbour, or none of it (method, "Viscosity").
+// Role of the grid's faces in the lattice of the viscous step: a point of it, following a neighbour, or neither (method, "Viscosity").
 #pragma once
 
 #include "gapflow/viscosity/viscous_system.hpp"
@@ -18,7 +18,7 @@ constexpr double least_distance = 1e-3;
 
 enum class FaceRole { none, active, following };
 
-/// What a face is to the lattice.
+/// Role of a face in the lattice.
 template <int D>
 struct LatticeFace {
     FaceRole role = FaceRole::none;
@@ -42,7 +42,7 @@ public:
 
     /// Whole faces by rows; those that surfaces cut, and those on sides of the domain, one by one. Collective.
     void classify(FaceField<D, std::int8_t>& active);
-    /// What a cut face is to the lattice. Any face of this rank or of the ghost layer: the same on all ranks. Moves the rays.
+    /// Role of a cut face in the lattice. Any face of this rank or of the ghost layer: the same on all ranks. Moves the rays.
     LatticeFace<D> examine(int axis, const Index<D>& f);
 
     bool on_side(int axis, const Index<D>& f) const
@@ -54,7 +54,7 @@ public:
         return cell_mass_ * coupling_.open(axis, f) * (on_side(axis, f) ? 0.5 : 1.0);
     }
     /// Share of a face's inertia that counts next to walls of the domain, half a cell from it: of its part at either wall, the third of a
-    /// cell that the wall holds moves with the wall, and the wall bears what the pressure does to it. Plane Poiseuille flow is then exact.
+    /// cell that adheres to the wall moves with the wall, and the wall bears the pressure's force on it. Plane Poiseuille flow is then exact.
     double share_beside_walls(int axis, const Index<D>& f) const;
     bool near_surface(int axis, const Index<D>& f) const { return surface_(f) || surface_(Index<D>(f - step<D>(axis))); }
     /// Does a surface cut any of the `count` faces of a row?

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_iterations = 500;
 constexpr int most_rounds = 20;           // of corrections in single precision
-constexpr double single_tolerance = 1e-5; // what one of them reduces the residual to
+constexpr double single_tolerance = 1e-5; // reduction of the residual by one of them
 // Below this ratio of an edge to a cell's mass the diagonal alone preconditions well.
 constexpr double stiff = 0.25;
 
@@ -213,7 +213,7 @@ double work_of_rhs(const ViscousSystem<D>& system, const Unknowns<D>& x)
     })) + system.body_rhs.dot(x.V);
 }
 
-/// Conjugate gradients from x on, until the error's energy norm, as the preconditioner sees it, is `tolerance` of the solution's.
+/// Conjugate gradients from x on, until the error's energy norm, estimated by the preconditioner, is `tolerance` of the solution's.
 template <int D>
 class ViscousSolver {
 public:
@@ -252,7 +252,7 @@ private:
         r.V = system_.body_rhs - r.V;
     }
 
-    // In single precision, which moves half the bytes, for a correction of x; what rounding leaves of the residual is the next one's.
+    // In single precision, with half the memory traffic, for a correction of x; the next correction removes the rounding error.
     void solve_with_diagonal(Unknowns<D>& x, Unknowns<D>& r, double start, ViscousReport& report)
     {
         using Single = Unknowns<D, float>;

@@ -139,7 +139,7 @@ private:
             }
         } else {
             if (hit.image < 0)
-                return; // what films carry
+                return; // belongs to a film
             term.stiffness = system_.edge / std::max(hit.distance / grid_.dx(), least_distance);
             term.solid[0] = rays_.image(hit.image).solid;
             term.row[0] = -faces_.row(hit.image, axis, x + hit.distance * direction);

@@ -5,7 +5,7 @@
 //
 // one component at a time on the lattice of its face centres. int |grad u|^2 goes over the fluid and, as rigid motion, over the
 // bodies: for flow without divergence that is the dissipation 2 mu int D:D (the two differ by a null Lagrangian, a sum of
-// boundary terms that walls and rigid bodies turn into 2 mu volume |omega|^2 a body), so the bodies feel the true traction.
+// boundary terms that walls and rigid bodies turn into 2 mu volume |omega|^2 a body), so the true traction acts on the bodies.
 // Between two points of the fluid a lattice edge has (u_i - u_j)^2 / dx, an edge cut by a surface at the distance theta dx has
 // (u_i - U(x_G))^2 / (theta dx) with the solid's velocity U where it is cut (Gibou, Fedkiw, Cheng & Kang, J. Comput. Phys. 176,
 // 2002; symmetric, second order). The bodies' twists are unknowns as in Batty & Bridson (SCA 2008) and Takahashi & Batty (CGF 38,
@@ -56,7 +56,7 @@ struct FollowingFace {
     std::array<Twist<D>, 2> row;
 };
 
-/// A face beside a wall of the domain, and what of its mass moves with the wall.
+/// A face beside a wall of the domain, and the part of its mass that moves with the wall.
 struct HeldMass {
     int axis;
     long at;
@@ -82,7 +82,7 @@ struct ViscousSystem {
     std::vector<int> free_body;             ///< number of each solid among the free bodies, -1: none
     std::vector<TwistMatrix<D>> admissible; ///< of the free bodies
     Eigen::SparseMatrix<double>
-        body_matrix; ///< of the twists: masses, and what the terms and rotation add; the same on all ranks
+        body_matrix; ///< of the twists: masses, and contributions of the terms and of rotation; the same on all ranks
     Eigen::VectorXd body_rhs;
 };
 
