@@ -64,7 +64,8 @@ void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
                              body.twist.template head<D>().norm()));
     }
     if (std::isfinite(smallest_gap))
-        log.info(fmt::format("smallest gap: {:.4g} ({:.3g} cells); roughness {}", smallest_gap, smallest_gap / dx,
+        log.info(fmt::format("smallest gap: {:.4g} ({:.3g} cells){}{}; roughness {}", smallest_gap, smallest_gap / dx,
+                             run.smallest_gap_place().empty() ? "" : " ", run.smallest_gap_place(),
                              roughness_text(simulation.scene())));
     std::string stages;
     for (const auto& [name, stage] : simulation.stages().stages())

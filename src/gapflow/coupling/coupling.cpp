@@ -101,47 +101,23 @@ void fill_grid(Coupling<D>& coupling)
 // K in the rows of the grid: J of every body (without walls: they have no flux), then the films' contributions (with walls: sliding
 // walls drag fluid).
 template <int D>
-void fill_flux(Coupling<D>& coupling, FluxRows<D>&& rows)
+void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
 {
     const Grid<D>& grid = *coupling.grid;
-    const std::vector<Solid<D>>& solids = coupling.solids;
+    CoupledSystem<D>& system = coupling.system;
     for (const Index<D>& c : coupling.fractions->surface_cells) {
         const auto kind = static_cast<CellKind>(coupling.kind(c));
         if (kind != CellKind::bulk && kind != CellKind::mixed)
             continue;
         for_each_body_flux(grid, *coupling.fractions, c, [&](int solid, const Twist<D>& flux) {
-            if (!solids[solid].wall)
-                coupling.cell_flux.push_back({c, solid, flux});
+            if (coupling.solids[solid].wall)
+                return;
+            coupling.cell_flux.push_back({c, solid, flux});
+            if (const int b = coupling.free_body[solid]; b >= 0)
+                system.cell_flux.push_back({c, b, coupling.solids[solid].admissible * flux});
         });
     }
-    for (const auto& [key, fluxes] : rows.cells) {
-        const Index<D> c = grid.cell_of_key(key);
-        if (!grid.owns(c))
-            continue;
-        for (const auto& [solid, flux] : fluxes)
-            coupling.cell_flux.push_back({c, solid, flux});
-    }
-    std::size_t entries = 0;
-    for (const auto& row : rows.nodes)
-        entries += row.size();
-    coupling.node_flux.reserve(entries);
-    for (int node = 0; node < static_cast<int>(rows.nodes.size()); ++node)
-        for (const auto& [solid, flux] : rows.nodes[node])
-            coupling.node_flux.push_back({node, solid, flux});
-    rows = {};
-
-    CoupledSystem<D>& system = coupling.system;
-    auto is_free = [&](const auto& entry) { return coupling.free_body[entry.body] >= 0; };
-    system.cell_flux.reserve(std::count_if(coupling.cell_flux.begin(), coupling.cell_flux.end(), is_free));
-    system.node_flux.reserve(std::count_if(coupling.node_flux.begin(), coupling.node_flux.end(), is_free));
-    auto add_free = [&](auto& list, const auto& entry) {
-        if (const int b = coupling.free_body[entry.body]; b >= 0)
-            list.push_back({entry.row, b, solids[entry.body].admissible * entry.flux});
-    };
-    for (const auto& entry : coupling.cell_flux)
-        add_free(system.cell_flux, entry);
-    for (const auto& entry : coupling.node_flux)
-        add_free(system.node_flux, entry);
+    append_rows(coupling, rows, system.node_flux);
 }
 
 // Mass of the free bodies and the films' blocks that couple two of them: P M P + m (1 - P) with the projectors P onto the
@@ -244,7 +220,8 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
         find_drag(coupling, options.viscosity_dt, mass, shares);
     assemble_films(coupling, rows);
     timer.emplace(timers.stage("system"));
-    fill_flux(coupling, std::move(rows));
+    fill_flux(coupling, rows);
+    rows = {}; // large
     fill_mass(coupling, mass);
     coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact, coupling.system.contact_resistance);
     find_components(coupling);

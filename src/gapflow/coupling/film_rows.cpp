@@ -420,6 +420,29 @@ private:
 // The flux that both walls drag along, theta length h nu . U_w, leaves the film, with their velocities at mid-gap; the master's own flux does not.
 // With cells behind the mouth all of length h nu . U_w goes there, and the share 1 - theta of it in the mouth's flux is not distributed by the stencil.
 template <int D>
+void append_rows(Coupling<D>& coupling, const FluxRows<D>& rows, std::vector<BodyFlux<D, int>>& free_nodes)
+{
+    const Grid<D>& grid = *coupling.grid;
+    std::size_t entries = 0;
+    for (const auto& row : rows.nodes)
+        entries += row.size();
+    coupling.node_flux.reserve(coupling.node_flux.size() + entries);
+    free_nodes.reserve(free_nodes.size() + entries);
+    auto append = [&](auto& all, auto& free, const auto& row, const auto& fluxes) {
+        for (const auto& [solid, flux] : fluxes) {
+            all.push_back({row, solid, flux});
+            if (const int b = coupling.free_body[solid]; b >= 0)
+                free.push_back({row, b, coupling.solids[solid].admissible * flux});
+        }
+    };
+    for (const auto& [key, fluxes] : rows.cells)
+        if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+            append(coupling.cell_flux, coupling.system.cell_flux, c, fluxes);
+    for (int node = 0; node < static_cast<int>(rows.nodes.size()); ++node)
+        append(coupling.node_flux, free_nodes, node, rows.nodes[node]);
+}
+
+template <int D>
 void add_mouth(const Coupling<D>& coupling, std::size_t r, double share, FluxRows<D>& rows)
 {
     const Conduit<D>& conduit = coupling.network.mouths.conduits[r];
@@ -470,5 +493,8 @@ template void add_mouth<2>(const Coupling<2>&, std::size_t, double, FluxRows<2>&
 template void add_mouth<3>(const Coupling<3>&, std::size_t, double, FluxRows<3>&);
 template void assemble_films<2>(Coupling<2>&, FluxRows<2>&);
 template void assemble_films<3>(Coupling<3>&, FluxRows<3>&);
+
+template void append_rows<2>(Coupling<2>&, const FluxRows<2>&, std::vector<BodyFlux<2, int>>&);
+template void append_rows<3>(Coupling<3>&, const FluxRows<3>&, std::vector<BodyFlux<3, int>>&);
 
 } // namespace gapflow

@@ -36,6 +36,11 @@ private:
 template <int D>
 void assemble_films(Coupling<D>& coupling, FluxRows<D>& rows);
 
+/// Appends the rows to K of all solids (coupling.cell_flux, node_flux) and to the free bodies' share of it: in cells that of the system, in
+/// film nodes `free_nodes`.
+template <int D>
+void append_rows(Coupling<D>& coupling, const FluxRows<D>& rows, std::vector<BodyFlux<D, int>>& free_nodes);
+
 /// Adds `share` times a conduit's contribution to K.
 template <int D>
 void add_mouth(const Coupling<D>& coupling, std::size_t conduit, double share, FluxRows<D>& rows);

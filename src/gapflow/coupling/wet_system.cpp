@@ -76,7 +76,6 @@ void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::Vecto
 template <int D>
 void WetSystem<D>::close(const std::vector<char>& shut)
 {
-    const Grid<D>& grid = *coupling_.grid;
     CoupledSystem<D>& system = coupling_.system;
     coupling_.cell_flux.resize(entries_[0]);
     coupling_.node_flux.resize(entries_[1]);
@@ -87,18 +86,7 @@ void WetSystem<D>::close(const std::vector<char>& shut)
     for (std::size_t r = 0; r < shut.size(); ++r)
         if (shut[r])
             add_mouth(coupling_, r, -1.0, rows);
-    auto add = [&](auto& all, auto& free, const auto& row, const auto& fluxes) {
-        for (const auto& [solid, flux] : fluxes) {
-            all.push_back({row, solid, flux});
-            if (const int b = coupling_.free_body[solid]; b >= 0)
-                free.push_back({row, b, coupling_.solids[solid].admissible * flux});
-        }
-    };
-    for (const auto& [key, fluxes] : rows.cells)
-        if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
-            add(coupling_.cell_flux, system.cell_flux, c, fluxes);
-    for (int node = 0; node < system.nodes; ++node)
-        add(coupling_.node_flux, node_flux_, node, rows.nodes[node]);
+    append_rows(coupling_, rows, node_flux_);
 }
 
 template <int D>

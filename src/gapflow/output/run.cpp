@@ -3,6 +3,8 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/output/checkpoint.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace gapflow {
@@ -36,6 +38,9 @@ Run<D>::Run(const Scene& scene, const Communicator& comm, const RunPlace& place)
         simulation_ = std::make_unique<Simulation<D>>(scene, comm);
     }
     report_ = simulation_->initial_report();
+    for (const RigidBody<D>& body : simulation_->bodies())
+        if (body.motion != Motion::fixed)
+            moving_.insert(body.name);
     if (place.folder.empty())
         return;
     files_.emplace(place.folder, *simulation_, place.version, from ? &from->position : nullptr);
@@ -68,8 +73,7 @@ const StepReport& Run<D>::step(double until)
     shown_ = stored_ = false;
     try {
         report_ = s.step(until);
-        for (const GapState& gap : s.gaps())
-            smallest_gap_ = std::min(smallest_gap_, gap.thickness);
+        note_smallest_gap();
         if (!files_)
             return report_;
         files_->write_step(s, report_);
@@ -84,6 +88,18 @@ const StepReport& Run<D>::step(double until)
         throw;
     }
     return report_;
+}
+
+// Gaps between two solids that stand still are as the scene has them.
+template <int D>
+void Run<D>::note_smallest_gap()
+{
+    for (const GapState& gap : simulation_->gaps())
+        if (gap.thickness < smallest_gap_ && (moving_.contains(gap.body_a) || moving_.contains(gap.body_b))) {
+            smallest_gap_ = gap.thickness;
+            smallest_gap_place_ =
+                fmt::format("between '{}' and '{}' at time {:.4g}", gap.body_a, gap.body_b, simulation_->time());
+        }
 }
 
 template <int D>

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace gapflow {
@@ -49,17 +50,21 @@ public:
     bool resumed() const { return resumed_; }
     /// Whether the last step ended at an output time, whose fields are written.
     bool shown() const { return shown_; }
-    /// Smallest thickness of a gap so far, also before the checkpoint; infinite: there was none.
+    /// Smallest thickness so far, also before the checkpoint, of a gap that can change; infinite: there was none.
     double smallest_gap() const { return smallest_gap_; }
+    /// Where and when that was: "between 'ball' and 'wall:bottom' at time 0.25"; empty: before the checkpoint.
+    const std::string& smallest_gap_place() const { return smallest_gap_place_; }
 
 private:
     void record_failure(const char* message);
+    void note_smallest_gap();
 
     std::unique_ptr<Simulation<D>> simulation_;
     std::optional<RunFiles<D>> files_;
     std::optional<Schedule> schedule_; ///< with files
     StepReport report_;
-    std::string version_;
+    std::string version_, smallest_gap_place_;
+    std::set<std::string> moving_; ///< bodies that can
     double end_, smallest_gap_ = std::numeric_limits<double>::infinity();
     bool resumed_ = false, shown_ = false, stored_ = false; ///< the latter: a checkpoint of this moment is in the folder
 };

@@ -24,21 +24,29 @@ constexpr double parting = 1e-4;         // of the largest speed: a ball held in
 constexpr double immovable = 5e-3;       // of a pocket's surface: the part that a body may give way with, and seem not to
 constexpr std::size_t most_bodies = 150; // that hang together around a pocket; with more nothing is said
 
+// Calls f(side, cell, face) for this rank's faces of inflow sides; side = 2 * axis + end.
+template <int D, class F>
+void for_each_inflow_face(const Grid<D>& grid, F&& f)
+{
+    for (int side = 0; side < 2 * D; ++side) {
+        const int axis = side / 2, end = side % 2, last = end * (grid.cells()[axis] - 1);
+        if (grid.side(axis, end) != SideKind::inflow || last < grid.low()[axis] || last >= grid.high()[axis])
+            continue;
+        Index<D> low = grid.low(), high = grid.high();
+        low[axis] = last;
+        high[axis] = last + 1;
+        for_each_index<D>(low, high, [&](const Index<D>& c) { f(side, c, Index<D>(c + end * step<D>(axis))); });
+    }
+}
+
 // The largest normal speed at inflow sides.
 template <int D>
 double speed_of_inflows(const Grid<D>& grid, const FluidVelocity<D>& u)
 {
     double fastest = 0;
-    for (int axis = 0; axis < D; ++axis)
-        for (int end = 0; end < 2; ++end) {
-            const int last = end * (grid.cells()[axis] - 1);
-            if (grid.side(axis, end) != SideKind::inflow || last < grid.low()[axis] || last >= grid.high()[axis])
-                continue;
-            Index<D> low = grid.low(), high = grid.high();
-            low[axis] = last + end;
-            high[axis] = last + end + 1;
-            for_each_index<D>(low, high, [&](const Index<D>& f) { fastest = std::max(fastest, std::abs(u.grid(axis, f))); });
-        }
+    for_each_inflow_face(grid, [&](int side, const Index<D>&, const Index<D>& f) {
+        fastest = std::max(fastest, std::abs(u.grid(side / 2, f)));
+    });
     return grid.comm().max(fastest);
 }
 
@@ -104,20 +112,10 @@ public:
         };
         for (const auto& entry : coupling.cell_flux)
             add(entry.body, parts.component(entry.row), entry.flux.dot(twists[entry.body]));
-        for (int axis = 0; axis < D; ++axis)
-            for (int end = 0; end < 2; ++end) {
-                const int last = end * (grid.cells()[axis] - 1);
-                if (grid.side(axis, end) != SideKind::inflow || last < grid.low()[axis] || last >= grid.high()[axis])
-                    continue;
-                Index<D> low = grid.low(), high = grid.high();
-                low[axis] = last;
-                high[axis] = last + 1;
-                for_each_index<D>(low, high, [&](const Index<D>& c) {
-                    const Index<D> f = c + end * step<D>(axis);
-                    add(side(2 * axis + end), parts.component(c),
-                        (2 * end - 1) * coupling.open(axis, f) * grid.face_area() * u.grid(axis, f));
-                });
-            }
+        for_each_inflow_face(grid, [&](int of, const Index<D>& c, const Index<D>& f) {
+            const int axis = of / 2, end = of % 2;
+            add(side(of), parts.component(c), (2 * end - 1) * coupling.open(axis, f) * grid.face_area() * u.grid(axis, f));
+        });
         grid.comm().sum(std::span<double>(driven.data(), static_cast<std::size_t>(driven.size())));
         grid.comm().sum(std::span<double>(magnitude.data(), static_cast<std::size_t>(magnitude.size())));
         for (const auto& entry : coupling.node_flux)
