@@ -16,7 +16,7 @@ def momentum(quick):
     section = "Momentum of fluid, films and bodies across one projection of a random state"
     for test, name in (("BallInContainer2D", "2D, ball in a free container, linear and angular"), ("BallInContainer3D", "3D, ball in a free container, linear and angular"),
                        ("PeriodicBox2D", "2D, turned plates and a disk in a periodic box, linear"), ("PeriodicBox3D", "3D, turned plates and a ball in a periodic box, linear")):
-        found, passed = harness.unit_figures("unit_stepping", f"Momentum.{test}")
+        found, passed = harness.unit_figures("unit_coupling", f"Momentum.{test}")
         yield Row(section, name + ", both backends: change relative to the largest component", "≤ 1e-10", found["change"], passed)
 
 

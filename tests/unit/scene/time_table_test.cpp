@@ -1,7 +1,6 @@
 #include "temporary.hpp"
 
 #include "gapflow/core/error.hpp"
-#include "gapflow/core/text.hpp"
 #include "gapflow/scene/time_table.hpp"
 
 #include <gmock/gmock.h>
@@ -54,25 +53,6 @@ TEST(TimeTable, LinearBetweenRowsConstantBeyondThem)
     EXPECT_EQ(value_at(constant, 1), Row{7});
     EXPECT_EQ(value_at(constant, 5), Row{7});
     EXPECT_EQ(derivative_at(constant, 3), Row{0});
-}
-
-TEST(Text, DistancesAndNames)
-{
-    EXPECT_EQ(edit_distance("", "abc"), 3);
-    EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
-    EXPECT_EQ(edit_distance("gpa", "gap"), 1); // a swap
-    EXPECT_EQ(nearest_name("cels", {"size", "cells", "sides"}), "cells");
-    EXPECT_EQ(nearest_name("xyzzy", {"size", "cells"}), "");
-}
-
-TEST(Text, Numbers)
-{
-    EXPECT_EQ(number_text(100000), "100000");
-    EXPECT_EQ(number_text(0.1), "0.1");
-    EXPECT_EQ(number_text(1e-8), "1e-08");
-    EXPECT_EQ(parse_number(" +2.5 "), 2.5);
-    EXPECT_FALSE(parse_number("2.5 m"));
-    EXPECT_FALSE(parse_number(""));
 }
 
 } // namespace

@@ -43,18 +43,5 @@ TEST(Threads, SameResult)
 
 #endif
 
-TEST(Threads, PartsMakeUpTheWhole)
-{
-    for (long n : {0L, 1L, 2L, 7L, 100L}) {
-        std::vector<int> seen(n, 0);
-        for_each_part_of(3, n, [&](long begin, long end) {
-            for (long i = begin; i < end; ++i)
-                ++seen[i];
-        });
-        EXPECT_EQ(seen, std::vector<int>(n, 1));
-    }
-    EXPECT_EQ(sum_over_planes(-2, 4, [](int k) { return k; }), 3);
-}
-
 } // namespace
 } // namespace gapflow::test

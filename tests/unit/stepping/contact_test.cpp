@@ -1,6 +1,5 @@
 // Contact inside the coupled solve: rest, impact, friction, stacks.
 #include "gapflow/stepping/contact_law.hpp"
-#include "gapflow/stepping/setup.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -441,31 +440,6 @@ TEST(ContactLaw, StackOnHeavyFilmsObeysTheLaws)
     EXPECT_GT(largest, 0);
     for (int b : {0, 1})
         EXPECT_LT(left[b].norm(), 1e-6 * largest) << b;
-}
-
-TEST(NearInertia, OfAFlatFilm)
-{
-    Scene scene = tank(2);
-    const double L = 0.6, h = 0.003;
-    scene.bodies = {box("box", {L, 0.3, 0}, {0.97, 0.15 + h, 0})};
-    const Grid<2> grid = make_grid<2>(scene, Communicator());
-    const DomainWalls<2> walls = make_walls<2>(scene);
-    std::vector<RigidBody<2>> bodies = make_bodies<2>(scene);
-    const auto solids = make_solids<2>(bodies, walls);
-    const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
-    const Coupling<2> coupling =
-        couple<2>(grid, solids, mass, {1.0, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
-    const NearInertia<2> inertia = near_inertia(coupling, mass, {});
-    ASSERT_EQ(inertia.films.size(), 1u);
-    EXPECT_EQ(inertia.films[0].a, 0);
-    const PairMatrix<2>& film = inertia.films[0].matrix;
-    EXPECT_NEAR(film(1, 1), L * L * L / (12 * h), 0.1 * film(1, 1)); // the ways out weigh too
-    EXPECT_NEAR(film(2, 2), std::pow(L, 5) / (720 * h), 0.1 * film(2, 2));
-    EXPECT_LT((film - film.transpose()).norm(), 1e-9 * film.norm());
-    EXPECT_NEAR(inertia.mobility[0](1, 1), 1, 1e-12);
-    // Voids carry nothing: without its nodes the film weighs what its fluid does.
-    const NearInertia<2> dry = near_inertia(coupling, mass, std::vector<char>(coupling.system.nodes, 1));
-    EXPECT_LT(dry.films[0].matrix(1, 1), L * h);
 }
 
 } // namespace

@@ -28,33 +28,17 @@ Scene ball_in_box(int dimension, int cells)
 
 constexpr double density = 3;
 
-template <int D>
-struct Placed {
-    std::vector<RigidBody<D>> bodies;
-    DomainWalls<D> walls;
-    Coupling<D> coupling;
-};
-
-template <int D>
-Placed<D> placed(Scene scene, const Grid<D>& grid, const Vec<D>& moved)
-{
-    for (int axis = 0; axis < D; ++axis)
-        scene.bodies[0].position[axis] += moved[axis];
-    Placed<D> result{make_bodies<D>(scene), make_walls<D>(scene), {}};
-    const auto solids = make_solids<D>(result.bodies, result.walls);
-    const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
-    result.coupling =
-        couple<D>(grid, solids, mass, {density, FractionMode::cut_cell}, gap_settings<D>(scene, solids, true), {});
-    return result;
-}
-
 // Half of what the same pressure does before and after, as the projection has it: K^T p. For p = -1/2 rho (x^2 + 2 y^2 + 3 z^2).
 template <int D>
 void expect_half_the_change_of_force(const Vec<D>& moved)
 {
-    const Scene scene = ball_in_box(D, 32);
-    const Grid<D> grid = make_grid<D>(scene, Communicator());
-    const Placed<D> before = placed<D>(scene, grid, Vec<D>::Zero()), after = placed<D>(scene, grid, moved);
+    Scene scene = ball_in_box(D, 32);
+    scene.density = density;
+    const Model<D> model(scene, Communicator());
+    const Grid<D>& grid = model.grid;
+    std::vector<RigidBody<D>> there = model.bodies;
+    there[0].pose.position += moved;
+    const Coupling<D> before = model.coupled(model.bodies), after = model.coupled(there);
     UnknownVector<D> p{CellField<D>(grid), Eigen::VectorXd()};
     FaceField<D> change(grid);
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
@@ -64,8 +48,8 @@ void expect_half_the_change_of_force(const Vec<D>& moved)
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
                           [&](const Index<D>& f) { change(axis, f) = (axis + 1) * grid.face_centre(axis, f)[axis]; });
-    const Vec<D> swept = swept_impulses<D>(grid, density, change, *before.coupling.fractions, *after.coupling.fractions, 1)[0];
-    const Twist<D> expected = 0.5 * (impulses(before.coupling, p)[0] - impulses(after.coupling, p)[0]);
+    const Vec<D> swept = swept_impulses<D>(grid, density, change, *before.fractions, *after.fractions, 1)[0];
+    const Twist<D> expected = 0.5 * (impulses(before, p)[0] - impulses(after, p)[0]);
     EXPECT_GT(swept.norm(), 0.1 * density * moved.norm());
     EXPECT_LT((swept - expected.template head<D>()).norm(), 1e-10);
 }

@@ -30,8 +30,6 @@ TEST(Memory, IsRefusedWithTheNumberThatItWouldTake)
         EXPECT_THAT(error.what(), testing::StartsWith("scene.toml: domain.cells: 4e+06 cells need about 1.25 GiB of memory"));
         EXPECT_THAT(error.what(), testing::HasSubstr("on a machine that has 0.0977 GiB; use fewer cells"));
     }
-    EXPECT_GT(machine_memory(), 100 * mebibyte);
-    EXPECT_GE(ranks_on_this_machine(comm), 1);
 }
 
 BodyScene ball(const std::string& name, double x, double radius, BodyScene::Motion motion)

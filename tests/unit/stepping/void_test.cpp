@@ -1,6 +1,4 @@
 // Voids in films: dry contact holds and lets go at the exact pull, void volume is kept, cavitation bounds the pressure.
-#include "gapflow/coupling/wet_system.hpp"
-#include "gapflow/solver/solver.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -333,18 +331,14 @@ TEST(Voids, ASealedPocketGivesNoEnergy)
 TEST(Voids, VolumeIsKeptWhenTheMeshChanges)
 {
     Scene scene = block(2, 0);
-    const Grid<2> grid = make_grid<2>(scene, Communicator());
-    const DomainWalls<2> walls = make_walls<2>(scene);
-    auto couple_at = [&](double angle, std::vector<RigidBody<2>>& bodies) {
+    auto model_at = [&](double angle) {
         scene.bodies[0].angle = angle;
         scene.bodies[0].position = {2.013, 0.25 + thickness + 0.5 * std::sin(angle), 0};
-        bodies = make_bodies<2>(scene);
-        const auto solids = make_solids<2>(bodies, walls);
-        return couple<2>(grid, solids, std::vector<TwistMatrix<2>>(solids.size(), TwistMatrix<2>::Identity()),
-                         {scene.density, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
+        return std::make_unique<Model<2>>(scene, Communicator());
     };
-    std::vector<RigidBody<2>> level_bodies, tilted_bodies;
-    const Coupling<2> level = couple_at(0, level_bodies), tilted = couple_at(0.01, tilted_bodies);
+    const auto level_model = model_at(0), tilted_model = model_at(0.01);
+    const Grid<2>& grid = level_model->grid;
+    const Coupling<2> level = level_model->coupled(level_model->bodies), tilted = tilted_model->coupled(tilted_model->bodies);
     ASSERT_NE(level.network.nodes, tilted.network.nodes);
     const std::vector<Twist<2>> rest(level.solids.size(), Twist<2>::Zero());
     auto remember = [&](const Coupling<2>& c) {
@@ -376,73 +370,6 @@ TEST(Voids, VolumeIsKeptWhenTheMeshChanges)
             EXPECT_EQ(voids.volume()[i], 0);
         }
     EXPECT_EQ(voids.lost(), 0);
-}
-
-// The reduced system gives the solution of the whole one with the voids' pressures: every other row balances.
-TEST(Voids, TheWetSystemBalancesEveryRowButTheVoids)
-{
-    Scene scene = block(3, 0);
-    scene.bodies[0].position[2] = 0.26;
-    const Grid<3> grid = make_grid<3>(scene, Communicator());
-    const DomainWalls<3> walls = make_walls<3>(scene);
-    std::vector<RigidBody<3>> bodies = make_bodies<3>(scene);
-    const auto solids = make_solids<3>(bodies, walls);
-    std::vector<TwistMatrix<3>> mass(solids.size(), TwistMatrix<3>::Identity());
-    Coupling<3> coupling =
-        couple<3>(grid, solids, mass, {1.0, FractionMode::cut_cell}, gap_settings<3>(scene, solids, true), {});
-    const int nodes = coupling.system.nodes;
-    const std::size_t entries = coupling.system.node_flux.size();
-    std::vector<char> is_void(nodes, 0);
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(nodes), filling = Eigen::VectorXd::Zero(nodes);
-    for (int i = 0; i < nodes; ++i)
-        if (coupling.network.films[0].mesh.mid[i][0] < 1.5) {
-            is_void[i] = 1;
-            b[i] = -0.3 - 0.1 * coupling.network.films[0].mesh.mid[i][1];
-        } else {
-            filling[i] = 1e-4;
-        }
-    std::vector<Twist<3>> V(solids.size(), Twist<3>::Zero());
-    V[0] << 0.1, 0, 0.3, 0, 0.2, 0;
-    FluidVelocity<3> u{FaceField<3>(grid), std::vector<Vec<3>>(coupling.network.elements, Vec<3>::Zero()),
-                       std::vector<double>(coupling.network.elements, 0.0),
-                       std::vector<double>(coupling.network.mouths.conduits.size(), 0.0)};
-    UnknownVector<3> p{CellField<3>(grid), Eigen::VectorXd::Zero(nodes)};
-    Eigen::VectorXd impulse, film_outflow;
-    {
-        WetSystem<3> wet(coupling);
-        wet.take_out(is_void, b, std::vector<char>(u.conduit.size(), 0));
-        hold_contacts<3>(coupling, {}, V);
-        V = intermediate_twists<3>(coupling, mass, V, u.film_normal, impulse);
-        wet.push(V, impulse);
-        UnknownVector<3> rhs;
-        outflow(coupling, u, V, rhs);
-        for_each_index<3>(grid.low(), grid.high(), [&](const Index<3>& c) { rhs.cells(c) *= -1; });
-        rhs.nodes *= -1;
-        wet.reduce(V, filling, rhs);
-        SolverOptions options;
-        options.tolerance = 1e-11;
-        ASSERT_TRUE(CoupledSolver<3>(coupling.system, options).solve(p, rhs).converged);
-        add_pressure_impulse(coupling, p, V, impulse);
-        film_outflow = wet.outcome(p, V).outflow;
-        p.nodes += wet.given();
-    }
-    EXPECT_EQ(coupling.system.node_flux.size(), entries); // the whole system again
-    subtract_gradient(coupling, p, u);
-    UnknownVector<3> rest;
-    outflow(coupling, u, V, rest);
-    double worst = 0, largest = 0;
-    for_each_index<3>(grid.low(), grid.high(), [&](const Index<3>& c) { worst = std::max(worst, std::abs(rest.cells(c))); });
-    for (int i = 0; i < nodes; ++i) {
-        if (!is_void[i])
-            worst = std::max(worst, std::abs(film_outflow[i] + filling[i]));
-        else
-            largest = std::max(largest, std::abs(film_outflow[i]));
-        if (is_void[i]) {
-            EXPECT_DOUBLE_EQ(p.nodes[i], b[i]);
-        }
-    }
-    EXPECT_GT(largest, 1e-4);
-    EXPECT_LT(worst, 1e-8 * largest);
 }
 
 } // namespace

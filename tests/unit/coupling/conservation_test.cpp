@@ -1,6 +1,7 @@
 // What a projection conserves and leaves alone, whatever the configuration: sums of K, a common rigid motion, momentum.
+#include "world.hpp"
+
 #include "gapflow/solver/solver.hpp"
-#include "gapflow/stepping/setup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -77,26 +78,6 @@ Scene periodic_box(int dimension)
         side.kind = SideScene::Kind::periodic;
     return scene;
 }
-
-template <int D>
-struct World {
-    explicit World(const Scene& s)
-        : scene(s), grid(make_grid<D>(scene, Communicator())), bodies(make_bodies<D>(scene)), walls(make_walls<D>(scene))
-    {
-        const auto solids = make_solids<D>(bodies, walls);
-        for (const RigidBody<D>& b : bodies)
-            mass.push_back(mass_matrix(b));
-        mass.resize(solids.size(), TwistMatrix<D>::Identity());
-        coupling =
-            couple<D>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<D>(scene, solids, false), {});
-    }
-    Scene scene;
-    Grid<D> grid;
-    std::vector<RigidBody<D>> bodies;
-    DomainWalls<D> walls;
-    std::vector<TwistMatrix<D>> mass;
-    Coupling<D> coupling;
-};
 
 // Calls f(velocity slot along `axis`, place, mass) for every open face.
 template <int D, class F>
