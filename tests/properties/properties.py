@@ -16,7 +16,7 @@ import harness
 import random_scenes
 import scene_changes as changes
 
-LIMIT = 60      # seconds of a run
+LIMIT = 120     # seconds of a run
 SLACK = 0.015   # cells: what weight gives over this way is no rise of energy
 
 
@@ -186,10 +186,13 @@ def does_not_run(case):
     return None if ran.ok else told(ran)
 
 
+def kind_of(text):
+    """Of a message: its start, less names and numbers."""
+    return re.sub(r"'[^']*'|[-+.\deE]*\d[-+.\deE]*", "", text)[:60]
+
+
 def warnings(case):
-    """What a run warns of, less names and numbers."""
-    lines = run(case).errors.splitlines()
-    return {re.sub(r"'[^']*'|[-+.\deE]*\d[-+.\deE]*", "", line)[:60] for line in lines if "warning:" in line}
+    return {kind_of(line) for line in run(case).errors.splitlines() if "warning:" in line}
 
 
 def sound(case, of):
