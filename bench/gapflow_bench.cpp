@@ -131,7 +131,7 @@ Json measure_solve(const Scene& scene, const Arguments& arguments)
     const Coupling<D> coupling = model.coupled(model.bodies, mass);
     FluidVelocity<D> still{FaceField<D>(grid), std::vector<Vec<D>>(coupling.network.elements, Vec<D>::Zero()),
                            std::vector<double>(coupling.network.elements, 0.0),
-                           std::vector<double>(coupling.network.mouths.conduits.size(), 0.0)};
+                           std::vector<double>(coupling.network.rim.mouths.size(), 0.0)};
     UnknownVector<D> rhs;
     outflow(coupling, still, twists, rhs);
     for (long i = 0; i < rhs.cells.size(); ++i)

@@ -291,7 +291,7 @@ void number_parts(const Coupling<D>& coupling, const std::vector<char>& shut, co
         ++facts[2 * parts.node_component[node]];
     }
     for (const Link& link : system.links)
-        if (link.cells.empty() && leads_on(link, shut) && link.nodes.size() == D - 1) // conduit to an open side
+        if (link.cells.empty() && leads_on(link, shut) && link.nodes.size() == D - 1) // mouth to an open side
             ++facts[2 * parts.node_component[link.nodes.front().first] + 1];
     for (int k = 0; k < numbering.components; ++k) {
         parts.components[k].grid_parts = numbering.grid_parts[k];

@@ -6,7 +6,7 @@
 #include "gapflow/coupling/body_response.hpp"
 #include "gapflow/coupling/mouth_cells.hpp"
 #include "gapflow/coupling/system.hpp"
-#include "gapflow/film/conduits.hpp"
+#include "gapflow/film/mouths.hpp"
 #include "gapflow/grid/face_fractions.hpp"
 
 #include <functional>
@@ -23,7 +23,7 @@ struct FluidVelocity {
     FaceField<D> grid; ///< normal component, mean over the open part of a face; traces use it as the value at the face centre
     std::vector<Vec<D>> film;        ///< tangential velocity of every film element, absolute, world axes
     std::vector<double> film_normal; ///< normal speed of the fluid of every film element (method: w_n*)
-    std::vector<double> conduit;     ///< flux out of the film through every conduit, absolute
+    std::vector<double> mouth;       ///< flux out of the film through every mouth, absolute
 };
 
 /// The film's fluid moves with the mean of its two walls normal to the gap: a mass (rho S) on the rows of their twists that
@@ -42,16 +42,16 @@ struct Drag {
     double wet = 1; ///< share of the gap that contains fluid; the rest is a void
 };
 
-/// Share of the gap's thickness that contains fluid, of every film element and conduit; empty: all of it.
+/// Share of the gap's thickness that contains fluid, of every film element and mouth; empty: all of it.
 struct WetShares {
-    std::vector<double> elements, conduits;
+    std::vector<double> elements, mouths;
 };
 
 /// Contribution of drag to the bodies' mass: 1/2 mass (row_master . V + row_other . V - speed)^2.
 template <int D>
 struct DragInertia {
     NormalInertia<D> inertia;
-    int element = -1, conduit = -1; ///< whose u* gives the speed; neither: 0
+    int element = -1, mouth = -1; ///< whose u* gives the speed; neither: 0
     Vec<D> direction = Vec<D>::Zero();
     double speed = 0;
 };
@@ -81,9 +81,9 @@ struct Coupling {
     std::vector<BodyFlux<D, Index<D>>> cell_flux;
     std::vector<BodyFlux<D, int>> node_flux;
     std::vector<NormalInertia<D>> normal_inertia; ///< one for each film element
-    std::vector<Drag> element_drag, conduit_drag; ///< one for each film element or conduit; empty without viscosity
+    std::vector<Drag> element_drag, mouth_drag;   ///< one for each film element or mouth; empty without viscosity
     std::vector<std::vector<CarriedCell>>
-        cells_behind; ///< of each conduit: the cells that the walls' flux enters; empty: those of its pressure
+        cells_behind; ///< of each mouth: the cells that the walls' flux enters; empty: those of its pressure
     std::vector<DragInertia<D>> drag_inertia;
     BodyResponse response;            ///< of the free bodies: M^-1 of `system`
     Eigen::VectorXd held_speed;       ///< of the contacts in system.contact, less the share of solids that are not free
@@ -110,7 +110,7 @@ template <int D>
 void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::vector<Twist<D>>& twists, UnknownVector<D>& out,
              double* sum_of_squares = nullptr);
 
-/// u -= grad p / rho on open faces, films and conduits.
+/// u -= grad p / rho on open faces, films and mouths.
 template <int D>
 void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVelocity<D>& u);
 

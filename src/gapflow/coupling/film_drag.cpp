@@ -94,11 +94,11 @@ Vec<D> widening(const FilmMesh<D>& mesh, const FilmElement<D>& e, const Vec<D>& 
     return length > most ? Vec<D>(most / length * change) : change;
 }
 
-double mouth_beta(ConduitKind kind, double viscosity_dt, double density, double h, double resistance)
+double mouth_beta(MouthKind kind, double viscosity_dt, double density, double h, double resistance)
 {
     const double scale = viscosity_dt / (density * h * h);
-    return kind == ConduitKind::edge_edge || kind == ConduitKind::edge_face ? 16 * scale / (std::numbers::pi * resistance)
-                                                                            : 12 * scale;
+    return kind == MouthKind::edge_edge || kind == MouthKind::edge_face ? 16 * scale / (std::numbers::pi * resistance)
+                                                                        : 12 * scale;
 }
 
 // A film is impermeable where its effective mass under viscosity exceeds this multiple of that of the lighter free body beside it: under
@@ -211,14 +211,14 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
             }
         }
     }
-    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        const Conduit<D>& c = conduits[r];
+    const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
+        const Mouth<D>& c = mouths[r];
         const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
         Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance),
                             shuts[c.film].mouth_beta(rho * c.resistance / c.length));
-        drag.wet = wet.conduits.empty() ? 1.0 : wet.conduits[r];
-        coupling.conduit_drag.push_back(drag);
+        drag.wet = wet.mouths.empty() ? 1.0 : wet.mouths[r];
+        coupling.mouth_drag.push_back(drag);
         coupling.drag_inertia.push_back(
             {{mesh.master, mesh.other, (1 - 0.5 * drag.wet) * wrench<D>(c.outward, c.x - coupling.solids[mesh.master].centre),
               0.5 * drag.wet * wrench<D>(c.outward, c.x - coupling.solids[mesh.other].centre - mesh.shift),
@@ -238,17 +238,17 @@ double film_conductance(const Coupling<D>& coupling, const Film<D>& film, std::s
 template <int D>
 void start_drag(Coupling<D>& coupling, FluidVelocity<D>& u_star)
 {
-    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
+    const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
     for (DragInertia<D>& drag : coupling.drag_inertia) {
         if (drag.element >= 0)
             drag.speed = drag.direction.dot(u_star.film[drag.element]);
-        if (drag.conduit >= 0)
-            drag.speed = u_star.conduit[drag.conduit] / (conduits[drag.conduit].length * conduits[drag.conduit].h);
+        if (drag.mouth >= 0)
+            drag.speed = u_star.mouth[drag.mouth] / (mouths[drag.mouth].length * mouths[drag.mouth].h);
     }
     for (std::size_t e = 0; e < coupling.element_drag.size(); ++e)
         u_star.film[e] *= coupling.element_drag[e].kappa;
-    for (std::size_t r = 0; r < coupling.conduit_drag.size(); ++r)
-        u_star.conduit[r] *= coupling.conduit_drag[r].kappa;
+    for (std::size_t r = 0; r < coupling.mouth_drag.size(); ++r)
+        u_star.mouth[r] *= coupling.mouth_drag[r].kappa;
 }
 
 namespace {
@@ -265,12 +265,12 @@ Vec<D> mean_velocity(const Coupling<D>& coupling, const FilmMesh<D>& mesh, const
 } // namespace
 
 template <int D>
-double entrained_flux(const Coupling<D>& coupling, std::size_t conduit, const std::vector<Twist<D>>& twists)
+double entrained_flux(const Coupling<D>& coupling, std::size_t mouth, const std::vector<Twist<D>>& twists)
 {
-    if (coupling.conduit_drag.empty())
+    if (coupling.mouth_drag.empty())
         return 0;
-    const Conduit<D>& c = coupling.network.mouths.conduits[conduit];
-    const Drag& drag = coupling.conduit_drag[conduit];
+    const Mouth<D>& c = coupling.network.rim.mouths[mouth];
+    const Drag& drag = coupling.mouth_drag[mouth];
     return drag.theta * c.length * c.h *
            c.outward.dot(mean_velocity(coupling, coupling.network.films[c.film].mesh, twists, c.x, drag.wet));
 }
@@ -278,7 +278,7 @@ double entrained_flux(const Coupling<D>& coupling, std::size_t conduit, const st
 template <int D>
 void add_entrainment(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, double share, FluidVelocity<D>& u)
 {
-    if (coupling.element_drag.empty() && coupling.conduit_drag.empty())
+    if (coupling.element_drag.empty() && coupling.mouth_drag.empty())
         return;
     for (const Film<D>& film : coupling.network.films)
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
@@ -290,15 +290,15 @@ void add_entrainment(const Coupling<D>& coupling, const std::vector<Twist<D>>& t
                 u.film[film.first_element + e] += share * drag.theta * U * t;
             }
         }
-    for (std::size_t r = 0; r < u.conduit.size(); ++r)
-        u.conduit[r] += share * entrained_flux(coupling, r, twists);
+    for (std::size_t r = 0; r < u.mouth.size(); ++r)
+        u.mouth[r] += share * entrained_flux(coupling, r, twists);
 }
 
 // The inertia of drag is theta times a film's mass, and beta = theta / kappa.
 template <int D>
 double film_loss(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, const FluidVelocity<D>& u)
 {
-    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
+    const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
     double loss = 0;
     for (const DragInertia<D>& drag : coupling.drag_inertia) {
         const NormalInertia<D>& inertia = drag.inertia;
@@ -306,9 +306,9 @@ double film_loss(const Coupling<D>& coupling, const std::vector<Twist<D>>& twist
         if (drag.element >= 0) {
             speed = drag.direction.dot(u.film[drag.element]);
             kappa = coupling.element_drag[drag.element].kappa;
-        } else if (drag.conduit >= 0) {
-            speed = u.conduit[drag.conduit] / (conduits[drag.conduit].length * conduits[drag.conduit].h);
-            kappa = coupling.conduit_drag[drag.conduit].kappa;
+        } else if (drag.mouth >= 0) {
+            speed = u.mouth[drag.mouth] / (mouths[drag.mouth].length * mouths[drag.mouth].h);
+            kappa = coupling.mouth_drag[drag.mouth].kappa;
         }
         const double lag =
             speed - inertia.row_master.dot(twists[inertia.master]) - inertia.row_other.dot(twists[inertia.other]);

@@ -20,7 +20,7 @@
 
 namespace gapflow {
 
-/// Fills the coupling's element_drag, conduit_drag and drag_inertia, for viscosity_dt = mu dt > 0; `mass`: of the solids, as for couple(). Before assemble_films().
+/// Fills the coupling's element_drag, mouth_drag and drag_inertia, for viscosity_dt = mu dt > 0; `mass`: of the solids, as for couple(). Before assemble_films().
 template <int D>
 void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<TwistMatrix<D>>& mass, const WetShares& wet = {});
 
@@ -43,9 +43,9 @@ WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, cons
 template <int D>
 void start_drag(Coupling<D>& coupling, FluidVelocity<D>& u_star);
 
-/// theta length h nu . U_w of a conduit: the flux that both walls drag out of the film there; 0 without viscosity.
+/// theta length h nu . U_w of a mouth: the flux that both walls drag out of the film there; 0 without viscosity.
 template <int D>
-double entrained_flux(const Coupling<D>& coupling, std::size_t conduit, const std::vector<Twist<D>>& twists);
+double entrained_flux(const Coupling<D>& coupling, std::size_t mouth, const std::vector<Twist<D>>& twists);
 
 /// u += theta U_w in films and mouths (share 1), or subtracts it (share -1).
 template <int D>

@@ -59,15 +59,15 @@ private:
         return [this, key](int solid, const Twist<D>& flux) { rows_.add_cell(key, solid, flux); };
     }
 
-    // Each film's conduits that end in cells.
+    // Each film's mouths that end in cells.
     void find_mouths()
     {
-        conduits_.assign(network_.films.size(), {});
-        conduit_places_.assign(network_.films.size(), {});
-        for (const Conduit<D>& conduit : network_.mouths.conduits)
-            if (!conduit.cells.empty()) {
-                conduits_[conduit.film].push_back(&conduit);
-                conduit_places_[conduit.film].push_back(conduit.x);
+        mouths_.assign(network_.films.size(), {});
+        mouth_places_.assign(network_.films.size(), {});
+        for (const Mouth<D>& mouth : network_.rim.mouths)
+            if (!mouth.cells.empty()) {
+                mouths_[mouth.film].push_back(&mouth);
+                mouth_places_[mouth.film].push_back(mouth.x);
             }
     }
 
@@ -271,12 +271,12 @@ private:
     {
         const FilmMesh<D>& mesh = film(k).mesh;
         double total = 0;
-        for (const Conduit<D>* conduit : conduits_[k])
-            total += conduit->length;
-        for (const Conduit<D>* conduit : conduits_[k])
-            for (const auto& [key, weight] : conduit->cells)
-                add_relative(to_cell(key), mesh, mesh.other, other_centre(mesh), flux, conduit->length / total * weight);
-        if (conduits_[k].empty())
+        for (const Mouth<D>* mouth : mouths_[k])
+            total += mouth->length;
+        for (const Mouth<D>* mouth : mouths_[k])
+            for (const auto& [key, weight] : mouth->cells)
+                add_relative(to_cell(key), mesh, mesh.other, other_centre(mesh), flux, mouth->length / total * weight);
+        if (mouths_[k].empty())
             for (const FilmPoint<D>& point : mesh.points)
                 add_at_point(k, point, mesh.other, other_centre(mesh), flux, 1.0 / static_cast<double>(mesh.points.size()));
     }
@@ -286,7 +286,7 @@ private:
     void add_to_nearest_mouth(long key, const FilmCell<D>& cell, const Twist<D>& rest, std::vector<Twist<D>>& lost)
     {
         const Vec<D> x = grid_.cell_centre(grid_.cell_of_key(key) + cell.offset(cell.owner));
-        const std::vector<Vec<D>>& places = conduit_places_[cell.owner];
+        const std::vector<Vec<D>>& places = mouth_places_[cell.owner];
         std::size_t nearest = 0;
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < places.size(); ++i)
@@ -299,7 +299,7 @@ private:
             return;
         }
         const FilmMesh<D>& mesh = film(cell.owner).mesh;
-        for (const auto& [to, weight] : conduits_[cell.owner][nearest]->cells)
+        for (const auto& [to, weight] : mouths_[cell.owner][nearest]->cells)
             add_relative(to_cell(to), mesh, mesh.other, other_centre(mesh), rest, weight);
     }
 
@@ -362,31 +362,31 @@ private:
         }
     }
 
-    // Method, "Conduits and joints": q = (p_film - p_bulk) length / (rho R) + q*; length h nu . U_m moves with the master.
+    // Method, "Mouths and joints": q = (p_film - p_bulk) length / (rho R) + q*; length h nu . U_m moves with the master.
     void assemble_mouths()
     {
         std::vector<Link>& links = coupling_.system.links;
         links.clear();
-        coupling_.cells_behind.assign(network_.mouths.conduits.size(), {});
-        for (const Conduit<D>& conduit : network_.mouths.conduits) {
+        coupling_.cells_behind.assign(network_.rim.mouths.size(), {});
+        for (const Mouth<D>& mouth : network_.rim.mouths) {
             // For the grid the faces that a film closes move with its master. The flux that both walls drag along in viscous fluid replaces
             // the master's face by face: distributed by the pressure's stencil, from cell to cell in a gap of a cell, it would drag the walls.
-            if (D == 2 && conduit.kind == ConduitKind::smooth && !coupling_.conduit_drag.empty())
-                coupling_.cells_behind[links.size()] = cells_behind<D>(conduit, film(conduit.film), closed_areas_[conduit.film],
-                                                                       conduit_places_[conduit.film], grid_.dx());
-            Link link{conduit.length / (coupling_.density * conduit.resistance), {}, {}};
-            if (conduit.kind == ConduitKind::inflow)
+            if (D == 2 && mouth.kind == MouthKind::smooth && !coupling_.mouth_drag.empty())
+                coupling_.cells_behind[links.size()] =
+                    cells_behind<D>(mouth, film(mouth.film), closed_areas_[mouth.film], mouth_places_[mouth.film], grid_.dx());
+            Link link{mouth.length / (coupling_.density * mouth.resistance), {}, {}};
+            if (mouth.kind == MouthKind::inflow)
                 link.conductance = 0;
-            if (!coupling_.conduit_drag.empty())
-                link.conductance *= coupling_.conduit_drag[links.size()].kappa;
+            if (!coupling_.mouth_drag.empty())
+                link.conductance *= coupling_.mouth_drag[links.size()].kappa;
             for (int i = 0; i < D - 1; ++i)
-                link.nodes.emplace_back(conduit.nodes[i], conduit.shape[i]);
-            for (const auto& [key, weight] : conduit.cells)
+                link.nodes.emplace_back(mouth.nodes[i], mouth.shape[i]);
+            for (const auto& [key, weight] : mouth.cells)
                 link.cells.emplace_back(key, -weight);
             add_mouth(coupling_, links.size(), 1.0, rows_);
             links.push_back(std::move(link));
         }
-        for (const Joint<D>& joint : network_.mouths.joints) {
+        for (const Joint<D>& joint : network_.rim.joints) {
             Link link{joint.conductance / coupling_.density, {}, {}};
             for (int i = 0; i < D - 1; ++i) {
                 link.nodes.emplace_back(joint.nodes_a[i], joint.shape_a[i]);
@@ -408,8 +408,8 @@ private:
     const Grid<D>& grid_;
     const FilmNetwork<D>& network_;
     const FaceCache<D>& faces_;
-    std::vector<std::vector<const Conduit<D>*>> conduits_; ///< of each film, those that end in cells
-    std::vector<std::vector<Vec<D>>> conduit_places_;      ///< where they are
+    std::vector<std::vector<const Mouth<D>*>> mouths_; ///< of each film, those that end in cells
+    std::vector<std::vector<Vec<D>>> mouth_places_;    ///< where they are
     KeyMap<std::vector<CellFlux>> closed_flux_;
     std::vector<std::vector<ClosedArea<D>>> closed_areas_; ///< of each film
     std::vector<Third> third_;
@@ -445,39 +445,39 @@ void append_rows(Coupling<D>& coupling, const FluxRows<D>& rows, std::vector<Bod
 template <int D>
 void add_mouth(const Coupling<D>& coupling, std::size_t r, double share, FluxRows<D>& rows)
 {
-    const Conduit<D>& conduit = coupling.network.mouths.conduits[r];
-    const Film<D>& film = coupling.network.films[conduit.film];
+    const Mouth<D>& mouth = coupling.network.rim.mouths[r];
+    const Film<D>& film = coupling.network.films[mouth.film];
     const FilmMesh<D>& mesh = film.mesh;
     const std::vector<CarriedCell>& behind = coupling.cells_behind[r];
-    const Vec<D> flux = share * conduit.length * conduit.h * conduit.outward;
+    const Vec<D> flux = share * mouth.length * mouth.h * mouth.outward;
     const Vec<D> other_centre = coupling.solids[mesh.other].centre + mesh.shift;
-    const Vec<D> at_master = conduit.x - coupling.solids[mesh.master].centre, at_other = conduit.x - other_centre;
-    if (!coupling.conduit_drag.empty()) {
-        const Drag& drag = coupling.conduit_drag[r];
+    const Vec<D> at_master = mouth.x - coupling.solids[mesh.master].centre, at_other = mouth.x - other_centre;
+    if (!coupling.mouth_drag.empty()) {
+        const Drag& drag = coupling.mouth_drag[r];
         const Twist<D> of_master = (1 - 0.5 * drag.wet) * wrench<D>(flux, at_master);
         const Twist<D> of_other = 0.5 * drag.wet * wrench<D>(flux, at_other);
         for (int i = 0; i < D - 1; ++i) {
-            rows.add_node(conduit.nodes[i], mesh.master, drag.theta * conduit.shape[i] * of_master);
-            rows.add_node(conduit.nodes[i], mesh.other, drag.theta * conduit.shape[i] * of_other);
+            rows.add_node(mouth.nodes[i], mesh.master, drag.theta * mouth.shape[i] * of_master);
+            rows.add_node(mouth.nodes[i], mesh.other, drag.theta * mouth.shape[i] * of_other);
         }
         const auto add = [&](const CarriedCell& cell, double part) {
             rows.add_cell(cell.key, mesh.master, part * (cell.weight + cell.lean) * of_master);
             rows.add_cell(cell.key, mesh.other, part * (cell.weight - cell.lean) * of_other);
         };
         if (behind.empty())
-            for (const CarriedCell& cell : cells_around(*coupling.grid, conduit, film))
+            for (const CarriedCell& cell : cells_around(*coupling.grid, mouth, film))
                 add(cell, -drag.theta);
         for (const CarriedCell& cell : behind)
             add(cell, -1);
         if (!behind.empty())
-            for (const auto& [key, weight] : conduit.cells)
+            for (const auto& [key, weight] : mouth.cells)
                 add({key, weight, 0.0}, 1 - drag.theta);
     }
-    const Twist<D> carried = share * conduit.length * conduit.h * wrench<D>(conduit.outward, at_master);
+    const Twist<D> carried = share * mouth.length * mouth.h * wrench<D>(mouth.outward, at_master);
     for (int i = 0; i < D - 1; ++i)
-        rows.add_node(conduit.nodes[i], mesh.master, -conduit.shape[i] * carried);
+        rows.add_node(mouth.nodes[i], mesh.master, -mouth.shape[i] * carried);
     if (behind.empty())
-        for (const auto& [key, weight] : conduit.cells)
+        for (const auto& [key, weight] : mouth.cells)
             rows.add_cell(key, mesh.master, weight * carried);
     for (const CarriedCell& cell : behind)
         rows.add_cell(cell.key, mesh.master, cell.weight * carried);

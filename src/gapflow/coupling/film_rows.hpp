@@ -1,4 +1,4 @@
-// The films' share of the coupled system (method, "Rows of the film", "Conduits and joints").
+// The films' share of the coupled system (method, "Rows of the film", "Mouths and joints").
 #pragma once
 
 #include "gapflow/coupling/coupling.hpp"
@@ -41,8 +41,8 @@ void assemble_films(Coupling<D>& coupling, FluxRows<D>& rows);
 template <int D>
 void append_rows(Coupling<D>& coupling, const FluxRows<D>& rows, std::vector<BodyFlux<D, int>>& free_nodes);
 
-/// Adds `share` times a conduit's contribution to K.
+/// Adds `share` times a mouth's contribution to K.
 template <int D>
-void add_mouth(const Coupling<D>& coupling, std::size_t conduit, double share, FluxRows<D>& rows);
+void add_mouth(const Coupling<D>& coupling, std::size_t mouth, double share, FluxRows<D>& rows);
 
 } // namespace gapflow

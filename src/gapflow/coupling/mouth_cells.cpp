@@ -12,12 +12,12 @@ constexpr double mouth_reach = 4;
 
 // From the master to the other wall, at the mouth.
 template <int D>
-Vec<D> way_across(const Conduit<D>& conduit, const Film<D>& film)
+Vec<D> way_across(const Mouth<D>& mouth, const Film<D>& film)
 {
     Vec<D> across = Vec<D>::Zero();
     for (int i = 0; i < D - 1; ++i) {
-        const int node = conduit.nodes[i] - film.first_node;
-        across += conduit.shape[i] * (film.mesh.y[node] - film.mesh.x[node]);
+        const int node = mouth.nodes[i] - film.first_node;
+        across += mouth.shape[i] * (film.mesh.y[node] - film.mesh.x[node]);
     }
     return across;
 }
@@ -32,18 +32,18 @@ double place_across(const Vec<D>& from_middle, const Vec<D>& across)
 } // namespace
 
 template <int D>
-std::vector<CarriedCell> cells_behind(const Conduit<D>& conduit, const Film<D>& film, std::span<const ClosedArea<D>> closed,
+std::vector<CarriedCell> cells_behind(const Mouth<D>& mouth, const Film<D>& film, std::span<const ClosedArea<D>> closed,
                                       std::span<const Vec<D>> places, double dx)
 {
-    const Vec<D> across = way_across(conduit, film);
+    const Vec<D> across = way_across(mouth, film);
     std::vector<CarriedCell> cells; // lean: so far the weighted sum of places
     double total = 0, mean = 0;
     for (const ClosedArea<D>& face : closed) {
-        const double distance = (face.x - conduit.x).norm();
+        const double distance = (face.x - mouth.x).norm();
         if (distance > mouth_reach * dx ||
             std::any_of(places.begin(), places.end(), [&](const Vec<D>& x) { return (face.x - x).norm() < distance; }))
             continue;
-        const double weight = -face.area.dot(conduit.outward), place = weight * place_across<D>(face.x - conduit.x, across);
+        const double weight = -face.area.dot(mouth.outward), place = weight * place_across<D>(face.x - mouth.x, across);
         total += weight;
         mean += place;
         const auto known =
@@ -55,7 +55,7 @@ std::vector<CarriedCell> cells_behind(const Conduit<D>& conduit, const Film<D>& 
             known->lean += place;
         }
     }
-    if (total < 0.5 * conduit.length * conduit.h)
+    if (total < 0.5 * mouth.length * mouth.h)
         return {};
     mean /= total;
     for (CarriedCell& cell : cells) {
@@ -66,17 +66,17 @@ std::vector<CarriedCell> cells_behind(const Conduit<D>& conduit, const Film<D>& 
 }
 
 template <int D>
-std::vector<CarriedCell> cells_around(const Grid<D>& grid, const Conduit<D>& conduit, const Film<D>& film)
+std::vector<CarriedCell> cells_around(const Grid<D>& grid, const Mouth<D>& mouth, const Film<D>& film)
 {
     std::vector<CarriedCell> cells;
-    for (const auto& [key, weight] : conduit.cells)
+    for (const auto& [key, weight] : mouth.cells)
         cells.push_back({key, weight, 0.0});
-    if (conduit.kind != ConduitKind::smooth || conduit.h <= 2 * grid.dx())
+    if (mouth.kind != MouthKind::smooth || mouth.h <= 2 * grid.dx())
         return cells;
-    const Vec<D> across = way_across(conduit, film);
+    const Vec<D> across = way_across(mouth, film);
     double mean = 0;
     for (CarriedCell& cell : cells) {
-        cell.lean = place_across(grid.nearest_image(grid.cell_centre(grid.cell_of_key(cell.key)) - conduit.x), across);
+        cell.lean = place_across(grid.nearest_image(grid.cell_centre(grid.cell_of_key(cell.key)) - mouth.x), across);
         mean += cell.weight * cell.lean;
     }
     for (CarriedCell& cell : cells)
@@ -85,9 +85,9 @@ std::vector<CarriedCell> cells_around(const Grid<D>& grid, const Conduit<D>& con
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template std::vector<CarriedCell> cells_behind<D>(const Conduit<D>&, const Film<D>&, std::span<const ClosedArea<D>>,       \
+    template std::vector<CarriedCell> cells_behind<D>(const Mouth<D>&, const Film<D>&, std::span<const ClosedArea<D>>,         \
                                                       std::span<const Vec<D>>, double);                                        \
-    template std::vector<CarriedCell> cells_around<D>(const Grid<D>&, const Conduit<D>&, const Film<D>&);
+    template std::vector<CarriedCell> cells_around<D>(const Grid<D>&, const Mouth<D>&, const Film<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -1,7 +1,7 @@
 // Cells that the flux dragged along by a mouth's walls enters (method, "Films of viscous fluid").
 #pragma once
 
-#include "gapflow/film/conduits.hpp"
+#include "gapflow/film/mouths.hpp"
 
 #include <span>
 #include <vector>
@@ -25,11 +25,11 @@ struct CarriedCell {
 /// The cells behind the faces that the film closes at a smooth mouth, each face by its area across the film and by the share that either wall has of
 /// linear flow there. Empty where other films close most of the mouth. `places`: of all of the film's mouths; each face belongs to the nearest.
 template <int D>
-std::vector<CarriedCell> cells_behind(const Conduit<D>& conduit, const Film<D>& film, std::span<const ClosedArea<D>> closed,
+std::vector<CarriedCell> cells_behind(const Mouth<D>& mouth, const Film<D>& film, std::span<const ClosedArea<D>> closed,
                                       std::span<const Vec<D>> places, double dx);
 
 /// The cells of the mouth's pressure. The flux that a wall drags out of a smooth mouth thicker than two cells falls linearly towards the other wall.
 template <int D>
-std::vector<CarriedCell> cells_around(const Grid<D>& grid, const Conduit<D>& conduit, const Film<D>& film);
+std::vector<CarriedCell> cells_around(const Grid<D>& grid, const Mouth<D>& mouth, const Film<D>& film);
 
 } // namespace gapflow

@@ -89,13 +89,13 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
                 add_node(film.first_node + element.nodes[i],
                          -element.volume * element.gradient[i].dot(u.film[film.first_element + e]));
         }
-    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
+    const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
         for (int i = 0; i < D - 1; ++i)
-            add_node(conduits[r].nodes[i], conduits[r].shape[i] * u.conduit[r]);
-        for (const auto& [key, weight] : conduits[r].cells)
+            add_node(mouths[r].nodes[i], mouths[r].shape[i] * u.mouth[r]);
+        for (const auto& [key, weight] : mouths[r].cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
-                out.cells(c) -= weight * u.conduit[r];
+                out.cells(c) -= weight * u.mouth[r];
     }
     if (sum_of_squares)
         *sum_of_squares = squares + squares_of_round_off(coupling, twists);
@@ -129,17 +129,17 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
             u.film[film.first_element + e] -=
                 film_conductance(coupling, film, e) / element.volume * gradient / coupling.density;
         }
-    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
-    std::vector<double> drop(conduits.size(), 0.0);
-    for (std::size_t r = 0; r < conduits.size(); ++r)
-        for (const auto& [key, weight] : conduits[r].cells)
+    const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
+    std::vector<double> drop(mouths.size(), 0.0);
+    for (std::size_t r = 0; r < mouths.size(); ++r)
+        for (const auto& [key, weight] : mouths[r].cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
                 drop[r] -= weight * p.cells(c);
     grid.comm().sum(drop);
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
         for (int i = 0; i < D - 1; ++i)
-            drop[r] += conduits[r].shape[i] * p.nodes[conduits[r].nodes[i]];
-        u.conduit[r] += system.links[r].conductance * drop[r];
+            drop[r] += mouths[r].shape[i] * p.nodes[mouths[r].nodes[i]];
+        u.mouth[r] += system.links[r].conductance * drop[r];
     }
 }
 

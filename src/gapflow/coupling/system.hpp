@@ -3,7 +3,7 @@
 //     (L + K M^-1 K^T) p = rhs
 //
 // p: pressure impulses of grid cells (dense, on their owners) and of film nodes (few, replicated on every rank).
-// L: grid faces (conductance a_f |f| / (rho dx)), film elements, and links (conduits, joints): rank-one terms
+// L: grid faces (conductance a_f |f| / (rho dx)), film elements, and links (mouths, joints): rank-one terms
 //    g w w^T over film nodes and cells. K: flux out of each unknown's volume per unit twist of each free body.
 // M: mass matrix of the free bodies' twists, with the films' blocks that couple two bodies.
 #pragma once

@@ -9,7 +9,7 @@ namespace gapflow {
 
 namespace {
 
-// A shut conduit keeps this part of its conductance, so that the pressure level of a pocket stays determined.
+// A shut mouth keeps this part of its conductance, so that the pressure level of a pocket stays determined.
 constexpr double shut_share = 1e-6;
 
 } // namespace
@@ -72,7 +72,7 @@ void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::Vecto
     find_null_space(coupling_);
 }
 
-// Takes the shut conduits out of K.
+// Takes the shut mouths out of K.
 template <int D>
 void WetSystem<D>::close(const std::vector<char>& shut)
 {
@@ -90,7 +90,7 @@ void WetSystem<D>::close(const std::vector<char>& shut)
 }
 
 template <int D>
-void WetSystem<D>::push(std::vector<Twist<D>>& twists, Eigen::VectorXd& contact_impulse) const
+void WetSystem<D>::add_void_impulse(std::vector<Twist<D>>& twists, Eigen::VectorXd& contact_impulse) const
 {
     add_pressure_impulse(coupling_, b_, twists, contact_impulse);
 }
@@ -157,7 +157,7 @@ UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p, std::vect
                 out.cells(c) += weight * flux;
     }
     if (drop)
-        drop->assign(sums.begin(), sums.begin() + static_cast<long>(coupling_.network.mouths.conduits.size()));
+        drop->assign(sums.begin(), sums.begin() + static_cast<long>(coupling_.network.rim.mouths.size()));
     return out;
 }
 

@@ -120,8 +120,8 @@ private:
     KeyMap<State> known_;
 };
 
-/// Turns small components of the grid that touch a film and that no conduit reaches into film; `reached` are the keys of
-/// cells in conduits' stencils. Returns the keys of the cells that changed (close_faces and the conduits must then be redone).
+/// Turns small components of the grid that touch a film and that no mouth reaches into film; `reached` are the keys of
+/// cells in mouths' stencils. Returns the keys of the cells that changed (close_faces and the mouths must then be redone).
 template <int D>
 std::vector<long> absorb_pockets(const FaceCache<D>& faces, CellStates<D>& states, const std::vector<long>& reached,
                                  FilmCells<D>& cells);

@@ -48,9 +48,9 @@ double fastest_within(std::vector<std::pair<double, double>>& parts, double most
 
 template <int D>
 GivenAway<D>
-limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
-             const std::vector<typename FilmMemory<D>::Transported>& at_element,
-             const std::vector<typename FilmMemory<D>::Transported>& at_conduit, double dt, std::vector<Vec<D>>& velocity)
+limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmHistory<D>*>& history,
+             const std::vector<typename FilmHistory<D>::Transported>& at_element,
+             const std::vector<typename FilmHistory<D>::Transported>& at_mouth, double dt, std::vector<Vec<D>>& velocity)
 {
     struct Sum {
         double area = 0, volume = 0, motion = 0, inflow = 0, beyond = 0; // beyond: volume of elements where there was no film
@@ -58,49 +58,51 @@ limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, co
         std::vector<std::pair<double, double>> parts;                    // speed squared and volume of each element
         double fastest = std::numeric_limits<double>::infinity();
     };
-    std::map<const FilmMemory<D>*, Sum> sums;
+    std::map<const FilmHistory<D>*, Sum> sums;
     auto for_each_carried = [&](auto&& f) {
         for (std::size_t k = 0; k < network.films.size(); ++k) {
             const Film<D>& film = network.films[k];
-            for (std::size_t i = 0; memory[k] && i < film.mesh.elements.size(); ++i) {
+            for (std::size_t i = 0; history[k] && i < film.mesh.elements.size(); ++i) {
                 const FilmElement<D>& e = film.mesh.elements[i];
                 const std::size_t at = film.first_element + i;
                 if (!at_element[at].near)
                     continue;
-                const Vec<D> U = memory[k]->master_velocity(solids[film.pair.master].shape.to_body(e.centroid_master));
-                f(memory[k], e, at_element[at].beyond, velocity[at], Vec<D>(U - U.dot(e.normal) * e.normal));
+                const Vec<D> U = history[k]->master_velocity(solids[film.pair.master].shape.to_body(e.centroid_master));
+                f(history[k], e, at_element[at].beyond, velocity[at], Vec<D>(U - U.dot(e.normal) * e.normal));
             }
         }
     };
-    for_each_carried([&](const FilmMemory<D>* old, const FilmElement<D>& e, bool beyond, const Vec<D>& u, const Vec<D>& along) {
-        Sum& sum = sums[old];
-        sum.area += e.measure;
-        sum.volume += e.volume;
-        sum.slowness += e.measure * e.measure / e.volume;
-        sum.beyond += beyond ? e.volume : 0.0;
-        sum.motion += e.volume * (u - along).squaredNorm();
-        sum.parts.emplace_back((u - along).squaredNorm(), e.volume);
-    });
-    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
-    std::map<const FilmMemory<D>*, double> rim; // length of all mouths
-    for (const Conduit<D>& c : conduits)
-        rim[memory[c.film]] += c.length;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        const FilmMemory<D>* old = memory[conduits[r].film];
-        if (!old || !at_conduit[r].near)
+    for_each_carried(
+        [&](const FilmHistory<D>* old, const FilmElement<D>& e, bool beyond, const Vec<D>& u, const Vec<D>& along) {
+            Sum& sum = sums[old];
+            sum.area += e.measure;
+            sum.volume += e.volume;
+            sum.slowness += e.measure * e.measure / e.volume;
+            sum.beyond += beyond ? e.volume : 0.0;
+            sum.motion += e.volume * (u - along).squaredNorm();
+            sum.parts.emplace_back((u - along).squaredNorm(), e.volume);
+        });
+    const std::vector<Mouth<D>>& mouths = network.rim.mouths;
+    std::map<const FilmHistory<D>*, double> rim; // length of all mouths
+    for (const Mouth<D>& c : mouths)
+        rim[history[c.film]] += c.length;
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
+        const FilmHistory<D>* old = history[mouths[r].film];
+        if (!old || !at_mouth[r].near)
             continue;
-        const PlacedShape<D>& master = solids[network.films[conduits[r].film].pair.master].shape;
-        const Vec<D> place = master.to_body(conduits[r].x), U = old->master_velocity(place);
-        double u = std::min(conduits[r].outward.dot(at_conduit[r].velocity - U), 0.0);
+        const PlacedShape<D>& master = solids[network.films[mouths[r].film].pair.master].shape;
+        const Vec<D> place = master.to_body(mouths[r].x), U = old->master_velocity(place);
+        double u = std::min(mouths[r].outward.dot(at_mouth[r].velocity - U), 0.0);
         // At most the speed of the mouth's own flux: small elements cut by the film's end may have ten times that speed, and a mouth that opens
         // where a corner touched any speed.
-        if (const auto* mouth = old->mouth(place, conduits[r].outward)) {
-            const double h = std::max(mouth->h, conduits[r].h / most_opening);
-            u = std::max(u, std::min((mouth->flux - mouth->h * mouth->outward.dot(mouth->master_velocity)) / h, 0.0));
+        if (const auto* old_mouth = old->nearest_mouth(place, mouths[r].outward)) {
+            const double h = std::max(old_mouth->h, mouths[r].h / most_opening);
+            u = std::max(
+                u, std::min((old_mouth->flux - old_mouth->h * old_mouth->outward.dot(old_mouth->master_velocity)) / h, 0.0));
         }
-        const double volume = conduits[r].length * conduits[r].h * -u * dt;
+        const double volume = mouths[r].length * mouths[r].h * -u * dt;
         // Fluid beyond the film's volume has passed through it; and the flux is continuous into the film, not the speed.
-        const double flux = u * conduits[r].h, share = std::min(1.0, behind * conduits[r].length / rim[old]);
+        const double flux = u * mouths[r].h, share = std::min(1.0, behind * mouths[r].length / rim[old]);
         sums[old].inflow += std::min(std::min(volume, old->volume()) * u * u, flux * flux * share * sums[old].slowness);
     }
     for (auto& [old, sum] : sums) {
@@ -111,7 +113,7 @@ limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, co
         if (sum.motion > most)
             sum.fastest = fastest_within(sum.parts, most);
     }
-    for_each_carried([&](const FilmMemory<D>* old, const FilmElement<D>&, bool, Vec<D>& u, const Vec<D>& along) {
+    for_each_carried([&](const FilmHistory<D>* old, const FilmElement<D>&, bool, Vec<D>& u, const Vec<D>& along) {
         if (const double speed = (u - along).norm(), fastest = sums[old].fastest; speed > fastest)
             u = along + fastest / speed * (u - along);
     });
@@ -123,30 +125,31 @@ limit_motion(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, co
 }
 
 template <int D>
-void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::vector<const FilmMemory<D>*>& memory,
-               const GivenAway<D>& given_away, const std::vector<double>& head, std::vector<double>& flux)
+void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
+               const std::vector<const FilmHistory<D>*>& history, const GivenAway<D>& given_away,
+               const std::vector<double>& head, std::vector<double>& flux)
 {
-    std::map<const FilmMemory<D>*, double> asked,
+    std::map<const FilmHistory<D>*, double> asked,
         thrown; // twice the work of the whole heads over the density, and the energy of their own fluxes
-    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
-    std::map<const FilmMemory<D>*, double> section; // of all mouths
-    for (const Conduit<D>& c : conduits)
-        section[memory[c.film]] += c.length * c.h;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
+    const std::vector<Mouth<D>>& mouths = network.rim.mouths;
+    std::map<const FilmHistory<D>*, double> section; // of all mouths
+    for (const Mouth<D>& c : mouths)
+        section[history[c.film]] += c.length * c.h;
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
         if (head[r] == 0)
             continue;
-        const Conduit<D>& c = conduits[r];
-        const FilmMemory<D>* old = memory[c.film];
+        const Mouth<D>& c = mouths[r];
+        const FilmHistory<D>* old = history[c.film];
         const Vec<D> U = old->master_velocity(solids[network.films[c.film].pair.master].shape.to_body(c.x));
         const double q = flux[r] - c.length * c.h * c.outward.dot(U);
         asked[old] += c.resistance / c.length * 2 * q * head[r];
         const double film = old->area() / (3 * section[old]); // inertance of the film behind, its length over 3 h
         thrown[old] += c.resistance / c.length * head[r] * head[r] * c.resistance / (c.resistance + film);
     }
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
         if (head[r] == 0)
             continue;
-        const FilmMemory<D>* old = memory[conduits[r].film];
+        const FilmHistory<D>* old = history[mouths[r].film];
         const auto known = given_away.find(old);
         const double most =
             known != given_away.end() ? head_margin(known->second.closing, old->second_order()) * known->second.energy : 0.0;
@@ -159,10 +162,10 @@ void add_heads(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, 
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template GivenAway<D> limit_motion<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                                    \
-                                          const std::vector<const FilmMemory<D>*>&,                                            \
-                                          const std::vector<FilmMemory<D>::Transported>&,                                      \
-                                          const std::vector<FilmMemory<D>::Transported>&, double, std::vector<Vec<D>>&);       \
-    template void add_heads<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<const FilmMemory<D>*>&,     \
+                                          const std::vector<const FilmHistory<D>*>&,                                           \
+                                          const std::vector<FilmHistory<D>::Transported>&,                                     \
+                                          const std::vector<FilmHistory<D>::Transported>&, double, std::vector<Vec<D>>&);      \
+    template void add_heads<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<const FilmHistory<D>*>&,    \
                                const GivenAway<D>&, const std::vector<double>&, std::vector<double>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -11,8 +11,8 @@
 // A trace that leaves the old film uses w^ extrapolated linearly beyond its end, never the grid's velocity.
 #pragma once
 
-#include "gapflow/film/conduits.hpp"
-#include "gapflow/film/film_memory.hpp"
+#include "gapflow/film/film_history.hpp"
+#include "gapflow/film/mouths.hpp"
 
 #include <functional>
 #include <map>
@@ -23,15 +23,15 @@ namespace gapflow {
 
 /// The films' velocities after the last step, by pair.
 template <int D>
-using FilmMemories = std::map<FilmPair<D>, std::shared_ptr<const FilmMemory<D>>>;
+using FilmHistories = std::map<FilmPair<D>, std::shared_ptr<const FilmHistory<D>>>;
 
 /// Velocities with which films enter the next projection.
 template <int D>
 struct FilmFlow {
-    std::vector<Vec<D>> velocity;      ///< u*, tangential, one for each element
-    std::vector<double> normal;        ///< w_n*, one for each element
-    std::vector<double> conduit;       ///< q*, absolute, one for each conduit
-    std::vector<double> conduit_scale; ///< factor on the conduit's 1/R (semi-implicit inflow)
+    std::vector<Vec<D>> velocity;    ///< u*, tangential, one for each element
+    std::vector<double> normal;      ///< w_n*, one for each element
+    std::vector<double> mouth;       ///< q*, absolute, one for each mouth
+    std::vector<double> mouth_scale; ///< factor on the mouth's 1/R (semi-implicit inflow)
 };
 
 /// Velocities at a list of points.
@@ -44,19 +44,19 @@ struct MouthLaw {
 };
 
 /// Advects the old films' velocities onto the new ones. `predicted`: V^n + dt A; `grid_velocity` samples the bulk's extrapolated
-/// velocity at a list of points (elements and conduits without an old film near them), once.
+/// velocity at a list of points (elements and mouths without an old film near them), once.
 template <int D>
-FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
+FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
                          const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
                          const std::function<MouthLaw(int, int)>& law, double dt);
 
-/// Stores the films' velocities after a step. `u`: tangential velocities of elements; `conduit`: fluxes; `twists`: V^{n+1}; `idle`, `push`: as in
-/// FilmMemory.
+/// Stores the films' velocities after a step. `u`: tangential velocities of elements; `mouth`: fluxes; `twists`: V^{n+1}; `idle`, `acceleration`: as in
+/// FilmHistory.
 template <int D>
-FilmMemories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
-                               const std::vector<Twist<D>>& twists, const std::vector<Vec<D>>& u,
-                               const std::vector<double>& conduit, double dx, const std::vector<char>& idle = {},
-                               const std::vector<Vec<D>>& push = {});
+FilmHistories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
+                                const std::vector<Twist<D>>& twists, const std::vector<Vec<D>>& u,
+                                const std::vector<double>& mouth, double dx, const std::vector<char>& idle = {},
+                                const std::vector<Vec<D>>& acceleration = {});
 
 /// Speed normal to the gap of an element's fluid: row . twist, master's and other's together. Between parallel walls it is the mean of
 /// their velocities at mid-gap, n . 1/2 (U_A + U_B). Else the other contributes its speed along its own normal, over twice the cosine between

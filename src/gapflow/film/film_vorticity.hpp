@@ -8,7 +8,7 @@
 // balance of no element changes, and energy only falls.
 #pragma once
 
-#include "gapflow/film/conduits.hpp"
+#include "gapflow/film/mouths.hpp"
 
 #include <vector>
 

@@ -7,7 +7,7 @@ namespace gapflow {
 
 namespace {
 
-constexpr double full_aperture = 0.25;  // a cell counts in full for a conduit if its open fractions sum to this
+constexpr double full_aperture = 0.25;  // a cell counts in full for a mouth if its open fractions sum to this
 constexpr double minimum_weight = 0.02; // of a stencil: below, there is none
 
 // Corners of the stencil joined to `start` through open faces between corners.

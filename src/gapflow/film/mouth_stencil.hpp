@@ -1,4 +1,4 @@
-// The cells of the grid from which a mouth takes its pressure and to which its flux goes (method, "Conduits and joints").
+// The cells of the grid from which a mouth takes its pressure and to which its flux goes (method, "Mouths and joints").
 #pragma once
 
 #include "gapflow/film/film_cells.hpp"

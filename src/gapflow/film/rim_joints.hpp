@@ -1,7 +1,7 @@
-// Ties films where their rims meet (method, "Conduits and joints").
+// Ties films where their rims meet (method, "Mouths and joints").
 #pragma once
 
-#include "gapflow/film/conduits.hpp"
+#include "gapflow/film/mouths.hpp"
 #include "gapflow/film/rim_points.hpp"
 
 namespace gapflow {

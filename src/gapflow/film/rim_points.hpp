@@ -1,4 +1,4 @@
-// Points along the films' rims, each with its share of the rim (method, "Conduits and joints").
+// Points along the films' rims, each with its share of the rim (method, "Mouths and joints").
 #pragma once
 
 #include "gapflow/film/film_set.hpp"

@@ -19,7 +19,7 @@ namespace gapflow {
 namespace {
 
 template <int D>
-struct Continuation {
+struct Extrapolation {
     const Grid<D>& grid;
     CellField<D>& u;
     CellField<D, std::int8_t>& valid;
@@ -161,7 +161,7 @@ void extrapolate(const Grid<D>& grid, FaceField<D>& u, FaceField<D, std::int8_t>
 {
     assert(grid.ghost() >= 2 && layers <= 126);
     for (int axis = 0; axis < D; ++axis) {
-        Continuation<D> field{grid, u[axis], valid[axis], grid.low(), owned_faces_end(grid, axis), {}, {}};
+        Extrapolation<D> field{grid, u[axis], valid[axis], grid.low(), owned_faces_end(grid, axis), {}, {}};
         field.clear_outside();
         field.first_sweep();
         for (int layer = 1; layer <= layers && grid.comm().any(!field.candidates.empty()); ++layer)

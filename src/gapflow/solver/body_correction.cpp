@@ -1,5 +1,5 @@
 // Woodbury: (B^-1 + K M^-1 K^T)^-1 = B - B K (M + K^T B K)^-1 K^T B. The full small matrix, never one body at a time: block
-// diagonals are not safely definite. With W = B K stored (single precision, in the cells of conduits double: stiff links
+// diagonals are not safely definite. With W = B K stored (single precision, in the cells of mouths double: stiff links
 // amplify the rounding of the difference between a film node and its cell) a correction costs two passes over W; for
 // more bodies W is not stored and B is applied a second time to K (M + K^T W)^-1 K^T z.
 

@@ -1,7 +1,7 @@
 // Preconditioned conjugate gradients for the coupled system.
 #pragma once
 
-#include "gapflow/solver/constants.hpp"
+#include "gapflow/solver/null_space.hpp"
 #include "gapflow/solver/preconditioner.hpp"
 #include "gapflow/solver/solver.hpp"
 

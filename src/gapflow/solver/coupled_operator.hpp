@@ -10,7 +10,7 @@
 namespace gapflow {
 
 /// The film's matrix as edges, flux = conductance (p_i - p_j), and grounds, flux = conductance p_i: differences keep the
-/// constants' product exactly zero where a film of conductance 1e7 has conduits of 1e-7.
+/// constants' product exactly zero where a film of conductance 1e7 has mouths of 1e-7.
 struct FilmEdge {
     int i, j;
     double conductance;

@@ -22,12 +22,12 @@ namespace gapflow {
 
 namespace {
 
-constexpr int layers = 2; // cells between a conduit's cells and the band's end
+constexpr int layers = 2; // cells between a mouth's cells and the band's end
 // Where films are everywhere, a band around all of them would be a factorisation of the whole fluid: then the band consists of the
-// conduits' own cells. This is so where the band has more cells than this, and than a share of the films' nodes.
+// mouths' own cells. This is so where the band has more cells than this, and than a share of the films' nodes.
 constexpr std::size_t few_cells = 8000;
 constexpr double share_of_nodes = 1.0 / 3;
-constexpr double shift = 1e-12; // relative, on the diagonal: films whose conduits are 1e-12 of their own conductance
+constexpr double shift = 1e-12; // relative, on the diagonal: films whose mouths are 1e-12 of their own conductance
 
 /// All cells within `layers` steps of the links' cells, or the links' cells alone.
 template <int D>
@@ -186,7 +186,7 @@ void FilmBand<D>::for_each_term(F&& f, Join&& join, std::vector<char>& fixed) co
             size += std::abs(wi);
         }
         if (!terms.empty() && link.conductance > 0 && std::abs(sum) > 1e-9 * size)
-            fixed[terms.front().first] = 1; // a conduit to an open side
+            fixed[terms.front().first] = 1; // a mouth to an open side
     }
 }
 
@@ -276,7 +276,7 @@ Eigen::VectorXd FilmBand<D>::gather(const UnknownVector<D>& v) const
 template <int D>
 Eigen::VectorXd FilmBand<D>::solve(const Eigen::VectorXd& r) const
 {
-    auto without_constants = [&](Eigen::VectorXd v) {
+    auto without_block_constants = [&](Eigen::VectorXd v) {
         if (block_size_.empty())
             return v;
         std::vector<double> mean(block_size_.size(), 0.0);
@@ -288,7 +288,7 @@ Eigen::VectorXd FilmBand<D>::solve(const Eigen::VectorXd& r) const
                 v[i] -= mean[block_[i]];
         return v;
     };
-    return without_constants(factor_.solve(without_constants(r)));
+    return without_block_constants(factor_.solve(without_block_constants(r)));
 }
 
 template <int D>

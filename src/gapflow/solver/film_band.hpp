@@ -1,4 +1,4 @@
-// The films' half of the Schwarz pair: a direct solve of all film nodes together with a band of cells around their conduits.
+// The films' half of the Schwarz pair: a direct solve of all film nodes together with a band of cells around their mouths.
 #pragma once
 
 #include "gapflow/solver/coupled_operator.hpp"

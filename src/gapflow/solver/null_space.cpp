@@ -1,8 +1,8 @@
 // P = I - Z (Z^T Z)^-1 Z^T with Z = (1_1 ... 1_n) C, C = null_space: with the components' sizes S = diag(|1_k|^2),
 // Z^T Z = C^T S C, a small matrix.
 
+#include "gapflow/solver/null_space.hpp"
 #include "gapflow/core/error.hpp"
-#include "gapflow/solver/constants.hpp"
 
 namespace gapflow {
 

@@ -34,7 +34,7 @@ Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bod
     : matrix_(matrix), mode_(bodies), band_(matrix), bodies_(matrix)
 {
     call_both([&] { multigrid_.emplace(multigrid_of(matrix)); }, [&] { band_.factorise(); });
-    constants_.emplace(matrix, band_);
+    deflation_.emplace(matrix, band_);
     for (const FilmFace<D>& face : matrix.system().film_faces)
         for (const Index<D>& c : {face.face, Index<D>(face.face - step<D>(face.axis))})
             if (matrix.system().grid->owns(c) && matrix.system().component(c) < 0)
@@ -100,7 +100,7 @@ void Preconditioner<D>::apply(const UnknownVector<D>& r, UnknownVector<D>& z, do
     apply_fluid(r, z, size);
     if (bodies_.ready())
         bodies_.correct(inverse(), r, z);
-    constants_->add_correction(r, z);
+    deflation_->add_correction(r, z);
     dense_ = true;
 }
 
@@ -108,13 +108,13 @@ template <int D>
 void Preconditioner<D>::apply_in_place(const UnknownVector<D>& r, UnknownVector<D>& z, double size, bool loaded, bool in_z)
 {
     cycle(r, z, size, loaded);
-    dense_ = in_z || bodies_.ready() || !constants_->empty();
+    dense_ = in_z || bodies_.ready() || !deflation_->empty();
     if (!dense_)
         return;
     fetch(z);
     if (bodies_.ready())
         bodies_.correct(inverse(), r, z);
-    constants_->add_correction(r, z);
+    deflation_->add_correction(r, z);
 }
 
 template <int D>
@@ -137,14 +137,14 @@ void Preconditioner<D>::add_bodies()
 template <int D>
 void Preconditioner<D>::update_bodies()
 {
-    constants_.emplace(matrix_, band_);
+    deflation_.emplace(matrix_, band_);
     bodies_.update();
 }
 
 template <int D>
 long Preconditioner<D>::bytes() const
 {
-    return multigrid_->bytes() + band_.bytes() + constants_->bytes() + bodies_.bytes();
+    return multigrid_->bytes() + band_.bytes() + deflation_->bytes() + bodies_.bytes();
 }
 
 template class Preconditioner<2>;

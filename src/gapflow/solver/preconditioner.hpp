@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gapflow/solver/body_correction.hpp"
-#include "gapflow/solver/constants.hpp"
+#include "gapflow/solver/deflation.hpp"
 #include "gapflow/solver/multigrid.hpp"
 #include "gapflow/solver/solver.hpp"
 
@@ -70,7 +70,7 @@ private:
     std::optional<Multigrid<D>> multigrid_; ///< its cells include those of films, which it joins as the grid would
     std::vector<long> film_cells_;          ///< offsets in its finest level of cells without unknown that films fill
     FilmBand<D> band_;
-    std::optional<ConstantCorrection<D>> constants_;
+    std::optional<Deflation<D>> deflation_;
     BodyCorrection<D> bodies_;
     double from_level_ = 1; ///< factor on the finest level's x
     bool dense_ = true;     ///< the last result is in z

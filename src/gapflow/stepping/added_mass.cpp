@@ -33,14 +33,14 @@ struct Response {
     SolveReport solve;
 };
 
-// What it takes to give the solids these twists.
+// Impulses that give the solids these twists.
 template <int D>
 Response<D> response(const Coupling<D>& coupling, const CoupledSolver<D>& solver, const std::vector<Twist<D>>& twists)
 {
     const Grid<D>& grid = *coupling.grid;
     const FluidVelocity<D> still{FaceField<D>(grid), std::vector<Vec<D>>(coupling.network.elements, Vec<D>::Zero()),
                                  std::vector<double>(coupling.network.elements, 0.0),
-                                 std::vector<double>(coupling.network.mouths.conduits.size(), 0.0)};
+                                 std::vector<double>(coupling.network.rim.mouths.size(), 0.0)};
     UnknownVector<D> rhs;
     double squares = 0;
     outflow(coupling, still, twists, rhs, &squares);
@@ -110,7 +110,7 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
     std::set<FilmPair<D>> told;
     for (std::string& note : blind_end_notes(coupling, told))
         result.warnings.push_back(std::move(note));
-    result.blind_length = coupling.network.mouths.blind_length;
+    result.blind_length = coupling.network.rim.blind_length;
     result.closure = closure_defect(coupling);
     result.seconds = watch.seconds();
     return result;

@@ -2,7 +2,7 @@
 //
 //     L p = -K e_k,   M_a = -K^T p + sum rho S N^T N   with the fluid's u* = 0: one solve a column.
 //
-// It belongs to shapes and places alone: constraints and springs of the bodies leave it as it is.
+// It depends on shapes and positions only: constraints and springs of the bodies do not change it.
 #pragma once
 
 #include "gapflow/core/communicator.hpp"
@@ -24,7 +24,7 @@ struct AddedMass {
     int film_nodes = 0;
     std::vector<int> iterations; ///< one a column
     std::vector<SealedPocket> sealed;
-    double blind_length = 0;           ///< of film rim that found nothing to join
+    double blind_length = 0;           ///< of film rim with blind ends
     double closure = 0;                ///< largest |sum K| over bodies wholly inside, over dx^(D-1)
     std::vector<std::string> warnings; ///< for the user: bodies too thin for the grid, blind film ends
     double seconds = 0;

@@ -47,7 +47,7 @@ void for_owned_pieces(const Grid<D>& grid, const Block<D>& block, F&& f)
     });
 }
 
-// What the transport of one component reads and writes. All fields share a block.
+// Input and output of the transport of one component. All fields share a block.
 template <int D, int Axis>
 struct Transport {
     const Grid<D>& grid;
@@ -65,7 +65,7 @@ struct Transport {
     }
 };
 
-// hat = A(phi). What the change adds waits in `out` for the correction, unless that is where the values are.
+// hat = A(phi). The contribution of the change is stored in `out` until the correction, unless `hat` is the same field.
 template <int D, int Axis>
 void carry(const Transport<D, Axis>& t, const Block<D>& block)
 {
@@ -98,9 +98,9 @@ void carry(const Transport<D, Axis>& t, const Block<D>& block)
     });
 }
 
-// out = hat + (phi - A^R(hat)) / 2 within the values around the foot, hat where `plain` says so; the change is added.
+// out = hat + (phi - A^R(hat)) / 2 within the values around the foot, hat where `first_order` says so; the change is added.
 template <int D, int Axis>
-void correct(const Transport<D, Axis>& t, const Block<D>& block, const std::int8_t* plain)
+void correct(const Transport<D, Axis>& t, const Block<D>& block, const std::int8_t* first_order)
 {
     const auto& stride = t.tracer.stride;
     const double *phi = t.phi, *hat = t.hat;
@@ -127,9 +127,9 @@ void correct(const Transport<D, Axis>& t, const Block<D>& block, const std::int8
             const double v = hat[f] + 0.5 * (phi[f] - back[i]), least = v < low[i] ? low[i] : v;
             back[i] = least > high[i] ? high[i] : least;
         }
-        if (plain)
+        if (first_order)
             for (int i = 0; i < n; ++i)
-                if (plain[first + i])
+                if (first_order[first + i])
                     back[i] = hat[first + i];
         for (int i = 0; i < n; ++i)
             t.out[first + i] = t.change ? t.out[first + i] + back[i] : back[i];
@@ -172,7 +172,7 @@ void for_each_axis(F&& f)
 
 template <int D>
 void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D>& carried, double dt,
-            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* plain,
+            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* first_order,
             const FaceField<D>* change)
 {
     assert(grid.ghost() >= 2 && &result != &u && &result != &carried);
@@ -198,7 +198,7 @@ void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, co
         if (!corrected)
             return;
         fill_velocity_ghosts(grid, Axis, hat, sides);
-        correct(transport, carried[Axis].block(), plain ? (*plain)[Axis].data() : nullptr);
+        correct(transport, carried[Axis].block(), first_order ? (*first_order)[Axis].data() : nullptr);
     });
 }
 

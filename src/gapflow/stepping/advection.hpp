@@ -16,12 +16,12 @@ enum class AdvectionScheme { semi_lagrangian, maccormack };
 /// into the domain, and no foot lies further than ghost() - 1 cells outside the rank's block: traces are exact for
 /// dt |u| <= (ghost() - 1) dx on every axis, and safe for any u.
 ///
-/// plain (optional): faces marked with nonzero take the semi-Lagrangian value. Collective with MacCormack.
-/// change (optional; ghosts filled): of what this adds to velocities in the step, half acts where the fluid comes
-/// from: result += 1/2 (A(change) - change), A semi-Lagrangian.
+/// first_order (optional): faces marked with nonzero take the semi-Lagrangian value. Collective with MacCormack.
+/// change (optional; ghosts filled): half of this change of velocities in the step acts at the trace's foot: result += 1/2
+/// (A(change) - change), A semi-Lagrangian.
 template <int D>
 void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D>& carried, double dt,
-            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* plain = nullptr,
+            AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* first_order = nullptr,
             const FaceField<D>* change = nullptr);
 
 /// The semi-Lagrangian result for u itself on the marked faces (nonzero); others are left as they are.

@@ -8,8 +8,9 @@ namespace gapflow {
 
 namespace {
 
-// Marks (nonzero) the faces beside places where a single closed face separates open ones: what is continued there is the mean of the flows
-// on the two sides of a body of one to two cells, and MacCormack's correction takes the difference for a gradient. `open`: of the flow;
+// Marks (nonzero) the faces beside places where a single closed face separates open ones: the extrapolated velocity there is
+// the mean of the flows on the two sides of a body of one to two cells, and MacCormack's correction treats the difference as a
+// gradient. `open`: of the flow;
 // faces open by no more than `widest` count as closed. Returns whether there are any. Collective.
 template <int D>
 bool mark_across_thin_bodies(const Grid<D>& grid, const FaceField<D>& open, double widest, FaceField<D, std::int8_t>& marks)
@@ -49,9 +50,10 @@ bool mark_across_thin_bodies(const Grid<D>& grid, const FaceField<D>& open, doub
     return true;
 }
 
-// Fluid that comes in through an open side comes from a reservoir that moves with `outside`, the fluid's initial velocity: with w its speed
-// across the side, p = rho (w_outside^2 - w^2) / 2 there, where it comes in faster than that. With p = 0 it would bring the energy of any
-// speed along, and beside a body that leaves, where ideal flow is singular, it comes in ever faster.
+// Fluid that enters through an open side comes from a reservoir that moves with `outside`, the fluid's initial velocity: with w
+// its speed across the side, p = rho (w_outside^2 - w^2) / 2 where w is larger than w_outside. With p = 0 inflow of any speed
+// would add its kinetic energy, and beside a body that leaves, where ideal flow is singular, its speed would grow without
+// bound.
 template <int D>
 void add_inflow_head(const Grid<D>& grid, const Vec<D>& outside, double dt, FaceField<D>& u)
 {
@@ -83,7 +85,7 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
     const BoundaryVelocity<D> sides = model.sides(step.start);
     const AdvectionScheme scheme =
         model.scene.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack : AdvectionScheme::semi_lagrangian;
-    continue_pressure(there, past);
+    extrapolate_pressure(there, past);
     change = velocity_change(there, past, step.dt);
     if (!model.viscous())
         past = {};

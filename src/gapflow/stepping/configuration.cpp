@@ -8,7 +8,8 @@ namespace gapflow {
 
 namespace {
 
-constexpr std::size_t many_points = 1000000; // of films: what they leave behind in small pieces is worth collecting
+constexpr std::size_t many_points =
+    1000000; // of films: above, the small blocks of memory that they free are returned to the system
 
 } // namespace
 
@@ -29,10 +30,10 @@ LeftBehind<D> leave(std::optional<Coupling<D>>& here)
 
 template <int D>
 Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<TwistMatrix<D>>& mass,
-                      const FilmMemories<D>* memories, const std::vector<Twist<D>>& twists, double dt, StageTimers& timers)
+                      const FilmHistories<D>* histories, const std::vector<Twist<D>>& twists, double dt, StageTimers& timers)
 {
     const auto wet_shares = [&](const Coupling<D>& films) {
-        state.voids.find(films, memories);
+        state.voids.find(films, histories);
         if (model.viscous())
             state.voids.find_wet_shares(films, twists);
         return state.voids.wet_shares();
@@ -42,9 +43,9 @@ Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<
 
 template <int D>
 Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<TwistMatrix<D>>& mass,
-                      const FilmMemories<D>& memories, const Step& step, StepReport& report, StageTimers& timers)
+                      const FilmHistories<D>& histories, const Step& step, StepReport& report, StageTimers& timers)
 {
-    Coupling<D> there = configure(model, state, mass, &memories, model.twists(state.bodies), step.dt, timers);
+    Coupling<D> there = configure(model, state, mass, &histories, model.twists(state.bodies), step.dt, timers);
     if (state.voids.lost() > 0)
         report.notes.push_back("a gap with a void in it opened beyond its film (gap.threshold): the void is gone at once");
     return there;
@@ -60,10 +61,10 @@ Coupling<D> configure_stored(const Model<D>& model, const State<D>& state, Stage
         [&](const Coupling<D>&) { return state.voids.wet_shares(); }, &timers);
     const FilmNetwork<D>& network = here.network;
     const FluidVelocity<D>& u = state.velocity;
-    const std::size_t conduits = network.mouths.conduits.size();
+    const std::size_t mouths = network.rim.mouths.size();
     if (static_cast<int>(u.film.size()) != network.elements || u.film_normal.size() != u.film.size() ||
-        state.pressure.impulse.nodes.size() != network.nodes || u.conduit.size() != conduits ||
-        static_cast<int>(state.voids.volume().size()) != network.nodes || state.voids.shut().size() != conduits ||
+        state.pressure.impulse.nodes.size() != network.nodes || u.mouth.size() != mouths ||
+        static_cast<int>(state.voids.volume().size()) != network.nodes || state.voids.shut().size() != mouths ||
         (state.node_outflow.size() != 0 && state.node_outflow.size() != network.nodes))
         throw StateError("its films are not those that its bodies' positions give");
     if (state.voids.any())
@@ -73,9 +74,9 @@ Coupling<D> configure_stored(const Model<D>& model, const State<D>& state, Stage
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template LeftBehind<D> leave<D>(std::optional<Coupling<D>>&);                                                              \
-    template Coupling<D> configure<D>(const Model<D>&, State<D>&, const std::vector<TwistMatrix<D>>&, const FilmMemories<D>*,  \
+    template Coupling<D> configure<D>(const Model<D>&, State<D>&, const std::vector<TwistMatrix<D>>&, const FilmHistories<D>*, \
                                       const std::vector<Twist<D>>&, double, StageTimers&);                                     \
-    template Coupling<D> configure<D>(const Model<D>&, State<D>&, const std::vector<TwistMatrix<D>>&, const FilmMemories<D>&,  \
+    template Coupling<D> configure<D>(const Model<D>&, State<D>&, const std::vector<TwistMatrix<D>>&, const FilmHistories<D>&, \
                                       const Step&, StepReport&, StageTimers&);                                                 \
     template Coupling<D> configure_stored<D>(const Model<D>&, const State<D>&, StageTimers&);
 GAPFLOW_INSTANTIATE(2)

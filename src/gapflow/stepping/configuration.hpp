@@ -10,7 +10,8 @@
 
 namespace gapflow {
 
-/// What a step needs of the configuration before it once that is gone: two at a time would be the most of a step's memory.
+/// Data of the old configuration that a step needs after its release: two configurations at a time would determine the peak
+/// memory of a step.
 template <int D>
 struct LeftBehind {
     std::shared_ptr<const FaceFractions<D>> fractions;
@@ -19,18 +20,18 @@ struct LeftBehind {
 template <int D>
 LeftBehind<D> leave(std::optional<Coupling<D>>& here);
 
-/// Of the state's bodies, with masses `mass` and the state's `films_before`. Voids of the state are taken over to the new films along `memories`, or
-/// placed as the scene starts with them (null). `dt`: length of the step. Collective.
+/// Of the state's bodies, with masses `mass` and the state's `films_before`. Voids of the state are taken over to the new films
+/// along `histories`, or the scene's initial ones (null). `dt`: length of the step. Collective.
 template <int D>
 Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<TwistMatrix<D>>& mass,
-                      const FilmMemories<D>* memories, const std::vector<Twist<D>>& twists, double dt, StageTimers& timers);
+                      const FilmHistories<D>* histories, const std::vector<Twist<D>>& twists, double dt, StageTimers& timers);
 
 /// The next step's, after its bodies have moved. `report`: gets a note where voids are lost.
 template <int D>
 Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<TwistMatrix<D>>& mass,
-                      const FilmMemories<D>& memories, const Step& step, StepReport& report, StageTimers& timers);
+                      const FilmHistories<D>& histories, const Step& step, StepReport& report, StageTimers& timers);
 
-/// That of a state from a checkpoint: its voids are in place, and mouths that its last step shut are shut. Throws StateError where the
+/// That of a state from a checkpoint: with its voids and the mouths that its last step shut. Throws StateError where the
 /// state's films are others. Collective.
 template <int D>
 Coupling<D> configure_stored(const Model<D>& model, const State<D>& state, StageTimers& timers);

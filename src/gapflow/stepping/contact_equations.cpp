@@ -23,12 +23,12 @@ public:
     Equations(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
               const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, const std::vector<ContactImpulse<D>>& guess)
         : contacts_(contacts), twists_(twists), place_(twists.size(), -1), lambda_(static_cast<long>(D * contacts.size())),
-          state_(contacts.size(), State::open), pull_(contacts.size(), Vec<D - 1>::Zero())
+          state_(contacts.size(), State::open), friction_direction_(contacts.size(), Vec<D - 1>::Zero())
     {
         for (std::size_t s = 0; s < twists.size(); ++s)
             if (!inertia.mobility[s].isZero(0))
                 place_[s] = n * count_++;
-        // G = H (1 + H F H)^-1 H with H^2 the mobility: what an impulse does to all twists.
+        // G = H (1 + H F H)^-1 H with H^2 the mobility: response of all twists to an impulse.
         const long dofs = n * count_;
         Eigen::MatrixXd H = Eigen::MatrixXd::Zero(dofs, dofs), F = H;
         for (std::size_t s = 0; s < twists.size(); ++s)
@@ -68,7 +68,7 @@ public:
             if (guess[i].normal > 0)
                 state_[i] = c.friction > 0 && !guess[i].slides ? State::sticks : State::slides;
             if (const double size = guess[i].tangential.norm(); size > 0)
-                pull_[i] = guess[i].tangential / size;
+                friction_direction_[i] = guess[i].tangential / size;
         }
         if (!sound_)
             return;
@@ -97,7 +97,7 @@ public:
             columns.col(j) = response_.col(r);
             if (r % D == 0 && state_[i] == State::slides)
                 for (int k = 1; k < D; ++k)
-                    columns.col(j) += contacts_[i].friction * pull_[i][k - 1] * response_.col(r + k);
+                    columns.col(j) += contacts_[i].friction * friction_direction_[i][k - 1] * response_.col(r + k);
             now[j] = lambda_[r];
             lack[j] = (r % D == 0 ? contacts_[i].target : 0.0) - held_[r] - rows_.row(r).dot(V_);
         }
@@ -121,13 +121,13 @@ public:
             lambda_[unknown[j]] = x[j];
             if (const long i = unknown[j] / D; unknown[j] % D == 0 && state_[i] == State::slides)
                 for (int k = 1; k < D; ++k)
-                    lambda_[D * i + k] = contacts_[i].friction * x[j] * pull_[i][k - 1];
+                    lambda_[D * i + k] = contacts_[i].friction * x[j] * friction_direction_[i][k - 1];
         }
         fastest_ = std::max(speeds_.cwiseAbs().maxCoeff(), (held_ + rows_ * V_).cwiseAbs().maxCoeff());
         return x.allFinite();
     }
 
-    /// Moves the contact that disobeys most into the state that it asks for. False if none does.
+    /// Changes the state of the contact that violates the laws most. False if none does.
     bool correct(double accuracy)
     {
         const double speed = std::max(accuracy, nothing * fastest_),
@@ -135,13 +135,13 @@ public:
         double worst = 1;
         std::size_t which = contacts_.size();
         State next = State::open;
-        Vec<D - 1> pull = Vec<D - 1>::Zero();
+        Vec<D - 1> friction_direction = Vec<D - 1>::Zero();
         auto look = [&](double excess, std::size_t i, State state, const Vec<D - 1>& direction) {
             if (!(excess <= worst)) {
                 worst = excess;
                 which = i;
                 next = state;
-                pull = direction;
+                friction_direction = direction;
             }
         };
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -150,26 +150,26 @@ public:
             const Vec<D - 1> tangential = lambda_.template segment<D - 1>(r + 1), slip = speeds_.template segment<D - 1>(r + 1);
             const State pressing = c.friction > 0 ? State::sticks : State::slides;
             if (state_[i] == State::open) {
-                look((c.least - speeds_[r]) / speed, i, pressing, pull_[i]);
+                look((c.least - speeds_[r]) / speed, i, pressing, friction_direction_[i]);
                 continue;
             }
-            look(-lambda_[r] / impulse, i, State::open, pull_[i]);
+            look(-lambda_[r] / impulse, i, State::open, friction_direction_[i]);
             obeyed_ = obeyed_ && std::abs(speeds_[r] - c.target) <= speed;
             if (state_[i] == State::sticks) {
                 look((tangential.norm() - c.friction * lambda_[r]) / impulse, i, State::slides,
                      tangential / std::max(tangential.norm(), 1e-300));
                 obeyed_ = obeyed_ && slip.norm() <= speed;
             } else if (c.friction > 0) {
-                if (slip.dot(pull_[i]) > speed)
-                    look(slip.dot(pull_[i]) / speed, i, State::sticks, pull_[i]);
+                if (slip.dot(friction_direction_[i]) > speed)
+                    look(slip.dot(friction_direction_[i]) / speed, i, State::sticks, friction_direction_[i]);
                 else if (D == 3 && slip.norm() > speed)
-                    look((slip + slip.norm() * pull_[i]).norm() / speed, i, State::slides, -slip / slip.norm());
+                    look((slip + slip.norm() * friction_direction_[i]).norm() / speed, i, State::slides, -slip / slip.norm());
             }
         }
         if (which == contacts_.size())
             return false;
         state_[which] = next;
-        pull_[which] = pull;
+        friction_direction_[which] = friction_direction;
         obeyed_ = true;
         return true;
     }
@@ -204,13 +204,13 @@ private:
 
     const std::vector<Contact<D>>& contacts_;
     const std::vector<Twist<D>>& twists_;
-    std::vector<int> place_; ///< of every solid's twist, -1: does not yield
+    std::vector<int> place_; ///< of every solid's twist, -1: cannot move
     int count_ = 0;
     Eigen::VectorXd lambda_; ///< of every contact: normal, tangential
     std::vector<State> state_;
-    std::vector<Vec<D - 1>> pull_;    ///< direction of friction where it slides
-    Eigen::MatrixXd rows_, response_; ///< C, G C^T
-    Eigen::VectorXd V_, held_;        ///< twists without contacts; speeds of what does not yield
+    std::vector<Vec<D - 1>> friction_direction_; ///< direction of friction where it slides
+    Eigen::MatrixXd rows_, response_;            ///< C, G C^T
+    Eigen::VectorXd V_, held_;                   ///< twists without contacts; speeds of what does not yield
     Eigen::VectorXd twists_found_, speeds_;
     double fastest_ = 0;
     bool sound_ = false, obeyed_ = true;

@@ -1,4 +1,5 @@
-// The laws of contact (contact_law) solved at once: an active set of equations in the impulses of all contacts that press.
+// Direct solution of the laws of contact (contact_law): an active set of equations in the impulses of all contacts with a
+// positive impulse.
 #pragma once
 
 #include "gapflow/stepping/contact_law.hpp"

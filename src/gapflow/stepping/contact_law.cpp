@@ -1,6 +1,8 @@
-// Projected Gauss-Seidel over the contacts, to and fro, a contact's normal before its tangents (J. J. Moreau, M. Jean, "Numerical
+// Projected Gauss-Seidel over the contacts, in alternating order, a contact's normal before its tangents (J. J. Moreau, M.
+// Jean, "Numerical
 // treatment of contact and friction: the contact dynamics method", 1996). Bodies' twists are kept, so a sweep costs the number of
-// contacts. Where heavy films and bodies lie on light ones sweeps settle slowly: then equations take over (contact_equations).
+// contacts. Where heavy films and bodies lie on light ones the sweeps converge slowly; the equations are then solved directly
+// (contact_equations).
 #include "gapflow/stepping/contact_law.hpp"
 
 #include "gapflow/stepping/contact_equations.hpp"
@@ -22,14 +24,14 @@ constexpr std::array<int, 3> together = {500, 2000, 5000};
 template <int D>
 using PairTwist = Eigen::Matrix<double, 2 * twist_size<D>, 1>;
 
-// How much of its contact's force a bound of friction follows in a sweep: all of it soon settles nearly everything, but a bound that
-// follows at once can chase its contact's force round and round.
+// Relaxation of the bound of friction towards its contact's force per sweep: without relaxation most cases converge fast, but
+// bound and force can cycle.
 double relaxation_in(int sweep)
 {
     return sweep < 50 ? 1.0 : sweep < 500 ? 0.3 : 0.1;
 }
 
-// A film in the sweeps. Without contacts it and its two bodies answer an impulse w with V = R w, R = (1 + M^-1 F)^-1 M^-1.
+// A film in the sweeps. Without contacts the response of its two bodies to an impulse w is V = R w, R = (1 + M^-1 F)^-1 M^-1.
 template <int D>
 struct FilmBlock {
     int a, b;
@@ -40,7 +42,7 @@ struct FilmBlock {
     PairTwist<D> impulse = PairTwist<D>::Zero();
 };
 
-// One row of C with what an impulse along it does to its two bodies, and to the film between them.
+// One row of C with the response to an impulse along it of its two bodies and of the film between them.
 template <int D>
 struct Row {
     const RelativeRow<D>* row;
@@ -82,7 +84,7 @@ public:
 
     int films() const { return static_cast<int>(films_.size()); }
 
-    /// Brings one film's impulse to what its bodies' twists make of it. Largest change of a speed.
+    /// Updates one film's impulse to its bodies' twists. Returns the largest change of a speed.
     double settle_film(int f)
     {
         constexpr int n = twist_size<D>;
@@ -96,7 +98,7 @@ public:
         return std::max(moved.template head<D>().norm(), moved.template segment<D>(n).norm());
     }
 
-    /// Brings one contact to its law, the others as they are. Largest change of a speed.
+    /// Solves the law of one contact with the others fixed. Returns the largest change of a speed.
     double settle(int i, double relaxation)
     {
         const Contact<D>& c = contacts_[i];
@@ -106,7 +108,7 @@ public:
             return 0;
         const double bound = rebounds_[i] ? c.target : c.least;
         const double normal = std::max(0.0, impulse.normal + (bound - speed(c, n)) / n.mobility);
-        double largest = push(i, n, normal - impulse.normal);
+        double largest = apply_impulse(i, n, normal - impulse.normal);
         impulse.normal = normal;
         if (normal == 0)
             rebounds_[i] = false;
@@ -123,16 +125,16 @@ public:
         const double lag = normal - bound_[i];
         bound_[i] += relaxation * lag;
         largest = std::max(largest, (1 - relaxation) * c.friction * std::abs(lag) * mobility);
-        Vec<D - 1> pull = impulse.tangential;
+        Vec<D - 1> trial = impulse.tangential;
         for (int k = 0; k < D - 1; ++k)
-            pull[k] -= speed(c, t[k]) / mobility;
+            trial[k] -= speed(c, t[k]) / mobility;
         const double most = c.friction * bound_[i];
-        impulse.slides = pull.norm() > most;
+        impulse.slides = trial.norm() > most;
         if (impulse.slides)
-            pull *= most / pull.norm();
+            trial *= most / trial.norm();
         for (int k = 0; k < D - 1; ++k)
-            largest = std::max(largest, push(i, t[k], pull[k] - impulse.tangential[k]));
-        impulse.tangential = pull;
+            largest = std::max(largest, apply_impulse(i, t[k], trial[k] - impulse.tangential[k]));
+        impulse.tangential = trial;
         return largest;
     }
 
@@ -143,9 +145,9 @@ private:
         Row<D> made{&row, mobility_[c.point.a] * row.a, mobility_[c.point.b] * row.b, 0, PairTwist<D>::Zero()};
         if (f >= 0) {
             const bool in_order = c.point.a == films_[f].a;
-            PairTwist<D> push;
-            push << (in_order ? row.a : row.b), (in_order ? row.b : row.a);
-            const PairTwist<D> answer = films_[f].response * push;
+            PairTwist<D> load;
+            load << (in_order ? row.a : row.b), (in_order ? row.b : row.a);
+            const PairTwist<D> answer = films_[f].response * load;
             made.response_a = in_order ? answer.template head<n>() : answer.template tail<n>();
             made.response_b = in_order ? answer.template tail<n>() : answer.template head<n>();
             made.film = -films_[f].inertia * answer;
@@ -159,7 +161,7 @@ private:
         return r.row->a.dot(result_.twists[c.point.a]) + r.row->b.dot(result_.twists[c.point.b]);
     }
 
-    double push(int i, const Row<D>& r, double impulse)
+    double apply_impulse(int i, const Row<D>& r, double impulse)
     {
         if (impulse == 0)
             return 0;

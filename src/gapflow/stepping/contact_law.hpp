@@ -3,8 +3,9 @@
 //     0 <= lambda  |  c V - least >= 0,        |lambda_t| <= mu lambda, against the slip,
 //     V = V_0 + A^-1 C^T (lambda - lambda_0)
 //
-// around twists V_0 that impulses lambda_0 gave. A: the bodies' inertia and that of the films between them (NearInertia). The rest of
-// the fluid answers a change of impulses too, so this is a forecast; where it changes nothing, V_0 and lambda_0 obey the laws.
+// around twists V_0 that impulses lambda_0 gave. A: the bodies' inertia and that of the films between them (NearInertia). The
+// rest of the fluid responds to a change of impulses too, so this is a forecast; where it changes nothing, V_0 and lambda_0
+// obey the laws.
 #pragma once
 
 #include "gapflow/coupling/film_inertia.hpp"
@@ -21,7 +22,7 @@ struct ContactImpulse {
     bool slides = false; ///< friction is at its bound; of a forecast only
 };
 
-/// What the laws ask.
+/// The solution of the laws.
 template <int D>
 struct ContactForecast {
     std::vector<ContactImpulse<D>> impulses;

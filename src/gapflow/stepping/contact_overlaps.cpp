@@ -1,4 +1,4 @@
-// Takes overlaps of bodies out (method, "Contact"): the smallest displacements that leave none.
+// Removes overlaps of bodies (method, "Contact") by the smallest displacements.
 #include "gapflow/body/move.hpp"
 #include "gapflow/stepping/contact_rows.hpp"
 
@@ -10,10 +10,11 @@ namespace gapflow {
 
 namespace {
 
-// In dx. Overlaps below this are left at the start; no contact is pushed open further at a time.
+// In dx. Overlaps below this are left at the start; no contact is opened further in one pass.
 constexpr double start_overlap_left = 1e-9;
-constexpr double longest_push = 0.1, longest_start_push = 0.5;
-// Of the overlaps of all that hang together: pushing them apart takes no body further, else masses are left out of it. (A light ball pinched
+constexpr double longest_displacement = 0.1, longest_start_displacement = 0.5;
+// Limit of a displacement, in multiples of the sum of overlaps in a connected group of bodies; beyond it the metric without
+// masses is used. (A light ball squeezed
 // by half a cell between two boxes, turned by 5 degrees, slips out sideways by nearly six cells before boxes of a thousand times its mass move.)
 constexpr double too_far = 2;
 constexpr double wedge_compliance = 1e-2; // of the bodies' own mobility
@@ -26,8 +27,8 @@ bool is_free(const std::vector<RigidBody<D>>& bodies, int solid)
 
 } // namespace
 
-// Smallest displacements that leave no overlap, by projected Gauss-Seidel: in the metric of mass, or `evenly`, in one that knows no
-// masses. There a push meets a little compliance too, so that bodies wedged in share what overlaps instead of chasing a place where they fit.
+// Smallest displacements that leave no overlap, by projected Gauss-Seidel: in the metric of mass, or `evenly`, in one without
+// masses. The latter has a small compliance, so that wedged bodies share the overlap instead of cycling.
 template <int D>
 std::vector<Twist<D>> ContactSet<D>::displacements(const std::vector<RigidBody<D>>& bodies, bool evenly, double longest,
                                                    double accuracy) const
@@ -41,7 +42,7 @@ std::vector<Twist<D>> ContactSet<D>::displacements(const std::vector<RigidBody<D
     };
     struct Row {
         Twist<D> response_a, response_b;
-        double mobility, push = 0;
+        double mobility, multiplier = 0;
     };
     std::vector<Row> rows;
     for (const Contact<D>& c : contacts_) {
@@ -62,10 +63,10 @@ std::vector<Twist<D>> ContactSet<D>::displacements(const std::vector<RigidBody<D
             if (is_free(bodies, c.point.b))
                 distance += c.normal.b.dot(moved[c.point.b]);
             const double compliance = evenly ? wedge_compliance * row.mobility : 0.0;
-            const double lack = std::min(c.least_distance, c.point.distance + longest) - distance - compliance * row.push;
-            const double push = std::max(row.push + lack / (row.mobility + compliance), 0.0);
-            const double change = push - row.push;
-            row.push = push;
+            const double lack = std::min(c.least_distance, c.point.distance + longest) - distance - compliance * row.multiplier;
+            const double multiplier = std::max(row.multiplier + lack / (row.mobility + compliance), 0.0);
+            const double change = multiplier - row.multiplier;
+            row.multiplier = multiplier;
             if (is_free(bodies, c.point.a))
                 moved[c.point.a] += change * row.response_a;
             if (is_free(bodies, c.point.b))
@@ -78,7 +79,8 @@ std::vector<Twist<D>> ContactSet<D>::displacements(const std::vector<RigidBody<D
     return moved;
 }
 
-// Whether some body would go further, at its centre or a contact, than the overlaps of all that it hangs together with ask for.
+// Whether some body would move further, at its centre or a contact, than the limit given by the overlaps of its connected
+// group.
 template <int D>
 bool ContactSet<D>::goes_too_far(const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& moved,
                                  double longest) const
@@ -113,10 +115,10 @@ bool ContactSet<D>::goes_too_far(const std::vector<RigidBody<D>>& bodies, const 
 }
 
 template <int D>
-bool ContactSet<D>::push_apart(std::vector<RigidBody<D>>& bodies, bool at_start) const
+bool ContactSet<D>::separate(std::vector<RigidBody<D>>& bodies, bool at_start) const
 {
     const double accuracy = (at_start ? start_overlap_left : overlap_left) * dx_,
-                 longest = (at_start ? longest_start_push : longest_push) * dx_;
+                 longest = (at_start ? longest_start_displacement : longest_displacement) * dx_;
     double deepest = 0;
     for (const Contact<D>& c : contacts_)
         deepest = std::max(deepest, c.least_distance - c.point.distance);
@@ -136,7 +138,7 @@ bool ContactSet<D>::push_apart(std::vector<RigidBody<D>>& bodies, bool at_start)
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<Twist<D>> ContactSet<D>::displacements(const std::vector<RigidBody<D>>&, bool, double, double) const; \
     template bool ContactSet<D>::goes_too_far(const std::vector<RigidBody<D>>&, const std::vector<Twist<D>>&, double) const;   \
-    template bool ContactSet<D>::push_apart(std::vector<RigidBody<D>>&, bool) const;
+    template bool ContactSet<D>::separate(std::vector<RigidBody<D>>&, bool) const;
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

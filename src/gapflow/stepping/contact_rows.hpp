@@ -15,13 +15,13 @@ double rate(const RelativeRow<D>& row, const Contact<D>& contact, const std::vec
     return row.a.dot(twists[contact.point.a]) + row.b.dot(twists[contact.point.b]);
 }
 
-// Sliding friction turns with the slip: -bound (slip / |slip|). To first order that is a given pull against the slip of the round
-// before, and across it the resistance bound / |slip|, part of the solve: explicit it would grow without bound where bodies
+// Sliding friction turns with the slip: -bound (slip / |slip|). To first order this is a given impulse against the slip of the
+// round before, and across it the resistance bound / |slip|, part of the solve: an explicit treatment diverges where bodies
 // barely slide.
 template <int D>
 bool resists_turning(const Contact<D>& c)
 {
-    return D == 3 && c.closed && c.slides && c.pull.squaredNorm() > 0;
+    return D == 3 && c.closed && c.slides && c.sliding_impulse.squaredNorm() > 0;
 }
 
 // Open, sticks, slides.
@@ -35,7 +35,7 @@ template <int D>
 Vec<D - 1> across_pull(const Contact<D>& c)
 {
     if constexpr (D == 3)
-        return Vec<2>(-c.pull[1], c.pull[0]).normalized();
+        return Vec<2>(-c.sliding_impulse[1], c.sliding_impulse[0]).normalized();
     else
         return Vec<1>::Zero();
 }

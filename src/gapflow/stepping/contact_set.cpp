@@ -1,4 +1,4 @@
-// The set of contacts: which there are, what each asks of a step, and what it gives to the solve.
+// The set of contacts: finding them, their conditions in a step, and their contributions to the solve.
 #include "gapflow/stepping/contact_set.hpp"
 #include "gapflow/stepping/contact_rows.hpp"
 
@@ -10,16 +10,16 @@ namespace gapflow {
 
 namespace {
 
-// In dx. Contacts this close are looked at even without approach; nearer together than `merge` they are one.
+// In dx. Contacts this close are included even without approach; contacts closer together than `merge` are one.
 constexpr double cushion = 0.02;
 constexpr double merge = 0.01;
 // A contact keeps its state if it was within this of its place, in dx.
 constexpr double same_place = 0.5;
-// Approach below this times what the step's forces add is resting, not impact.
+// An approach below this times the change by the step's forces is resting contact, not impact.
 constexpr double resting = 2.0;
-// A contact whose opening rate changes by less than this times what the forces add leaves its bodies' motion smooth.
+// A contact whose opening rate changes by less than this times the change by the forces does not count as an impact.
 constexpr double smooth = 0.05;
-constexpr double crushing = 1e-2; // of the largest speed about: held contacts that close faster cannot be held
+constexpr double crushing = 1e-2; // of the largest speed about: a held contact that closes faster is an error
 
 template <int D>
 std::array<Vec<D>, D - 1> tangents_of(const Vec<D>& n)
@@ -109,8 +109,8 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
         if (known) {
             contact.closed = contact.was_closed = known->closed;
             contact.slides = known->slides;
-            contact.pull = known->slides ? known->tangential : Vec<D - 1>::Zero();
-            contact.tangential = contact.pull; // found again after bodies were pushed apart, it is still known
+            contact.sliding_impulse = known->slides ? known->tangential : Vec<D - 1>::Zero();
+            contact.tangential = contact.sliding_impulse; // known from before if found again after bodies were separated
             contact.slip = known->slip;
         }
         contact.point = std::move(point);
@@ -126,13 +126,13 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
     seen_exact_ = one_at_a_time_ = false;
     for (Contact<D>& c : contacts_) {
         if (last_dt > 0)
-            c.pull *= dt / last_dt;
+            c.sliding_impulse *= dt / last_dt;
         c.approach = rate(c.normal, c, before);
         c.gained = std::abs(rate(c.normal, c, forced) - c.approach);
         c.least = -std::max(c.point.distance - c.hold, 0.0) / dt;
         const bool impact = c.restitution > 0 && c.approach < -resting * c.gained && c.approach < 0;
         c.target = impact ? -c.restitution * c.approach : c.least;
-        // What rests near its place may drift within it: only what closes in this step is held.
+        // A contact at rest may drift within the tolerance: only contacts that close in this step are held.
         if (c.closed && c.point.distance - c.hold > cushion * dx_)
             c.closed = c.slides = false;
     }
@@ -160,7 +160,8 @@ std::vector<HeldContact<D>> ContactSet<D>::held() const
                 rows.push_back({c.point.a, c.point.b, t.a, t.b, 0.0});
         if (resists_turning(c)) {
             const RelativeRow<D> across = row_along(c, across_pull(c));
-            rows.push_back({c.point.a, c.point.b, across.a, across.b, 0.0, c.slip > 0 ? c.pull.norm() / c.slip : rigid});
+            rows.push_back(
+                {c.point.a, c.point.b, across.a, across.b, 0.0, c.slip > 0 ? c.sliding_impulse.norm() / c.slip : rigid});
         }
     }
     return rows;
@@ -173,13 +174,13 @@ std::vector<Twist<D>> ContactSet<D>::sliding_impulses(std::size_t solids) const
     for (const Contact<D>& c : contacts_)
         if (c.closed && c.slides)
             for (int k = 0; k < D - 1; ++k) {
-                impulses[c.point.a] += c.pull[k] * c.tangents[k].a;
-                impulses[c.point.b] += c.pull[k] * c.tangents[k].b;
+                impulses[c.point.a] += c.sliding_impulse[k] * c.tangents[k].a;
+                impulses[c.point.b] += c.sliding_impulse[k] * c.tangents[k].b;
             }
     return impulses;
 }
 
-// A hinged leaflet at rest on its seat has no speed but round-off: what closes by less than the overlaps that are left is nothing.
+// A hinged leaflet at rest on its seat has speeds of round-off only: closing by less than the tolerated overlap counts as zero.
 template <int D>
 const Contact<D>* ContactSet<D>::crushed(const std::vector<Twist<D>>& twists, double dt) const
 {
@@ -188,7 +189,7 @@ const Contact<D>* ContactSet<D>::crushed(const std::vector<Twist<D>>& twists, do
         largest = std::max({largest, std::abs(c.approach), c.gained, twists[c.point.a].template head<D>().norm(),
                             twists[c.point.b]
                                 .template head<D>()
-                                .norm()}); // not the rates alone: what slides in contact has none but round-off
+                                .norm()}); // not the rates alone: sliding contacts have rates of round-off only
     const double most = std::max(crushing * largest, overlap_left * dx_ / dt);
     const auto found = std::find_if(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
         return c.closed && rate(c.normal, c, twists) < c.least - most;
@@ -249,7 +250,7 @@ void ContactSet<D>::list_state(StateArchive& archive)
         list("was_closed", c.was_closed);
         list("slides", c.slides);
         list("slip", c.slip);
-        list("pull", c.pull);
+        list("pull", c.sliding_impulse);
         list("impulse", c.impulse);
         list("tangential", c.tangential);
         list("mark", c.mark);

@@ -1,9 +1,10 @@
-// Contacts of a step (method, "Contact"): which hold, which stick or slide, and what they did. The active set of
+// Contacts of a step (method, "Contact"): which hold, which stick or slide, and their impulses. The active set of
 //
 //     0 <= Lambda_c  |  C_c V - least_c >= 0,      least_c = -(distance - hold) / dt, or the rebound -e C_c V^n
 //     |Lambda_t| <= mu Lambda_c,  Lambda_t against the slip
 //
-// around the coupled solve: contacts that hold are rows of its mass (HeldContact), sliding ones pull with a given impulse.
+// around the coupled solve: contacts that hold are constraints of the bodies' response (HeldContact), sliding ones exert a
+// given impulse.
 #pragma once
 
 #include "gapflow/body/contact_points.hpp"
@@ -29,24 +30,24 @@ struct Contact {
     RelativeRow<D> normal;
     std::array<RelativeRow<D>, D - 1> tangents;
     double approach = 0; ///< opening rate before the step
-    double gained = 0;   ///< what the explicit forces add to it in the step, magnitude
+    double gained = 0;   ///< its change by the explicit forces in the step, magnitude
     double least = 0;    ///< opening rate that the end of the step may not fall below
     double target = 0;   ///< opening rate while it holds: `least`, or a rebound
     bool closed = false, was_closed = false;
-    bool solved = false; ///< some solve of the step held it; before, a forecast leaves out the fluid's part: it sticks
+    bool solved = false; ///< some solve of the step held it; before, it sticks, because the forecast lacks the fluid's part
     bool slides = false;
-    Vec<D - 1> pull = Vec<D - 1>::Zero(); ///< friction impulse on a along the tangents while it slides
+    Vec<D - 1> sliding_impulse = Vec<D - 1>::Zero(); ///< friction impulse on a along the tangents while it slides
     Vec<D - 1> lack =
-        Vec<D - 1>::Zero(); ///< what the last round of the step would have added to `pull`; 0: did not slide before
+        Vec<D - 1>::Zero(); ///< change of `sliding_impulse` that the last round asked for; 0: did not slide before
     double slip = 0;        ///< speed at which it slides
     double impulse = 0;     ///< normal, on a, over the step
     Vec<D - 1> tangential = Vec<D - 1>::Zero(); ///< friction impulse on a
-    Vec<D> mark = Vec<D>::Zero();               ///< place on a in a's frame, to know the contact again
+    Vec<D> mark = Vec<D>::Zero();               ///< place on a in a's frame, to identify the contact in the next step
 };
 
-/// What a solve makes of the contacts: `pulls`: those that hold, stick and slide are the same, but sliding friction is not; `repeats`: others
-/// do, as they did in an earlier round.
-enum class ContactChange { none, pulls, states, repeats };
+/// Change of the contacts after a solve: `friction`: the states are the same, but sliding friction changes; `repeats`: the states
+/// are those of an earlier round.
+enum class ContactChange { none, friction, states, repeats };
 
 template <int D>
 class ContactSet {
@@ -57,14 +58,15 @@ public:
 
     /// Finds the contacts of a configuration that may close in dt; those known from the step before keep their state.
     void find(const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists, double dt);
-    /// Takes overlaps out by moving free bodies, without a change of momentum; `at_start`: heavy ones as far as light ones. True if anything
+    /// Removes overlaps by moving free bodies, without a change of momentum; `at_start`: in the metric without masses. True if
+    /// anything
     /// moved; to be repeated, with the contacts found anew, until it is false.
-    bool push_apart(std::vector<RigidBody<D>>& bodies, bool at_start = false) const;
-    /// What each contact asks of the step: `before`: twists at its start; `forced`: with the explicit forces of the step. Sliding pulls of the
-    /// last step, of length `last_dt`, are taken on.
+    bool separate(std::vector<RigidBody<D>>& bodies, bool at_start = false) const;
+    /// Sets the condition of each contact in the step: `before`: twists at its start; `forced`: with the explicit forces of the
+    /// step. Sliding friction of the last step, of length `last_dt`, is taken over.
     void prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt, double last_dt);
-    /// Whether these contacts, as they are, would not do with the twists expected at the step's end: then they are to be found
-    /// by rough solves first.
+    /// Whether the current states violate the laws at the twists expected at the step's end: then rough solves find the states
+    /// first.
     bool likely_to_change(const std::vector<Twist<D>>& expected) const;
     /// Rows of the contacts that hold: normal, then tangents of those that stick.
     std::vector<HeldContact<D>> held() const;
@@ -75,10 +77,10 @@ public:
     ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia,
                          double accuracy, bool exact, int round);
 
-    /// Solves before this no longer tell of what comes round again: voids changed.
+    /// Resets cycle detection, because voids changed.
     void forget_rounds() { seen_.clear(); }
 
-    /// A contact that holds and yet closes: its solids are driven into each other, and neither can give way. Null: none.
+    /// A held contact that closes: its solids are driven into each other, and neither can give way. Null: none.
     const Contact<D>* crushed(const std::vector<Twist<D>>& twists, double dt) const;
     /// Whether a prescribed body moves that the contact's solids are, or are held by.
     bool driven(const Contact<D>& contact, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists) const;
@@ -86,7 +88,7 @@ public:
     const std::vector<Contact<D>>& contacts() const { return contacts_; }
     bool empty() const { return contacts_.empty(); }
     /// Whether a contact of this solid closed, opened, rebounded or was brought to rest in the step: then the change of its
-    /// twist is no acceleration that goes on.
+    /// twist is not an acceleration to extrapolate.
     bool impact_on(int solid) const;
     /// The contacts of the last step.
     void list_state(StateArchive& archive);
@@ -110,7 +112,7 @@ private:
     std::vector<ContactFeatures<D>> features_;
     std::vector<Contact<D>> contacts_;
     double relaxation_ = 1; ///< of the pulls in the step's last round
-    std::set<States> seen_; ///< that the step's last solves were made with, as far as all were rough or all exact
+    std::set<States> seen_; ///< used in the step's last solves, since the last change of tolerance
     bool seen_exact_ = false;
     bool one_at_a_time_ = false;
 };

@@ -11,13 +11,13 @@ namespace gapflow {
 
 namespace {
 
-// Rounds after which contacts change one at a time; or as soon as they would be again what they were in an exact solve before.
+// Rounds after which contacts change one at a time; or as soon as their states would repeat those of an earlier exact solve.
 constexpr int rounds_at_once = 15;
 constexpr double friction_accuracy = 1e-3; // of the largest bound of friction on the body
 constexpr double least_relaxation = 0.3;   // of sliding pulls
-constexpr double forecast_accuracy = 1e-2; // of what is asked of the speeds
+constexpr double forecast_accuracy = 1e-2; // of the accuracy required of the speeds
 
-// What the laws of contact make of a solve, and how far the solve is from that.
+// The forecast of the laws of contact after a solve, and the distance of the solve from it.
 template <int D>
 class ContactCheck {
 public:
@@ -44,7 +44,8 @@ public:
 
     const ContactForecast<D>& forecast() const { return forecast_; }
 
-    /// Friction is right to a part of what friction may do to the body, not of what it may do at the contact: the least of many.
+    /// Accuracy of friction relative to the largest bound of friction on the body, not to the contact's own bound, which may be
+    /// very small.
     double nothing_along(const Contact<D>& c) const
     {
         const int a = c.point.a, b = c.point.b;
@@ -54,8 +55,8 @@ public:
         return impulse_ + friction;
     }
 
-    /// Wrong is a contact that closes too fast, and one at which the forecast's impulses move the bodies. (Impulses alone do not
-    /// tell: redundant contacts may share theirs in many ways.) In units of what is allowed.
+    /// Violation of the laws at a contact: by closing too fast, or by the velocity change due to the forecast's impulses, in
+    /// units of the tolerance. (Impulses alone are no criterion: redundant contacts may share theirs in many ways.)
     double wrong(std::size_t i) const
     {
         const Contact<D>& c = contacts_[i];
@@ -68,7 +69,7 @@ public:
         return most;
     }
 
-    /// The contact that is most wrong, if any is.
+    /// The contact with the largest violation, if any.
     std::optional<std::size_t> worst() const
     {
         std::size_t worst = 0;
@@ -128,16 +129,17 @@ std::vector<char> next_states(const std::vector<Contact<D>>& contacts, const Con
     return states;
 }
 
-// The forecast knows the bulk's answer only nearly, and pulls can swing about their values for long: dynamic relaxation (Irons & Tuck,
-// Int. J. Numer. Methods Eng. 1, 1969). Takes the round's lacks; `pulls`: only these are to change, all at once; `last`: of the round before.
+// The forecast has the bulk's response only approximately, and sliding friction can oscillate about its value for many rounds:
+// dynamic relaxation (Irons & Tuck,
+// Int. J. Numer. Methods Eng. 1, 1969). Takes the round's lacks; `friction_alone`: only these are to change, all at once; `last`: of the round before.
 template <int D>
-double relaxation_of_pulls(std::vector<Contact<D>>& contacts, const ContactCheck<D>& check, bool pulls, double last)
+double relaxation_of_friction(std::vector<Contact<D>>& contacts, const ContactCheck<D>& check, bool friction_alone, double last)
 {
     double turn = 0, square = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         Contact<D>& c = contacts[i];
-        const Vec<D - 1> lack = check.forecast().impulses[i].tangential - c.pull;
-        if (!pulls || !c.closed || !c.slides) {
+        const Vec<D - 1> lack = check.forecast().impulses[i].tangential - c.sliding_impulse;
+        if (!friction_alone || !c.closed || !c.slides) {
             c.lack.setZero();
             continue;
         }
@@ -151,7 +153,7 @@ double relaxation_of_pulls(std::vector<Contact<D>>& contacts, const ContactCheck
     return square > 0 ? std::clamp(-last * turn / square, least_relaxation, 1.0) : 1.0;
 }
 
-// Gives a contact the forecast's state; `relaxation`: how far its pull goes there, if it goes on sliding.
+// Gives a contact the forecast's state; `relaxation`: factor on the change of its sliding friction, if it slides in both.
 template <int D>
 void take_state(Contact<D>& c, const ContactImpulse<D>& next, const std::vector<Twist<D>>& twists,
                 std::optional<double> relaxation)
@@ -159,9 +161,9 @@ void take_state(Contact<D>& c, const ContactImpulse<D>& next, const std::vector<
     c.slides = slides_next(c, next);
     c.closed = next.normal > 0;
     if (relaxation && c.slides)
-        c.pull += *relaxation * (next.tangential - c.pull);
+        c.sliding_impulse += *relaxation * (next.tangential - c.sliding_impulse);
     else
-        c.pull = c.slides ? next.tangential : Vec<D - 1>(Vec<D - 1>::Zero());
+        c.sliding_impulse = c.slides ? next.tangential : Vec<D - 1>(Vec<D - 1>::Zero());
     c.slip = 0;
     for (const RelativeRow<D>& t : c.tangents)
         c.slip = std::hypot(c.slip, rate(t, c, twists));
@@ -184,7 +186,7 @@ void ContactSet<D>::take_impulses(const Eigen::VectorXd& impulses)
             for (int k = 0; k < D - 1; ++k)
                 c.tangential[k] = impulses[row++];
         if (c.slides)
-            c.tangential = c.pull;
+            c.tangential = c.sliding_impulse;
         if (resists_turning(c))
             c.tangential += impulses[row++] * across_pull(c);
     }
@@ -213,8 +215,8 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
     const ContactForecast<D>& forecast = check.forecast();
     const std::optional<std::size_t> worst = check.worst();
     if (!worst) {
-        // Where contacts share a force in many ways, as floor and ceiling of a body wedged in between do, the solve's may have pulling
-        // ones among them: the forecast's push, and move nothing.
+        // Where redundant contacts share a force, as floor and ceiling of a wedged body do, the solve's impulses may include
+        // negative ones: the forecast's are positive and move no body.
         if (check.any_pulls())
             for (std::size_t i = 0; i < contacts_.size(); ++i) {
                 contacts_[i].impulse = forecast.impulses[i].normal;
@@ -224,18 +226,18 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
     }
     bool at_once = round < rounds_at_once && !one_at_a_time_, other_states = false;
     const States next = next_states<D>(contacts_, forecast, at_once ? std::nullopt : worst, other_states);
-    ContactChange changed = other_states ? ContactChange::states : ContactChange::pulls;
+    ContactChange changed = other_states ? ContactChange::states : ContactChange::friction;
     if (other_states && repeats(next, exact)) {
         changed = ContactChange::repeats;
         one_at_a_time_ = one_at_a_time_ || exact;
     }
-    const bool pulls = changed == ContactChange::pulls;
-    at_once = round < rounds_at_once && (!one_at_a_time_ || pulls);
-    relaxation_ = relaxation_of_pulls<D>(contacts_, check, pulls && at_once, relaxation_);
+    const bool friction_alone = changed == ContactChange::friction;
+    at_once = round < rounds_at_once && (!one_at_a_time_ || friction_alone);
+    relaxation_ = relaxation_of_friction<D>(contacts_, check, friction_alone && at_once, relaxation_);
     for (std::size_t i = 0; i < contacts_.size(); ++i)
         if (at_once || i == *worst)
             take_state<D>(contacts_[i], forecast.impulses[i], forecast.twists,
-                          pulls ? std::optional(relaxation_) : std::nullopt);
+                          friction_alone ? std::optional(relaxation_) : std::nullopt);
     return changed;
 }
 

@@ -68,13 +68,13 @@ Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bod
         }
     report.dissipation_grid = lost / step.dt;
 
-    // div u** of the cells that the grid's own faces drain.
+    // div u** of the cells with open faces on the grid.
     fill_velocity_ghosts(grid, u.grid, model.sides(step.end()));
     UnknownVector<D> outflow_of_cells;
     outflow(there, u, solved.twists, outflow_of_cells);
     CellField<D> divergence = std::move(outflow_of_cells.cells);
-    for (const Conduit<D>& conduit : there.network.mouths.conduits)
-        for (const auto& [key, weight] : conduit.cells)
+    for (const Mouth<D>& mouth : there.network.rim.mouths)
+        for (const auto& [key, weight] : mouth.cells)
             if (const Index<D> cell = grid.cell_of_key(key); grid.owns(cell))
                 divergence(cell) = 0;
     return {std::move(solved.impulses), std::move(divergence)};

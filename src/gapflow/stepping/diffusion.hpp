@@ -1,12 +1,13 @@
-// Viscosity of the bulk in a time step (method, "Viscosity"): an incremental splitting. The viscous step starts from
-// velocities and twists that the last step's pressure (and whatever else the projection did to the bodies: films, contacts) has
-// already acted on,
+// Viscosity of the bulk in a time step (method, "Viscosity"): an incremental splitting. The viscous step starts from velocities
+// and twists that include the effect of the last step's pressure (for bodies of the whole last projection: films, contacts),
 //
 //     u~ = u* - dt grad p^n / rho,   V~ = V* + dt M^-1 F^n,     (u**, V**) = viscous step of (u~, V~),
 //     (u*, V*) += (u**, V**) - (u~, V~),
 //
-// and the projection that follows finds the whole pressure anew. A steady state does not depend on dt. In the next step p^n is
-// the projection's pressure less mu div u** (the rotational form; Timmermans, Minev & van de Vosse, Int. J. Numer. Meth. Fluids
+// and the projection that follows computes the whole pressure, not an increment. A steady state does not depend on dt. In the
+// next step p^n is
+// the projection's pressure minus mu div u** (the rotational form; Timmermans, Minev & van de Vosse, Int. J. Numer. Meth.
+// Fluids
 // 22, 1996), with which transients stay short for any nu dt / dx^2.
 #pragma once
 

@@ -8,7 +8,7 @@ namespace gapflow {
 
 namespace {
 
-// Part of a surplus that goes on: the rest fills the node for certain.
+// Part of a surplus that is passed on: the rest makes sure that the node is filled.
 constexpr double handed_on = 0.95;
 
 // The master's velocity along an element.
@@ -24,13 +24,13 @@ struct Place {
     int film, element; ///< element: in the film's own list
 };
 
-// Elements and conduits around every film node.
+// Elements and mouths around every film node.
 template <int D>
 struct Around {
     std::vector<std::vector<Place>> elements;
-    std::vector<std::vector<std::pair<int, double>>> conduits; ///< number, shape function
+    std::vector<std::vector<std::pair<int, double>>> mouths; ///< number, shape function
 
-    explicit Around(const FilmNetwork<D>& network) : elements(network.nodes), conduits(network.nodes)
+    explicit Around(const FilmNetwork<D>& network) : elements(network.nodes), mouths(network.nodes)
     {
         for (int k = 0; k < static_cast<int>(network.films.size()); ++k) {
             const Film<D>& film = network.films[k];
@@ -38,9 +38,9 @@ struct Around {
                 for (int node : film.mesh.elements[e].nodes)
                     elements[film.first_node + node].push_back({k, e});
         }
-        for (int r = 0; r < static_cast<int>(network.mouths.conduits.size()); ++r)
+        for (int r = 0; r < static_cast<int>(network.rim.mouths.size()); ++r)
             for (int i = 0; i < D - 1; ++i)
-                conduits[network.mouths.conduits[r].nodes[i]].emplace_back(r, network.mouths.conduits[r].shape[i]);
+                mouths[network.rim.mouths[r].nodes[i]].emplace_back(r, network.rim.mouths[r].shape[i]);
     }
 };
 
@@ -53,11 +53,10 @@ int place_of_node(const FilmElement<D>& e, int node)
 } // namespace
 
 template <int D>
-double carried_flux(const Coupling<D>& coupling, const Conduit<D>& conduit, const std::vector<Twist<D>>& twists)
+double carried_flux(const Coupling<D>& coupling, const Mouth<D>& mouth, const std::vector<Twist<D>>& twists)
 {
-    const int master = coupling.network.films[conduit.film].mesh.master;
-    return conduit.length * conduit.h *
-           conduit.outward.dot(velocity_at<D>(twists[master], conduit.x - coupling.solids[master].centre));
+    const int master = coupling.network.films[mouth.film].mesh.master;
+    return mouth.length * mouth.h * mouth.outward.dot(velocity_at<D>(twists[master], mouth.x - coupling.solids[master].centre));
 }
 
 template <int D>
@@ -71,33 +70,33 @@ void rest_in_voids(const Coupling<D>& coupling, const std::vector<char>& empty, 
 }
 
 template <int D>
-void limit_inflow(const Coupling<D>& coupling, const VoidSet<D>& voids, const FilmMemories<D>& memories,
+void limit_inflow(const Coupling<D>& coupling, const VoidSet<D>& voids, const FilmHistories<D>& histories,
                   const std::function<MouthLaw(int, int)>& law, const std::vector<double>& bulk_pressure, double dt,
                   FilmFlow<D>& flow)
 {
-    const std::vector<Conduit<D>>& conduits = coupling.network.mouths.conduits;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        const Conduit<D>& conduit = conduits[r];
-        const Film<D>& film = coupling.network.films[conduit.film];
+    const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
+        const Mouth<D>& mouth = mouths[r];
+        const Film<D>& film = coupling.network.films[mouth.film];
         bool at_void = false;
         double drop = bulk_pressure[r];
         for (int i = 0; i < D - 1; ++i) {
-            at_void = at_void || voids.is_void()[conduit.nodes[i]];
-            drop -= conduit.shape[i] * voids.last_pressure()[conduit.nodes[i]];
+            at_void = at_void || voids.is_void()[mouth.nodes[i]];
+            drop -= mouth.shape[i] * voids.last_pressure()[mouth.nodes[i]];
         }
-        const bool sharp = conduit.kind != ConduitKind::smooth && conduit.kind != ConduitKind::inflow;
-        const auto memory = memories.find(film.pair);
-        if (!sharp || !(at_void || film.mesh.skin > 0) || memory == memories.end())
+        const bool sharp = mouth.kind != MouthKind::smooth && mouth.kind != MouthKind::inflow;
+        const auto history = histories.find(film.pair);
+        if (!sharp || !(at_void || film.mesh.skin > 0) || history == histories.end())
             continue;
         const PlacedShape<D>& master = coupling.solids[film.pair.master].shape;
         const double along =
-            conduit.length * conduit.h * conduit.outward.dot(memory->second->master_velocity(master.to_body(conduit.x)));
-        double& q = flow.conduit[r];
-        double& scale = flow.conduit_scale[r];
+            mouth.length * mouth.h * mouth.outward.dot(history->second->master_velocity(master.to_body(mouth.x)));
+        double& q = flow.mouth[r];
+        double& scale = flow.mouth_scale[r];
         const double before = (q - (1 - scale) * along) / scale; // q^n, without the head that advection took
-        const double inertia = conduit.resistance / dt;
-        const double head = (1 + law(film.pair.master, film.pair.other).entrance_loss) / (2 * conduit.h * conduit.h);
-        const double force = drop / coupling.density + inertia * (along - before) / conduit.length;
+        const double inertia = mouth.resistance / dt;
+        const double head = (1 + law(film.pair.master, film.pair.other).entrance_loss) / (2 * mouth.h * mouth.h);
+        const double force = drop / coupling.density + inertia * (along - before) / mouth.length;
         if (force <= 0)
             continue;
         // head w^2 + inertia w = force, without the difference of nearly equal numbers
@@ -112,7 +111,7 @@ void pass_on(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::ve
              FilmFlow<D>& flow)
 {
     const FilmNetwork<D>& network = coupling.network;
-    const std::vector<Conduit<D>>& conduits = network.mouths.conduits;
+    const std::vector<Mouth<D>>& mouths = network.rim.mouths;
     const Around<D> around(network);
     const std::vector<char> empty = voids.empty_elements(network);
     Eigen::VectorXd outflow = Eigen::VectorXd::Zero(network.nodes);
@@ -125,9 +124,9 @@ void pass_on(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::ve
                 outflow[film.first_node + element.nodes[i]] -=
                     element.volume * element.gradient[i].dot(flow.velocity[film.first_element + e]);
         }
-    for (std::size_t r = 0; r < conduits.size(); ++r)
+    for (std::size_t r = 0; r < mouths.size(); ++r)
         for (int i = 0; i < D - 1; ++i)
-            outflow[conduits[r].nodes[i]] += conduits[r].shape[i] * flow.conduit[r];
+            outflow[mouths[r].nodes[i]] += mouths[r].shape[i] * flow.mouth[r];
 
     std::vector<char> carries(network.elements, 0), done(network.nodes, 0);
     std::deque<int> queue;
@@ -155,9 +154,9 @@ void pass_on(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::ve
                 flow.velocity[film.first_element + at.element] - along_master(coupling, film.mesh, e, twists);
             add(e.volume * e.gradient[place_of_node(e, node - film.first_node)].dot(relative), relative);
         }
-        for (const auto& [r, shape] : around.conduits[node]) {
-            const double in = carried_flux(coupling, conduits[r], twists) - flow.conduit[r];
-            add(shape * in, -in / (conduits[r].length * conduits[r].h) * conduits[r].outward);
+        for (const auto& [r, shape] : around.mouths[node]) {
+            const double in = carried_flux(coupling, mouths[r], twists) - flow.mouth[r];
+            add(shape * in, -in / (mouths[r].length * mouths[r].h) * mouths[r].outward);
         }
         if (direction.isZero(0))
             continue;
@@ -204,7 +203,7 @@ void follow_front(const Coupling<D>& coupling, const std::vector<char>& was_empt
             if (!was_empty[number] || is_empty[number])
                 continue;
             const FilmElement<D>& element = film.mesh.elements[e];
-            Vec<D> behind = Vec<D>::Zero(), mouth = Vec<D>::Zero();
+            Vec<D> behind = Vec<D>::Zero(), through_mouth = Vec<D>::Zero();
             double volume = 0, length = 0;
             for (int node : element.nodes) {
                 if (is_void[film.first_node + node])
@@ -218,25 +217,25 @@ void follow_front(const Coupling<D>& coupling, const std::vector<char>& was_empt
                               (before[other.first_element + at.element] - along_master(coupling, other.mesh, from, twists));
                     volume += from.volume;
                 }
-                for (const auto& [r, shape] : around.conduits[film.first_node + node]) {
-                    const Conduit<D>& conduit = network.mouths.conduits[r];
-                    mouth += shape * (u.conduit[r] - carried_flux(coupling, conduit, twists)) / conduit.h * conduit.outward;
-                    length += shape * conduit.length;
+                for (const auto& [r, shape] : around.mouths[film.first_node + node]) {
+                    const Mouth<D>& mouth = network.rim.mouths[r];
+                    through_mouth += shape * (u.mouth[r] - carried_flux(coupling, mouth, twists)) / mouth.h * mouth.outward;
+                    length += shape * mouth.length;
                 }
             }
             if (volume <= 0 && length <= 0)
                 continue;
-            Vec<D> relative = volume > 0 ? Vec<D>(behind / volume) : Vec<D>(mouth / length);
+            Vec<D> relative = volume > 0 ? Vec<D>(behind / volume) : Vec<D>(through_mouth / length);
             relative -= relative.dot(element.normal) * element.normal;
             u.film[number] = along_master(coupling, film.mesh, element, twists) + relative;
         }
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template double carried_flux<D>(const Coupling<D>&, const Conduit<D>&, const std::vector<Twist<D>>&);                      \
+    template double carried_flux<D>(const Coupling<D>&, const Mouth<D>&, const std::vector<Twist<D>>&);                        \
     template void rest_in_voids<D>(const Coupling<D>&, const std::vector<char>&, const std::vector<Twist<D>>&,                 \
                                    std::vector<Vec<D>>&);                                                                      \
-    template void limit_inflow<D>(const Coupling<D>&, const VoidSet<D>&, const FilmMemories<D>&,                               \
+    template void limit_inflow<D>(const Coupling<D>&, const VoidSet<D>&, const FilmHistories<D>&,                              \
                                   const std::function<MouthLaw(int, int)>&, const std::vector<double>&, double, FilmFlow<D>&); \
     template void pass_on<D>(const Coupling<D>&, const VoidSet<D>&, const std::vector<Twist<D>>&, double, FilmFlow<D>&);       \
     template void follow_front<D>(const Coupling<D>&, const std::vector<char>&, const std::vector<char>&,                      \

@@ -1,6 +1,6 @@
 // Fluid that enters voids in films (method, "Voids: dry contact and cavitation"): elements without any wet node rest on their master, the mouth's kinetic
-// head is taken semi-implicitly, a void that overfills within a step hands the surplus on, and elements that the front has
-// reached take over the velocity behind it.
+// head is taken semi-implicitly, a void that overfills within a step passes the surplus on, and elements that the front has
+// reached take the velocity behind it.
 #pragma once
 
 #include "gapflow/coupling/coupling.hpp"
@@ -12,9 +12,9 @@
 
 namespace gapflow {
 
-/// Flux of a conduit out of its film that the master's motion carries.
+/// Flux out of the film through a mouth due to the master's motion.
 template <int D>
-double carried_flux(const Coupling<D>& coupling, const Conduit<D>& conduit, const std::vector<Twist<D>>& twists);
+double carried_flux(const Coupling<D>& coupling, const Mouth<D>& mouth, const std::vector<Twist<D>>& twists);
 
 /// u of the elements marked in `empty` becomes their master's velocity, along the film.
 template <int D>
@@ -23,15 +23,15 @@ void rest_in_voids(const Coupling<D>& coupling, const std::vector<char>& empty, 
 
 /// Inflow at sharp mouths of dry films and into voids: with w the flux into the film per length, seen from the master,
 ///     rho R (w - w^n) / dt + rho k w |w| / (2 h^2) = p_bulk - p_film,      k = 1 + zeta,
-/// solved for w with the pressures of the last step (`bulk_pressure`: reduced, one a conduit) gives the speed of the semi-implicit
-/// head: gamma = 1 / (1 + dt k w / (2 R h^2)), q* = gamma q^n + (1 - gamma) l h nu . U_m. Changes flow.conduit and its scale.
+/// solved for w with the pressures of the last step (`bulk_pressure`: reduced, one a mouth) gives the speed of the semi-implicit
+/// head: gamma = 1 / (1 + dt k w / (2 R h^2)), q* = gamma q^n + (1 - gamma) l h nu . U_m. Changes flow.mouth and its scale.
 template <int D>
-void limit_inflow(const Coupling<D>& coupling, const VoidSet<D>& voids, const FilmMemories<D>& memories,
+void limit_inflow(const Coupling<D>& coupling, const VoidSet<D>& voids, const FilmHistories<D>& histories,
                   const std::function<MouthLaw(int, int)>& law, const std::vector<double>& bulk_pressure, double dt,
                   FilmFlow<D>& flow);
 
-/// Void nodes that the flow would overfill in dt send nearly all of the surplus on, through elements that hold nothing, in the
-/// direction in which it comes. `twists`: of the solids; changes flow.velocity.
+/// Void nodes that the flow would overfill in dt pass nearly all of the surplus on, through empty elements, in the direction of
+/// the inflow. `twists`: of the solids; changes flow.velocity.
 template <int D>
 void pass_on(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::vector<Twist<D>>& twists, double dt,
              FilmFlow<D>& flow);

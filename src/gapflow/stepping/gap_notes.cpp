@@ -33,7 +33,7 @@ template <int D>
 std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<FilmPair<D>>& told)
 {
     std::vector<std::string> notes;
-    for (const BlindEnd<D>& end : coupling.network.mouths.blind) {
+    for (const BlindEnd<D>& end : coupling.network.rim.blind) {
         const Film<D>& film = coupling.network.films[end.film];
         if (!told.insert(film.pair).second)
             continue;

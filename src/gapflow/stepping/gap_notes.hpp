@@ -1,4 +1,4 @@
-// What the user should know of films and of fluid that is sealed in.
+// Notes for the user about films and enclosed fluid.
 #pragma once
 
 #include "gapflow/coupling/coupling.hpp"
@@ -18,10 +18,10 @@ std::string place_text(const Vec<D>& x)
     return place_text(std::vector<double>(x.data(), x.data() + D));
 }
 
-/// What is sealed in, where and between what, and what that means.
+/// Description of enclosed fluid: its place, the bodies around it, the consequence.
 std::string sealed_text(const SealedPocket& pocket);
 
-/// Pairs whose films end where nothing continues them, with a place and a remedy, one text a pair. Pairs in `told` are left out, the
+/// Pairs whose films have blind ends, with a place and a remedy, one text per pair. Pairs in `told` are left out, the
 /// others added to it.
 template <int D>
 std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<FilmPair<D>>& told);

@@ -1,4 +1,4 @@
-// Bodies that leave the domain: what the user is told of them.
+// Notes for the user about bodies that leave the domain.
 #pragma once
 
 #include "gapflow/stepping/setup.hpp"
@@ -8,7 +8,7 @@
 
 namespace gapflow {
 
-/// Where a body lies as seen from the domain.
+/// Position of a body relative to the domain.
 struct Whereabouts {
     bool outside = false;     ///< wholly beyond a side that is not periodic
     std::vector<int> crossed; ///< open and inflow sides beyond which a part of it lies: 2 * axis + end
@@ -18,7 +18,8 @@ struct Whereabouts {
 template <int D>
 std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<RigidBody<D>>& bodies);
 
-/// What to say of bodies that were at `before` when a step began: one that moves out through an open or inflow side is on its way out
+/// Notes about bodies that were at `before` when a step began: one that moves out through an open or inflow side is on its way
+/// out
 /// once it reaches through; one that is wholly outside and was not has left. `first`: of the first step, when bodies that reach
 /// through already count.
 template <int D>

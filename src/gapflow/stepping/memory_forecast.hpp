@@ -1,4 +1,4 @@
-// How much memory a run will take.
+// Forecast of the memory that a run needs.
 #pragma once
 
 #include "gapflow/scene/scene.hpp"

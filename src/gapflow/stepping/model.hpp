@@ -1,5 +1,5 @@
-// What a scene fixes for all time: grid, shapes, walls and laws (method, "The time step"). One way from a scene to a coupled system serves
-// runs, added mass, checks, benchmarks and tests.
+// Constant data of a scene: grid, shapes, walls and laws (method, "The time step"). Runs, added mass, checks, benchmarks and
+// tests all build the coupled system from it.
 #pragma once
 
 #include "gapflow/core/timer.hpp"
@@ -19,7 +19,7 @@ template <int D>
 struct Model {
     /// Throws InputError for a scene that cannot be computed: mesh files, memory. Collective.
     Model(const Scene& scene, const Communicator& comm, Task task = Task::motion);
-    Model(const Model&) = delete; // laws and solids refer to its members
+    Model(const Model&) = delete; // laws and solids hold references to its members
     Model& operator=(const Model&) = delete;
 
     const Scene scene;
@@ -39,7 +39,7 @@ struct Model {
     std::vector<TwistMatrix<D>> masses(const std::vector<RigidBody<D>>& of, double dt) const;
     /// Velocities of walls and inflow at a time.
     BoundaryVelocity<D> sides(double time) const;
-    /// rho g . (x - x0), what to add to the reduced pressure for the full one; x0 is the highest point of the open sides, where the
+    /// rho g . (x - x0), full minus reduced pressure; x0 is the highest point of the open sides, where the
     /// reference pressure acts.
     double hydrostatic(const Vec<D>& x) const;
 

@@ -2,7 +2,7 @@
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/body/move.hpp"
-#include "gapflow/stepping/carried_on.hpp"
+#include "gapflow/stepping/extrapolation_share.hpp"
 
 #include <algorithm>
 
@@ -10,15 +10,15 @@ namespace gapflow {
 
 namespace {
 
-constexpr int most_pushes = 10; // that take out the overlaps of a step
+constexpr int most_separations = 10; // to remove the overlaps of a step
 
 } // namespace
 
-// What a much shorter step says of the acceleration is not to be carried that far.
+// An acceleration found in a much shorter step is not extrapolated over the whole step.
 template <int D>
 std::vector<RigidBody<D>> moved(std::vector<RigidBody<D>> bodies, const Step& step)
 {
-    const double share = carried_on(step.last_dt, step.dt);
+    const double share = extrapolation_share(step.last_dt, step.dt);
     for (RigidBody<D>& body : bodies) {
         body.acceleration *= share;
         body.angular_momentum_rate *= share;
@@ -29,13 +29,13 @@ std::vector<RigidBody<D>> moved(std::vector<RigidBody<D>> bodies, const Step& st
     return bodies;
 }
 
-// Overlaps are taken out again where pushed bodies meet others, or turn so far that what was found of their contacts does not hold there.
+// Overlaps are removed repeatedly where displaced bodies overlap others, or turn so far that their contact points change.
 template <int D>
 void find_contacts(const Model<D>& model, State<D>& state, const Step& step)
 {
     auto find = [&] { state.contacts.find(model.solids(state.bodies), model.twists(state.bodies), step.dt); };
     find();
-    for (int pass = 0; pass < most_pushes && state.contacts.push_apart(state.bodies); ++pass)
+    for (int pass = 0; pass < most_separations && state.contacts.separate(state.bodies); ++pass)
         find();
 }
 

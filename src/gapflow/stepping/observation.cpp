@@ -153,12 +153,12 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
             add(rho * element.volume * w, element.centroid);
             budget.energy_film += 0.5 * rho * element.volume * w.squaredNorm();
         }
-    const std::vector<Conduit<D>>& conduits = here.network.mouths.conduits;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        const Conduit<D>& conduit = conduits[r];
-        const double q = state.velocity.conduit[r];
-        add(rho * conduit.resistance * conduit.h * q * conduit.outward, conduit.x);
-        budget.energy_film += 0.5 * rho * conduit.resistance * q * q / conduit.length;
+    const std::vector<Mouth<D>>& mouths = here.network.rim.mouths;
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
+        const Mouth<D>& mouth = mouths[r];
+        const double q = state.velocity.mouth[r];
+        add(rho * mouth.resistance * mouth.h * q * mouth.outward, mouth.x);
+        budget.energy_film += 0.5 * rho * mouth.resistance * q * q / mouth.length;
     }
     for (const RigidBody<D>& body : state.bodies)
         if (body.motion == Motion::free) {
@@ -197,16 +197,16 @@ void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>
         add_entrainment(here, V, -1, driven);
         for (std::size_t r = 0; r < shut.size(); ++r)
             if (shut[r])
-                driven.conduit[r] += entrained_flux(here, r, V) - carried_flux<D>(here, here.network.mouths.conduits[r], V);
+                driven.mouth[r] += entrained_flux(here, r, V) - carried_flux<D>(here, here.network.rim.mouths[r], V);
         outflow(here, driven, V, rest);
     }
-    if (state.node_outflow.size() > 0) { // velocities at a void's front have moved on since
+    if (state.node_outflow.size() > 0) { // velocities at a void's front have changed since
         rest.nodes =
             state.node_outflow - Eigen::Map<const Eigen::VectorXd>(state.voids.growth().data(), state.node_outflow.size());
     } else {
-        // Joints keep no flux of their own: it is what the last projection drove through them.
+        // Joints keep no flux of their own: it is the flux of the last projection.
         const std::vector<Link>& links = here.system.links;
-        for (std::size_t r = here.network.mouths.conduits.size(); r < links.size(); ++r) {
+        for (std::size_t r = here.network.rim.mouths.size(); r < links.size(); ++r) {
             double drop = 0;
             for (const auto& [node, weight] : links[r].nodes)
                 drop += weight * state.pressure.impulse.nodes[node];

@@ -1,4 +1,4 @@
-// What is reported of a state: pressure, gaps, momentum and energy. Reads the state, never changes it.
+// Reports of the state: pressure, gaps, momentum and energy. Reads the state, never changes it.
 #pragma once
 
 #include "gapflow/stepping/state.hpp"
@@ -24,10 +24,10 @@ struct GapState {
 /// Momentum and energy of fluid, films and bodies.
 template <int D>
 struct Budget {
-    Vec<D> momentum = Vec<D>::Zero();           ///< fluid, films, conduits and free bodies
+    Vec<D> momentum = Vec<D>::Zero();           ///< fluid, films, mouths and free bodies
     Spin<D> angular_momentum = Spin<D>::Zero(); ///< the same, about the domain's origin
     double energy_grid = 0, energy_film = 0;
-    double energy_bodies = 0; ///< kinetic energy of the free bodies and what their springs store
+    double energy_bodies = 0; ///< kinetic energy of the free bodies and energy of their springs
 };
 
 /// Reduced pressure (p - rho g.x), averaged over the last step: bulk and mixed cells, film nodes.
@@ -41,7 +41,7 @@ std::vector<GapState> gap_states(const Model<D>& model, const Coupling<D>& here,
 template <int D>
 Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V);
 
-/// Fills in the report what the state tells: time, sizes, energies, divergence. Collective.
+/// Fills in the report's data about the state: time, sizes, energies, divergence. Collective.
 template <int D>
 void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
                   StepReport& report);

@@ -11,12 +11,12 @@ namespace gapflow {
 
 namespace {
 
-// So many times dt |u . grad u| of the pressure's change count.
+// Limit of the pressure's change, in multiples of dt |u . grad u|.
 constexpr double inertial_share = 2;
-// Velocities' changes are continued so many faces into solids.
+// Number of layers of faces in solids to which velocity changes are extrapolated.
 constexpr int carried_layers = 4;
 
-// The solid that has most of a face: a face without an entry that is closed lies wholly in one.
+// The solid with the largest part of a face: a closed face without an entry lies wholly in one solid.
 template <int D>
 int fills(const ClippedFace<D>& face)
 {
@@ -28,7 +28,7 @@ int fills(const ClippedFace<D>& face)
 } // namespace
 
 template <int D>
-void continue_pressure(const Coupling<D>& coupling, PastPressure<D>& past)
+void extrapolate_pressure(const Coupling<D>& coupling, PastPressure<D>& past)
 {
     CellField<D>&pressure = past.pressure, &known = past.known;
     const Grid<D>& grid = *coupling.grid;
@@ -172,7 +172,7 @@ std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const Fa
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void continue_pressure<D>(const Coupling<D>&, PastPressure<D>&);                                                  \
+    template void extrapolate_pressure<D>(const Coupling<D>&, PastPressure<D>&);                                               \
     template void subtract_known_gradient<D>(const Coupling<D>&, const PastPressure<D>&, double, FaceField<D>&,                \
                                              FaceField<D, std::int8_t>*);                                                      \
     template FaceField<D> velocity_change<D>(const Coupling<D>&, const PastPressure<D>&, double);                              \

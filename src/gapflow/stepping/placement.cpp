@@ -20,7 +20,7 @@ bool bounded(const RigidBody<D>& body)
 
 constexpr int most_passes = 200;    // that take overlaps out
 constexpr double seen = 1e-6;       // in cells: overlaps that are round-off
-constexpr double left_alone = 1e-2; // in cells: what may stay wedged in without a word
+constexpr double left_alone = 1e-2; // in cells: overlap of wedged bodies that is not reported
 constexpr std::size_t most_named = 6;
 
 /// Vertices of a body's surface and its centre in the world, and the box that holds them.
@@ -74,7 +74,7 @@ bool outside(const Surface<D>& surface, const Scene& scene)
     return false;
 }
 
-/// How deep a solid holds the deepest point of a surface; 0 if it holds none.
+/// Depth in a solid of the deepest point of a surface; 0 if no point lies in it.
 template <int D>
 double depth_in(const Solid<D>& solid, const Surface<D>& surface)
 {
@@ -148,7 +148,7 @@ std::vector<std::string> take_out_overlaps(const Scene& scene, const Grid<D>& gr
     auto pair = [&] { return "'" + solids[deepest->point.a].name + "' and '" + solids[deepest->point.b].name + "'"; };
     const std::string start = pair() + " by " + cells(overlap);
     const std::vector<RigidBody<D>> before = bodies;
-    for (int pass = 0; pass < most_passes && contacts.push_apart(bodies, true); ++pass) {
+    for (int pass = 0; pass < most_passes && contacts.separate(bodies, true); ++pass) {
         solids = make_solids<D>(bodies, walls);
         overlap = find();
     }

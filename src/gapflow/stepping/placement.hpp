@@ -1,4 +1,4 @@
-// Whether bodies are where a computation can begin.
+// Checks of the bodies' positions at the start.
 #pragma once
 
 #include "gapflow/stepping/setup.hpp"
@@ -8,16 +8,17 @@
 
 namespace gapflow {
 
-/// What the user should know of where bodies begin: those wholly outside the domain (prescribed ones may come in), and pairs that
+/// Notes for the user about initial positions: bodies wholly outside the domain (prescribed ones may come in), and pairs that
 /// overlap by more than a cell (fixed and prescribed bodies may reach out through walls). Overlaps are looked for at the bodies'
 /// centres and the vertices of their surfaces.
 template <int D>
 std::vector<std::string> placement_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
                                             const DomainWalls<D>& walls);
 
-/// Moves free bodies out of what they overlap at the start, about as far as the overlaps ask for and whatever their masses. Returns what the
-/// user should know: who was moved and how far, what still overlaps. Where bodies only touch, or none can give way, nothing moves. Throws
-/// InputError if some could give way, but not to where nothing overlaps by more than a cell.
+/// Separates free bodies that overlap at the start, with displacements about as large as the overlaps and independent of
+/// masses. Returns notes for the user: which bodies were moved and how far, which still overlap. Where bodies only touch, or
+/// none can give way, nothing moves. Throws InputError if overlaps of more than a cell remain between bodies that could give
+/// way.
 template <int D>
 std::vector<std::string> take_out_overlaps(const Scene& scene, const Grid<D>& grid, std::vector<RigidBody<D>>& bodies,
                                            const DomainWalls<D>& walls);

@@ -1,6 +1,6 @@
 #include "gapflow/stepping/pressure_history.hpp"
 
-#include "gapflow/stepping/carried_on.hpp"
+#include "gapflow/stepping/extrapolation_share.hpp"
 #include "gapflow/stepping/leaving.hpp"
 
 #include <cmath>
@@ -15,7 +15,7 @@ LastPressure<D> recall_pressure(const Model<D>& model, const Coupling<D>& here, 
     if (model.viscous()) {
         last.bulk = std::move(state.pressure.bulk);
         last.force = std::move(state.pressure.force);
-        const double share = carried_on(step.last_dt, step.dt);
+        const double share = extrapolation_share(step.last_dt, step.dt);
         if (share < 1) {
             for (long i = 0; i < last.bulk.pressure.size(); ++i)
                 last.bulk.pressure.data()[i] *= share;
@@ -74,7 +74,7 @@ void remember_viscous_pressure(const Model<D>& model, const Coupling<D>& there, 
         history.bulk.known(c) = has_pressure;
         history.bulk.pressure(c) = has_pressure ? history.impulse.cells(c) / step.dt - share * divergence(c) : 0.0;
     });
-    // Bodies feel the pressure that the fluid starts from.
+    // The force on bodies belongs to the same pressure as that from which the fluid starts.
     UnknownVector<D> rotational{CellField<D>(grid), Eigen::VectorXd::Zero(there.system.nodes)};
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         rotational.cells(c) = history.bulk.known(c) > 0 ? -share * divergence(c) : 0.0;

@@ -1,4 +1,4 @@
-// What the last step's pressure still does: taken up at a step's start, kept at its end (method, "The time step" and "Viscosity").
+// The last step's pressure: read at a step's start, stored at its end (method, "The time step", "Viscosity").
 #pragma once
 
 #include "gapflow/stepping/state.hpp"
@@ -8,22 +8,24 @@
 
 namespace gapflow {
 
-/// The last step's pressure as far as it goes on.
+/// The part of the last step's pressure that is extrapolated.
 template <int D>
 struct LastPressure {
     PastPressure<D> bulk;
     std::vector<Twist<D>> force; ///< viscous: on every body
 };
 
-/// Takes it out of the state's history. `here`: of the step's start. None where bodies met: what stopped them does not go on. Without viscosity,
-/// nor where a body crosses an open side: about the line where its surface leaves the fluid ideal flow is singular, and the pressure of
-/// one step says nothing of the next. With viscosity only a share of what a much shorter step found goes on, as with bodies' accelerations.
+/// Takes it from the state's history. `here`: of the step's start. None after an impact, because the impulse that stopped a
+/// body must not be extrapolated. Without viscosity none either where a body crosses an open side: around the line where its
+/// surface leaves the fluid ideal flow is singular, and the pressure of one step is no estimate for the next. With viscosity
+/// only a share of the pressure of a much shorter step is used, as with bodies' accelerations.
 template <int D>
 LastPressure<D> recall_pressure(const Model<D>& model, const Coupling<D>& here, const Step& step, State<D>& state);
 
-/// Acceleration of the elements of flat films by the pressure (curved ones would grow about points of contact), in 2D without viscosity;
-/// `before`, `after`: the films' velocities without and with it. The step itself tells of its middle, and, where the flat films' meshes
-/// stay, so did the step before.
+/// Acceleration of the elements of flat films by the pressure (in curved ones it would be unstable near points of contact), in
+/// 2D without viscosity;
+/// `before`, `after`: the films' velocities without and with it. The step gives the value at its middle; where the flat films'
+/// meshes stay the same, the value is extrapolated from the middles of two steps.
 template <int D>
 void remember_film_pressure(const Coupling<D>& there, const std::vector<Vec<D>>& before, const std::vector<Vec<D>>& after,
                             const Step& step, PressureHistory<D>& history);

@@ -12,7 +12,7 @@ namespace gapflow {
 
 namespace {
 
-// A pocket that a prescribed body squeezes has no solution: name it. `magnitude`: of the right-hand side's parts.
+// A pocket squeezed by a prescribed body has no solution: the error names it. `magnitude`: of the right-hand side's parts.
 template <int D>
 void check_compatibility(const Coupling<D>& coupling, const UnknownVector<D>& rhs, double magnitude, long step)
 {
@@ -50,9 +50,10 @@ void check_compatibility(const Coupling<D>& coupling, const UnknownVector<D>& rh
 template <int D>
 Projection<D>::Projection(const ProjectionStart<D>& start, FluidVelocity<D>& velocity, UnknownVector<D>& impulse,
                           const SolverOptions& options, StageTimers& stages)
-    : start_(start), velocity_(velocity), impulse_(impulse), options_(options), stages_(stages), open_flux_(velocity.conduit)
+    : start_(start), velocity_(velocity), impulse_(impulse), options_(options), stages_(stages), open_flux_(velocity.mouth)
 {
-    impulse_.cells.fill(0); // a guess would keep errors of the solver from step to step: symmetric scenes would tell
+    impulse_.cells.fill(
+        0); // an initial guess would carry solver errors from step to step: symmetric scenes would lose their symmetry
     impulse_.nodes.setZero(start_.coupling.system.nodes);
     if (start_.voids)
         wet_.emplace(start_.coupling);
@@ -62,21 +63,21 @@ template <int D>
 void Projection<D>::assemble(bool voids_changed)
 {
     Coupling<D>& coupling = start_.coupling;
-    std::vector<Twist<D>> pushed = start_.forced;
+    std::vector<Twist<D>> with_friction = start_.forced;
     if (start_.contacts) {
         hold_contacts(coupling, start_.contacts->held(), start_.forced);
         const std::vector<Twist<D>> sliding = start_.contacts->sliding_impulses(coupling.solids.size());
         for (std::size_t b = 0; b < start_.bodies.size(); ++b)
             if (start_.bodies[b].motion == Motion::free)
-                pushed[b] += impulse_response(start_.bodies[b], sliding[b], start_.dt);
+                with_friction[b] += impulse_response(start_.bodies[b], sliding[b], start_.dt);
     }
-    without_pressure_ = intermediate_twists(coupling, start_.masses, pushed, velocity_.film_normal, held_impulse_);
+    without_pressure_ = intermediate_twists(coupling, start_.masses, with_friction, velocity_.film_normal, held_impulse_);
     if (voids_changed) {
         hold_voids();
         solver_.reset();
     }
     if (wet_)
-        wet_->push(without_pressure_, held_impulse_);
+        wet_->add_void_impulse(without_pressure_, held_impulse_);
     outflow(coupling, velocity_, without_pressure_, rhs_, &squares_);
     for (long i = 0; i < rhs_.cells.size(); ++i)
         rhs_.cells.data()[i] *= -1;
@@ -115,14 +116,14 @@ ContactChange Projection<D>::update_contacts(const NearInertia<D>& inertia, doub
                            : ContactChange::none;
 }
 
-// The voids as the active set has them leave the system, and shut mouths with them: what their masters carry does not pass them.
+// Removes the voids of the active set and shut mouths from the system: the flux of shut mouths, also with their masters, is 0.
 template <int D>
 void Projection<D>::hold_voids()
 {
     const VoidSet<D>& voids = *start_.voids;
     wet_->take_out(voids.is_void(), voids.impulses(start_.dt), voids.shut());
     for (std::size_t r = 0; r < open_flux_.size(); ++r)
-        velocity_.conduit[r] = voids.shut()[r] ? 0.0 : open_flux_[r];
+        velocity_.mouth[r] = voids.shut()[r] ? 0.0 : open_flux_[r];
     for (int node = 0; node < start_.coupling.network.nodes; ++node)
         if (voids.is_void()[node])
             impulse_.nodes[node] = 0;
@@ -143,14 +144,14 @@ bool Projection<D>::update_voids(double tolerance, const Rounds& rounds, bool co
     const bool nodes = voids.update(impulse_.nodes + wet_->given(), outflow, start_.dt, accuracy, at_once);
     if (nodes && !at_once)
         return true;
-    const std::vector<Conduit<D>>& conduits = start_.coupling.network.mouths.conduits;
+    const std::vector<Mouth<D>>& mouths = start_.coupling.network.rim.mouths;
     std::vector<double> flux; // seen from the masters
-    for (std::size_t r = 0; r < conduits.size(); ++r)
-        flux.push_back(velocity_.conduit[r] + wet_->conductance(r) * drop[r] +
+    for (std::size_t r = 0; r < mouths.size(); ++r)
+        flux.push_back(velocity_.mouth[r] + wet_->conductance(r) * drop[r] +
                        (voids.shut()[r] ? 0.0
                                         : entrained_flux(start_.coupling, r, twists_) -
-                                              carried_flux<D>(start_.coupling, conduits[r], twists_)));
-    return voids.update_mouths(conduits, flux, drop, accuracy, at_once) || nodes;
+                                              carried_flux<D>(start_.coupling, mouths[r], twists_)));
+    return voids.update_mouths(mouths, flux, drop, accuracy, at_once) || nodes;
 }
 
 template <int D>

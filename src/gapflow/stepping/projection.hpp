@@ -1,4 +1,5 @@
-// The coupled system of a projection (method, "The coupled system") with contacts and voids as their sets have them, and its solves.
+// The coupled system of a projection (method, "The coupled system") with the current sets of contacts and voids, and its
+// solves.
 #pragma once
 
 #include "gapflow/body/rigid_body.hpp"
@@ -15,7 +16,7 @@
 
 namespace gapflow {
 
-/// What a projection starts from. All of it lives longer than the projection.
+/// Input of a projection. All of it must outlive the projection.
 template <int D>
 struct ProjectionStart {
     Coupling<D>& coupling;
@@ -31,20 +32,22 @@ struct ProjectionStart {
 template <int D>
 class Projection {
 public:
-    /// `velocity`: u*; mouths that voids shut lose theirs. `impulse`: becomes that of the pressure.
+    /// `velocity`: u*; the flux of mouths that voids shut becomes 0. `impulse`: becomes that of the pressure.
     Projection(const ProjectionStart<D>& start, FluidVelocity<D>& velocity, UnknownVector<D>& impulse,
                const SolverOptions& options, StageTimers& stages);
 
-    /// The system as the sets are now: held contacts, sliding pulls, voids; V* and the right-hand side. Throws ComputationError where incompressible
+    /// Assembles the system with the current sets: held contacts, sliding friction, voids; V* and the right-hand side. Throws
+    /// ComputationError where incompressible
     /// fluid has no way out. Collective.
     void assemble(bool voids_changed);
     /// Pressure and twists of the end of the step. Collective.
     SolveReport solve(double tolerance);
-    /// What the solve makes of the contacts; they change. `inertia`: for their forecast.
+    /// Updates the contacts after the solve. `inertia`: for their forecast.
     ContactChange update_contacts(const NearInertia<D>& inertia, double tolerance, const Rounds& rounds);
-    /// Void nodes and their mouths after the solve: true if some changed; one at a time, after the contacts, once that must be.
+    /// Updates void nodes and their mouths after the solve; true if some changed. In late rounds one at a time, once the
+    /// contacts do not change.
     bool update_voids(double tolerance, const Rounds& rounds, bool contacts_changed);
-    /// Puts the voids' pressure into the impulse and the coupling back as it was.
+    /// Adds the voids' pressure to the impulse and restores the coupling.
     void finish_voids();
 
     /// Twists of the end of the step, of all solids.
@@ -53,7 +56,7 @@ public:
     const std::vector<Twist<D>>& without_pressure() const { return without_pressure_; }
     /// L p + K V + D u* of the film nodes after the last update_voids(); else empty.
     const Eigen::VectorXd& node_outflow() const { return node_outflow_; }
-    /// Whether contacts or voids hold something.
+    /// Whether any contact holds or any node is a void.
     bool holds() const { return start_.voids || start_.coupling.system.contact.rows() > 0; }
     bool corrects_bodies() const { return solver_->corrects_bodies(); }
     double solver_seconds() const { return solver_seconds_; }

@@ -27,7 +27,7 @@ Vec<D> velocity_at_face(const FaceField<D>& u, int axis, const Index<D>& f)
     return value;
 }
 
-// Component along `axis` of n n . (U_b - u) at a face: what u lacks of the nearest solid's normal velocity.
+// Component along `axis` of n n . (U_b - u) at a face: the difference of u from the nearest solid's normal velocity.
 template <int D>
 double normal_surplus(const Coupling<D>& c, const FaceField<D>& u, int axis, const Index<D>& f, const std::vector<Twist<D>>& V,
                       std::vector<int>& near)
@@ -35,7 +35,7 @@ double normal_surplus(const Coupling<D>& c, const FaceField<D>& u, int axis, con
     const Grid<D>& grid = *c.grid;
     const Vec<D> x = grid.face_centre(axis, f);
     c.clipper->near(x, grid.dx(), near);
-    // Halfway between two solids either counts by half: which comes first in the scene must not matter.
+    // Halfway between two solids each counts by half, so that the order in the scene has no influence.
     const auto& images = c.clipper->images();
     double distance = grid.dx();
     for (int i : near)
@@ -57,7 +57,7 @@ double normal_surplus(const Coupling<D>& c, const FaceField<D>& u, int axis, con
 }
 
 // Extrapolated velocities keep the solids' normal velocity: u += n n . (U_b - u) with the nearest solid's n. Without it a face
-// that a moving surface uncovers brings momentum through that surface, a kick on the body that does not shrink with dt.
+// that a moving surface uncovers transports momentum through that surface, an impulse on the body that does not shrink with dt.
 template <int D>
 void follow_solids(const Coupling<D>& c, const FaceField<D, std::int8_t>& valid, const std::vector<Twist<D>>& V,
                    const BoundaryVelocity<D>& sides, FaceField<D>& u)
@@ -78,7 +78,8 @@ void follow_solids(const Coupling<D>& c, const FaceField<D, std::int8_t>& valid,
     fill_velocity_ghosts(grid, u, sides);
 }
 
-// Faces of film cells get the film's velocity: along it the film's own, across it what the walls give it.
+// Faces of film cells get the film's velocity: its tangential component the film's own, its normal component the one given by
+// the walls.
 template <int D>
 void paint_films(const Coupling<D>& c, Reconstruction<D>& into, FaceField<D, std::int8_t>& valid)
 {
@@ -90,7 +91,7 @@ void paint_films(const Coupling<D>& c, Reconstruction<D>& into, FaceField<D, std
             continue;
         const Film<D>& film = network.films[cell.owner];
         const PlacedShape<D>& master = c.solids[film.pair.master].shape;
-        const FilmMemory<D>& memory = *into.memories.at(film.pair);
+        const FilmHistory<D>& memory = *into.histories.at(film.pair);
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
             const Index<D> f = grid.wrapped(side.face);
             const Index<D> end = owned_faces_end(grid, side.axis);
@@ -106,7 +107,8 @@ void paint_films(const Coupling<D>& c, Reconstruction<D>& into, FaceField<D, std
     }
 }
 
-// Faces whose velocity is the fluid's own or given; those that are open but no wider than `widest` go to `slivers` with what they have.
+// Faces whose velocity is the fluid's own or given; those that are open but no wider than `widest` are added to `slivers` with
+// their velocities.
 template <int D>
 FaceField<D, std::int8_t> known_faces(const Coupling<D>& c, double widest, const FaceField<D>& u,
                                       std::vector<Sliver<D>>& slivers)
@@ -116,8 +118,8 @@ FaceField<D, std::int8_t> known_faces(const Coupling<D>& c, double widest, const
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
         const int n = end[0] - low[0];
-        // What walls and inflow give counts everywhere on their sides. A face of an open side that a body covers has no velocity of its own:
-        // nothing would bound what advection makes of it from step to step.
+        // The velocities of walls and inflow hold everywhere on their sides. A face of an open side that a body covers has no
+        // velocity of its own: its advected value would be unbounded from step to step.
         auto given = [&](int end) { return !grid.periodic(axis) && grid.side(axis, end) != SideKind::open; };
         auto at_side = [&](int place) { return (place == 0 && given(0)) || (place == grid.cells()[axis] && given(1)); };
         auto of_plane = [&](int plane) {
@@ -169,8 +171,8 @@ Reconstruction<D> reconstruct(const Model<D>& model, const Coupling<D>& here, St
     Reconstruction<D> result;
     FaceField<D, std::int8_t> valid = known_faces(here, widest_sliver(model, state.dt), u, result.slivers);
 
-    result.memories = remember_films<D>(here.network, here.solids, V, state.velocity.film, state.velocity.conduit, grid.dx(),
-                                        state.voids.empty_elements(here.network), state.pressure.film);
+    result.histories = remember_films<D>(here.network, here.solids, V, state.velocity.film, state.velocity.mouth, grid.dx(),
+                                         state.voids.empty_elements(here.network), state.pressure.film);
     result.film_faces = FaceField<D, std::int8_t>(grid);
     result.any_film_faces = !here.network.films.empty();
     if (result.any_film_faces) {

@@ -29,9 +29,10 @@ bool Rounds::go_on(ContactChange contacts, bool voids)
     if (unsettled_ || (exactly && !changed_))
         return false;
     if (round_ > most_rounds / 2)
-        level_ = rough_tolerances.size(); // the fluid's balance holds whatever contacts do
+        level_ = rough_tolerances
+                     .size(); // full tolerance: the fluid's balance then holds even if the contacts' states do not converge
     else if (!exactly && !voids && contacts != ContactChange::states)
-        ++level_; // pulls settle on the way
+        ++level_; // sliding friction alone changes: use the next tolerance
     ++round_;
     return true;
 }

@@ -1,6 +1,6 @@
 // The rounds of a projection over its unilateral conditions (method, "Contact", "Voids: dry contact and cavitation"): contacts that hold or open,
-// film nodes that are void or wet. Each round solves with the sets as they are, looks which of them are wrong, and changes those. Rough solves
-// find the sets, exact ones confirm them.
+// film nodes that are void or wet. Each round solves with the current sets, tests their conditions, and changes the states that
+// violate them. Rough solves find the sets, exact ones confirm them.
 #pragma once
 
 #include "gapflow/stepping/contact_set.hpp"
@@ -26,8 +26,8 @@ public:
     bool exact() const { return level_ == rough_tolerances.size() || (round_ == 0 && expect_none_); }
     /// Of the round's solve, relative. `full`: of one without sets; `holds`: something is held by contacts or voids.
     double tolerance(double full, bool holds) const;
-    /// What a contact's impulse may be, of the largest, and count as nothing: one that is next to nothing may flip for ever, so it grows with the
-    /// rounds, and as they repeat.
+    /// Threshold below which a contact's impulse counts as zero, relative to the largest. Contacts with negligible impulses may
+    /// alternate without end, so it grows with the rounds and with each repetition.
     double accuracy(double tolerance) const;
     /// Whether voids may change all at once; later, one at a time.
     bool voids_at_once() const { return round_ < void_rounds_at_once; }
@@ -36,7 +36,7 @@ public:
     bool changed() const { return changed_; }
     /// Whether voids have.
     bool voids_changed() const { return voids_changed_; }
-    /// After a solve: what it made of contacts and voids. True if another round is to follow.
+    /// To be called after a solve with its changes of contacts and voids. True if another round is to follow.
     bool go_on(ContactChange contacts, bool voids);
     /// Whether the rounds ended with sets that are still wrong.
     bool unsettled() const { return unsettled_; }
@@ -46,14 +46,15 @@ public:
 private:
     // While contacts change, their solves go to this relative residual only; and so many times at most.
     static constexpr std::array<double, 3> rough_tolerances = {1e-2, 1e-4, 1e-6};
-    // Of the tolerance once they are settled: what the contacts hold is small against the weights that the fluid holds.
+    // Part of the tolerance once they do not change: the contacts' forces are small compared with the weights that the fluid
+    // supports.
     static constexpr double settled_tolerance = 0.1;
     // Voids change all at once in the first rounds, then one at a time.
     static constexpr int void_rounds_at_once = 40;
 
     int round_ = 0;
-    std::size_t level_; ///< rough tolerances to which the sets were right
-    int circles_ = 0;   ///< how often they came round to what they were, in exact solves
+    std::size_t level_; ///< rough tolerances at which the sets did not change
+    int circles_ = 0;   ///< number of repetitions of earlier sets, in exact solves
     bool sets_, expect_none_, changed_ = true, voids_changed_, unsettled_ = false;
 };
 

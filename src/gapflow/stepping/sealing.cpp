@@ -16,13 +16,13 @@ namespace gapflow {
 
 namespace {
 
-constexpr double rough = 0.01;           // in cells: a floor of a film that counts as a way out
-constexpr double touching = 1.05;        // of the floor, or of the distance at which a contact holds
-constexpr double round_off = 1e-7;       // in cells, of thicknesses
-constexpr double nothing = 1e-2;         // of what moves about: changes of a pocket's volume that are errors of its surface
-constexpr double parting = 1e-4;         // of the largest speed: a ball held in its seat spins by what the solver leaves
-constexpr double immovable = 5e-3;       // of a pocket's surface: the part that a body may give way with, and seem not to
-constexpr std::size_t most_bodies = 150; // that hang together around a pocket; with more nothing is said
+constexpr double rough = 0.01;     // in cells: a floor of a film that counts as a way out
+constexpr double touching = 1.05;  // of the floor, or of the distance at which a contact holds
+constexpr double round_off = 1e-7; // in cells, of thicknesses
+constexpr double nothing = 1e-2;   // of the fluxes around it: changes of a pocket's volume that are errors of its surface
+constexpr double parting = 1e-4;   // of the largest speed: a ball held in its seat spins at the level of the solver's tolerance
+constexpr double immovable = 5e-3; // of a pocket's surface: parts of a moving body below this count as immovable
+constexpr std::size_t most_bodies = 150; // connected around a pocket; with more the check is omitted
 
 // Calls f(side, cell, face) for this rank's faces of inflow sides; side = 2 * axis + end.
 template <int D, class F>
@@ -93,7 +93,7 @@ std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<Ga
     return shut;
 }
 
-// What goes into the pockets: of every part, from every solid and side, and the sums of magnitudes.
+// Fluxes into the pockets: of every part, from every solid and side, and the sums of magnitudes.
 template <int D>
 class Balance {
 public:
@@ -179,7 +179,7 @@ bool anything_prescribed(const Coupling<D>& coupling, const std::vector<Twist<D>
     return any;
 }
 
-// Parts of the fluid with the shut nodes closed: what goes into them, and what they push at.
+// Parts of the fluid with the shut nodes closed: the fluxes into them, and the bodies on which their pressure acts.
 template <int D>
 struct Pockets {
     Pockets(const Coupling<D>& of, const std::vector<char>& shut, const std::vector<Twist<D>>& twists,
@@ -191,7 +191,7 @@ struct Pockets {
         for (int k = 0; k < count(); ++k)
             is_pocket[k] = !parts.components[k].grounded;
         for (int node = 0; node < coupling.system.nodes; ++node)
-            if (shut[node]) // what squeezes these is contact's affair
+            if (shut[node]) // the volume of these is the contact's condition
                 is_pocket[parts.node_component[node]] = 0;
     }
 
@@ -200,13 +200,13 @@ struct Pockets {
     {
         return std::abs(balance.driven.col(k).sum()) > nothing * std::max(balance.magnitude.col(k).maxCoeff(), 1e-6 * largest);
     }
-    /// Whether a solid or side goes its way whatever the pressure.
+    /// Whether a solid or side moves independently of the pressure.
     bool prescribed(int cause) const
     {
         return cause >= static_cast<int>(coupling.solids.size()) || coupling.free_body[cause] < 0 ||
                gives_way == GivesWay::nothing;
     }
-    bool pushes(int k, int b) const { return forces.col(k).template segment<twist_size<D>>(twist_size<D> * b).norm() > 0; }
+    bool acts_on(int k, int b) const { return forces.col(k).template segment<twist_size<D>>(twist_size<D> * b).norm() > 0; }
 
     const Coupling<D>& coupling;
     GivesWay gives_way;
@@ -218,12 +218,13 @@ struct Pockets {
     std::vector<char> is_pocket;
 };
 
-// Pockets and free bodies that hang together.
+// Connected pockets and free bodies.
 struct Chain {
     std::set<int> pockets, bodies;
 };
 
-// Pockets that hang together by bodies that can give way, from those on which something prescribed acts on. None if too many bodies do.
+// Pockets connected by bodies that can give way, starting from those on which prescribed motion or inflow acts. None if too
+// many bodies are connected.
 template <int D>
 Chain driven_chain(const Pockets<D>& all, const std::vector<Contact<D>>& contacts)
 {
@@ -238,7 +239,7 @@ Chain driven_chain(const Pockets<D>& all, const std::vector<Contact<D>>& contact
     for (bool grows = !pockets.empty() && all.gives_way != GivesWay::nothing; grows;) {
         const std::size_t before = pockets.size() + bodies.size();
         for (int b = 0; b < coupling.system.bodies; ++b)
-            if (std::any_of(pockets.begin(), pockets.end(), [&](int k) { return all.pushes(k, b); }))
+            if (std::any_of(pockets.begin(), pockets.end(), [&](int k) { return all.acts_on(k, b); }))
                 bodies.insert(b);
         for (const Contact<D>& c : contacts) {
             const int a = coupling.free_body[c.point.a], b = coupling.free_body[c.point.b];
@@ -249,7 +250,7 @@ Chain driven_chain(const Pockets<D>& all, const std::vector<Contact<D>>& contact
             }
         }
         for (int k = 0; k < all.count(); ++k)
-            if (all.is_pocket[k] && std::any_of(bodies.begin(), bodies.end(), [&](int b) { return all.pushes(k, b); }))
+            if (all.is_pocket[k] && std::any_of(bodies.begin(), bodies.end(), [&](int b) { return all.acts_on(k, b); }))
                 pockets.insert(k);
         if (bodies.size() > most_bodies)
             return {};
@@ -284,7 +285,7 @@ struct ChainBodies {
     std::vector<double> size;
 };
 
-// Takes out of the columns of X what the contacts that hold bear.
+// Removes from the columns of X the part that held contacts support.
 template <int D>
 void take_out_contacts(const ChainBodies<D>& bodies, const std::vector<Contact<D>>& contacts, Eigen::MatrixXd& X)
 {
@@ -370,7 +371,8 @@ std::string where_is(const Grid<D>& grid, const FluidParts<D>& parts, int part)
     return where;
 }
 
-// What changes the volume of the pockets in `list` under pressures c, and of which most; empty: nothing does.
+// The solids and sides that change the volume of the pockets in `list` under pressures c, and the pocket that changes most;
+// empty: none.
 template <int D>
 std::string squeeze_by(const Pockets<D>& all, const std::vector<int>& list, const Eigen::VectorXd& c)
 {
@@ -384,7 +386,7 @@ std::string squeeze_by(const Pockets<D>& all, const std::vector<int>& list, cons
     }
     if (!(std::abs(of_cause.sum()) > nothing * most) || !(most > 0))
         return {};
-    long k = 0; // the pocket that says most
+    long k = 0; // the pocket with the largest change
     for (long i = 0; i < wide; ++i)
         if (std::abs(c[i] * balance.driven.col(list[i]).sum()) > std::abs(c[k] * balance.driven.col(list[k]).sum()))
             k = i;

@@ -13,7 +13,7 @@ namespace {
 
 // h_floor in cells: touching or overlapping surfaces keep a finite system.
 constexpr double floor_in_cells = 1e-9;
-// Solids that stand still touch, and are one, where they are no further apart than this, in cells, or the roughness.
+// Solids at rest count as touching, and as one solid, where they are no further apart than this, in cells, or the roughness.
 constexpr double touching_in_cells = 1e-6;
 // Automatic h_c in cells: two flat surfaces; a curved one, for added mass alone, in motion, and in motion in viscous
 // fluid in 2D.

@@ -1,4 +1,4 @@
-// From a scene to the objects that a computation works on: grid, bodies, domain walls, gap settings.
+// Objects of a computation built from a scene: grid, bodies, domain walls, gap settings.
 #pragma once
 
 #include "gapflow/body/rigid_body.hpp"
@@ -47,8 +47,8 @@ template <int D>
 std::vector<Solid<D>> make_solids(const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls);
 
 /// Gap settings of every pair, by solid numbers. `moving`: for time steps (curved bodies get a larger h_c than for added mass
-/// alone, because the bulk cannot advect in a gap of one or two cells; dry pairs have a skin, so that touching they let nothing
-/// through, while added mass knows no voids).
+/// alone, because the bulk cannot advect in a gap of one or two cells; dry pairs have a skin, so that they are impermeable in
+/// contact; added mass does not account for voids).
 template <int D>
 std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std::vector<Solid<D>>& solids, bool moving);
 

@@ -1,7 +1,7 @@
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/stepping/configuration.hpp"
-#include "gapflow/stepping/film_turn.hpp"
+#include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/motion.hpp"
@@ -58,7 +58,8 @@ StoredState Simulation<D>::state() const
 {
     StoredState stored;
     StateArchive archive(stored);
-    list_state(archive, model_, const_cast<State<D>&>(state_)); // one list for both ways; storing changes nothing
+    list_state(archive, model_,
+               const_cast<State<D>&>(state_)); // one list for storing and restoring; storing does not change the object
     return stored;
 }
 
@@ -67,18 +68,18 @@ StepReport Simulation<D>::step(double next_output)
 {
     const Stopwatch watch;
     StepReport report;
-    const Step step = choose_step(model_, state_, *here_, beyond_.memories, next_output);
+    const Step step = choose_step(model_, state_, *here_, beyond_.histories, next_output);
     const std::vector<Whereabouts> places = whereabouts(model_.scene, state_.bodies);
     LastPressure<D> past = recall_pressure(model_, *here_, step, state_);
     state_.turned = model_.viscous() ? std::set<FilmPair<D>>()
-                                     : turning_films<D>(*here_, model_.twists(state_.bodies), state_.acceleration, model_.gaps,
-                                                        model_.mouths);
+                                     : reversing_films<D>(*here_, model_.twists(state_.bodies), state_.acceleration,
+                                                          model_.gaps, model_.mouths);
     state_.bodies = timed(stages_, "bodies", [&] { return moved(std::move(state_.bodies), step); });
     timed(stages_, "contact", [&] { find_contacts(model_, state_, step); });
     const std::vector<TwistMatrix<D>> mass = model_.masses(state_.bodies, step.dt);
     LeftBehind<D> left = leave(here_);
     state_.films_before = std::move(left.films);
-    Coupling<D> there = configure(model_, state_, mass, beyond_.memories, step, report, stages_);
+    Coupling<D> there = configure(model_, state_, mass, beyond_.histories, step, report, stages_);
     Intermediate<D> star = timed(stages_, "advection", [&] {
         return transport(model_, state_, std::move(beyond_), past.bulk, there, *left.fractions, step);
     });
@@ -99,7 +100,7 @@ StepReport Simulation<D>::step(double next_output)
     return report;
 }
 
-// The state's sums, and films that end blindly, once each.
+// The state's sums, and films with blind ends, once each.
 template <int D>
 void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
 {

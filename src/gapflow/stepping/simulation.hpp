@@ -17,7 +17,8 @@ class Simulation {
 public:
     /// Builds the state at time 0 and projects the fluid's initial velocity. Throws InputError, ComputationError. Collective.
     Simulation(const Scene& scene, const Communicator& comm);
-    /// Goes on from what state() gave, on any number of ranks: bit for bit on the same number of ranks and threads. Throws also
+    /// Continues from a state that state() returned, on any number of ranks: with the same bits on the same number of ranks and
+    /// threads. Throws also
     /// StateError if the state is not of this scene's grid and bodies. Collective.
     Simulation(const Scene& scene, const Communicator& comm, const StoredState& state);
 
@@ -39,7 +40,7 @@ public:
     const FluidVelocity<D>& velocity() const { return state_.velocity; }
     /// Reduced pressure (p - rho g.x), averaged over the last step: bulk and mixed cells, film nodes.
     UnknownVector<D> reduced_pressure() const { return gapflow::reduced_pressure(state_); }
-    /// What to add to the reduced pressure at x for the full pressure.
+    /// Full pressure minus reduced pressure at x.
     double hydrostatic(const Vec<D>& x) const { return model_.hydrostatic(x); }
     /// Fluid force and torque on every body about its centre of mass, averaged over the step, buoyancy included.
     const std::vector<Twist<D>>& fluid_wrenches() const { return state_.wrenches; }
@@ -47,9 +48,9 @@ public:
     /// Voids in the films.
     const VoidSet<D>& voids() const { return state_.voids; }
     Budget<D> budget() const { return gapflow::budget(model_, *here_, state_, model_.twists(state_.bodies)); }
-    /// Report of the state at the start (step 0; of a simulation that goes on from a stored state: of that one).
+    /// Report of the state at the start (step 0, or the stored state from which the simulation continues).
     const StepReport& initial_report() const { return initial_report_; }
-    /// All that the next step depends on beside the scene. Collective.
+    /// Everything on which the next step depends, apart from the scene. Collective.
     StoredState state() const;
     /// Time spent in each stage so far.
     const StageTimers& stages() const { return stages_; }
@@ -59,9 +60,9 @@ private:
 
     Model<D> model_;
     State<D> state_;
-    std::optional<Coupling<D>> here_; ///< follows from the state, as what traces read beyond the fluid does
+    std::optional<Coupling<D>> here_; ///< follows from the state, as `beyond_` does
     Reconstruction<D> beyond_;
-    std::set<FilmPair<D>> blind_told_; ///< pairs whose films' blind ends were told of
+    std::set<FilmPair<D>> blind_told_; ///< pairs whose films' blind ends have been reported
     StepReport initial_report_;
     StageTimers stages_;
 };

@@ -52,8 +52,8 @@ void fill_films(const Coupling<D>& here, const Vec<D>& u0, const std::vector<Twi
         for (const FilmElement<D>& e : film.mesh.elements)
             u.film.push_back(u0 - u0.dot(e.normal) * e.normal);
     u.film_normal = wall_normal_speed<D>(here.network, here.solids, V);
-    for (const Conduit<D>& conduit : here.network.mouths.conduits)
-        u.conduit.push_back(conduit.length * conduit.h * conduit.outward.dot(u0));
+    for (const Mouth<D>& mouth : here.network.rim.mouths)
+        u.mouth.push_back(mouth.length * mouth.h * mouth.outward.dot(u0));
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double round_off = 1e-8; // in cells, and of the floor 1e-3: surfaces that touch
 constexpr double patch = 0.1;      // in cells: the size of a part of a film that lies flat
-constexpr double stiffness = 1e10; // against the masses: what is left of a speed
+constexpr double stiffness = 1e10; // relative to the masses: its inverse is the remaining part of a speed
 constexpr double same = 1e-6;      // of the largest speed
 
 // A place where two solids lie on each other: opening rate row_a . V_a + row_b . V_b.
@@ -55,7 +55,7 @@ double largest_rate(const std::vector<Touch<D>>& touches, const std::vector<Twis
     return largest;
 }
 
-// The twists next to the given ones, in the metric of mass, that leave next to nothing of the rates.
+// The twists nearest to the given ones, in the metric of mass, with negligible rates.
 template <int D>
 std::vector<Twist<D>> without_rates(const std::vector<Touch<D>>& touches, const std::vector<RigidBody<D>>& bodies,
                                     const std::vector<Solid<D>>& solids, bool prescribed_too, std::vector<Twist<D>> V)

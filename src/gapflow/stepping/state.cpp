@@ -1,9 +1,9 @@
-// The lists of list_state() are all that goes from step to step. A class that carries something between steps has its own list_state(), called
-// here.
+// The lists of list_state() contain the whole state between steps. A class with state between steps has its own list_state(),
+// called here.
 #include "gapflow/stepping/state.hpp"
 
 #include "gapflow/body/body_state.hpp"
-#include "gapflow/film/film_state.hpp"
+#include "gapflow/film/film_pair_state.hpp"
 #include "gapflow/grid/whole_field.hpp"
 
 #include <algorithm>
@@ -93,7 +93,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         archive("push", pressure.film);
         archive("last_push", pressure.film_mean);
     });
-    archive("conduit_flux", state.velocity.conduit);
+    archive("conduit_flux", state.velocity.mouth);
     if (model.viscous())
         archive.group("viscosity", [&] {
             list_field(archive, "pressure", grid, pressure.bulk.pressure);

@@ -1,4 +1,4 @@
-// One time step: what every stage knows of it, and what it reports.
+// Data of one time step for all stages, and its report.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct Step {
     double end() const { return start + dt; }
 };
 
-/// What a step did, and the state's sums after it.
+/// Result of a step, and the state's sums after it.
 struct StepReport {
     long step = 0;
     double time = 0, dt = 0;
@@ -25,9 +25,9 @@ struct StepReport {
     int viscous_iterations = 0;                        ///< of the bulk's viscous solve
     double residual = 0, divergence_max = 0;           ///< divergence: net outflow of a cell over its volume, 1/time
     double energy_fluid = 0, energy_bodies = 0;        ///< as in Budget
-    double dissipation_grid = 0, dissipation_film = 0; ///< power that viscosity takes, in the bulk and in films
+    double dissipation_grid = 0, dissipation_film = 0; ///< power that viscosity dissipates, in the bulk and in films
     double seconds = 0;
-    std::vector<std::string> notes; ///< for the user, once each: thin bodies, contacts that do not settle, blind film ends
+    std::vector<std::string> notes; ///< for the user, once each: thin bodies, contacts that do not converge, blind film ends
 };
 
 } // namespace gapflow

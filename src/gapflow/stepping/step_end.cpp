@@ -8,8 +8,8 @@ namespace gapflow {
 
 namespace {
 
-// Velocities of the end of the step: what the pressure leaves of u*, and what both walls of films and mouths carry along. `met`: something
-// met in the step, and the pressure's history is forgotten.
+// Velocities of the end of the step: u* minus the pressure gradient, plus the flux that both walls of films and mouths drag
+// along. `met`: there was an impact in the step, and the pressure's history is invalidated.
 template <int D>
 void take_velocities(const Model<D>& model, const Coupling<D>& there, Projected<D>& end, bool met, const Step& step,
                      State<D>& state)
@@ -26,9 +26,9 @@ void take_velocities(const Model<D>& model, const Coupling<D>& there, Projected<
     const VoidSet<D>& voids = state.voids;
     if (!(step.dt > 0 && voids.any()))
         return;
-    for (std::size_t r = 0; r < u.conduit.size(); ++r)
+    for (std::size_t r = 0; r < u.mouth.size(); ++r)
         if (voids.shut()[r])
-            u.conduit[r] += carried_flux<D>(there, there.network.mouths.conduits[r], V) - entrained_flux(there, r, V);
+            u.mouth[r] += carried_flux<D>(there, there.network.rim.mouths[r], V) - entrained_flux(there, r, V);
     const std::vector<char> is_empty = voids.empty_elements(there.network);
     rest_in_voids<D>(there, is_empty, V, u.film);
     follow_front<D>(there, end.was_empty, is_empty, voids.is_void(), V, u);

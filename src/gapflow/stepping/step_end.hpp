@@ -1,4 +1,5 @@
-// The end of a step: velocities, bodies, wrenches and the pressure's history from what the projection found (method, "The time step", stage 6).
+// The end of a step: velocities, bodies, wrenches and the pressure's history from the result of the projection (method, "The
+// time step", stage 6).
 #pragma once
 
 #include "gapflow/stepping/diffusion.hpp"
@@ -6,7 +7,7 @@
 
 namespace gapflow {
 
-/// Takes the projection's end into the state. `twists`: V* before the projection; `past`: its storage is used
+/// Updates the state with the result of the projection. `twists`: V* before the projection; `past`: its storage is used
 /// again; `diffusion`: viscous only. Collective.
 template <int D>
 void take_up(const Model<D>& model, const Coupling<D>& there, Projected<D> end, const std::vector<TwistMatrix<D>>& mass,

@@ -3,7 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/threads.hpp"
-#include "gapflow/stepping/film_turn.hpp"
+#include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/reconstruction.hpp"
 
 #include <algorithm>
@@ -16,18 +16,19 @@ namespace gapflow {
 
 namespace {
 
-// Films between curved surfaces: dt <= this * sqrt(2 R h) / |u - P U_m|, the length not less than so many dx: next to nothing flows in the
-// throat of a contact, at a speed without bound (in 3D it is singular there), and films' transport is stable without following it.
+// Films between curved surfaces: dt <= this * sqrt(2 R h) / |u - P U_m|, the length at least so many dx: in the throat of a
+// contact the flux is negligible and its speed unbounded (in 3D it is singular), and the films' transport is stable without
+// resolving it.
 constexpr double curved_film_cfl = 0.1;
 template <int D>
 constexpr double least_film_length = D == 2 ? 1.0 : 5.0;
 // A swing or an oscillation on a spring gets this many steps a period.
 constexpr double steps_a_period = 20;
-// A spring's oscillation of a smaller amplitude, in dx, is left to the implicit step.
+// A spring's oscillation of a smaller amplitude, in dx, does not limit the step, which is implicit.
 constexpr double invisible_amplitude = 1e-3;
-// Steps below this times time.max_step mean that something grows without bound.
+// Steps below this times time.max_step indicate unbounded growth.
 constexpr double smallest_step = 1e-9;
-// Bodies that cannot give way and have met: steps below this times time.max_step would crawl on for ever.
+// Bodies that cannot give way and have met: with steps below this times time.max_step the run would not end.
 constexpr double driven_step = 1e-3;
 
 std::string short_text(double value)
@@ -75,8 +76,8 @@ double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const T
     return 2 * std::numbers::pi / (steps_a_period * std::max(frequency, tiny));
 }
 
-// What a film's thickness may change in a step, at speeds V and accelerations A of the solids. Throws ComputationError where prescribed bodies
-// have met and go on.
+// Step size for the allowed change of a film's thickness, at speeds V and accelerations A of the solids. Throws
+// ComputationError where prescribed bodies have met and continue to approach.
 template <int D>
 double limit_of_closing(const FilmMesh<D>& mesh, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& V,
                         const std::vector<Twist<D>>& A, const Scene& scene, double floor, double time, double dx)
@@ -100,7 +101,7 @@ double limit_of_closing(const FilmMesh<D>& mesh, const std::vector<Solid<D>>& so
             throw ComputationError("prescribed motion drives '" + master.name + "' and '" + other.name +
                                    "' into each other at time " + short_text(time) +
                                    "; let it stop before they touch, or let one of them be free");
-        // What is left to the contact thickness limits the step too.
+        // The distance remaining to the contact thickness limits the step too.
         const double left = thickness > 0 ? std::max(distance - thickness, smallest_limiting_gap * dx) : h;
         dt = std::min(dt, scene.gap_cfl * std::min(h, left) / std::max(rate(V), tiny));
         dt = std::min(dt, std::sqrt(2 * scene.gap_cfl * h / std::max(rate(A), tiny)));
@@ -110,14 +111,14 @@ double limit_of_closing(const FilmMesh<D>& mesh, const std::vector<Solid<D>>& so
 
 // How far the flow of a curved film may go in a step. `first`: of its elements in its pair's memory.
 template <int D>
-double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const FilmMemory<D>& memory, int first, double dx)
+double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const FilmHistory<D>& memory, int first, double dx)
 {
     const double curvature = std::abs(master.shape.shape().curvature(0));
     double dt = std::numeric_limits<double>::infinity();
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const FilmElement<D>& element = mesh.elements[e];
         const double h = element.volume / element.measure;
-        if (element.coarse || !(curvature > 0 && h > smallest_limiting_gap * dx)) // thinner, it holds next to nothing
+        if (element.coarse || !(curvature > 0 && h > smallest_limiting_gap * dx)) // thinner, its fluid is negligible
             continue;
         const double relative = memory.speed_about(first + static_cast<int>(e));
         dt = std::min(dt, curved_film_cfl * std::max(std::sqrt(2 * h / curvature), least_film_length<D> * dx) /
@@ -129,7 +130,7 @@ double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const
 } // namespace
 
 template <int D>
-Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmMemories<D>& memories,
+Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmHistories<D>& histories,
                  double next_output)
 {
     const Scene& scene = model.scene;
@@ -139,13 +140,14 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
     const double speed = grid.comm().max(largest_speed(grid, here.open, state.velocity.grid, widest_sliver(model, state.dt)));
     double dt = std::min(scene.max_step, scene.cfl * dx / std::max(speed, tiny));
 
-    // The first step knows no pressure: viscosity crosses a cell in it, and twice as much in each one after it.
+    // The first step has no pressure of a step before: nu dt is at most dx^2 in it, and twice as much in each following step.
     if (scene.viscosity > 0)
         dt = std::min(dt, std::ldexp(dx * dx * scene.density / scene.viscosity, static_cast<int>(std::min(state.steps, 60L))));
 
     const std::vector<Twist<D>> V = model.twists(bodies);
     std::vector<Twist<D>> A = state.acceleration;
-    if (state.steps == 0) // before the first solve: what the explicit forces alone would do (added mass only slows it)
+    if (state.steps ==
+        0) // before the first solve: the accelerations by the explicit forces alone (added mass only reduces them)
         for (std::size_t b = 0; b < bodies.size(); ++b)
             if (bodies[b].motion == Motion::free)
                 A[b] = twist_after<D>(bodies[b], explicit_wrench<D>(bodies[b], model.gravity(), scene.density) +
@@ -163,14 +165,14 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
         dt = std::min(dt,
                       limit_of_closing(mesh, solids, V, A, scene, model.gaps(mesh.master, mesh.other).floor, state.time, dx));
         if (!mesh.flat)
-            dt = std::min(dt, limit_of_film_flow(mesh, solids[mesh.master], *memories.at(film.pair), first, dx));
+            dt = std::min(dt, limit_of_film_flow(mesh, solids[mesh.master], *histories.at(film.pair), first, dx));
     }
     if (!(dt > smallest_step * scene.max_step))
         throw ComputationError(
             "the time step fell to " + short_text(dt) + " at time " + short_text(state.time) +
             ": the flow does not stay bounded, or something is driven into what cannot give way; use a finer "
             "grid, a smaller time.max_step or time.cfl, or look at the last output");
-    // Land on output times without a sliver of a step before them.
+    // Steps end at output times, without a very short step before them.
     const double left = next_output - state.time;
     if (left <= dt * (1 + 1e-9))
         dt = left;
@@ -181,7 +183,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template Step choose_step<D>(const Model<D>&, const State<D>&, const Coupling<D>&, const FilmMemories<D>&, double);
+    template Step choose_step<D>(const Model<D>&, const State<D>&, const Coupling<D>&, const FilmHistories<D>&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

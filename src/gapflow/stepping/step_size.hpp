@@ -1,4 +1,4 @@
-// How long a step may be (method, "The time step", stage 1).
+// The step size (method, "The time step", stage 1).
 #pragma once
 
 #include "gapflow/stepping/state.hpp"
@@ -6,10 +6,11 @@
 
 namespace gapflow {
 
-/// The next step; it does not pass `next_output`. `here`, `memories`: coupled system and films at its start. Throws ComputationError where
-/// prescribed bodies that have met go on, and where the step falls beyond all sense. Collective.
+/// The next step; it does not pass `next_output`. `here`, `histories`: coupled system and films at its start. Throws
+/// ComputationError where prescribed bodies that have met continue to approach, and where the step becomes too small.
+/// Collective.
 template <int D>
-Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmMemories<D>& memories,
+Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmHistories<D>& histories,
                  double next_output);
 
 } // namespace gapflow

@@ -25,7 +25,7 @@ bool near(const Bounds<D>& a, const Bounds<D>& b, double margin)
     return ((a.low.array() <= b.high.array() + margin) && (b.low.array() <= a.high.array() + margin)).all();
 }
 
-/// How far solids go on beyond the surface point x along the unit vector n.
+/// Distance to which solids extend beyond the surface point x along the unit vector n.
 template <int D>
 double goes_on(const std::vector<const Solid<D>*>& solids, const Vec<D>& x, const Vec<D>& n, double cell, double most)
 {

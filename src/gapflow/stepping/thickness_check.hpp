@@ -1,4 +1,4 @@
-// Whether bodies are thick enough for the fluid to see them.
+// Check that bodies are thick enough to be resolved by the grid.
 #pragma once
 
 #include "gapflow/stepping/setup.hpp"
@@ -20,7 +20,7 @@ struct ThinBody {
 template <int D>
 std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls);
 
-/// What the user should know of them. Throws InputError if one is thinner than a cell and `thin` does not allow it.
+/// Notes for the user about them. Throws InputError if one is thinner than a cell and `thin` does not allow it.
 template <int D>
 std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
                                             const DomainWalls<D>& walls, Scene::Thin thin);

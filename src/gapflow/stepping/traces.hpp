@@ -135,7 +135,8 @@ private:
 };
 
 // Up to `lanes` faces of a row at once. Within half a cell of a face every interpolation reads fixed neighbours, or one of
-// two by the displacement's sign: all faces then do the same, which vectorises. Faces further travelled go one by one.
+// two by the displacement's sign: all faces then do the same, which vectorises. Faces with longer traces are computed one by
+// one.
 constexpr int lanes = 64;
 
 template <int D>

@@ -3,7 +3,7 @@
 #include "gapflow/film/film_vorticity.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/advection.hpp"
-#include "gapflow/stepping/film_turn.hpp"
+#include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/motion.hpp"
 
@@ -34,52 +34,53 @@ std::vector<Vec<D>> sample(const Grid<D>& grid, const FaceField<D>& velocity, co
     return u;
 }
 
-// Fluid entering voids: what the mouths let in, and how far it gets in this step.
+// Fluid entering voids: the inflow through the mouths, and the position of its front in this step.
 template <int D>
-void flood(const Model<D>& model, const State<D>& state, const FilmMemories<D>& memories, const Coupling<D>& there,
+void flood(const Model<D>& model, const State<D>& state, const FilmHistories<D>& histories, const Coupling<D>& there,
            const Step& step, FilmFlow<D>& flow)
 {
     const Grid<D>& grid = model.grid;
     const VoidSet<D>& voids = state.voids;
     const std::vector<Twist<D>> V = model.twists(state.bodies);
-    const std::vector<Conduit<D>>& conduits = there.network.mouths.conduits;
-    std::vector<double> pressure(conduits.size(), 0.0); // of the last step's bulk, where the conduits are now
-    for (std::size_t r = 0; r < conduits.size() && step.last_dt > 0; ++r)
-        for (const auto& [key, weight] : conduits[r].cells)
+    const std::vector<Mouth<D>>& mouths = there.network.rim.mouths;
+    std::vector<double> pressure(mouths.size(), 0.0); // of the last step's bulk, where the mouths are now
+    for (std::size_t r = 0; r < mouths.size() && step.last_dt > 0; ++r)
+        for (const auto& [key, weight] : mouths[r].cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
                 pressure[r] += weight * state.pressure.impulse.cells(c) / step.last_dt;
     grid.comm().sum(pressure);
     rest_in_voids<D>(there, voids.empty_elements(there.network), V, flow.velocity);
-    limit_inflow<D>(there, voids, memories, model.mouths, pressure, step.dt, flow);
+    limit_inflow<D>(there, voids, histories, model.mouths, pressure, step.dt, flow);
     pass_on<D>(there, voids, V, step.dt, flow);
 }
 
-// Faces near the mouths of films that flow out somewhere: the jets there are thinner than a cell, and MacCormack's correction,
-// clamped or not, feeds on them until the flow through a valve's seat grows without bound. Where a film only fills, it stays.
-// `flux`: out of each conduit, absolute.
+// Faces near the mouths of films with an outflow: the jets there are thinner than a cell, and MacCormack's correction, clamped
+// or not, amplifies them until the flow through a valve's seat grows without bound. Where a film only has inflow, the
+// correction is used.
+// `flux`: out of each mouth, absolute.
 template <int D>
 std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& there, const std::vector<double>& flux,
                                                          const std::vector<Twist<D>>& V)
 {
     constexpr int reach = 2; // cells
     const Grid<D>& grid = *there.grid;
-    constexpr double least_weight = 1e-3; // round-off must not choose faces
-    const std::vector<Conduit<D>>& conduits = there.network.mouths.conduits;
+    constexpr double least_weight = 1e-3; // round-off must not decide which faces are chosen
+    const std::vector<Mouth<D>>& mouths = there.network.rim.mouths;
     std::vector<char> flows_out(there.network.films.size(), 0);
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
-        const Conduit<D>& conduit = conduits[r];
-        const int master = there.network.films[conduit.film].mesh.master;
-        const Vec<D> U = velocity_at<D>(V[master], conduit.x - there.solids[master].centre);
-        if (flux[r] > conduit.length * conduit.h * conduit.outward.dot(U))
-            flows_out[conduit.film] = 1;
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
+        const Mouth<D>& mouth = mouths[r];
+        const int master = there.network.films[mouth.film].mesh.master;
+        const Vec<D> U = velocity_at<D>(V[master], mouth.x - there.solids[master].centre);
+        if (flux[r] > mouth.length * mouth.h * mouth.outward.dot(U))
+            flows_out[mouth.film] = 1;
     }
     if (std::none_of(flows_out.begin(), flows_out.end(), [](char out) { return out; }))
         return {};
     FaceField<D, std::int8_t> near(grid);
-    for (const Conduit<D>& conduit : conduits) {
-        if (!flows_out[conduit.film])
+    for (const Mouth<D>& mouth : mouths) {
+        if (!flows_out[mouth.film])
             continue;
-        for (const auto& [key, weight] : conduit.cells) {
+        for (const auto& [key, weight] : mouth.cells) {
             if (std::abs(weight) < least_weight)
                 continue;
             const Index<D> c = grid.cell_of_key(key);
@@ -106,14 +107,14 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
     Intermediate<D> result;
     FluidVelocity<D>& u_star = result.velocity;
     FilmFlow<D> flow = advect_films<D>(
-        there.network, there.solids, beyond.memories, predicted,
+        there.network, there.solids, beyond.histories, predicted,
         [&](const std::vector<Vec<D>>& points) { return sample(grid, u, points); }, model.mouths, step.dt);
     damp_vorticity(there.network, grid.dx(), flow.velocity);
-    turn_films<D>(there.network, there.solids, beyond.memories, state.turned, predicted, flow);
+    reverse_films<D>(there.network, there.solids, beyond.histories, state.turned, predicted, flow);
     if (state.voids.any())
-        flood(model, state, beyond.memories, there, step, flow);
+        flood(model, state, beyond.histories, there, step, flow);
     const BoundaryVelocity<D> sides = model.sides(step.start);
-    const std::optional<FaceField<D, std::int8_t>> near_jets = faces_near_jets(there, flow.conduit, V);
+    const std::optional<FaceField<D, std::int8_t>> near_jets = faces_near_jets(there, flow.mouth, V);
     const bool any_slivers = grid.comm().any(!beyond.slivers.empty());
     for (const Sliver<D>& face : beyond.slivers)
         u(face.axis, face.at) = face.extrapolated;
@@ -136,7 +137,7 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
         };
         for (int axis = 0; axis < D; ++axis)
             for_each_marked<D>(beyond.film_faces[axis], grid.low(), owned_faces_end(grid, axis), 1, [&](const Index<D>& f) {
-                // Where a film still passes, its conduits carry its flow: there the bulk's own velocity counts.
+                // Where a film still exists, its flow is the mouths' flux: the bulk's own velocity is used there.
                 if (beside_film(axis, f))
                     beyond.film_faces(axis, f) = 0;
             });
@@ -147,8 +148,8 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
 
     u_star.film = std::move(flow.velocity);
     u_star.film_normal = std::move(flow.normal);
-    u_star.conduit = std::move(flow.conduit);
-    result.mouth_factor = std::move(flow.conduit_scale);
+    u_star.mouth = std::move(flow.mouth);
+    result.mouth_factor = std::move(flow.mouth_scale);
     return result;
 }
 

@@ -1,4 +1,4 @@
-// Velocities carried to the new configuration, bulk, films and mouths together (method, "The time step", stages 2 and 4).
+// Transport of velocities to the new configuration: bulk, films and mouths together (method, "The time step", stages 2 and 4).
 #pragma once
 
 #include "gapflow/stepping/reconstruction.hpp"
@@ -8,24 +8,24 @@
 
 namespace gapflow {
 
-/// What a projection starts from.
+/// Input of a projection.
 template <int D>
 struct Intermediate {
     FluidVelocity<D> velocity;        ///< u* of the bulk, films and mouths
     std::vector<double> mouth_factor; ///< on the conductance of every mouth
-    FaceField<D> pressure_change;     ///< what the last pressure adds to the bulk's velocities in the step
+    FaceField<D> pressure_change;     ///< change of the bulk's velocities by the last pressure in the step
     std::vector<Twist<D>> twists;     ///< V* of all solids
 };
 
-/// u* in the configuration `there`, to which the state's bodies have moved; the twists are left empty. `state`: else as it was before the
-/// step; its bulk velocity is scratch afterwards. `beyond`, `past`: of the configuration before the step, `old`: its fractions; `past` is
-/// extrapolated to the new one, or gone where viscosity does not need it. Collective.
+/// u* in the configuration `there`, to which the state's bodies have moved; the twists are left empty. `state`: otherwise that
+/// before the step; its bulk velocity is invalid afterwards. `beyond`, `past`: of the configuration before the step, `old`: its
+/// fractions; `past` is extrapolated to the new one, or released where viscosity does not need it. Collective.
 template <int D>
 Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction<D> beyond, PastPressure<D>& past,
                           const Coupling<D>& there, const FaceFractions<D>& old, const Step& step);
 
-/// Stage 2: bulk velocities u* of second order in time; `change` becomes what the last pressure adds to velocities in the step.
-/// `first_order`: faces (nonzero) that MacCormack's correction leaves out; null: none. Collective.
+/// Stage 2: bulk velocities u* of second order in time; `change` becomes the change of velocities by the last pressure in the
+/// step. `first_order`: faces (nonzero) without MacCormack's correction; null: none. Collective.
 template <int D>
 FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity, PastPressure<D>& past,
                             const Coupling<D>& there, const FaceFractions<D>& old, const FaceField<D, std::int8_t>* first_order,

@@ -13,11 +13,12 @@ namespace gapflow {
 
 namespace {
 
-// Of the fluid that a body displaces: what it adds to its inertia where contacts are forecast. In a crowd; found by trial.
+// Added mass of a body in the forecast of contacts, over the mass of the displaced fluid. Fitted, for crowds of bodies.
 constexpr double bulk_share = 2;
-constexpr int few_iterations = 12; // of a solve without a correction for bodies: the next one asks no more for their lightness
+constexpr int few_iterations =
+    12; // of a solve without a correction for bodies: below, the next one does not estimate their lightness
 
-// What pushes a contact's bodies apart, with the films near it.
+// Approximate inertia for the forecast of contacts: bodies with added mass of the bulk, and the films near contacts.
 template <int D>
 NearInertia<D> inertia_of_contacts(const Model<D>& model, const Coupling<D>& there, const State<D>& state,
                                    std::vector<TwistMatrix<D>> mass)
@@ -27,7 +28,7 @@ NearInertia<D> inertia_of_contacts(const Model<D>& model, const Coupling<D>& the
     return near_inertia(there, mass, state.voids.is_void());
 }
 
-// Fluid that surfaces in contact shut in, and that something squeezes.
+// Fluid enclosed by surfaces in contact whose volume would change.
 template <int D>
 void check_pockets(const Model<D>& model, const Coupling<D>& there, const State<D>& state, const FluidVelocity<D>& u,
                    const std::vector<Twist<D>>& V, const Step& step)
@@ -37,7 +38,7 @@ void check_pockets(const Model<D>& model, const Coupling<D>& there, const State<
         throw ComputationError("step " + std::to_string(step.number) + ": " + squeezed);
 }
 
-// Contacts that cannot hold what is driven into them.
+// Contacts between bodies that are driven into each other and cannot give way.
 template <int D>
 void check_crushing(const Coupling<D>& there, const ContactSet<D>& contacts, const std::vector<Twist<D>>& V, const Step& step,
                     StepReport& report)

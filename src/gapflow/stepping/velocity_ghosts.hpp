@@ -1,4 +1,4 @@
-// Velocities on the domain's sides and beyond them, which traces read.
+// Velocities on the domain's sides and in the ghosts beyond them, for traces.
 #pragma once
 
 #include "gapflow/grid/field.hpp"

@@ -1,8 +1,8 @@
-// Primal-dual active set: a node below its least pressure becomes a void, a void that overfills becomes wet; all at once while
-// that settles, else one at a time (the last in order: Murty's rule).
+// Primal-dual active set: a node below its least pressure becomes a void, a void that overfills becomes wet; all at once in the
+// first rounds, then one at a time (the last in order: Murty's rule).
 #include "gapflow/stepping/void_set.hpp"
 
-#include "gapflow/film/film_state.hpp"
+#include "gapflow/film/film_pair_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,14 @@ namespace gapflow {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// At the start a gap no further than this from the held distance is in contact, in dx.
+// At the start a gap within this of the held distance is in contact, in dx.
 constexpr double touching = 1e-6;
 // A void shallower than this, in dx, is round-off.
 constexpr double shallowest = 1e-14;
 // A void that takes this part of its gap has no fluid left that could flow out.
 constexpr double drained = 0.5;
-// A mouth shuts and opens again once in a step: what it lets out when open depends on the flux that it had, so with the nodes'
-// states its own could go round for ever.
+// A mouth may shut and reopen once in a step: its flux when open depends on the flux before, so its state and the nodes' could
+// alternate without end.
 constexpr int most_flips = 2;
 
 } // namespace
@@ -53,7 +53,7 @@ VoidLaw VoidSet<D>::law(int a, int b) const
 }
 
 template <int D>
-void VoidSet<D>::find(const Coupling<D>& coupling, const FilmMemories<D>* memories)
+void VoidSet<D>::find(const Coupling<D>& coupling, const FilmHistories<D>* histories)
 {
     const int nodes = coupling.network.nodes;
     volume_.assign(nodes, 0.0);
@@ -63,7 +63,7 @@ void VoidSet<D>::find(const Coupling<D>& coupling, const FilmMemories<D>* memori
     last_pressure_.assign(nodes, 0.0);
     is_void_.assign(nodes, 0);
     drained_.assign(nodes, 0);
-    shut_.assign(coupling.network.mouths.conduits.size(), 0);
+    shut_.assign(coupling.network.rim.mouths.size(), 0);
     flips_.assign(shut_.size(), 0);
     any_ = false;
     if (!possible_)
@@ -79,8 +79,8 @@ void VoidSet<D>::find(const Coupling<D>& coupling, const FilmMemories<D>* memori
         for (std::size_t i = 0; i < film.mesh.mid.size(); ++i)
             least_[film.first_node + i] = least - hydrostatic_(film.mesh.mid[i]);
     }
-    if (memories)
-        carry(coupling, *memories);
+    if (histories)
+        carry(coupling, *histories);
     else
         start(coupling);
     for (int i = 0; i < nodes; ++i) {
@@ -108,14 +108,14 @@ void VoidSet<D>::start(const Coupling<D>& coupling)
     }
 }
 
-// The depth of the voids is linear over the old film; what a pair has of them is kept, but for what its master has carried along to where
-// the film has ended: the bulk there has no voids.
+// The depth of the voids is linear over the old film; the total of a pair is conserved, except for the part that its master has
+// carried beyond the film's end: the bulk has no voids.
 template <int D>
-void VoidSet<D>::carry(const Coupling<D>& coupling, const FilmMemories<D>& memories)
+void VoidSet<D>::carry(const Coupling<D>& coupling, const FilmHistories<D>& histories)
 {
     struct Sum {
         double volume = 0, distance = infinity;
-        int nearest = -1; ///< node nearest to the old film's deepest void: where all goes if no node lies in one
+        int nearest = -1; ///< node nearest to the old film's deepest void: it takes all if no node lies in one
     };
     std::map<FilmPair<D>, Sum> sums;
     std::set<FilmPair<D>> seen;
@@ -132,8 +132,8 @@ void VoidSet<D>::carry(const Coupling<D>& coupling, const FilmMemories<D>& memor
     }
     for (const Film<D>& film : coupling.network.films) {
         const auto old = memory_.find(film.pair);
-        const auto place = memories.find(film.pair);
-        if (old == memory_.end() || place == memories.end())
+        const auto place = histories.find(film.pair);
+        if (old == memory_.end() || place == histories.end())
             continue;
         Sum& sum = sums[film.pair];
         const PlacedShape<D>& master = coupling.solids[film.pair.master].shape;
@@ -214,22 +214,21 @@ bool VoidSet<D>::update(const Eigen::VectorXd& p, const Eigen::VectorXd& outflow
 }
 
 template <int D>
-bool VoidSet<D>::update_mouths(const std::vector<Conduit<D>>& conduits, const std::vector<double>& flux,
+bool VoidSet<D>::update_mouths(const std::vector<Mouth<D>>& mouths, const std::vector<double>& flux,
                                const std::vector<double>& drop, double accuracy, bool at_once)
 {
-    auto at_void = [&](const Conduit<D>& conduit) {
-        return std::all_of(conduit.nodes.begin(), conduit.nodes.end(),
-                           [&](int node) { return is_void_[node] && drained_[node]; });
+    auto at_void = [&](const Mouth<D>& mouth) {
+        return std::all_of(mouth.nodes.begin(), mouth.nodes.end(), [&](int node) { return is_void_[node] && drained_[node]; });
     };
     double largest_flux = 0, largest_drop = 0;
-    for (std::size_t r = 0; r < conduits.size(); ++r) {
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
         largest_flux = std::max(largest_flux, std::abs(flux[r]));
         largest_drop = std::max(largest_drop, std::abs(drop[r]));
     }
     bool changed = false;
-    for (std::size_t r = conduits.size(); r-- > 0;) {
-        const bool wrong = shut_[r] ? !at_void(conduits[r]) || drop[r] < -accuracy * largest_drop
-                                    : at_void(conduits[r]) && flux[r] > accuracy * largest_flux;
+    for (std::size_t r = mouths.size(); r-- > 0;) {
+        const bool wrong = shut_[r] ? !at_void(mouths[r]) || drop[r] < -accuracy * largest_drop
+                                    : at_void(mouths[r]) && flux[r] > accuracy * largest_flux;
         if (!wrong || flips_[r] == most_flips)
             continue;
         ++flips_[r];
@@ -256,18 +255,18 @@ void VoidSet<D>::finish(const Coupling<D>& coupling, const Eigen::VectorXd& p, c
     for (const Film<D>& film : coupling.network.films) {
         if (law(film.pair.master, film.pair.other).least_pressure == -infinity)
             continue;
-        Memory& memory = memory_[film.pair];
-        double deepest = memory.depth.empty() ? -1 : *std::max_element(memory.depth.begin(), memory.depth.end());
+        Memory& history = memory_[film.pair];
+        double deepest = history.depth.empty() ? -1 : *std::max_element(history.depth.begin(), history.depth.end());
         for (std::size_t i = 0; i < film.mesh.h.size(); ++i) {
             const std::size_t node = film.first_node + i;
-            memory.depth.push_back(depth(static_cast<int>(node)));
-            memory.pressure.push_back(dt > 0 ? p[static_cast<long>(node)] / dt : last_pressure_[node]);
-            memory.places.push_back(coupling.solids[film.pair.master].shape.to_body(film.mesh.x[i]));
-            memory.volumes.push_back(volume_[node]);
-            memory.volume += volume_[node];
-            if (memory.depth.back() > deepest) {
-                deepest = memory.depth.back();
-                memory.deepest = coupling.solids[film.pair.master].shape.to_body(film.mesh.x[i]);
+            history.depth.push_back(depth(static_cast<int>(node)));
+            history.pressure.push_back(dt > 0 ? p[static_cast<long>(node)] / dt : last_pressure_[node]);
+            history.places.push_back(coupling.solids[film.pair.master].shape.to_body(film.mesh.x[i]));
+            history.volumes.push_back(volume_[node]);
+            history.volume += volume_[node];
+            if (history.depth.back() > deepest) {
+                deepest = history.depth.back();
+                history.deepest = coupling.solids[film.pair.master].shape.to_body(film.mesh.x[i]);
             }
         }
     }
@@ -298,7 +297,7 @@ void VoidSet<D>::find_wet_shares(const Coupling<D>& coupling, const std::vector<
         for (std::size_t i = 0; i < film.mesh.h.size(); ++i)
             if (const std::size_t node = film.first_node + i; volume_[node] > 0)
                 share[node] = std::max(0.0, 1 - depth(static_cast<int>(node)) / (film.mesh.h[i] + film.mesh.skin));
-    // How fast the film's fluid passes the master.
+    // Velocity of the film's fluid relative to the master.
     auto passes = [&](const FilmMesh<D>& mesh, const Vec<D>& x) {
         return Vec<D>(0.5 * (velocity_at<D>(twists[mesh.other], x - coupling.solids[mesh.other].centre - mesh.shift) -
                              velocity_at<D>(twists[mesh.master], x - coupling.solids[mesh.master].centre)));
@@ -315,12 +314,12 @@ void VoidSet<D>::find_wet_shares(const Coupling<D>& coupling, const std::vector<
             }
             wet_.elements.push_back(weights > 0 ? sum / weights : mean);
         }
-    for (const Conduit<D>& conduit : network.mouths.conduits) {
+    for (const Mouth<D>& mouth : network.rim.mouths) {
         double of_nodes = 0;
         for (int i = 0; i < D - 1; ++i)
-            of_nodes += conduit.shape[i] * share[conduit.nodes[i]];
-        const bool out = conduit.outward.dot(passes(network.films[conduit.film].mesh, conduit.x)) >= 0;
-        wet_.conduits.push_back(out ? of_nodes : 1.0);
+            of_nodes += mouth.shape[i] * share[mouth.nodes[i]];
+        const bool out = mouth.outward.dot(passes(network.films[mouth.film].mesh, mouth.x)) >= 0;
+        wet_.mouths.push_back(out ? of_nodes : 1.0);
     }
 }
 
@@ -339,7 +338,7 @@ void VoidSet<D>::list_state(StateArchive& archive)
         archive("shut", shut_);
         archive("lost", lost_);
         archive("wet_elements", wet_.elements);
-        archive("wet_conduits", wet_.conduits);
+        archive("wet_conduits", wet_.mouths);
         std::vector<std::pair<FilmPair<D>, Memory>> pairs(memory_.begin(), memory_.end());
         archive.each("pairs", pairs, [](StateArchive& list, auto& entry) {
             gapflow::list_state(list, entry.first);

@@ -1,10 +1,10 @@
-// Voids in films (method, "Voids: dry contact and cavitation"): film nodes whose pressure has fallen to the least it can have. Per film node, with void
+// Voids in films (method, "Voids: dry contact and cavitation"): film nodes at their least pressure. Per film node, with void
 // volume v and outflow row_i = (L p + K V + D u*)_i,
 //
 //     0 <= p_i - b_i  |  v_i / dt + row_i >= 0,      v_i^{n+1} = max(0, v_i + dt row_i),      b_i = dt (least pressure there).
 //
-// Dry contact starts with voids as thick as the surfaces are held apart; cavitation starts without. Void volume is memory: it
-// rides on the film's master from step to step.
+// Dry contact starts with voids as thick as the distance at which the surfaces are held; cavitation starts without. The void
+// volume moves with the film's master from step to step.
 #pragma once
 
 #include "gapflow/core/state_archive.hpp"
@@ -29,47 +29,48 @@ template <int D>
 class VoidSet {
 public:
     VoidSet() = default;
-    /// `hydrostatic`: what to add to the reduced pressure at a point for the full one.
+    /// `hydrostatic`: full minus reduced pressure at a point.
     VoidSet(const Scene& scene, const Grid<D>& grid, const std::vector<Solid<D>>& solids,
             std::function<double(const Vec<D>&)> hydrostatic);
 
     /// Whether some pair of the scene can have voids at all.
     bool possible() const { return possible_; }
-    /// Voids of a new configuration: taken over from the last one, or those that the scene starts with (`memories` null).
-    void find(const Coupling<D>& coupling, const FilmMemories<D>* memories);
+    /// Voids of a new configuration: taken over from the last one, or those that the scene starts with (`histories` null).
+    void find(const Coupling<D>& coupling, const FilmHistories<D>* histories);
     /// Whether some film node can be a void: without, nothing below need be called.
     bool any() const { return any_; }
-    /// Void nodes as the active set has them now.
+    /// Void nodes of the current active set.
     const std::vector<char>& is_void() const { return is_void_; }
     /// b of the void nodes, 0 elsewhere.
     Eigen::VectorXd impulses(double dt) const;
-    /// v / dt of every node: what flows in where it becomes wet.
+    /// v / dt of every node: the inflow where it becomes wet.
     Eigen::VectorXd filling(double dt) const;
     /// Reduced pressure that a node's film had at the end of the last step (in voids: their own).
     const std::vector<double>& last_pressure() const { return last_pressure_; }
 
-    /// Conduits out of voids that take half their gap or more: nothing is left there to flow out, so where the bulk's pressure
-    /// is lower they are shut.
+    /// Mouths out of voids that take half their gap or more: there is no fluid to flow out, so where the bulk's pressure is
+    /// lower they are shut.
     const std::vector<char>& shut() const { return shut_; }
 
-    /// Takes the pressure impulses and outflows that a solve gave. True if nodes must change and the solve be repeated; if
+    /// Updates the active set with the pressure impulses and outflows of a solve. True if nodes change and the solve must be
+    /// repeated; if
     /// `at_once` is false, one node has changed at most (Murty's rule).
     bool update(const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt, double accuracy, bool at_once);
-    /// The same for conduits, with their fluxes out of the film as seen from its master and their drops of pressure impulse.
-    bool update_mouths(const std::vector<Conduit<D>>& conduits, const std::vector<double>& flux,
-                       const std::vector<double>& drop, double accuracy, bool at_once);
-    /// Void volumes of the end of the step, and what find() needs of it.
+    /// The same for mouths, with their fluxes out of the film relative to its master and their drops of pressure impulse.
+    bool update_mouths(const std::vector<Mouth<D>>& mouths, const std::vector<double>& flux, const std::vector<double>& drop,
+                       double accuracy, bool at_once);
+    /// Void volumes of the end of the step, and the data that find() needs.
     void finish(const Coupling<D>& coupling, const Eigen::VectorXd& p, const Eigen::VectorXd& outflow, double dt);
 
-    /// Void volume of every film node, and what the step added to it per time (0 where nothing can be a void).
+    /// Void volume of every film node, and its rate of change in the step (0 where voids are impossible).
     const std::vector<double>& volume() const { return volume_; }
     const std::vector<double>& growth() const { return growth_; }
     /// Void volume over area.
     double depth(int node) const { return area_[node] > 0 ? volume_[node] / area_[node] : 0.0; }
     /// Elements without any node that is wet.
     std::vector<char> empty_elements(const FilmNetwork<D>& network) const;
-    /// Share of their gaps that fluid fills, upstream of every element and mouth as both walls' motion carries fluid along; as find() left it,
-    /// until the next step's. `twists`: of all solids.
+    /// Share of their gaps filled with fluid, upstream of every element and mouth with respect to both walls' motion; computed
+    /// by find(), valid until its next call. `twists`: of all solids.
     void find_wet_shares(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists);
     const WetShares& wet_shares() const { return wet_; }
     /// Void volume that find() had to drop because its film is gone, summed over the run.
@@ -78,7 +79,7 @@ public:
     void list_state(StateArchive& archive);
 
 private:
-    /// A pair's film at the end of a step, at the vertices of its FilmMemory.
+    /// A pair's film at the end of a step, at the vertices of its FilmHistory.
     struct Memory {
         std::vector<double> depth, pressure; ///< void volume over area; reduced pressure
         std::vector<Vec<D>> places;          ///< of the vertices, in the master's frame
@@ -88,7 +89,7 @@ private:
     };
     VoidLaw law(int a, int b) const;
     void start(const Coupling<D>& coupling);
-    void carry(const Coupling<D>& coupling, const FilmMemories<D>& memories);
+    void carry(const Coupling<D>& coupling, const FilmHistories<D>& histories);
 
     const Scene* scene_ = nullptr;
     double dx_ = 0;

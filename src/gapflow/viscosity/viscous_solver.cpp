@@ -98,10 +98,10 @@ public:
         y.V.setZero();
         constexpr int n = twist_size<D>;
         for (const BodyCoupling& c : couplings_) {
-            const double pushed = c.row.dot(x.V.template segment<n>(n * c.body)), moved = x.u[c.axis].data()[c.at];
-            y.u[c.axis].data()[c.at] += static_cast<T>(pushed);
+            const double reaction = c.row.dot(x.V.template segment<n>(n * c.body)), moved = x.u[c.axis].data()[c.at];
+            y.u[c.axis].data()[c.at] += static_cast<T>(reaction);
             y.V.template segment<n>(n * c.body) += moved * c.row;
-            energy += moved * pushed;
+            energy += moved * reaction;
         }
         if (x.V.size() > 0)
             grid_.comm().sum(std::span<double>(y.V.data(), y.V.size()));

@@ -108,9 +108,9 @@ Twist<D> momentum(const World<D>& world, const FluidVelocity<D>& u, const std::v
             const std::size_t i = film.first_element + e;
             sum += wrench<D>(c.density * element.volume * (u.film[i] + film_normal[i] * element.normal), element.centroid);
         }
-    for (std::size_t r = 0; r < u.conduit.size(); ++r) {
-        const Conduit<D>& conduit = c.network.mouths.conduits[r];
-        sum += wrench<D>(c.density * conduit.resistance * conduit.h * u.conduit[r] * conduit.outward, conduit.x);
+    for (std::size_t r = 0; r < u.mouth.size(); ++r) {
+        const Mouth<D>& mouth = c.network.rim.mouths[r];
+        sum += wrench<D>(c.density * mouth.resistance * mouth.h * u.mouth[r] * mouth.outward, mouth.x);
     }
     for (std::size_t b = 0; b < world.bodies.size(); ++b) {
         const Twist<D> m = world.mass[b] * twists[b];
@@ -135,8 +135,8 @@ FluidVelocity<D> velocity_of(const World<D>& world, const std::function<Vec<D>(c
             u.film.push_back(v - v.dot(e.normal) * e.normal);
             u.film_normal.push_back(v.dot(e.normal));
         }
-    for (const Conduit<D>& conduit : c.network.mouths.conduits)
-        u.conduit.push_back(conduit.length * conduit.h * conduit.outward.dot(field(conduit.x)));
+    for (const Mouth<D>& mouth : c.network.rim.mouths)
+        u.mouth.push_back(mouth.length * mouth.h * mouth.outward.dot(field(mouth.x)));
     return u;
 }
 

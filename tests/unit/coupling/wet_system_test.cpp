@@ -56,15 +56,15 @@ TEST(WetSystem, BalancesEveryRowButTheVoids)
     V[0] << 0.1, 0, 0.3, 0, 0.2, 0;
     FluidVelocity<3> u{FaceField<3>(grid), std::vector<Vec<3>>(coupling.network.elements, Vec<3>::Zero()),
                        std::vector<double>(coupling.network.elements, 0.0),
-                       std::vector<double>(coupling.network.mouths.conduits.size(), 0.0)};
+                       std::vector<double>(coupling.network.rim.mouths.size(), 0.0)};
     UnknownVector<3> p{CellField<3>(grid), Eigen::VectorXd::Zero(nodes)};
     Eigen::VectorXd impulse, film_outflow;
     {
         WetSystem<3> wet(coupling);
-        wet.take_out(is_void, b, std::vector<char>(u.conduit.size(), 0));
+        wet.take_out(is_void, b, std::vector<char>(u.mouth.size(), 0));
         hold_contacts<3>(coupling, {}, V);
         V = intermediate_twists<3>(coupling, mass, V, u.film_normal, impulse);
-        wet.push(V, impulse);
+        wet.add_void_impulse(V, impulse);
         UnknownVector<3> rhs;
         outflow(coupling, u, V, rhs);
         for_each_index<3>(grid.low(), grid.high(), [&](const Index<3>& c) { rhs.cells(c) *= -1; });

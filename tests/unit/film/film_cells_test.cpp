@@ -189,7 +189,7 @@ std::unique_ptr<FilmScene<2>> cup(int depth)
     return scene;
 }
 
-// A part of the grid of up to 9 cells that only films reach becomes film, unless a conduit draws on it.
+// A part of the grid of up to 9 cells that only films reach becomes film, unless a mouth draws on it.
 TEST(AbsorbPockets, TakesSmallPartsThatNoConduitReaches)
 {
     for (const int depth : {3, 4}) {

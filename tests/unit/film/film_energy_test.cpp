@@ -9,9 +9,9 @@
 namespace gapflow::test {
 namespace {
 
-using Transported = FilmMemory<2>::Transported;
+using Transported = FilmHistory<2>::Transported;
 
-/// The film of two plates at rest, with the memory of flow along it.
+/// The film of two plates at rest, with the history of flow along it.
 struct Channel {
     explicit Channel(double gap = 0.2) : scene(10)
     {
@@ -22,7 +22,7 @@ struct Channel {
     }
     const Film<2>& film() const { return network.films.front(); }
     const std::vector<FilmElement<2>>& elements() const { return film().mesh.elements; }
-    const std::vector<Conduit<2>>& conduits() const { return network.mouths.conduits; }
+    const std::vector<Mouth<2>>& mouths() const { return network.rim.mouths; }
     std::vector<Vec<2>> flow(const std::function<double(double)>& speed) const
     {
         std::vector<Vec<2>> u;
@@ -30,7 +30,7 @@ struct Channel {
             u.push_back(speed(e.centroid[0]) * unit<2>(0));
         return u;
     }
-    FilmMemory<2> remember(const std::vector<Vec<2>>& u) const
+    FilmHistory<2> remember(const std::vector<Vec<2>>& u) const
     {
         return {scene.solids()[film().pair.master], Twist<2>::Zero(), {&film()}, u, {}, {}, 1.0};
     }
@@ -52,22 +52,22 @@ Transported carried(const Vec<2>& velocity = Vec<2>::Zero())
     return {velocity, unit<2>(1), true, false, 1e9};
 }
 
-GivenAwayOf limit(const Channel& now, const FilmMemory<2>& old, std::vector<Vec<2>>& u,
-                  const std::vector<Transported>& at_conduit, double dt = 0, double beyond_x = 1e9)
+GivenAwayOf limit(const Channel& now, const FilmHistory<2>& old, std::vector<Vec<2>>& u,
+                  const std::vector<Transported>& at_mouth, double dt = 0, double beyond_x = 1e9)
 {
     std::vector<Transported> at_element(u.size(), carried());
     for (std::size_t i = 0; i < u.size(); ++i)
         at_element[i].beyond = now.elements()[i].centroid[0] > beyond_x;
-    const GivenAway<2> given = limit_motion<2>(now.network, now.scene.solids(), {&old}, at_element, at_conduit, dt, u);
+    const GivenAway<2> given = limit_motion<2>(now.network, now.scene.solids(), {&old}, at_element, at_mouth, dt, u);
     return given.at(&old);
 }
 
 TEST(FilmEnergy, WhatTransportTakesIsGivenAway)
 {
     const Channel channel;
-    ASSERT_EQ(channel.conduits().size(), 2u);
+    ASSERT_EQ(channel.mouths().size(), 2u);
     const std::vector<Vec<2>> start = channel.flow([](double) { return 1.0; });
-    const FilmMemory<2> old = channel.remember(start);
+    const FilmHistory<2> old = channel.remember(start);
     std::vector<Vec<2>> u = channel.flow([](double x) { return x < 5 ? 0.5 : 0.9; });
     const std::vector<Vec<2>> before = u;
     const GivenAwayOf given = limit(channel, old, u, {2, carried()});
@@ -81,7 +81,7 @@ TEST(FilmEnergy, WhatTransportTakesIsGivenAway)
 TEST(FilmEnergy, WhatWouldBeGainedIsTakenFromTheFastest)
 {
     const Channel channel;
-    const FilmMemory<2> old = channel.remember(channel.flow([](double) { return 1.0; })); // 0.2 * 4
+    const FilmHistory<2> old = channel.remember(channel.flow([](double) { return 1.0; })); // 0.2 * 4
     const auto fast = [](double x) { return x > 6 ? -3.0 : x > 5 ? 2.0 : 0.5; };
     std::vector<Vec<2>> u = channel.flow(fast);
     const GivenAwayOf given = limit(channel, old, u, {2, carried()});
@@ -103,7 +103,7 @@ TEST(FilmEnergy, WhatWouldBeGainedIsTakenFromTheFastest)
 TEST(FilmEnergy, GrowsByATwentiethAtMost)
 {
     const Channel channel;
-    const FilmMemory<2> old = channel.remember(channel.flow([](double) { return 1.0; }));
+    const FilmHistory<2> old = channel.remember(channel.flow([](double) { return 1.0; }));
     const double size = 4.0 / static_cast<double>(channel.elements().size());
     for (double ways : {0.1, 10.0}) {
         std::vector<Vec<2>> u = channel.flow([](double) { return 2.0; });
@@ -117,17 +117,17 @@ TEST(FilmEnergy, GrowsByATwentiethAtMost)
 TEST(FilmEnergy, InflowBringsItsOwn)
 {
     const Channel channel;
-    FilmMemory<2> old = channel.remember(channel.flow([](double) { return 1.0; }));
+    FilmHistory<2> old = channel.remember(channel.flow([](double) { return 1.0; }));
     const double dt = 0.01, grown = 1 + 0.25 * dt / (4.0 / static_cast<double>(channel.elements().size()));
-    const std::vector<Transported> at_conduit(2, carried({3, 0})); // in at one end, out at the other
+    const std::vector<Transported> at_mouth(2, carried({3, 0})); // in at one end, out at the other
     for (const bool known : {false, true}) {
         const double speed = known ? 2.0 : 3.0;
         if (known)
-            for (const Conduit<2>& c : channel.conduits())
+            for (const Mouth<2>& c : channel.mouths())
                 old.mouths.push_back({channel.scene.solids()[channel.film().pair.master].shape.to_body(c.x), c.outward, c.h,
                                       c.h * 2.0 * c.outward[0], Vec<2>::Zero(), c.kind});
         std::vector<Vec<2>> u = channel.flow([](double) { return 9.0; });
-        limit(channel, old, u, at_conduit, dt);
+        limit(channel, old, u, at_mouth, dt);
         EXPECT_NEAR(channel.motion(u), grown * old.motion() + 0.2 * dt * speed * speed * speed, 1e-9) << known;
     }
 }
@@ -136,7 +136,7 @@ TEST(FilmEnergy, InflowBringsItsOwn)
 TEST(FilmEnergy, ClosingIsThePartOfTheThicknessThatTheStepTook)
 {
     const Channel before(0.2), after(0.15);
-    const FilmMemory<2> old = before.remember(before.flow([](double) { return 1.0; }));
+    const FilmHistory<2> old = before.remember(before.flow([](double) { return 1.0; }));
     std::vector<Vec<2>> u = after.flow([](double) { return 0.0; });
     const GivenAwayOf given = limit(after, old, u, {2, carried()});
     EXPECT_NEAR(given.closing, 0.25, 1e-9);
@@ -149,9 +149,9 @@ TEST(FilmEnergy, ClosingIsThePartOfTheThicknessThatTheStepTook)
 TEST(FilmEnergy, HeadsWorkWithWhatWasGivenAway)
 {
     const Channel channel;
-    const FilmMemory<2> old = channel.remember(channel.flow([](double) { return 1.0; }));
+    const FilmHistory<2> old = channel.remember(channel.flow([](double) { return 1.0; }));
     const std::vector<double> flux{0.3, 0.2}, head{0.05, 0.0};
-    const double asked = 2 * channel.conduits()[0].resistance * flux[0] * head[0];
+    const double asked = 2 * channel.mouths()[0].resistance * flux[0] * head[0];
     for (const double share : {0.0, 0.25, 1.0, 100.0}) {
         std::vector<double> q = flux;
         add_heads<2>(channel.network, channel.scene.solids(), {&old}, {{&old, {share * asked, 0}}}, head, q);
@@ -171,8 +171,8 @@ TEST(FilmEnergy, HeadsWorkWithWhatWasGivenAway)
 TEST(FilmEnergy, HeadsThrowOutNoFlood)
 {
     const Channel channel;
-    const FilmMemory<2> old = channel.remember(channel.flow([](double) { return 1.0; }));
-    const double R = channel.conduits()[0].resistance, film = 4 / (3 * 0.4); // length over 3 h, both mouths
+    const FilmHistory<2> old = channel.remember(channel.flow([](double) { return 1.0; }));
+    const double R = channel.mouths()[0].resistance, film = 4 / (3 * 0.4); // length over 3 h, both mouths
     const double head = 2, thrown = R * head * head * R / (R + film), given = thrown / 40;
     std::vector<double> q{0, 0};
     add_heads<2>(channel.network, channel.scene.solids(), {&old}, {{&old, {given, 0}}}, {head, 0}, q);

@@ -1,7 +1,7 @@
 // Boxes on a grid of cells of size 1, with their films: areas and kinds of cells are known by hand.
 #pragma once
 
-#include "gapflow/film/conduits.hpp"
+#include "gapflow/film/mouths.hpp"
 #include "unit/grid/scenes.hpp"
 
 #include <functional>

@@ -129,12 +129,12 @@ TEST(Solve, FilmsOverDecades)
 {
     char name[80];
     for (double film : {1e-7, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e7})
-        for (double conduit : {1e-7, 1e-2, 1.0, 1e2, 1e7}) {
-            std::snprintf(name, sizeof name, "2D film %g conduit %g", film, conduit);
-            EXPECT_LE(moved(film_scene<2>(64, film, conduit, 1.0), name), 25) << name;
-            if (conduit == 1.0 || film == 1.0) {
-                std::snprintf(name, sizeof name, "3D film %g conduit %g", film, conduit);
-                EXPECT_LE(moved(film_scene<3>(32, film, conduit, 1.0), name), 25) << name;
+        for (double mouth : {1e-7, 1e-2, 1.0, 1e2, 1e7}) {
+            std::snprintf(name, sizeof name, "2D film %g conduit %g", film, mouth);
+            EXPECT_LE(moved(film_scene<2>(64, film, mouth, 1.0), name), 25) << name;
+            if (mouth == 1.0 || film == 1.0) {
+                std::snprintf(name, sizeof name, "3D film %g conduit %g", film, mouth);
+                EXPECT_LE(moved(film_scene<3>(32, film, mouth, 1.0), name), 25) << name;
             }
         }
     for (double density : {1e-3, 1e3})

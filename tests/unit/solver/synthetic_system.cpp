@@ -114,10 +114,10 @@ std::unique_ptr<TestSystem<D>> build(const TestScene<D>& scene, const Communicat
                     film.emplace_back(first + k, first + other, -f.conductance);
                     film.emplace_back(first + other, first + k, -f.conductance);
                 }
-                if (end && f.conduit > 0) { // half a cell beyond the end, both sides of the plane
+                if (end && f.mouth > 0) { // half a cell beyond the end, both sides of the plane
                     Vec<D> y = x;
                     y[axis] += (place[axis] == 0 ? -0.5 : 0.5) * scene.dx;
-                    Link link{f.conduit, {{first + k, 1.0}}, {}};
+                    Link link{f.mouth, {{first + k, 1.0}}, {}};
                     for (double side : {-0.5, 0.5}) {
                         y[D - 1] = f.plane + side * scene.dx;
                         const Index<D> c = grid.cell_of(y);
@@ -320,7 +320,7 @@ double distance(const TestSystem<D>& test, const UnknownVector<D>& a, const Unkn
 }
 
 template <int D>
-TestScene<D> film_scene(int n, double film, double conduit, double density, SideKind sides)
+TestScene<D> film_scene(int n, double film, double mouth, double density, SideKind sides)
 {
     TestScene<D> scene(Index<D>::Constant(n), 1.0 / n, sides);
     Vec<D> half = Vec<D>::Constant(0.15625);
@@ -329,12 +329,12 @@ TestScene<D> film_scene(int n, double film, double conduit, double density, Side
     lower[D - 1] = 0.375;
     upper[D - 1] = 0.625;
     scene.bodies = {box<D>(lower, half, density), box<D>(upper, half, density), ball<D>(Vec<D>::Constant(0.83), 0.1, density)};
-    scene.films = {{0, 1, 0.5, lower - half, lower + half, n / 2, film, conduit}};
+    scene.films = {{0, 1, 0.5, lower - half, lower + half, n / 2, film, mouth}};
     return scene;
 }
 
 template <int D>
-TestScene<D> chamber_scene(int n, double film, double conduit, double density)
+TestScene<D> chamber_scene(int n, double film, double mouth, double density)
 {
     TestScene<D> scene(Index<D>::Constant(n), 1.0 / n);
     Vec<D> half = Vec<D>::Constant(1), lower = Vec<D>::Constant(0.5), upper = lower;
@@ -346,7 +346,7 @@ TestScene<D> chamber_scene(int n, double film, double conduit, double density)
     Vec<D> low = Vec<D>::Constant(0.1), high = Vec<D>::Constant(0.9);
     low[0] = 0.375;
     high[0] = 0.625;
-    scene.films = {{0, 1, 0.5, low, high, n / 4, film, conduit}};
+    scene.films = {{0, 1, 0.5, low, high, n / 4, film, mouth}};
     return scene;
 }
 

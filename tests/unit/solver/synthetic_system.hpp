@@ -31,7 +31,7 @@ struct TestFilm {
     Vec<D> low, high;
     int elements;       ///< along each axis
     double conductance; ///< of an element's edge
-    double conduit;     ///< of a conduit
+    double mouth;       ///< of a mouth
 };
 
 template <int D>
@@ -94,11 +94,11 @@ double distance(const TestSystem<D>& test, const UnknownVector<D>& a, const Unkn
 
 /// Two boxes in a closed or open box, one upon the other with a film between, and a ball.
 template <int D>
-TestScene<D> film_scene(int n, double film, double conduit, double density, SideKind sides = SideKind::wall);
+TestScene<D> film_scene(int n, double film, double mouth, double density, SideKind sides = SideKind::wall);
 
 /// A wall of two boxes across a closed box, joined by a film between them: two chambers that only the film connects.
 template <int D>
-TestScene<D> chamber_scene(int n, double film, double conduit, double density);
+TestScene<D> chamber_scene(int n, double film, double mouth, double density);
 
 /// Two bodies away from each other in a closed box.
 template <int D>

@@ -224,14 +224,14 @@ TEST(Advection, MacCormackMakesNoNewExtremaAndCanBeSwitchedOff)
     const FaceField<2> square = sampled<2>(grid, [](const Vec<2>& x) {
         return Vec<2>::Constant((x - Vec<2>::Constant(0.5)).cwiseAbs().maxCoeff() < 0.22 ? 1.0 : 0.0);
     });
-    FaceField<2, std::int8_t> plain(grid, 0);
-    for_owned<2>(grid, [&](int axis, const Index<2>& f) { plain(axis, f) = f[0] % 2; });
+    FaceField<2, std::int8_t> first_order(grid, 0);
+    for_owned<2>(grid, [&](int axis, const Index<2>& f) { first_order(axis, f) = f[0] % 2; });
     const double dt = 0.6 / n;
     const BoundaryVelocity<2> sides;
     FaceField<2> sharp(grid), smooth(grid), mixed(grid);
     advect(grid, sharp, u, square, dt, AdvectionScheme::maccormack, sides);
     advect(grid, smooth, u, square, dt, AdvectionScheme::semi_lagrangian, sides);
-    advect<2>(grid, mixed, u, square, dt, AdvectionScheme::maccormack, sides, &plain);
+    advect<2>(grid, mixed, u, square, dt, AdvectionScheme::maccormack, sides, &first_order);
     double largest_correction = 0;
     for_owned<2>(grid, [&](int axis, const Index<2>& f) {
         EXPECT_GE(sharp(axis, f), 0);

@@ -62,9 +62,9 @@ struct Annulus : CoupledScene {
     // One step of advection alone.
     std::vector<Vec<2>> advected(const std::vector<Vec<2>>& u, double dt) const
     {
-        const FilmMemories<2> memories = remember_films<2>(coupling.network, coupling.solids, rest, u, {}, grid.dx());
+        const FilmHistories<2> histories = remember_films<2>(coupling.network, coupling.solids, rest, u, {}, grid.dx());
         return advect_films<2>(
-                   coupling.network, coupling.solids, memories, rest,
+                   coupling.network, coupling.solids, histories, rest,
                    [](const std::vector<Vec<2>>& x) { return std::vector<Vec<2>>(x.size(), Vec<2>(Vec<2>::Zero())); },
                    [](int, int) { return MouthLaw{}; }, dt)
             .velocity;
@@ -153,7 +153,7 @@ TEST(FilmAdvection, SteadySwirlKeepsItsCirculation)
     for (int cells : {24, 48, 96}) {
         const Annulus annulus(cells);
         const Coupling<2>& c = annulus.coupling;
-        ASSERT_TRUE(c.network.mouths.conduits.empty());
+        ASSERT_TRUE(c.network.rim.mouths.empty());
         SolverOptions options;
         options.tolerance = 1e-12;
         const CoupledSolver<2> solver(c.system, options);

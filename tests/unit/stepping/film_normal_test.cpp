@@ -75,10 +75,10 @@ TEST(FilmNormal, FlowRoundACornerGainsNoEnergy)
         u.push_back(speed * Vec<2>(-e.normal[1], e.normal[0]));
         energy += e.volume * speed * speed;
     }
-    const FilmMemories<2> memories =
+    const FilmHistories<2> histories =
         remember_films<2>(before.coupling.network, before.coupling.solids, before.rest, u, {}, before.grid.dx());
     const FilmFlow<2> flow = advect_films<2>(
-        after.coupling.network, after.coupling.solids, memories, after.rest,
+        after.coupling.network, after.coupling.solids, histories, after.rest,
         [](const std::vector<Vec<2>>& x) { return std::vector<Vec<2>>(x.size(), Vec<2>(Vec<2>::Zero())); },
         [](int, int) { return MouthLaw{}; }, 1e-6);
     double along = 0, across = 0;

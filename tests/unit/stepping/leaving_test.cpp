@@ -1,4 +1,4 @@
-// Bodies that leave the domain through an open side, and bodies thinner than the continued flow on their two sides: energy stays bounded.
+// Bodies that leave the domain through an open side, and bodies thinner than the extrapolated flow on their two sides: energy stays bounded.
 #include "gapflow/stepping/simulation.hpp"
 
 #include <gtest/gtest.h>

@@ -53,7 +53,7 @@ TEST(Rounds, ChangesOfStateKeepTheToleranceRough)
     EXPECT_TRUE(rounds.go_on(ContactChange::none, true));
     EXPECT_TRUE(rounds.changed() && rounds.voids_changed());
     EXPECT_EQ(rounds.tolerance(full, true), rough);
-    EXPECT_TRUE(rounds.go_on(ContactChange::pulls, false));
+    EXPECT_TRUE(rounds.go_on(ContactChange::friction, false));
     EXPECT_LT(rounds.tolerance(full, true), rough); // sliding pulls settle on the way
 }
 

@@ -108,7 +108,7 @@ void expect_same_future(const Scene& scene, int before, int after)
             any_contact = any_contact || gaps_a[k].contact_impulse > 0;
         }
         any_film = any_film || !one.coupling().network.films.empty();
-        any_mouth = any_mouth || !one.coupling().network.mouths.conduits.empty();
+        any_mouth = any_mouth || !one.coupling().network.rim.mouths.empty();
         ASSERT_FALSE(::testing::Test::HasFailure()) << "step " << i;
     }
     expect_same(one.state(), two.state());

@@ -343,7 +343,7 @@ TEST(Voids, VolumeIsKeptWhenTheMeshChanges)
     const std::vector<Twist<2>> rest(level.solids.size(), Twist<2>::Zero());
     auto remember = [&](const Coupling<2>& c) {
         return remember_films<2>(c.network, c.solids, rest, std::vector<Vec<2>>(c.network.elements, Vec<2>::Zero()),
-                                 std::vector<double>(c.network.mouths.conduits.size(), 0.0), grid.dx());
+                                 std::vector<double>(c.network.rim.mouths.size(), 0.0), grid.dx());
     };
     VoidSet<2> voids(scene, grid, level.solids, [](const Vec<2>&) { return ambient; });
     voids.find(level, nullptr);
@@ -359,11 +359,11 @@ TEST(Voids, VolumeIsKeptWhenTheMeshChanges)
     voids.finish(level, zeros(level), outflow, 1.0);
     EXPECT_NEAR(total(voids.volume()), kept, 1e-15);
     const std::vector<double> before = voids.volume();
-    const FilmMemories<2> memories = remember(level);
-    voids.find(level, &memories);
+    const FilmHistories<2> histories = remember(level);
+    voids.find(level, &histories);
     for (std::size_t i = 0; i < before.size(); ++i)
         EXPECT_NEAR(voids.volume()[i], before[i], 1e-12 * kept) << "the same mesh keeps every node's";
-    voids.find(tilted, &memories);
+    voids.find(tilted, &histories);
     EXPECT_NEAR(total(voids.volume()), kept, 1e-12 * kept);
     for (int i = 0; i < tilted.network.nodes; ++i)
         if (tilted.network.films[0].mesh.mid[i][0] > 2.3) {

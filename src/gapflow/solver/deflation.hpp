@@ -1,45 +1,22 @@
-// The constants on connected parts of the fluid: null space of the system, and deflation of those parts whose
-// level only bodies or films determine.
+// Deflation of the constants on connected parts of the fluid whose level only bodies or films determine.
 #pragma once
 
 #include "gapflow/solver/coupled_operator.hpp"
 #include "gapflow/solver/film_band.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 
 #include <vector>
 
 namespace gapflow {
 
-/// Projection onto the orthogonal complement of the null vectors z_j = sum_k null_space(k, j) 1_k.
-template <int D>
-class NullSpace {
-public:
-    explicit NullSpace(const CoupledSystem<D>& system);
-    bool empty() const { return system_.null_space.cols() == 0; }
-    /// On return v is orthogonal to all z_j and 0 in cells without unknown. Collective.
-    void project(UnknownVector<D>& v) const;
-    /// What project() would subtract in each component [component + 1]; entry 0 is 0. Collective unless empty.
-    const Eigen::VectorXd& shifts(const UnknownVector<D>& v) const;
-    /// The same for the only component, from the sum over all its unknowns.
-    const Eigen::VectorXd& shifts(double sum) const;
-
-private:
-    const CoupledSystem<D>& system_;
-    Eigen::SparseMatrix<double> vectors_;                     ///< components x null vectors
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> gram_; ///< of the z_j
-    double size_ = 1;                                         ///< unknowns in all components
-    mutable Eigen::VectorXd sums_;
-};
-
 /// Z (Z^T A Z)^+ Z^T with A = L + K M^-1 K^T. Z: for each part of the grid (joined by faces) that no open side touches its
-/// constant, extended harmonically into the films connected to it; for each film with much weaker conduits, or without
+/// constant, extended harmonically into the films connected to it; for each film with much weaker mouths, or without
 /// any, its constant. Beyond the `full_parts` largest, parts are treated separately: the diagonal of Z^T A Z.
 template <int D>
-class ConstantCorrection {
+class Deflation {
 public:
-    ConstantCorrection(const CoupledOperator<D>& matrix, const FilmBand<D>& band);
+    Deflation(const CoupledOperator<D>& matrix, const FilmBand<D>& band);
     bool empty() const { return columns_ == 0; }
     /// z += Z (Z^T A Z)^+ Z^T r. Collective.
     void add_correction(const UnknownVector<D>& r, UnknownVector<D>& z) const;

@@ -1,4 +1,4 @@
-// Where films exchange fluid: conduits to the grid, joints between films (method, "Conduits and joints").
+// Where films exchange fluid: mouths to the grid, joints between films (method, "Mouths and joints").
 #pragma once
 
 #include "gapflow/film/film_cells.hpp"
@@ -10,7 +10,7 @@
 
 namespace gapflow {
 
-enum class ConduitKind {
+enum class MouthKind {
     edge_edge, ///< sharp edges of both bodies: a slot between two right angles
     edge_face, ///< a sharp edge of one, the other continues: half of that slot by symmetry
     smooth,    ///< h reaches h_c between smooth surfaces
@@ -21,9 +21,9 @@ enum class ConduitKind {
 /// A point of a film's rim that joins the film to the grid's pressure:
 /// rho R dq/dt = length * (p_film - p_bulk), q the flux out of the film.
 template <int D>
-struct Conduit {
+struct Mouth {
     int film;
-    ConduitKind kind;
+    MouthKind kind;
     std::array<int, D - 1> nodes;               ///< numbers among all film nodes
     std::array<double, D - 1> shape;            ///< shape functions of these nodes at x
     Vec<D> x, outward;                          ///< at mid-gap; unit, in the film's tangent plane
@@ -39,7 +39,7 @@ struct Joint {
     double conductance; ///< at fluid density 1
 };
 
-/// A part of a film's rim with neither conduit nor joint.
+/// A part of a film's rim with neither mouth nor joint.
 template <int D>
 struct BlindEnd {
     int film;
@@ -48,23 +48,23 @@ struct BlindEnd {
 };
 
 template <int D>
-struct Mouths {
-    std::vector<Conduit<D>> conduits;
+struct RimLinks {
+    std::vector<Mouth<D>> mouths;
     std::vector<Joint<D>> joints;
     double closed_length = 0;       ///< of rim that ends against a wall or a third body (2D: number of ends)
-    double blind_length = 0;        ///< of rim with neither conduit nor joint
+    double blind_length = 0;        ///< of rim with neither mouth nor joint
     std::vector<BlindEnd<D>> blind; ///< one for each film that has some
 };
 
 /// Resistance R of a mouth of thickness h.
-double mouth_resistance(ConduitKind kind, double h, double dx);
+double mouth_resistance(MouthKind kind, double h, double dx);
 
 /// Films with their cells, closed faces and mouths: everything that the coupling needs of them.
 template <int D>
 struct FilmNetwork {
     std::vector<Film<D>> films;
     FilmCells<D> cells;
-    Mouths<D> mouths;
+    RimLinks<D> rim;
     std::shared_ptr<const FaceCache<D>> faces;
     int nodes = 0, elements = 0;
 };

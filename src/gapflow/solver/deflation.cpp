@@ -6,7 +6,7 @@
 //
 // Energies at round-off (null vectors) are dropped; squares make that safe for the bodies' part.
 
-#include "gapflow/solver/constants.hpp"
+#include "gapflow/solver/deflation.hpp"
 
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/solver/grid_parts.hpp"
@@ -19,13 +19,13 @@ namespace gapflow {
 namespace {
 
 constexpr int full_parts = 48;
-constexpr double weak_conduits =
+constexpr double weak_mouths =
     1e-6; // relative to the film's conductances: below, the band's own solve does not resolve the film's level
 
 } // namespace
 
 template <int D>
-ConstantCorrection<D>::ConstantCorrection(const CoupledOperator<D>& matrix, const FilmBand<D>& band)
+Deflation<D>::Deflation(const CoupledOperator<D>& matrix, const FilmBand<D>& band)
     : system_(matrix.system()), matrix_(matrix), band_(band), node_part_(matrix.system().nodes, -1)
 {
     // The usual case: the null space contains all constants, and no part of a component has a separate level.
@@ -44,7 +44,7 @@ ConstantCorrection<D>::ConstantCorrection(const CoupledOperator<D>& matrix, cons
 }
 
 template <int D>
-bool ConstantCorrection<D>::all_constants_null() const
+bool Deflation<D>::all_constants_null() const
 {
     long floating = 0;
     for (const Component& component : system_.components)
@@ -55,7 +55,7 @@ bool ConstantCorrection<D>::all_constants_null() const
 // Parts without a body or link have no energy and no column. Parts that lie wholly in the films' band have no column either: the band's
 // solve determines their level.
 template <int D>
-void ConstantCorrection<D>::number_columns(bool whole)
+void Deflation<D>::number_columns(bool whole)
 {
     const Grid<D>& grid = *system_.grid;
     std::vector<char> grounded;
@@ -98,7 +98,7 @@ void ConstantCorrection<D>::number_columns(bool whole)
 }
 
 template <int D>
-int ConstantCorrection<D>::number_weak_films()
+int Deflation<D>::number_weak_films()
 {
     DisjointSets films(system_.nodes);
     for (const FilmEdge& edge : matrix_.film_edges())
@@ -116,7 +116,7 @@ int ConstantCorrection<D>::number_weak_films()
     std::vector<int> column(system_.nodes, -1);
     for (int i = 0; i < system_.nodes; ++i) {
         const int r = films.find(i);
-        if (outside[r] > weak_conduits * inside[r])
+        if (outside[r] > weak_mouths * inside[r])
             continue;
         if (column[r] < 0)
             column[r] = count++;
@@ -126,7 +126,7 @@ int ConstantCorrection<D>::number_weak_films()
 }
 
 template <int D>
-void ConstantCorrection<D>::column(int k, UnknownVector<D>& z) const
+void Deflation<D>::column(int k, UnknownVector<D>& z) const
 {
     z.cells.fill(0);
     z.nodes.setZero();
@@ -135,7 +135,7 @@ void ConstantCorrection<D>::column(int k, UnknownVector<D>& z) const
 
 // Extends each column that is not a film of its own over the band.
 template <int D>
-void ConstantCorrection<D>::extend_over_band()
+void Deflation<D>::extend_over_band()
 {
     extension_ = Eigen::MatrixXd::Zero(band_.size(), full_);
     if (band_.empty())
@@ -157,7 +157,7 @@ void ConstantCorrection<D>::extend_over_band()
 }
 
 template <int D>
-typename ConstantCorrection<D>::Magnitudes ConstantCorrection<D>::magnitudes() const
+typename Deflation<D>::Magnitudes Deflation<D>::magnitudes() const
 {
     const int dofs = matrix_.dofs();
     Magnitudes result{Eigen::VectorXd::Zero(columns_), Eigen::VectorXd::Zero(columns_), Eigen::VectorXd::Zero(columns_)};
@@ -196,7 +196,7 @@ typename ConstantCorrection<D>::Magnitudes ConstantCorrection<D>::magnitudes() c
 }
 
 template <int D>
-void ConstantCorrection<D>::set_up_energies()
+void Deflation<D>::set_up_energies()
 {
     full_ = std::min(columns_, full_parts);
     const int dofs = matrix_.dofs();
@@ -221,7 +221,7 @@ void ConstantCorrection<D>::set_up_energies()
     if (dofs > 0) {
         Eigen::MatrixXd twists(dofs, full_);
         for (int k = 0; k < full_; ++k) {
-            // A film's harmonic continuation may carry the flux: its magnitude is not in `fluxes`.
+            // A film's harmonic extension may carry the flux: its magnitude is not in `fluxes`.
             const double size = flux.col(k).cwiseAbs2().cwiseQuotient(mass).sum();
             if (size < 1e-20 * fluxes[k])
                 flux.col(k).setZero();
@@ -245,7 +245,7 @@ void ConstantCorrection<D>::set_up_energies()
 }
 
 template <int D>
-Eigen::VectorXd ConstantCorrection<D>::restricted(const UnknownVector<D>& r) const
+Eigen::VectorXd Deflation<D>::restricted(const UnknownVector<D>& r) const
 {
     const Grid<D>& grid = *system_.grid;
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(columns_ + 1); // entry 0: no column
@@ -268,7 +268,7 @@ Eigen::VectorXd ConstantCorrection<D>::restricted(const UnknownVector<D>& r) con
 }
 
 template <int D>
-void ConstantCorrection<D>::prolong(const Eigen::VectorXd& c, UnknownVector<D>& z) const
+void Deflation<D>::prolong(const Eigen::VectorXd& c, UnknownVector<D>& z) const
 {
     Eigen::VectorXd value = Eigen::VectorXd::Zero(columns_ + 1);
     value.tail(columns_) = c;
@@ -290,7 +290,7 @@ void ConstantCorrection<D>::prolong(const Eigen::VectorXd& c, UnknownVector<D>& 
 }
 
 template <int D>
-void ConstantCorrection<D>::add_correction(const UnknownVector<D>& r, UnknownVector<D>& z) const
+void Deflation<D>::add_correction(const UnknownVector<D>& r, UnknownVector<D>& z) const
 {
     if (empty())
         return;
@@ -301,7 +301,7 @@ void ConstantCorrection<D>::add_correction(const UnknownVector<D>& r, UnknownVec
     prolong(c, z);
 }
 
-template class ConstantCorrection<2>;
-template class ConstantCorrection<3>;
+template class Deflation<2>;
+template class Deflation<3>;
 
 } // namespace gapflow

@@ -1,7 +1,7 @@
 // Where films exchange fluid: a mouth's resistance, and what the ends of films with known geometry join.
 #include "film_scene.hpp"
 
-#include "gapflow/film/conduits.hpp"
+#include "gapflow/film/mouths.hpp"
 
 #include <cmath>
 #include <map>
@@ -17,22 +17,22 @@ using std::numbers::pi;
 TEST(MouthResistance, HandValues)
 {
     const double dx = 0.3, r = 0.8 * dx;
-    EXPECT_NEAR(mouth_resistance(ConduitKind::edge_edge, pi * r / 2, dx), 1 / pi, 1e-14);
-    EXPECT_NEAR(mouth_resistance(ConduitKind::edge_edge, pi * r / (2 * e), dx), 2 / pi, 1e-14);
+    EXPECT_NEAR(mouth_resistance(MouthKind::edge_edge, pi * r / 2, dx), 1 / pi, 1e-14);
+    EXPECT_NEAR(mouth_resistance(MouthKind::edge_edge, pi * r / (2 * e), dx), 2 / pi, 1e-14);
     const double thin = pi * r / (4 * std::exp(8.0)); // its mirror image is next to nothing
-    EXPECT_NEAR(mouth_resistance(ConduitKind::edge_face, thin, dx), 18 / pi, 1e-12);
-    EXPECT_NEAR(mouth_resistance(ConduitKind::edge_face, dx, dx),
-                2 / pi * (std::log(pi * std::pow(0.4096 + 0.14, 0.25) / 4) + 1), 1e-14);
-    EXPECT_NEAR(mouth_resistance(ConduitKind::smooth, 0.1 * dx, dx), 20.0 / 3, 1e-13); // 1/2 and 1/6 of a cell
+    EXPECT_NEAR(mouth_resistance(MouthKind::edge_face, thin, dx), 18 / pi, 1e-12);
+    EXPECT_NEAR(mouth_resistance(MouthKind::edge_face, dx, dx), 2 / pi * (std::log(pi * std::pow(0.4096 + 0.14, 0.25) / 4) + 1),
+                1e-14);
+    EXPECT_NEAR(mouth_resistance(MouthKind::smooth, 0.1 * dx, dx), 20.0 / 3, 1e-13); // 1/2 and 1/6 of a cell
     for (const double h : {0.01, 1.0}) {
-        EXPECT_EQ(mouth_resistance(ConduitKind::open_side, h, dx), 0.2);
-        EXPECT_EQ(mouth_resistance(ConduitKind::inflow, h, dx), 0.2);
+        EXPECT_EQ(mouth_resistance(MouthKind::open_side, h, dx), 0.2);
+        EXPECT_EQ(mouth_resistance(MouthKind::inflow, h, dx), 0.2);
     }
 }
 
 TEST(MouthResistance, FallsWithThicknessToItsFloorAndKnowsNoScale)
 {
-    for (const ConduitKind kind : {ConduitKind::edge_edge, ConduitKind::edge_face, ConduitKind::smooth}) {
+    for (const MouthKind kind : {MouthKind::edge_edge, MouthKind::edge_face, MouthKind::smooth}) {
         double last = mouth_resistance(kind, 1e-9, 1);
         for (double h = 2e-9; h < 100; h *= 2) {
             const double R = mouth_resistance(kind, h, 1);
@@ -41,15 +41,15 @@ TEST(MouthResistance, FallsWithThicknessToItsFloorAndKnowsNoScale)
             EXPECT_NEAR(mouth_resistance(kind, 7 * h, 7), R, 1e-12 * R);
             last = R;
         }
-        EXPECT_EQ(mouth_resistance(ConduitKind::edge_edge, 1e3, 1), 0.02);
+        EXPECT_EQ(mouth_resistance(MouthKind::edge_edge, 1e3, 1), 0.02);
     }
 }
 
-/// What holds for every network: shares of nodes and cells sum to 1, and no conduit draws on a cell of film or solid.
+/// What holds for every network: shares of nodes and cells sum to 1, and no mouth draws on a cell of film or solid.
 template <int D>
 void check_network(const FilmScene<D>& scene, const FilmNetwork<D>& network)
 {
-    for (const Conduit<D>& c : network.mouths.conduits) {
+    for (const Mouth<D>& c : network.rim.mouths) {
         const Film<D>& film = network.films[c.film];
         double nodes = 0, cells = 0;
         Vec<D> x = Vec<D>::Zero();
@@ -81,8 +81,8 @@ void mouths_of_plates()
     EXPECT_EQ(network.elements, static_cast<int>(network.films[0].mesh.elements.size()));
     check_network(*scene, network);
     std::map<int, double> length; // by the way out
-    for (const Conduit<D>& c : network.mouths.conduits) {
-        EXPECT_EQ(c.kind, ConduitKind::edge_edge);
+    for (const Mouth<D>& c : network.rim.mouths) {
+        EXPECT_EQ(c.kind, MouthKind::edge_edge);
         EXPECT_NEAR(c.h, 0.2, 1e-12);
         EXPECT_NEAR(c.resistance, (std::log(pi * 0.8 / 0.4) + 1) / pi, 1e-10);
         int axis = 0;
@@ -100,23 +100,23 @@ void mouths_of_plates()
     ASSERT_EQ(length.size(), static_cast<std::size_t>(2 * (D - 1)));
     for (const auto& [side, sum] : length)
         EXPECT_NEAR(sum, D == 2 ? 1 : 4, 1e-9);
-    EXPECT_TRUE(network.mouths.joints.empty() && network.mouths.blind.empty());
-    EXPECT_EQ(network.mouths.closed_length, 0);
-    EXPECT_EQ(network.mouths.blind_length, 0);
+    EXPECT_TRUE(network.rim.joints.empty() && network.rim.blind.empty());
+    EXPECT_EQ(network.rim.closed_length, 0);
+    EXPECT_EQ(network.rim.blind_length, 0);
 }
 
-TEST(Conduits, OfTwoPlates2D)
+TEST(Mouths, OfTwoPlates2D)
 {
     mouths_of_plates<2>();
 }
 
-TEST(Conduits, OfTwoPlates3D)
+TEST(Mouths, OfTwoPlates3D)
 {
     mouths_of_plates<3>();
 }
 
 // A box above a wide one: one edge at each mouth. Beside it stands a third one that it touches: no mouth there.
-TEST(Conduits, BesideAFaceThatGoesOnAndClosedByAThirdBody)
+TEST(Mouths, BesideAFaceThatGoesOnAndClosedByAThirdBody)
 {
     for (const bool closed : {false, true}) {
         FilmScene<2> scene(12);
@@ -127,21 +127,20 @@ TEST(Conduits, BesideAFaceThatGoesOnAndClosedByAThirdBody)
         scene.clip();
         const FilmNetwork<2> network = scene.network([](int a, int b) { return a < 2 && b < 2; });
         check_network(scene, network);
-        ASSERT_EQ(network.mouths.conduits.size(), closed ? 1u : 2u);
-        EXPECT_EQ(network.mouths.closed_length, closed ? 1 : 0);
-        EXPECT_EQ(network.mouths.blind_length, 0);
-        for (const Conduit<2>& c : network.mouths.conduits) {
-            EXPECT_EQ(c.kind, ConduitKind::edge_face);
+        ASSERT_EQ(network.rim.mouths.size(), closed ? 1u : 2u);
+        EXPECT_EQ(network.rim.closed_length, closed ? 1 : 0);
+        EXPECT_EQ(network.rim.blind_length, 0);
+        for (const Mouth<2>& c : network.rim.mouths) {
+            EXPECT_EQ(c.kind, MouthKind::edge_face);
             EXPECT_EQ(c.length, 1);
-            EXPECT_EQ(c.resistance, mouth_resistance(ConduitKind::edge_face, c.h, 1));
+            EXPECT_EQ(c.resistance, mouth_resistance(MouthKind::edge_face, c.h, 1));
         }
-        EXPECT_NEAR(network.mouths.conduits.back().outward[0] + network.mouths.conduits.front().outward[0], closed ? 2 : 0,
-                    1e-12);
+        EXPECT_NEAR(network.rim.mouths.back().outward[0] + network.rim.mouths.front().outward[0], closed ? 2 : 0, 1e-12);
     }
 }
 
 // Plates that reach through an open side: the film goes out there, and draws on no cell.
-TEST(Conduits, AtAnOpenSideAndAnInflow)
+TEST(Mouths, AtAnOpenSideAndAnInflow)
 {
     for (const SideKind side : {SideKind::open, SideKind::inflow}) {
         FilmScene<2> scene(10, side);
@@ -150,22 +149,22 @@ TEST(Conduits, AtAnOpenSideAndAnInflow)
         scene.clip();
         const FilmNetwork<2> network = scene.network();
         int at_side = 0;
-        for (const Conduit<2>& c : network.mouths.conduits) {
+        for (const Mouth<2>& c : network.rim.mouths) {
             EXPECT_EQ(c.cells.empty(), c.outward[0] < 0);
             if (c.outward[0] > 0)
                 continue;
             ++at_side;
-            EXPECT_EQ(c.kind, side == SideKind::open ? ConduitKind::open_side : ConduitKind::inflow);
+            EXPECT_EQ(c.kind, side == SideKind::open ? MouthKind::open_side : MouthKind::inflow);
             EXPECT_NEAR(c.x[0], 0, 1e-3);
             EXPECT_EQ(c.resistance, 0.2);
         }
         EXPECT_EQ(at_side, 1);
-        EXPECT_EQ(network.mouths.conduits.size(), 2u);
+        EXPECT_EQ(network.rim.mouths.size(), 2u);
     }
 }
 
 // Two boxes side by side under a lid: their films go on into each other, over a hundredth of a cell of film.
-TEST(Conduits, FilmsThatMeetAreJoined)
+TEST(Mouths, FilmsThatMeetAreJoined)
 {
     FilmScene<2> scene(14);
     scene.add_box("left", {3, 4}, {7, 6.3});
@@ -175,10 +174,10 @@ TEST(Conduits, FilmsThatMeetAreJoined)
     const FilmNetwork<2> network = scene.network([](int a, int b) { return a == 2 || b == 2; });
     ASSERT_EQ(network.films.size(), 2u);
     check_network(scene, network);
-    EXPECT_EQ(network.mouths.conduits.size(), 2u);
-    EXPECT_EQ(network.mouths.blind_length, 0);
-    ASSERT_EQ(network.mouths.joints.size(), 2u); // one from each side
-    for (const Joint<2>& joint : network.mouths.joints) {
+    EXPECT_EQ(network.rim.mouths.size(), 2u);
+    EXPECT_EQ(network.rim.blind_length, 0);
+    ASSERT_EQ(network.rim.joints.size(), 2u); // one from each side
+    for (const Joint<2>& joint : network.rim.joints) {
         EXPECT_NEAR(joint.conductance, 0.2 / 0.01, 1e-8);
         EXPECT_EQ(joint.shape_a[0], 1);
         EXPECT_EQ(joint.shape_b[0], 1);
@@ -200,7 +199,7 @@ TEST(FilmNetwork, CountsItsNodesAndNumbersItsFilms)
     scene.clip();
     const FilmNetwork<2> network = scene.network();
     ASSERT_EQ(network.films.size(), 2u);
-    EXPECT_EQ(network.mouths.conduits.size(), 4u); // the bulk lies below the hollow between the boxes
+    EXPECT_EQ(network.rim.mouths.size(), 4u); // the bulk lies below the hollow between the boxes
     check_network(scene, network);
     EXPECT_EQ(network.films[0].first_node, 0);
     EXPECT_EQ(network.films[1].first_node, static_cast<int>(network.films[0].mesh.h.size()));

@@ -1,7 +1,7 @@
 // Velocities of a pair's films after the last step, as a field on the master's surface in which traces can be followed back.
 #pragma once
 
-#include "gapflow/film/conduits.hpp"
+#include "gapflow/film/mouths.hpp"
 
 #include <span>
 #include <vector>
@@ -17,21 +17,22 @@ Vec<D> tangential(const Vec<D>& v, const Vec<D>& n)
 
 /// The films of one pair of solids after a step.
 template <int D>
-class FilmMemory {
+class FilmHistory {
 public:
-    struct Mouth {
+    struct OldMouth {
         Vec<D> place;           ///< in the master's frame
         Vec<D> outward;         ///< world axes, at the time
         double h, flux;         ///< thickness and absolute flux out of the film, per length of rim
         Vec<D> master_velocity; ///< world, of the master there
-        ConduitKind kind;
+        MouthKind kind;
     };
 
     /// `films`: the pieces of this pair; `w`: one world vector for each element of all films of the network. Elements marked in `idle` (one
-    /// value for each element of the network, or none) are excluded from the reconstruction. `push`: acceleration by the pressure, one for
+    /// value for each element of the network, or none) are excluded from the reconstruction. `acceleration`: acceleration by the pressure, one for
     /// each element of the network, or none.
-    FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
-               const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& push, const std::vector<char>& idle, double dx);
+    FilmHistory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
+                const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& acceleration, const std::vector<char>& idle,
+                double dx);
 
     /// Velocity (world axes) transported to a point of the master's frame over dt, with the old normal at its foot.
     struct Transported {
@@ -45,7 +46,7 @@ public:
     /// Old velocity at a point of the master's frame, extrapolated linearly beyond the film, and the film's normal there.
     Transported at(const Vec<D>& x_body, int& hint) const { return transport(x_body, 0.0, hint); }
     /// Whether transport is of second order in time: the pressure's acceleration is known.
-    bool second_order() const { return !push_.empty(); }
+    bool second_order() const { return !acceleration_.empty(); }
     /// Velocity there (world axes) after half of dt; second order only.
     Vec<D> half_way(const Vec<D>& x_body, double dt, int& hint) const;
     /// A field given at the vertices, linear over the elements, at a point of the master's frame; 0 where there was no film. `hint` as
@@ -62,9 +63,9 @@ public:
     /// Velocity of the master's old rigid motion at a point of its frame (world axes).
     Vec<D> master_velocity(const Vec<D>& x_body) const;
     /// The old mouth whose flux a new one at this place takes over; null: none near.
-    const Mouth* mouth(const Vec<D>& x_body, const Vec<D>& outward) const;
+    const OldMouth* nearest_mouth(const Vec<D>& x_body, const Vec<D>& outward) const;
 
-    std::vector<Mouth> mouths;
+    std::vector<OldMouth> mouths;
 
 private:
     struct Place {
@@ -77,7 +78,7 @@ private:
     Place walk(const Vec<D>& x_body, int start) const;
     void join_elements();
     Vec<D> vertex_velocity(const Vec<D>& x_body, const Place& place) const;
-    Vec<D> half_push(const Place& place, double dt) const;
+    Vec<D> half_step_change(const Place& place, double dt) const;
     void fit_vertices(const std::vector<double>& weight);
     Index<D> bin(const Vec<D>& x_body) const;
     long bin_key(const Index<D>& bin) const;
@@ -96,7 +97,8 @@ private:
     std::vector<char> coarse_, idle_;        ///< elements too large for their gap; those excluded from the reconstruction
     std::vector<Vec<D>> w_, normal_;         ///< of elements, world axes
     std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
-    std::vector<Vec<D>> push_, push_vertex_; ///< acceleration by the pressure, of elements and vertices, world axes; or none
+    std::vector<Vec<D>> acceleration_,
+        acceleration_vertex_; ///< acceleration by the pressure, of elements and vertices, world axes; or none
     KeyMap<std::vector<int>> bins_;
 };
 

@@ -1,4 +1,4 @@
-#include "gapflow/stepping/film_turn.hpp"
+#include "gapflow/stepping/film_reversal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +8,15 @@ namespace gapflow {
 
 namespace {
 
-// With the speed v and slowed down by a, a gap never closes if gap a > v^2 / 2; plates in ideal flow have just that, what meets at a point or
-// an edge tends to 0. Between the two:
+// With the speed v and slowed down by a, a gap never closes if gap a > v^2 / 2; plates in ideal flow have exactly that value,
+// surfaces that meet at a point or an edge tend to 0. The limit lies between the two:
 constexpr double stopping = 0.25;
 // Films thinner than this times their floor are those of contact.
 constexpr double in_contact = 2;
 // Plates whose gap is nowhere thicker than this times its mean are parallel enough.
 constexpr double parallel = 1.5;
-// A film gets thinner by no more than this in a step; what was lost of it otherwise is no measure of its speed.
+// Largest decrease of a film's thickness in a step by its motion; a larger one has another cause and does not measure its
+// speed.
 constexpr double thinnest = 0.5;
 
 /// Of a pair's films.
@@ -27,7 +28,7 @@ struct Gap {
 };
 
 template <int D>
-double thinning(const Gap& now, const FilmMemory<D>& before)
+double thinning(const Gap& now, const FilmHistory<D>& before)
 {
     return std::sqrt(std::clamp(now.thickness() * before.area() / before.volume(), thinnest, 1.0));
 }
@@ -36,8 +37,8 @@ double thinning(const Gap& now, const FilmMemory<D>& before)
 
 template <int D>
 std::set<FilmPair<D>>
-turning_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, const std::vector<Twist<D>>& acceleration,
-              const std::function<GapSettings(int, int)>& settings, const std::function<MouthLaw(int, int)>& law)
+reversing_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, const std::vector<Twist<D>>& acceleration,
+                const std::function<GapSettings(int, int)>& settings, const std::function<MouthLaw(int, int)>& law)
 {
     std::map<FilmPair<D>, Gap> gaps;
     for (const Film<D>& film : coupling.network.films) {
@@ -57,7 +58,7 @@ turning_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, 
             gap.acceleration += q.weight * rate(acceleration);
         }
     }
-    std::set<FilmPair<D>> turning;
+    std::set<FilmPair<D>> reversing;
     for (auto& [pair, gap] : gaps) {
         gap.opening /= gap.area;
         gap.acceleration /= gap.area;
@@ -65,16 +66,16 @@ turning_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, 
             gap.thickness() > in_contact * settings(pair.master, pair.other).floor &&
             gap.thickest < parallel * gap.thickness() && gap.opening < 0 &&
             gap.thickness() * gap.acceleration > stopping * gap.opening * gap.opening && !law(pair.master, pair.other).jet)
-            turning.insert(pair);
+            reversing.insert(pair);
     }
-    return turning;
+    return reversing;
 }
 
 template <int D>
-void turn_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmMemories<D>& memories,
-                const std::set<FilmPair<D>>& turning, const std::vector<Twist<D>>& twists, FilmFlow<D>& flow)
+void reverse_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
+                   const std::set<FilmPair<D>>& reversing, const std::vector<Twist<D>>& twists, FilmFlow<D>& flow)
 {
-    if (turning.empty())
+    if (reversing.empty())
         return;
     std::map<FilmPair<D>, Gap> gaps;
     for (const Film<D>& film : network.films)
@@ -89,8 +90,8 @@ void turn_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
                              velocity_at<D>(twists[b], x - solids[b].centre - film.mesh.shift)));
     };
     for (const Film<D>& film : network.films) {
-        const auto old = memories.find(film.pair);
-        if (!turning.contains(film.pair) || old == memories.end())
+        const auto old = histories.find(film.pair);
+        if (!reversing.contains(film.pair) || old == histories.end())
             continue;
         // Speeds in the film go like gap^(-1/2), its fluxes like gap^(1/2).
         const double thinner = thinning(gaps[film.pair], *old->second);
@@ -102,28 +103,28 @@ void turn_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
             flow.velocity[film.first_element + i] = tangential<D>(U - (w - U) / thinner, e.normal);
         }
     }
-    for (std::size_t r = 0; r < network.mouths.conduits.size(); ++r) {
-        const Conduit<D>& conduit = network.mouths.conduits[r];
-        const Film<D>& film = network.films[conduit.film];
-        const auto old = memories.find(film.pair);
-        if (!turning.contains(film.pair) || old == memories.end())
+    for (std::size_t r = 0; r < network.rim.mouths.size(); ++r) {
+        const Mouth<D>& mouth = network.rim.mouths[r];
+        const Film<D>& film = network.films[mouth.film];
+        const auto old = histories.find(film.pair);
+        if (!reversing.contains(film.pair) || old == histories.end())
             continue;
-        const auto* mouth = old->second->mouth(solids[film.pair.master].shape.to_body(conduit.x), conduit.outward);
-        if (!mouth)
+        const auto* old_mouth = old->second->nearest_mouth(solids[film.pair.master].shape.to_body(mouth.x), mouth.outward);
+        if (!old_mouth)
             continue;
         const double thinner = thinning(gaps[film.pair], *old->second);
-        const double along = conduit.outward.dot(carried(film, conduit.x));
-        flow.conduit[r] = conduit.length * (conduit.h * along - thinner * (mouth->flux - mouth->h * along));
-        flow.conduit_scale[r] = 1;
+        const double along = mouth.outward.dot(carried(film, mouth.x));
+        flow.mouth[r] = mouth.length * (mouth.h * along - thinner * (old_mouth->flux - old_mouth->h * along));
+        flow.mouth_scale[r] = 1;
     }
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template std::set<FilmPair<D>> turning_films<D>(const Coupling<D>&, const std::vector<Twist<D>>&,                          \
-                                                    const std::vector<Twist<D>>&, const std::function<GapSettings(int, int)>&, \
-                                                    const std::function<MouthLaw(int, int)>&);                                 \
-    template void turn_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmMemories<D>&,                      \
-                                const std::set<FilmPair<D>>&, const std::vector<Twist<D>>&, FilmFlow<D>&);
+    template std::set<FilmPair<D>> reversing_films<D>(                                                                         \
+        const Coupling<D>&, const std::vector<Twist<D>>&, const std::vector<Twist<D>>&,                                        \
+        const std::function<GapSettings(int, int)>&, const std::function<MouthLaw(int, int)>&);                                \
+    template void reverse_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmHistories<D>&,                  \
+                                   const std::set<FilmPair<D>>&, const std::vector<Twist<D>>&, FilmFlow<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

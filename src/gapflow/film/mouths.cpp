@@ -1,4 +1,4 @@
-#include "gapflow/film/conduits.hpp"
+#include "gapflow/film/mouths.hpp"
 
 #include "gapflow/film/mouth_stencil.hpp"
 #include "gapflow/film/rim_joints.hpp"
@@ -14,7 +14,7 @@ namespace gapflow {
 
 namespace {
 
-constexpr double sample_distance = 0.5;     // of a conduit's grid pressure beyond the rim, in dx
+constexpr double sample_distance = 0.5;     // of a mouth's grid pressure beyond the rim, in dx
 constexpr double mouth_radius = 0.8;        // r in the mouth formulas, in dx: the radius that the grid resolves
 constexpr double open_resistance = 0.2;     // of a mouth on an open side
 constexpr double minimum_resistance = 0.02; // keeps wide mouths positive
@@ -53,8 +53,8 @@ public:
     {
         KeyMap<char> reached;
         for (const End& end : ends_)
-            if (end.conduit)
-                for (const auto& [key, weight] : end.conduit->cells)
+            if (end.mouth)
+                for (const auto& [key, weight] : end.mouth->cells)
                     reached.insert(key);
         std::vector<long> keys;
         for (const auto& item : reached)
@@ -62,13 +62,13 @@ public:
         return keys;
     }
 
-    Mouths<D> mouths()
+    RimLinks<D> links()
     {
-        Mouths<D> result;
+        RimLinks<D> result;
         for (std::size_t i = 0; i < points_.size(); ++i) {
             End& end = ends_[i];
-            if (end.conduit)
-                result.conduits.push_back(std::move(*end.conduit));
+            if (end.mouth)
+                result.mouths.push_back(std::move(*end.mouth));
             else if (end.closed)
                 result.closed_length += points_[i].length;
             else if (end.joints.empty()) {
@@ -88,11 +88,11 @@ private:
     /// The end at a point of a rim; none: blind.
     struct End {
         bool closed = false;
-        std::optional<Conduit<D>> conduit;
+        std::optional<Mouth<D>> mouth;
         std::vector<Joint<D>> joints;
     };
 
-    // First match: closed, side of the domain, free conduit, joint of neighbours, conduit, joint within reach, blind.
+    // First match: closed, side of the domain, free mouth, joint of neighbours, mouth, joint within reach, blind.
     void place(const RimPoint<D>& point, End& end)
     {
         const double dx = grid_.dx();
@@ -100,18 +100,18 @@ private:
             end.closed = true;
             return;
         }
-        if (add_side_conduit(point, end))
+        if (add_side_mouth(point, end))
             return;
         const Vec<D> y = point.x + sample_distance * dx * point.edge->outward;
         std::vector<std::pair<long, double>> cells = stencil_across(point, y);
         if (!cells.empty() && is_free(point, y)) {
-            add_conduit(point, kind_of_rim(point), std::move(cells), end);
+            append_mouth(point, kind_of_rim(point), std::move(cells), end);
             return;
         }
         if (joints_.add(point, joint_reach, 0, end.joints))
             return;
         if (!cells.empty())
-            add_conduit(point, kind_of_rim(point), std::move(cells), end);
+            append_mouth(point, kind_of_rim(point), std::move(cells), end);
         else
             joints_.add(point, 0, joint_reach * dx, end.joints);
     }
@@ -129,7 +129,7 @@ private:
         });
     }
 
-    bool add_side_conduit(const RimPoint<D>& point, End& result)
+    bool add_side_mouth(const RimPoint<D>& point, End& result)
     {
         for (int axis = 0; axis < D; ++axis)
             for (int end = 0; end < 2; ++end) {
@@ -138,7 +138,7 @@ private:
                 if ((side != SideKind::open && side != SideKind::inflow) ||
                     std::abs(point.x[axis] - plane) > 1e-3 * grid_.dx() || point.edge->outward[axis] * (2 * end - 1) < 0.5)
                     continue;
-                add_conduit(point, side == SideKind::open ? ConduitKind::open_side : ConduitKind::inflow, {}, result);
+                append_mouth(point, side == SideKind::open ? MouthKind::open_side : MouthKind::inflow, {}, result);
                 return true;
             }
         return false;
@@ -185,17 +185,17 @@ private:
         return false;
     }
 
-    ConduitKind kind_of_rim(const RimPoint<D>& point) const
+    MouthKind kind_of_rim(const RimPoint<D>& point) const
     {
         if (point.edge->end == RimEnd::thickness || point.edge->end == RimEnd::normals)
-            return ConduitKind::smooth;
+            return MouthKind::smooth;
         const Vec<D> probe = point.x + mouth_radius * grid_.dx() * point.edge->outward;
         auto goes_on = [&](const PlacedShape<D>& shape) {
             const SurfacePoint<D> p = shape.closest(probe);
             return p.feature == Feature::face && p.distance > -1e-9 * grid_.dx();
         };
         const bool either = goes_on(gaps_.master(point.film)) || goes_on(gaps_.other(point.film));
-        return either ? ConduitKind::edge_face : ConduitKind::edge_edge;
+        return either ? MouthKind::edge_face : MouthKind::edge_edge;
     }
 
     // A mouth thicker than two cells that continues as a channel is connected to all cells across it: the mean of several stencils, one for
@@ -203,7 +203,7 @@ private:
     std::vector<std::pair<long, double>> stencil_across(const RimPoint<D>& point, const Vec<D>& y)
     {
         const int count = static_cast<int>(std::ceil(point.h / grid_.dx() - 1e-9));
-        if (point.h <= 2 * grid_.dx() || kind_of_rim(point) != ConduitKind::smooth)
+        if (point.h <= 2 * grid_.dx() || kind_of_rim(point) != MouthKind::smooth)
             return mouth_stencil(*states_, y);
         const FilmMesh<D>& mesh = films_[point.film].mesh;
         Vec<D> across = Vec<D>::Zero();
@@ -228,16 +228,16 @@ private:
         return result;
     }
 
-    void add_conduit(const RimPoint<D>& point, ConduitKind kind, std::vector<std::pair<long, double>> cells, End& end) const
+    void append_mouth(const RimPoint<D>& point, MouthKind kind, std::vector<std::pair<long, double>> cells, End& end) const
     {
         const Film<D>& film = films_[point.film];
-        const double resistance = kind == ConduitKind::smooth
+        const double resistance = kind == MouthKind::smooth
                                       ? std::max(channel_length(point, cells) / point.h, minimum_resistance)
                                       : mouth_resistance(kind, point.h, grid_.dx());
-        end.conduit = {point.film,      kind,    global_nodes(film, point.edge->nodes),
-                       point.shape,     point.x, point.edge->outward,
-                       point.length,    point.h, resistance,
-                       std::move(cells)};
+        end.mouth = {point.film,      kind,    global_nodes(film, point.edge->nodes),
+                     point.shape,     point.x, point.edge->outward,
+                     point.length,    point.h, resistance,
+                     std::move(cells)};
     }
 
     // Beyond a smooth end the gap continues as a channel up to the stencil's point: the weighted mean of its cells along the
@@ -280,18 +280,18 @@ private:
 // r = 0.8 dx. Beside a wall that goes on the distance between the slot and its mirror image grows with h, and the grid resolves
 // less of the flow between them: r grows with h (its factor is fitted). A smooth end is a channel up to the sample point,
 // and the 1/6 is the loss of multilinear interpolation and its transpose, f (1 - f) dx / h on average.
-double mouth_resistance(ConduitKind kind, double h, double dx)
+double mouth_resistance(MouthKind kind, double h, double dx)
 {
     using std::numbers::pi;
     constexpr double mirror_part = 0.14;
     const double r = mouth_radius * dx;
-    if (kind == ConduitKind::edge_edge)
+    if (kind == MouthKind::edge_edge)
         return std::max((std::log(pi * r / (2 * h)) + 1) / pi, minimum_resistance);
-    if (kind == ConduitKind::edge_face) {
+    if (kind == MouthKind::edge_face) {
         const double wide = std::pow(std::pow(r, 4) + mirror_part * std::pow(h, 4), 0.25);
         return std::max(2 * (std::log(pi * wide / (4 * h)) + 1) / pi, minimum_resistance);
     }
-    if (kind == ConduitKind::smooth)
+    if (kind == MouthKind::smooth)
         return std::max((sample_distance + 1.0 / 6.0) * dx / h, minimum_resistance);
     return open_resistance;
 }
@@ -318,7 +318,7 @@ FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>>
             if (changed.empty())
                 break;
         }
-        network.mouths = finder.mouths();
+        network.rim = finder.links();
         std::set<int> used;
         for (const auto& [key, cell] : network.cells.cells)
             if (cell.kind == CellKind::film)
@@ -332,7 +332,7 @@ FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>>
             network.films = std::move(kept);
             number_films(network.films);
             network.cells = {};
-            network.mouths = {};
+            network.rim = {};
         }
     }
     for (const Film<D>& film : network.films) {

@@ -1,4 +1,4 @@
-#include "gapflow/film/film_memory.hpp"
+#include "gapflow/film/film_history.hpp"
 
 #include "gapflow/film/edge_table.hpp"
 
@@ -20,7 +20,7 @@ constexpr double same_element = 0.25;
 // Interpolated velocities relative to the master exceed those of the surrounding elements by this factor at most.
 constexpr double surplus_bound = 1.5;
 // The pressure adds at most this part of the surrounding speed to a velocity in half a step.
-constexpr double most_push = 0.5;
+constexpr double most_change = 0.5;
 // Speeds are means over the elements around a vertex, and over at least the gap's own thickness, or this in dx: on smaller lengths the film
 // model has no meaning. (A film's end cuts elements of a hundredth of a cell, which have a negligible flux at any speed.)
 constexpr double smallest_patch = 0.25;
@@ -62,9 +62,9 @@ double to_simplex(const std::array<Vec<D>, D>& v, const Vec<D>& x, std::array<do
 } // namespace
 
 template <int D>
-FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
-                          const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& push, const std::vector<char>& idle,
-                          double dx)
+FilmHistory<D>::FilmHistory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
+                            const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& acceleration,
+                            const std::vector<char>& idle, double dx)
     : dx_(dx), rotation_(master.shape.rotation()), centre_body_(master.shape.to_body(master.centre)), twist_(master_twist)
 {
     std::vector<double> weight;
@@ -85,8 +85,8 @@ FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, 
             centroid_.push_back(centroid);
             w_.push_back(w[film->first_element + e]);
             normal_.push_back(element.normal);
-            if (!push.empty())
-                push_.push_back(push[film->first_element + e]);
+            if (!acceleration.empty())
+                acceleration_.push_back(acceleration[film->first_element + e]);
             idle_.push_back(!idle.empty() && idle[film->first_element + e]);
             weight.push_back(idle_.back() ? 0.0 : element.volume);
             h_mean_.push_back(element.volume / element.measure);
@@ -110,7 +110,7 @@ FilmMemory<D>::FilmMemory(const Solid<D>& master, const Twist<D>& master_twist, 
 }
 
 template <int D>
-void FilmMemory<D>::join_elements()
+void FilmHistory<D>::join_elements()
 {
     EdgeTable first; // facets (2D: nodes) -> D * element + node opposite
     first.reset(2 * elements_.size());
@@ -131,7 +131,7 @@ void FilmMemory<D>::join_elements()
 // Vertex values: linear fit a + b . t to the fluxes of the elements around the vertex (two rings where one is too few), t from
 // the vertex in the tangent plane. With weights of sum 1, a = sum w f (1 - (t - <t>) . C^-1 <t>), C the covariance of t.
 template <int D>
-void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
+void FilmHistory<D>::fit_vertices(const std::vector<double>& weight)
 {
     const int n = static_cast<int>(x_.size());
     std::vector<int> first(n + 1, 0);
@@ -149,7 +149,7 @@ void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
         normal_body[e] = rotation_.transpose() * normal_[e];
 
     flux_vertex_.assign(n, Vec<D>::Zero());
-    push_vertex_.assign(push_.empty() ? 0 : n, Vec<D>::Zero());
+    acceleration_vertex_.assign(acceleration_.empty() ? 0 : n, Vec<D>::Zero());
     speed_.assign(n, 0.0);
     std::vector<int> around;
     for (int i = 0; i < n; ++i) {
@@ -197,8 +197,8 @@ void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
             const Vec<D> t = tangential<D>(centroid_[e] - x_[i], across) / reach;
             const double share = weight[e] / total * (1 - (t - mean).dot(slope));
             flux_vertex_[i] += share * flux_[e];
-            if (!push_.empty())
-                push_vertex_[i] += share * push_[e];
+            if (!acceleration_.empty())
+                acceleration_vertex_[i] += share * acceleration_[e];
         }
         if (!flux_vertex_[i].allFinite())
             flux_vertex_[i] = flux_[around.front()];
@@ -206,13 +206,13 @@ void FilmMemory<D>::fit_vertices(const std::vector<double>& weight)
 }
 
 template <int D>
-Index<D> FilmMemory<D>::bin(const Vec<D>& x_body) const
+Index<D> FilmHistory<D>::bin(const Vec<D>& x_body) const
 {
     return (x_body / dx_).array().floor().template cast<int>();
 }
 
 template <int D>
-long FilmMemory<D>::bin_key(const Index<D>& bin) const
+long FilmHistory<D>::bin_key(const Index<D>& bin) const
 {
     long key = 0;
     for (int axis = 0; axis < D; ++axis)
@@ -221,7 +221,7 @@ long FilmMemory<D>::bin_key(const Index<D>& bin) const
 }
 
 template <int D>
-typename FilmMemory<D>::Place FilmMemory<D>::place_in(int element, const Vec<D>& x_body) const
+typename FilmHistory<D>::Place FilmHistory<D>::place_in(int element, const Vec<D>& x_body) const
 {
     Place place{element, {}, 0};
     std::array<Vec<D>, D> v;
@@ -233,7 +233,7 @@ typename FilmMemory<D>::Place FilmMemory<D>::place_in(int element, const Vec<D>&
 
 // From element to element towards x, across the facet that x lies furthest beyond. Element -1: x lies beyond the film's end.
 template <int D>
-typename FilmMemory<D>::Place FilmMemory<D>::walk(const Vec<D>& x_body, int start) const
+typename FilmHistory<D>::Place FilmHistory<D>::walk(const Vec<D>& x_body, int start) const
 {
     Place place = place_in(start, x_body);
     for (int step = 0; step < longest_walk; ++step) {
@@ -251,7 +251,7 @@ typename FilmMemory<D>::Place FilmMemory<D>::walk(const Vec<D>& x_body, int star
 
 // The element nearest to x; where a walk from the hint ends inside one close to x, that.
 template <int D>
-typename FilmMemory<D>::Place FilmMemory<D>::locate(const Vec<D>& x_body, int hint) const
+typename FilmHistory<D>::Place FilmHistory<D>::locate(const Vec<D>& x_body, int hint) const
 {
     Place best{-1, {}, std::numeric_limits<double>::infinity()};
     if (hint >= 0) {
@@ -288,7 +288,7 @@ typename FilmMemory<D>::Place FilmMemory<D>::locate(const Vec<D>& x_body, int hi
 }
 
 template <int D>
-Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) const
+Vec<D> FilmHistory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) const
 {
     // Beyond the film the flux is extrapolated linearly over one element's length; the thickness too, within a factor of two. Inside, the
     // thickness is quadratic: from the vertices and the element's mean (a bubble c sum lambda_i lambda_j of mean 1).
@@ -316,7 +316,7 @@ Vec<D> FilmMemory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) 
 
 // Velocity that the pressure adds in half of dt, at most half of the surrounding speed.
 template <int D>
-Vec<D> FilmMemory<D>::half_push(const Place& place, double dt) const
+Vec<D> FilmHistory<D>::half_step_change(const Place& place, double dt) const
 {
     if (!second_order() || idle_[place.element] || coarse_[place.element])
         return Vec<D>::Zero();
@@ -326,27 +326,27 @@ Vec<D> FilmMemory<D>::half_push(const Place& place, double dt) const
     double sum = 0, speed = 0;
     for (int i = 0; i < D; ++i) {
         const double share = std::max(place.shape[i], 0.0);
-        change += 0.5 * dt * share * push_vertex_[elements_[place.element][i]];
+        change += 0.5 * dt * share * acceleration_vertex_[elements_[place.element][i]];
         speed += share * speed_[elements_[place.element][i]];
         sum += share;
     }
-    const double bound = most_push * speed, length = change.norm();
+    const double bound = most_change * speed, length = change.norm();
     return (length > bound ? bound / length : 1.0) / sum * change;
 }
 
 template <int D>
-Vec<D> FilmMemory<D>::half_way(const Vec<D>& x_body, double dt, int& hint) const
+Vec<D> FilmHistory<D>::half_way(const Vec<D>& x_body, double dt, int& hint) const
 {
     const Place arrival = locate(x_body, hint);
     hint = arrival.element;
     const Vec<D> along = tangential<D>(vertex_velocity(x_body, arrival) - master_velocity(x_body), normal_[arrival.element]);
     const Vec<D> x_foot = x_body - 0.5 * dt * (rotation_.transpose() * along);
     const Place foot = locate(x_foot, hint);
-    return vertex_velocity(x_foot, foot) + half_push(foot, dt);
+    return vertex_velocity(x_foot, foot) + half_step_change(foot, dt);
 }
 
 template <int D>
-double FilmMemory<D>::at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const
+double FilmHistory<D>::at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const
 {
     const Place place = locate(x_body, hint);
     hint = place.element;
@@ -362,7 +362,7 @@ double FilmMemory<D>::at_vertices(std::span<const double> field, const Vec<D>& x
 }
 
 template <int D>
-double FilmMemory<D>::speed_about(int element) const
+double FilmHistory<D>::speed_about(int element) const
 {
     double speed = 0;
     for (int node : elements_[element])
@@ -371,13 +371,13 @@ double FilmMemory<D>::speed_about(int element) const
 }
 
 template <int D>
-Vec<D> FilmMemory<D>::master_velocity(const Vec<D>& x_body) const
+Vec<D> FilmHistory<D>::master_velocity(const Vec<D>& x_body) const
 {
     return velocity_at<D>(twist_, rotation_ * (x_body - centre_body_));
 }
 
 template <int D>
-typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_body, double dt, int& hint) const
+typename FilmHistory<D>::Transported FilmHistory<D>::transport(const Vec<D>& x_body, double dt, int& hint) const
 {
     const Place arrival = locate(x_body, hint);
     hint = arrival.element;
@@ -387,7 +387,7 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     };
     Place foot = arrival;
     Vec<D> x_foot = x_body;
-    Vec<D> pushed = Vec<D>::Zero(); // by the pressure at the foot, relative to that at the arrival point
+    Vec<D> change = Vec<D>::Zero(); // by the pressure at the foot, relative to that at the arrival point
     if (dt > 0) {
         const Vec<D> x_middle = x_body - 0.5 * dt * relative(x_body, arrival);
         const Place middle = locate(x_middle, hint);
@@ -396,11 +396,11 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
             const Vec<D> x_before = x_middle - 0.5 * dt * on_the_way;
             const Place before = locate(x_before, hint);
             on_the_way = relative(x_before, before) +
-                         rotation_.transpose() * tangential<D>(half_push(before, dt), normal_[before.element]);
+                         rotation_.transpose() * tangential<D>(half_step_change(before, dt), normal_[before.element]);
         }
         x_foot = x_body - dt * on_the_way;
         foot = locate(x_foot, hint);
-        pushed = half_push(foot, dt) - half_push(arrival, dt);
+        change = half_step_change(foot, dt) - half_step_change(arrival, dt);
     }
     // The difference between the old element's value and the interpolated one is kept where the new element is the old one, in proportion
     // to the part of the foot still in it: no diffusion at rest, elsewhere that of linear interpolation (kept whole, the scheme would be a
@@ -417,16 +417,16 @@ typename FilmMemory<D>::Transported FilmMemory<D>::transport(const Vec<D>& x_bod
     const double same = coarse_[arrival.element] ? 0.0
                                                  : std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
                                                        std::max(0.0, 1 - (x_body - x_foot).norm() / size);
-    return {vertex_velocity(x_foot, foot) + pushed + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
+    return {vertex_velocity(x_foot, foot) + change + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
             normal_[foot.element], arrival.distance<memory_reach * dx_, arrival.distance> beside_film * dx_, fastest};
 }
 
 template <int D>
-const typename FilmMemory<D>::Mouth* FilmMemory<D>::mouth(const Vec<D>& x_body, const Vec<D>& outward) const
+const typename FilmHistory<D>::OldMouth* FilmHistory<D>::nearest_mouth(const Vec<D>& x_body, const Vec<D>& outward) const
 {
-    const Mouth* best = nullptr;
+    const OldMouth* best = nullptr;
     double nearest = mouth_reach * dx_;
-    for (const Mouth& m : mouths)
+    for (const OldMouth& m : mouths)
         if (m.outward.dot(outward) > 0.5 && (m.place - x_body).norm() < nearest) {
             nearest = (m.place - x_body).norm();
             best = &m;
@@ -434,7 +434,7 @@ const typename FilmMemory<D>::Mouth* FilmMemory<D>::mouth(const Vec<D>& x_body, 
     return best;
 }
 
-template class FilmMemory<2>;
-template class FilmMemory<3>;
+template class FilmHistory<2>;
+template class FilmHistory<3>;
 
 } // namespace gapflow
