@@ -33,7 +33,7 @@ Scene plates(int cells)
 }
 
 struct Gap {
-    double thickness, rate, reversing;
+    double thickness, rate, turning;
 };
 
 Gap gap(const Simulation<2>& simulation)
@@ -54,7 +54,7 @@ TEST(FilmTurn, PlatesPartAsTheyCame)
         for (const GapState& state : simulation.gaps())
             impulse += state.contact_impulse;
         if (now.rate < 0) {
-            EXPECT_LT(now.reversing, 1e-6) << "at " << now.thickness; // the scene is symmetric
+            EXPECT_LT(now.turning, 1e-6) << "at " << now.thickness; // the scene is symmetric
         }
         if (now.thickness > start)
             speed = before.rate + (start - before.thickness) / (now.thickness - before.thickness) * (now.rate - before.rate);
