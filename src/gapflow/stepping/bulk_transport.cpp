@@ -42,9 +42,16 @@ bool mark_across_thin_bodies(const Grid<D>& grid, const FaceField<D>& open, doub
         for_each_index<D>(grid.low() - one, owned_faces_end(grid, axis) + one, [&](const Index<D>& f) {
             if (!between(axis, f))
                 return;
-            for (int other = 0; other < D; ++other)
-                for_each_index<D>((f - one).cwiseMax(block.low), (f + 2 * one).cwiseMin(block.high),
+            for (int other = 0; other < D; ++other) {
+                // Equally far on either side: faces of another axis lie half a cell off.
+                Index<D> from = f - one, to = f + 2 * one;
+                if (other != axis) {
+                    from[axis] -= 1;
+                    to[other] += 1;
+                }
+                for_each_index<D>(from.cwiseMax(block.low), to.cwiseMin(block.high),
                                   [&](const Index<D>& g) { marks(other, g) = 1; });
+            }
         });
     }
     return true;

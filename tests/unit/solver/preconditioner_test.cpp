@@ -1,4 +1,5 @@
 // Symmetry and positivity of the preconditioner's parts.
+#include "gapflow/solver/null_space.hpp"
 #include "gapflow/solver/preconditioner.hpp"
 #include "unit/solver/synthetic_system.hpp"
 
