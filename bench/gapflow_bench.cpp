@@ -9,6 +9,7 @@
 #include "gapflow/core/threads.hpp"
 #include "gapflow/output/run_record.hpp"
 #include "gapflow/scene/scene.hpp"
+#include "gapflow/solver/solver.hpp"
 #include "gapflow/stepping/model.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
@@ -159,7 +160,7 @@ Json measure_solve(const Scene& scene, const Arguments& arguments)
     out["dimension"] = D;
     out["cells"] = static_cast<long>(cells);
     out["film_nodes"] = coupling.network.nodes;
-    out["bodies"] = bodies.size();
+    out["bodies"] = model.bodies.size();
     out["ranks"] = comm.size();
     out["threads"] = thread_count();
     out["backend"] = arguments.backend;

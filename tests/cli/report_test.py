@@ -301,7 +301,7 @@ class Report(unittest.TestCase):
         (damaged / "steps.csv").write_text("step,time\n0,0\n")
         done = gapflow("report", damaged, "--png")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("no output time is there to draw", done.stderr)
+        self.assertIn("there is no output time to draw", done.stderr)
 
     def test_help(self):
         done = gapflow("report", "--help")

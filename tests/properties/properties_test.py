@@ -24,8 +24,9 @@ SHRINK = 60.0    # seconds for all that fails
 KNOWN = {
     # Bodies that overlap at the start, in viscous fluid: the fluid's energy grows, by what weight gives over 0.04 cells, where bodies hardly move.
     (1, "energy"),
-    # Bodies that touch part otherwise where a stream carries them: a cell off within 20 steps.
-    (30, "motion"),
+    # Light bodies that touch in ideal fluid: where a stream carries them they part otherwise, a cell off within 20 steps; shifted, round-off grows to
+    # 0.02 cells.
+    (30, "motion"), (30, "shift"),
 }
 
 BALL = {"name": "ball", "shape": "ball", "radius": 0.15, "position": [0.4, 0.55], "density": 3.0, "velocity": [0.5, 0.2]}

@@ -54,6 +54,9 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const St
 }
 
 template <int D>
+Simulation<D>::~Simulation() = default;
+
+template <int D>
 StoredState Simulation<D>::state() const
 {
     StoredState stored;
@@ -107,6 +110,30 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
     report_state(model_, *here_, state_, V, report);
     for (std::string& note : blind_end_notes(*here_, blind_told_))
         report.notes.push_back(std::move(note));
+}
+
+template <int D>
+UnknownVector<D> Simulation<D>::reduced_pressure() const
+{
+    return gapflow::reduced_pressure(state_);
+}
+
+template <int D>
+double Simulation<D>::hydrostatic(const Vec<D>& x) const
+{
+    return model_.hydrostatic(x);
+}
+
+template <int D>
+std::vector<GapState> Simulation<D>::gaps() const
+{
+    return gap_states(model_, *here_, state_);
+}
+
+template <int D>
+Budget<D> Simulation<D>::budget() const
+{
+    return gapflow::budget(model_, *here_, state_, model_.twists(state_.bodies));
 }
 
 template <int D>

@@ -18,9 +18,9 @@ public:
     /// Builds the state at time 0 and projects the fluid's initial velocity. Throws InputError, ComputationError. Collective.
     Simulation(const Scene& scene, const Communicator& comm);
     /// Continues from a state that state() returned, on any number of ranks: with the same bits on the same number of ranks and
-    /// threads. Throws also
-    /// StateError if the state is not of this scene's grid and bodies. Collective.
+    /// threads. Throws also StateError if the state is not of this scene's grid and bodies. Collective.
     Simulation(const Scene& scene, const Communicator& comm, const StoredState& state);
+    ~Simulation(); // in the library: programs may be compiled for another processor, with which Eigen aligns otherwise
 
     /// Advances by one time step that does not pass `next_output`. After an exception there is no state. Collective.
     StepReport step(double next_output);
@@ -39,15 +39,15 @@ public:
     /// Fluid velocity: divergence-free on open faces, extrapolated into solids.
     const FluidVelocity<D>& velocity() const { return state_.velocity; }
     /// Reduced pressure (p - rho g.x), averaged over the last step: bulk and mixed cells, film nodes.
-    UnknownVector<D> reduced_pressure() const { return gapflow::reduced_pressure(state_); }
+    UnknownVector<D> reduced_pressure() const;
     /// Full pressure minus reduced pressure at x.
-    double hydrostatic(const Vec<D>& x) const { return model_.hydrostatic(x); }
+    double hydrostatic(const Vec<D>& x) const;
     /// Fluid force and torque on every body about its centre of mass, averaged over the step, buoyancy included.
     const std::vector<Twist<D>>& fluid_wrenches() const { return state_.wrenches; }
-    std::vector<GapState> gaps() const { return gap_states(model_, *here_, state_); }
+    std::vector<GapState> gaps() const;
     /// Voids in the films.
     const VoidSet<D>& voids() const { return state_.voids; }
-    Budget<D> budget() const { return gapflow::budget(model_, *here_, state_, model_.twists(state_.bodies)); }
+    Budget<D> budget() const;
     /// Report of the state at the start (step 0, or the stored state from which the simulation continues).
     const StepReport& initial_report() const { return initial_report_; }
     /// Everything on which the next step depends, apart from the scene. Collective.
