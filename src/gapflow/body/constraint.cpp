@@ -1,6 +1,6 @@
 #include "gapflow/body/constraint.hpp"
 
-#include <Eigen/Cholesky>
+#include "gapflow/core/decompositions.hpp"
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ Twist<D> admissible_response(const TwistBasis<D>& basis, const TwistMatrix<D>& m
 {
     const Eigen::MatrixXd inner = basis.transpose() * mass * basis;
     const Eigen::VectorXd along = basis.transpose() * impulse;
-    return basis * inner.ldlt().solve(along);
+    return basis * semidefinite_solution(inner, along);
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \

@@ -1,8 +1,7 @@
 #include "gapflow/body/forces.hpp"
 
 #include "gapflow/body/constraint.hpp"
-
-#include <Eigen/Eigenvalues>
+#include "gapflow/core/decompositions.hpp"
 
 #include <cmath>
 
@@ -41,7 +40,7 @@ double mobility(const RigidBody<D>& body)
     Mat<D> response;
     for (int k = 0; k < D; ++k)
         response.col(k) = J * admissible_response<D>(basis, mass, J.row(k).transpose());
-    return Eigen::SelfAdjointEigenSolver<Mat<D>>(response, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+    return symmetric_eigen<D>(response).values.maxCoeff();
 }
 
 struct Newmark {

@@ -2,6 +2,7 @@
 //
 // 1_k is the constant on component k that no open side touches. The null space of L + K M^-1 K^T is every combination
 // sum c_k 1_k with K^T sum c_k 1_k = 0 on all free bodies: the kernel of a small matrix.
+#include "gapflow/core/decompositions.hpp"
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/coupling/fluid_parts.hpp"
 
@@ -415,13 +416,13 @@ void find_null_space(Coupling<D>& coupling)
         Eigen::MatrixXd scaled(impulse.rows(), static_cast<long>(touched.size()));
         for (std::size_t i = 0; i < touched.size(); ++i)
             scaled.col(static_cast<long>(i)) = impulse.col(touched[i]) / magnitude[touched[i]];
-        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullV);
+        const SingularVectors right = right_singular_vectors(scaled);
         for (long j = 0; j < scaled.cols(); ++j) {
-            if (j < svd.singularValues().size() && svd.singularValues()[j] > 1e-9)
+            if (j < right.values.size() && right.values[j] > 1e-9)
                 continue;
             Eigen::VectorXd v = Eigen::VectorXd::Zero(count);
             for (std::size_t i = 0; i < touched.size(); ++i)
-                v[touched[i]] = svd.matrixV()(static_cast<long>(i), j) / magnitude[touched[i]];
+                v[touched[i]] = right.vectors(static_cast<long>(i), j) / magnitude[touched[i]];
             for (const Eigen::VectorXd& w : null)
                 v -= v.dot(w) * w;
             null.push_back(v.normalized());

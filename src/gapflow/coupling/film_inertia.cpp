@@ -1,6 +1,5 @@
 #include "gapflow/coupling/film_inertia.hpp"
-
-#include <Eigen/SparseCholesky>
+#include "gapflow/core/decompositions.hpp"
 
 #include <algorithm>
 #include <map>
@@ -106,9 +105,10 @@ void add_pressure(const Coupling<D>& coupling, const std::vector<char>& is_void,
         const double largest = L.diagonal().size() > 0 ? L.diagonal().maxCoeff() : 0.0;
         for (long i = 0; i < count; ++i)
             L.coeffRef(i, i) += L.coeff(i, i) > 0 ? shift * largest : 1.0;
-        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(L);
-        if (factor.info() == Eigen::Success && (factor.vectorD().array() > 0).all())
-            pairs.of(films[f].pair.master, films[f].pair.other) += flux[f].transpose() * factor.solve(flux[f]);
+        SparseCholesky factor;
+        factor.analyse(L);
+        if (factor.factorise(L))
+            pairs.of(films[f].pair.master, films[f].pair.other) += flux[f].transpose() * factor.solve_columns(flux[f]);
     }
 }
 

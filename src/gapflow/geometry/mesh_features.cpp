@@ -1,7 +1,6 @@
 // Normals, smooth patches, sharp edges and curvatures of a closed mesh.
 #include "gapflow/geometry/mesh_features.hpp"
-
-#include <Eigen/Eigenvalues>
+#include "gapflow/core/decompositions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -275,8 +274,7 @@ double curvature_of(const ClosedSurface<D>& surface, const MeshFeatures<D>& feat
         if constexpr (D == 2)
             curvature = sum.bend(0, 0) / sum.area;
         else {
-            const Vec<3> principal =
-                Eigen::SelfAdjointEigenSolver<Mat<3>>(sum.bend / sum.area, Eigen::EigenvaluesOnly).eigenvalues();
+            const Vec<3> principal = symmetric_eigen<3>(sum.bend / sum.area).values;
             curvature = std::abs(principal[0]) > std::abs(principal[2]) ? principal[0] : principal[2];
         }
         samples.emplace_back(curvature, std::abs(curvature) * sum.area);

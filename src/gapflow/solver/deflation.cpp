@@ -8,6 +8,7 @@
 
 #include "gapflow/solver/deflation.hpp"
 
+#include "gapflow/core/decompositions.hpp"
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/solver/grid_parts.hpp"
 
@@ -229,11 +230,7 @@ void Deflation<D>::set_up_energies()
         }
         energy += flux.transpose() * twists;
     }
-    const Eigen::VectorXd scaling = energy.diagonal().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.0; });
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaling.asDiagonal() * energy * scaling.asDiagonal());
-    const Eigen::VectorXd inverse = eigen.eigenvalues().unaryExpr([](double v) { return v > 1e-10 ? 1 / v : 0.0; });
-    const Eigen::MatrixXd vectors = scaling.asDiagonal() * eigen.eigenvectors();
-    inverse_energy_ = vectors * inverse.asDiagonal() * vectors.transpose();
+    inverse_energy_ = positive_pseudo_inverse(energy, 1e-10);
 
     inverse_diagonal_ = Eigen::VectorXd::Zero(columns_ - full_);
     for (int k = full_; k < columns_; ++k) {

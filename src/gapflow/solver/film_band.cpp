@@ -254,9 +254,8 @@ void FilmBand<D>::factorise()
         for (int i = 0; i < size_; ++i)
             matrix.coeffRef(i, i) = diagonal[i] > 0 ? diagonal[i] * (1 + relative) : alone;
         if (attempt == 0)
-            factor_.analyzePattern(matrix);
-        factor_.factorize(matrix);
-        if (factor_.info() == Eigen::Success && factor_.vectorD().minCoeff() > 0)
+            factor_.analyse(matrix);
+        if (factor_.factorise(matrix))
             return;
     }
     throw ComputationError("the films' matrix is not positive semidefinite");
@@ -345,8 +344,8 @@ long FilmBand<D>::bytes() const
 {
     if (empty())
         return 0;
-    return static_cast<long>(factor_.matrixL().nestedExpression().nonZeros()) * 12 +
-           static_cast<long>(keys_.size()) * (8 + 2 * D * 8) + static_cast<long>(outside_.size() * sizeof(Neighbour));
+    return factor_.entries() * 12 + static_cast<long>(keys_.size()) * (8 + 2 * D * 8) +
+           static_cast<long>(outside_.size() * sizeof(Neighbour));
 }
 
 template class FilmBand<2>;

@@ -1,10 +1,9 @@
 // The films' half of the Schwarz pair: a direct solve of all film nodes together with a band of cells around their mouths.
 #pragma once
 
+#include "gapflow/core/decompositions.hpp"
 #include "gapflow/solver/coupled_operator.hpp"
 #include "gapflow/solver/level.hpp"
-
-#include <Eigen/SparseCholesky>
 
 #include <vector>
 
@@ -87,7 +86,7 @@ private:
     std::vector<std::array<double, 2 * D>> faces_; ///< conductances around every band cell
     std::vector<int> block_;                       ///< number of the floating block of a row, -1: fixed from outside
     std::vector<long> block_size_;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+    SparseCholesky factor_;
     Eigen::VectorXd correction_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "gapflow/solver/multigrid.hpp"
 
+#include "gapflow/core/decompositions.hpp"
 #include "gapflow/solver/wavefront.hpp"
 
 #include <algorithm>
@@ -16,16 +17,6 @@ namespace {
 
 constexpr long coarsest_cells = 64;
 constexpr long gathered_cells = 20000; // smaller levels are gathered: halo exchanges would cost more than the cells
-
-/// Inverse of a symmetric positive semidefinite matrix with unit-free scaling, zero on its kernel.
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a)
-{
-    const Eigen::VectorXd scaling = a.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaling.asDiagonal() * a * scaling.asDiagonal());
-    const Eigen::VectorXd inverse = eigen.eigenvalues().unaryExpr([](double v) { return v > 1e-9 ? 1 / v : 0.0; });
-    const Eigen::MatrixXd vectors = scaling.asDiagonal() * eigen.eigenvectors();
-    return vectors * inverse.asDiagonal() * vectors.transpose();
-}
 
 } // namespace
 
@@ -107,7 +98,7 @@ Multigrid<D>::Multigrid(const CoupledSystem<D>& system, const std::array<SharedR
                 matrix(row, column) -= a;
         }
     });
-    coarsest_inverse_ = n > 0 ? pseudo_inverse(matrix) : matrix;
+    coarsest_inverse_ = n > 0 ? positive_pseudo_inverse(matrix, 1e-9) : matrix;
     coarsest_b_.resize(n);
     coarsest_x_.resize(n);
 }

@@ -1,10 +1,8 @@
 // Projection onto the complement of the null space of the coupled system (method, "The coupled system").
 #pragma once
 
+#include "gapflow/core/decompositions.hpp"
 #include "gapflow/solver/coupled_operator.hpp"
-
-#include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 
 namespace gapflow {
 
@@ -23,9 +21,9 @@ public:
 
 private:
     const CoupledSystem<D>& system_;
-    Eigen::SparseMatrix<double> vectors_;                     ///< components x null vectors
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> gram_; ///< of the z_j
-    double size_ = 1;                                         ///< unknowns in all components
+    Eigen::SparseMatrix<double> vectors_; ///< components x null vectors
+    SparseCholesky gram_;                 ///< of the z_j
+    double size_ = 1;                     ///< unknowns in all components
     mutable Eigen::VectorXd sums_;
 };
 

@@ -1,8 +1,5 @@
 #include "gapflow/stepping/contact_equations.hpp"
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include "gapflow/core/decompositions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +30,9 @@ public:
         Eigen::MatrixXd H = Eigen::MatrixXd::Zero(dofs, dofs), F = H;
         for (std::size_t s = 0; s < twists.size(); ++s)
             if (place_[s] >= 0) {
-                const Eigen::SelfAdjointEigenSolver<TwistMatrix<D>> eigen(inertia.mobility[s]);
-                H.template block<n, n>(place_[s], place_[s]) = eigen.eigenvectors() *
-                                                               eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
-                                                               eigen.eigenvectors().transpose();
+                const SymmetricEigen<n> eigen = symmetric_eigen<n>(inertia.mobility[s]);
+                H.template block<n, n>(place_[s], place_[s]) =
+                    eigen.vectors * eigen.values.cwiseMax(0).cwiseSqrt().asDiagonal() * eigen.vectors.transpose();
             }
         for (const FilmInertia<D>& film : inertia.films) {
             const int solids[] = {film.a, film.b};
@@ -46,8 +42,6 @@ public:
                         F.template block<n, n>(place_[solids[i]], place_[solids[j]]) +=
                             film.matrix.template block<n, n>(n * i, n * j);
         }
-        const Eigen::LLT<Eigen::MatrixXd> factor(Eigen::MatrixXd::Identity(dofs, dofs) + H * F * H);
-        sound_ = factor.info() == Eigen::Success;
         rows_ = Eigen::MatrixXd::Zero(lambda_.size(), dofs);
         V_ = Eigen::VectorXd::Zero(dofs);
         for (std::size_t s = 0; s < twists.size(); ++s)
@@ -70,9 +64,12 @@ public:
             if (const double size = guess[i].tangential.norm(); size > 0)
                 friction_direction_[i] = guess[i].tangential / size;
         }
+        const std::optional<Eigen::MatrixXd> inner =
+            positive_definite_solution(Eigen::MatrixXd::Identity(dofs, dofs) + H * F * H, H * rows_.transpose());
+        sound_ = inner.has_value();
         if (!sound_)
             return;
-        response_ = H * factor.solve(H * rows_.transpose());
+        response_ = H * *inner;
         V_ -= response_ * before;
     }
 
@@ -106,14 +103,10 @@ public:
         for (long j = 0; j < size; ++j)
             scale[j] = 1 / std::sqrt(std::max(rows_.row(unknown[j]).dot(response_.col(unknown[j])), 1e-300));
         const Eigen::MatrixXd scaled = scale.asDiagonal() * W * scale.asDiagonal();
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factor;
-        factor.setThreshold(redundant);
+        const LeastNormSolver solver(scaled, redundant);
         Eigen::VectorXd x = now;
-        if (size > 0) {
-            factor.compute(scaled);
-            for (int pass = 0; pass < 3; ++pass) // the nearest to what there is, then round-off
-                x += scale.cwiseProduct(factor.solve(scale.cwiseProduct(lack - W * x)));
-        }
+        for (int pass = 0; pass < 3; ++pass) // the nearest to what there is, then round-off
+            x += scale.cwiseProduct(solver.solve(scale.cwiseProduct(lack - W * x)));
         twists_found_ = V_ + columns * x;
         speeds_ = held_ + rows_ * twists_found_;
         lambda_.setZero();

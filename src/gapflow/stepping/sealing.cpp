@@ -1,5 +1,6 @@
 #include "gapflow/stepping/sealing.hpp"
 
+#include "gapflow/core/decompositions.hpp"
 #include "gapflow/core/text.hpp"
 #include "gapflow/coupling/fluid_parts.hpp"
 #include "gapflow/scene/scene.hpp"
@@ -310,10 +311,10 @@ void take_out_contacts(const ChainBodies<D>& bodies, const std::vector<Contact<D
         C.col(static_cast<long>(r)) = rows[r];
     if (C.cols() == 0)
         return;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(C, Eigen::ComputeThinU);
-    for (long j = 0; j < svd.singularValues().size(); ++j)
-        if (svd.singularValues()[j] > 1e-6 * svd.singularValues()[0])
-            X -= svd.matrixU().col(j) * (svd.matrixU().col(j).transpose() * X).eval();
+    const SingularVectors held = left_singular_vectors(C);
+    for (long j = 0; j < held.values.size(); ++j)
+        if (held.values[j] > 1e-6 * held.values[0])
+            X -= held.vectors.col(j) * (held.vectors.col(j).transpose() * X).eval();
 }
 
 // Combinations of the pressures of the pockets in `list` that move no body: one column each.
@@ -335,11 +336,11 @@ Eigen::MatrixXd idle_pressures(const Pockets<D>& all, const Chain& chain, const 
                     bodies.scaled(b, all.forces.col(list[k]).template segment<n>(n * b)) / all.area[list[k]];
     if (all.gives_way == GivesWay::unblocked)
         take_out_contacts(bodies, contacts, X);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(X, Eigen::ComputeFullV);
+    const SingularVectors right = right_singular_vectors(X);
     long rank = 0;
-    while (rank < svd.singularValues().size() && svd.singularValues()[rank] > immovable)
+    while (rank < right.values.size() && right.values[rank] > immovable)
         ++rank;
-    null = svd.matrixV().rightCols(wide - rank);
+    null = right.vectors.rightCols(wide - rank);
     for (long j = 0; j < null.cols(); ++j)
         for (long k = 0; k < wide; ++k)
             null(k, j) /= all.area[list[k]] > 0 ? all.area[list[k]] : 1.0;

@@ -1,6 +1,5 @@
 #include "gapflow/stepping/start_flow.hpp"
-
-#include <Eigen/SparseCholesky>
+#include "gapflow/core/decompositions.hpp"
 
 #include <algorithm>
 
@@ -107,8 +106,9 @@ std::vector<Twist<D>> without_rates(const std::vector<Touch<D>>& touches, const 
     }
     Eigen::SparseMatrix<double> matrix(n * count, n * count);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
-    if (factor.info() != Eigen::Success)
+    SparseCholesky factor;
+    factor.analyse(matrix);
+    if (!factor.factorise(matrix))
         return V;
     const Eigen::VectorXd all = factor.solve(momentum);
     for (std::size_t b = 0; b < bodies.size(); ++b)

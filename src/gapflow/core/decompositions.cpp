@@ -1,0 +1,91 @@
+#include "gapflow/core/decompositions.hpp"
+
+#include <cmath>
+
+namespace gapflow {
+
+template <int N>
+SymmetricEigen<N> symmetric_eigen(const Eigen::Matrix<double, N, N>& a)
+{
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(a);
+    return {eigen.eigenvalues(), eigen.eigenvectors()};
+}
+
+Eigen::MatrixXd positive_pseudo_inverse(const Eigen::MatrixXd& a, double rank_tolerance)
+{
+    const Eigen::VectorXd scaling = a.diagonal().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.0; });
+    const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(scaling.asDiagonal() * a * scaling.asDiagonal());
+    const Eigen::VectorXd inverse = eigen.values.unaryExpr([&](double v) { return v > rank_tolerance ? 1 / v : 0.0; });
+    const Eigen::MatrixXd vectors = scaling.asDiagonal() * eigen.vectors;
+    return vectors * inverse.asDiagonal() * vectors.transpose();
+}
+
+std::optional<Eigen::MatrixXd> positive_definite_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+{
+    const Eigen::LLT<Eigen::MatrixXd> factor(a);
+    if (factor.info() != Eigen::Success)
+        return std::nullopt;
+    return factor.solve(b);
+}
+
+Eigen::VectorXd semidefinite_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b)
+{
+    return a.ldlt().solve(b);
+}
+
+SingularVectors left_singular_vectors(const Eigen::MatrixXd& a)
+{
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU);
+    return {svd.singularValues(), svd.matrixU()};
+}
+
+SingularVectors right_singular_vectors(const Eigen::MatrixXd& a)
+{
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeFullV);
+    return {svd.singularValues(), svd.matrixV()};
+}
+
+LeastNormSolver::LeastNormSolver(const Eigen::MatrixXd& a, double rank_tolerance)
+{
+    factor_.setThreshold(rank_tolerance);
+    if (a.size() > 0)
+        factor_.compute(a);
+}
+
+Eigen::VectorXd LeastNormSolver::solve(const Eigen::VectorXd& b) const
+{
+    return b.size() > 0 ? Eigen::VectorXd(factor_.solve(b)) : b;
+}
+
+void SparseCholesky::analyse(const Matrix& a)
+{
+    factor_.analyzePattern(a);
+}
+
+bool SparseCholesky::factorise(const Matrix& a)
+{
+    factor_.factorize(a);
+    return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
+}
+
+Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
+{
+    return factor_.solve(b);
+}
+
+Eigen::MatrixXd SparseCholesky::solve_columns(const Eigen::MatrixXd& b) const
+{
+    return factor_.solve(b);
+}
+
+long SparseCholesky::entries() const
+{
+    return static_cast<long>(factor_.matrixL().nestedExpression().nonZeros());
+}
+
+template SymmetricEigen<2> symmetric_eigen<2>(const Eigen::Matrix2d&);
+template SymmetricEigen<3> symmetric_eigen<3>(const Eigen::Matrix3d&);
+template SymmetricEigen<6> symmetric_eigen<6>(const Eigen::Matrix<double, 6, 6>&);
+template SymmetricEigen<> symmetric_eigen<Eigen::Dynamic>(const Eigen::MatrixXd&);
+
+} // namespace gapflow

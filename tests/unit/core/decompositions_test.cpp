@@ -1,0 +1,88 @@
+// Decompositions (core/decompositions.hpp): what each promises, on matrices with a kernel and with rows of other units.
+#include "gapflow/core/decompositions.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gapflow {
+namespace {
+
+Eigen::MatrixXd random_matrix(int rows, int columns)
+{
+    std::srand(7);
+    return Eigen::MatrixXd::Random(rows, columns);
+}
+
+TEST(Decompositions, EigenvectorsMakeTheMatrix)
+{
+    const Eigen::MatrixXd a = random_matrix(6, 6);
+    const Eigen::Matrix<double, 6, 6> symmetric = a + a.transpose();
+    const SymmetricEigen<6> eigen = symmetric_eigen<6>(symmetric);
+    EXPECT_TRUE((eigen.vectors * eigen.values.asDiagonal() * eigen.vectors.transpose()).isApprox(symmetric, 1e-13));
+    EXPECT_TRUE(std::is_sorted(eigen.values.begin(), eigen.values.end()));
+}
+
+TEST(Decompositions, PseudoInverseDoesNotDependOnUnits)
+{
+    // Two springs in a row between three masses: the common shift is the kernel.
+    Eigen::MatrixXd a(4, 4);
+    a << 1, -1, 0, 0, -1, 3, -2, 0, 0, -2, 2, 0, 0, 0, 0, 0;
+    const Eigen::MatrixXd inverse = positive_pseudo_inverse(a, 1e-10);
+    EXPECT_TRUE((a * inverse * a).isApprox(a, 1e-13));
+    EXPECT_TRUE(inverse.row(3).isZero(0));
+    const Eigen::VectorXd unit = Eigen::Vector4d(1, 1e6, 1e-6, 1);
+    const Eigen::MatrixXd other = unit.asDiagonal() * a * unit.asDiagonal();
+    EXPECT_TRUE((unit.asDiagonal() * positive_pseudo_inverse(other, 1e-10) * unit.asDiagonal()).isApprox(inverse, 1e-10));
+}
+
+TEST(Decompositions, AnIndefiniteMatrixHasNoPositiveDefiniteSolution)
+{
+    Eigen::MatrixXd a = Eigen::Vector3d(1, 2, 3).asDiagonal();
+    const Eigen::MatrixXd b = random_matrix(3, 2);
+    ASSERT_TRUE(positive_definite_solution(a, b));
+    EXPECT_TRUE((a * *positive_definite_solution(a, b)).isApprox(b, 1e-14));
+    a(1, 1) = -2;
+    EXPECT_FALSE(positive_definite_solution(a, b));
+    SparseCholesky factor;
+    const Eigen::SparseMatrix<double> sparse = a.sparseView();
+    factor.analyse(sparse);
+    EXPECT_FALSE(factor.factorise(sparse));
+}
+
+TEST(Decompositions, RightSingularVectorsSpanTheKernel)
+{
+    const Eigen::MatrixXd a = random_matrix(2, 5);
+    const SingularVectors right = right_singular_vectors(a);
+    ASSERT_EQ(right.values.size(), 2);
+    ASSERT_EQ(right.vectors.cols(), 5);
+    EXPECT_LT((a * right.vectors.rightCols(3)).norm(), 1e-14);
+    const SingularVectors left = left_singular_vectors(a.transpose());
+    ASSERT_EQ(left.vectors.cols(), 2);
+    EXPECT_TRUE((left.vectors * left.vectors.transpose() * a.transpose()).isApprox(a.transpose(), 1e-13));
+}
+
+TEST(Decompositions, LeastNormSharesBetweenEqualUnknowns)
+{
+    Eigen::MatrixXd a(2, 2);
+    a << 1, 1, 1, 1;
+    EXPECT_TRUE(LeastNormSolver(a, 1e-10).solve(Eigen::Vector2d(2, 2)).isApprox(Eigen::Vector2d(1, 1), 1e-14));
+    EXPECT_EQ(LeastNormSolver(Eigen::MatrixXd(0, 0), 1e-10).solve(Eigen::VectorXd(0)).size(), 0);
+}
+
+TEST(Decompositions, SparseFactorIsUsedAgainForOtherEntries)
+{
+    Eigen::SparseMatrix<double> a(3, 3);
+    for (int i = 0; i < 3; ++i)
+        a.insert(i, i) = 2;
+    a.insert(0, 1) = a.insert(1, 0) = -1;
+    SparseCholesky factor;
+    factor.analyse(a);
+    const Eigen::VectorXd b = Eigen::Vector3d(1, 2, 3);
+    for (double scale : {1.0, 5.0}) {
+        ASSERT_TRUE(factor.factorise(scale * a));
+        EXPECT_TRUE((scale * (a * factor.solve(b))).isApprox(b, 1e-14));
+    }
+    EXPECT_EQ(factor.entries(), 1); // below the diagonal
+}
+
+} // namespace
+} // namespace gapflow
