@@ -6,8 +6,6 @@
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/coupling/fluid_parts.hpp"
 
-#include <Eigen/SVD>
-
 #include <algorithm>
 #include <cmath>
 #include <set>

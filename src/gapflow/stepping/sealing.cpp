@@ -5,8 +5,6 @@
 #include "gapflow/coupling/fluid_parts.hpp"
 #include "gapflow/scene/scene.hpp"
 
-#include <Eigen/SVD>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
