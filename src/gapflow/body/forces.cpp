@@ -40,7 +40,7 @@ double mobility(const RigidBody<D>& body)
     Mat<D> response;
     for (int k = 0; k < D; ++k)
         response.col(k) = J * admissible_response<D>(basis, mass, J.row(k).transpose());
-    return symmetric_eigen<D>(response).values.maxCoeff();
+    return symmetric_eigenvalues<D>(response).maxCoeff();
 }
 
 struct Newmark {

@@ -11,6 +11,12 @@ SymmetricEigen<N> symmetric_eigen(const Eigen::Matrix<double, N, N>& a)
     return {eigen.eigenvalues(), eigen.eigenvectors()};
 }
 
+template <int N>
+Eigen::Matrix<double, N, 1> symmetric_eigenvalues(const Eigen::Matrix<double, N, N>& a)
+{
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>>(a, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
 Eigen::MatrixXd positive_pseudo_inverse(const Eigen::MatrixXd& a, double rank_tolerance)
 {
     const Eigen::VectorXd scaling = a.diagonal().unaryExpr([](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.0; });
@@ -68,6 +74,12 @@ bool SparseCholesky::factorise(const Matrix& a)
     return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
 }
 
+bool SparseCholesky::compute(const Matrix& a)
+{
+    analyse(a);
+    return factorise(a);
+}
+
 Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
 {
     return factor_.solve(b);
@@ -83,7 +95,8 @@ long SparseCholesky::entries() const
     return static_cast<long>(factor_.matrixL().nestedExpression().nonZeros());
 }
 
-template SymmetricEigen<2> symmetric_eigen<2>(const Eigen::Matrix2d&);
+template Eigen::Vector2d symmetric_eigenvalues<2>(const Eigen::Matrix2d&);
+template Eigen::Vector3d symmetric_eigenvalues<3>(const Eigen::Matrix3d&);
 template SymmetricEigen<3> symmetric_eigen<3>(const Eigen::Matrix3d&);
 template SymmetricEigen<6> symmetric_eigen<6>(const Eigen::Matrix<double, 6, 6>&);
 template SymmetricEigen<> symmetric_eigen<Eigen::Dynamic>(const Eigen::MatrixXd&);

@@ -15,9 +15,12 @@ struct SymmetricEigen {
     Eigen::Matrix<double, N, N> vectors;
 };
 
-/// Of a symmetric matrix, whose lower triangle is read. N is 2, 3, 6 or Eigen::Dynamic.
+/// Of a symmetric matrix, whose lower triangle is read. N is 3, 6 or Eigen::Dynamic.
 template <int N>
 SymmetricEigen<N> symmetric_eigen(const Eigen::Matrix<double, N, N>& a);
+/// The values alone. N is 2 or 3.
+template <int N>
+Eigen::Matrix<double, N, 1> symmetric_eigenvalues(const Eigen::Matrix<double, N, N>& a);
 
 /// Pseudo-inverse of a symmetric positive semidefinite matrix whose rows and columns may have different units. The matrix is scaled
 /// to a unit diagonal first; eigenvalues of the scaled one up to `rank_tolerance` count as 0. Rows whose diagonal is not positive
@@ -61,6 +64,8 @@ public:
     void analyse(const Matrix& a);
     /// Factorises a matrix of the analysed pattern. False if it is not positive definite.
     [[nodiscard]] bool factorise(const Matrix& a);
+    /// Both, for a pattern that is used once.
+    [[nodiscard]] bool compute(const Matrix& a);
     /// The solution of the matrix factorised last.
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
     Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const;

@@ -106,8 +106,7 @@ void add_pressure(const Coupling<D>& coupling, const std::vector<char>& is_void,
         for (long i = 0; i < count; ++i)
             L.coeffRef(i, i) += L.coeff(i, i) > 0 ? shift * largest : 1.0;
         SparseCholesky factor;
-        factor.analyse(L);
-        if (factor.factorise(L))
+        if (factor.compute(L))
             pairs.of(films[f].pair.master, films[f].pair.other) += flux[f].transpose() * factor.solve_columns(flux[f]);
     }
 }

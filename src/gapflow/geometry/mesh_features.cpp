@@ -274,7 +274,7 @@ double curvature_of(const ClosedSurface<D>& surface, const MeshFeatures<D>& feat
         if constexpr (D == 2)
             curvature = sum.bend(0, 0) / sum.area;
         else {
-            const Vec<3> principal = symmetric_eigen<3>(sum.bend / sum.area).values;
+            const Vec<3> principal = symmetric_eigenvalues<3>(sum.bend / sum.area);
             curvature = std::abs(principal[0]) > std::abs(principal[2]) ? principal[0] : principal[2];
         }
         samples.emplace_back(curvature, std::abs(curvature) * sum.area);

@@ -24,8 +24,7 @@ NullSpace<D>::NullSpace(const CoupledSystem<D>& system) : system_(system)
         sizes[k] += 1;
     size_ = sizes.sum();
     const Eigen::SparseMatrix<double> gram = vectors_.transpose() * sizes.asDiagonal() * vectors_;
-    gram_.analyse(gram);
-    if (!gram_.factorise(gram))
+    if (!gram_.compute(gram))
         throw ComputationError("the null vectors of the coupled system are linearly dependent");
 }
 

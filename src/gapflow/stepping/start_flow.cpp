@@ -107,8 +107,7 @@ std::vector<Twist<D>> without_rates(const std::vector<Touch<D>>& touches, const 
     Eigen::SparseMatrix<double> matrix(n * count, n * count);
     matrix.setFromTriplets(entries.begin(), entries.end());
     SparseCholesky factor;
-    factor.analyse(matrix);
-    if (!factor.factorise(matrix))
+    if (!factor.compute(matrix))
         return V;
     const Eigen::VectorXd all = factor.solve(momentum);
     for (std::size_t b = 0; b < bodies.size(); ++b)

@@ -22,6 +22,8 @@ TEST(Decompositions, EigenvectorsMakeTheMatrix)
     const SymmetricEigen<6> eigen = symmetric_eigen<6>(symmetric);
     EXPECT_TRUE((eigen.vectors * eigen.values.asDiagonal() * eigen.vectors.transpose()).isApprox(symmetric, 1e-13));
     EXPECT_TRUE(std::is_sorted(eigen.values.begin(), eigen.values.end()));
+    const Eigen::Matrix3d small = symmetric.topLeftCorner<3, 3>();
+    EXPECT_TRUE(symmetric_eigenvalues<3>(small).isApprox(symmetric_eigen<3>(small).values, 1e-13));
 }
 
 TEST(Decompositions, PseudoInverseDoesNotDependOnUnits)
