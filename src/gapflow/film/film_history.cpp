@@ -1,6 +1,7 @@
 #include "gapflow/film/film_history.hpp"
 
 #include "gapflow/film/edge_table.hpp"
+#include "gapflow/film/vertex_fit.hpp"
 
 #include <Eigen/Dense>
 
@@ -64,7 +65,7 @@ double to_simplex(const std::array<Vec<D>, D>& v, const Vec<D>& x, std::array<do
 template <int D>
 FilmHistory<D>::FilmHistory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
                             const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& acceleration,
-                            const std::vector<char>& idle, double dx)
+                            const std::vector<Vec<D>>& increment, const std::vector<char>& idle, double dx)
     : dx_(dx), rotation_(master.shape.rotation()), centre_body_(master.shape.to_body(master.centre)), twist_(master_twist)
 {
     std::vector<double> weight;
@@ -87,12 +88,15 @@ FilmHistory<D>::FilmHistory(const Solid<D>& master, const Twist<D>& master_twist
             normal_.push_back(element.normal);
             if (!acceleration.empty())
                 acceleration_.push_back(acceleration[film->first_element + e]);
+            if (!increment.empty())
+                increment_.push_back(increment[film->first_element + e]);
             idle_.push_back(!idle.empty() && idle[film->first_element + e]);
             weight.push_back(idle_.back() ? 0.0 : element.volume);
             h_mean_.push_back(element.volume / element.measure);
             coarse_.push_back(element.coarse);
             const Vec<D> relative = w_.back() - master_velocity(centroid);
             flux_.push_back(h_mean_.back() * relative);
+            volumes_.push_back(element.volume);
             area_ += element.measure;
             volume_ += element.volume;
             motion_ += element.volume * tangential<D>(relative, element.normal).squaredNorm();
@@ -107,6 +111,7 @@ FilmHistory<D>::FilmHistory(const Solid<D>& master, const Twist<D>& master_twist
             bins_[bin_key(bin(centroid_[e]))].push_back(e);
     join_elements();
     fit_vertices(weight);
+    limit_slopes();
 }
 
 template <int D>
@@ -128,81 +133,75 @@ void FilmHistory<D>::join_elements()
         }
 }
 
-// Vertex values: linear fit a + b . t to the fluxes of the elements around the vertex (two rings where one is too few), t from
-// the vertex in the tangent plane. With weights of sum 1, a = sum w f (1 - (t - <t>) . C^-1 <t>), C the covariance of t.
 template <int D>
 void FilmHistory<D>::fit_vertices(const std::vector<double>& weight)
 {
-    const int n = static_cast<int>(x_.size());
-    std::vector<int> first(n + 1, 0);
-    for (const auto& nodes : elements_)
-        for (int node : nodes)
-            ++first[node + 1];
-    for (int i = 0; i < n; ++i)
-        first[i + 1] += first[i];
-    std::vector<int> ring(first[n]), next(first.begin(), first.end() - 1);
-    for (int e = 0; e < elements(); ++e)
-        for (int node : elements_[e])
-            ring[next[node]++] = e;
     std::vector<Vec<D>> normal_body(elements_.size());
     for (std::size_t e = 0; e < elements_.size(); ++e)
         normal_body[e] = rotation_.transpose() * normal_[e];
-
-    flux_vertex_.assign(n, Vec<D>::Zero());
-    acceleration_vertex_.assign(acceleration_.empty() ? 0 : n, Vec<D>::Zero());
-    speed_.assign(n, 0.0);
-    std::vector<int> around;
-    for (int i = 0; i < n; ++i) {
-        around.assign(ring.begin() + first[i], ring.begin() + first[i + 1]);
-        if (around.size() < (D == 2 ? 2 : 5)) {
-            for (int k = first[i]; k < first[i + 1]; ++k)
-                for (int node : elements_[ring[k]])
-                    around.insert(around.end(), ring.begin() + first[node], ring.begin() + first[node + 1]);
-            std::sort(around.begin(), around.end());
-            around.erase(std::unique(around.begin(), around.end()), around.end());
-        }
-        if (around.empty())
+    const VertexFit fit = vertex_fit<D>(x_, elements_, centroid_, normal_body, weight);
+    const VertexRings rings = vertex_rings<D>(x_.size(), elements_);
+    flux_vertex_.assign(x_.size(), Vec<D>::Zero());
+    acceleration_vertex_.assign(acceleration_.empty() ? 0 : x_.size(), Vec<D>::Zero());
+    speed_.assign(x_.size(), 0.0);
+    for (int i = 0; i < static_cast<int>(x_.size()); ++i) {
+        if (rings.first[i] == rings.first[i + 1])
             continue;
-        double reach = 0, total = 0;
-        Vec<D> across = Vec<D>::Zero(); // mean normal, master's frame
-        for (int e : around) {
-            reach = std::max(reach, (centroid_[e] - x_[i]).squaredNorm());
-            total += weight[e];
-            across += weight[e] * normal_body[e];
-        }
-        if (total <= 0) { // idle all around
-            flux_vertex_[i] = flux_[around.front()];
-            speed_[i] = flux_[around.front()].norm() / h_mean_[around.front()];
+        const int any = rings.element[rings.first[i]];
+        if (fit.first[i] == fit.first[i + 1]) { // idle all around
+            flux_vertex_[i] = flux_[any];
+            speed_[i] = flux_[any].norm() / h_mean_[any];
             continue;
         }
+        double total = 0;
+        for (int k = fit.first[i]; k < fit.first[i + 1]; ++k)
+            total += weight[fit.element[k]];
         const double least = h_[i] * std::pow(std::min(h_[i], smallest_patch * dx_), D - 1);
-        for (int e : around)
+        for (int k = fit.first[i]; k < fit.first[i + 1]; ++k) {
+            const int e = fit.element[k];
             speed_[i] += weight[e] / std::max(total, least) * flux_[e].squaredNorm() / (h_mean_[e] * h_mean_[e]);
+        }
         speed_[i] = std::sqrt(speed_[i]);
-        reach = std::max(std::sqrt(reach), 1e-300);
-        across.normalize();
-        Vec<D> mean = Vec<D>::Zero();
-        Mat<D> covariance = Mat<D>::Zero();
-        for (int e : around) {
-            const Vec<D> t = tangential<D>(centroid_[e] - x_[i], across) / reach;
-            mean += weight[e] / total * t;
-            covariance += weight[e] / total * t * t.transpose();
-        }
-        covariance -= mean * mean.transpose();
-        // Slopes across the surface are 0, and so are those of a lone element.
-        covariance += across * across.transpose();
-        covariance.diagonal().array() += 1e-8;
-        const Vec<D> slope = covariance.inverse() * mean;
-        for (int e : around) {
-            const Vec<D> t = tangential<D>(centroid_[e] - x_[i], across) / reach;
-            const double share = weight[e] / total * (1 - (t - mean).dot(slope));
-            flux_vertex_[i] += share * flux_[e];
-            if (!acceleration_.empty())
-                acceleration_vertex_[i] += share * acceleration_[e];
-        }
+        flux_vertex_[i] = fit.at(i, flux_, flux_vertex_[i]);
+        if (!acceleration_.empty())
+            acceleration_vertex_[i] = fit.at(i, acceleration_, acceleration_vertex_[i]);
         if (!flux_vertex_[i].allFinite())
-            flux_vertex_[i] = flux_[around.front()];
+            flux_vertex_[i] = flux_[any];
     }
+}
+
+// At a facet's middle the flux goes no further than the mean of the element beyond.
+template <int D>
+void FilmHistory<D>::limit_slopes()
+{
+    slope_.assign(elements_.size(), 1.0);
+    for (int e = 0; e < elements(); ++e) {
+        Vec<D> mean = Vec<D>::Zero();
+        for (int node : elements_[e])
+            mean += flux_vertex_[node] / D;
+        for (int i = 0; i < D; ++i) {
+            if (beyond_[e][i] < 0)
+                continue;
+            const Vec<D> d = flux_[beyond_[e][i]] - flux_[e];
+            Vec<D> at = Vec<D>::Zero();
+            for (int k = 1; k < D; ++k)
+                at += flux_vertex_[elements_[e][(i + k) % D]] / (D - 1);
+            const double square = d.squaredNorm(), along = (at - mean).dot(d);
+            slope_[e] = std::min(slope_[e], along < 0 || square == 0 ? 0.0 : along > square ? square / along : 1.0);
+        }
+    }
+}
+
+template <int D>
+typename FilmHistory<D>::Sample FilmHistory<D>::sample(const Vec<D>& x_body, int& hint) const
+{
+    const Place place = locate(x_body, hint);
+    hint = place.element;
+    Vec<D> flux = flux_[place.element];
+    for (int i = 0; i < D; ++i)
+        flux += slope_[place.element] * (std::clamp(place.shape[i], 0.0, 1.0) - 1.0 / D) *
+                flux_vertex_[elements_[place.element][i]];
+    return {place.element, place.distance, thickness(place), flux};
 }
 
 template <int D>
@@ -287,27 +286,33 @@ typename FilmHistory<D>::Place FilmHistory<D>::locate(const Vec<D>& x_body, int 
     return best;
 }
 
+// Quadratic: from the vertices and the element's mean (a bubble c sum lambda_i lambda_j of mean 1). Beyond the film extrapolated linearly over one
+// element's length, within a factor of two.
 template <int D>
-Vec<D> FilmHistory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) const
+double FilmHistory<D>::thickness(const Place& place) const
 {
-    // Beyond the film the flux is extrapolated linearly over one element's length; the thickness too, within a factor of two. Inside, the
-    // thickness is quadratic: from the vertices and the element's mean (a bubble c sum lambda_i lambda_j of mean 1).
-    Vec<D> flux = Vec<D>::Zero();
     double h = 0, mean = 0, bubble = 0, least = std::numeric_limits<double>::infinity(), most = 0;
     for (int i = 0; i < D; ++i) {
         const int node = elements_[place.element][i];
-        const double share = std::clamp(place.shape[i], -1.0, 2.0);
-        flux += share * flux_vertex_[node];
-        h += share * h_[node];
+        h += std::clamp(place.shape[i], -1.0, 2.0) * h_[node];
         mean += h_[node] / D;
         for (int j = 0; j < i; ++j)
             bubble += (D == 2 ? 6 : 4) * std::clamp(place.shape[i], 0.0, 1.0) * std::clamp(place.shape[j], 0.0, 1.0);
         least = std::min(least, h_[node]);
         most = std::max(most, h_[node]);
     }
-    h += bubble * (h_mean_[place.element] - mean);
+    return std::clamp(h + bubble * (h_mean_[place.element] - mean), 0.5 * least, 2 * most);
+}
+
+template <int D>
+Vec<D> FilmHistory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) const
+{
+    // Beyond the film the flux is extrapolated linearly over one element's length.
+    Vec<D> flux = Vec<D>::Zero();
+    for (int i = 0; i < D; ++i)
+        flux += std::clamp(place.shape[i], -1.0, 2.0) * flux_vertex_[elements_[place.element][i]];
     // Where the gap closes to a tip the division amplifies errors: limits the speed to about that of the surrounding elements.
-    Vec<D> relative = flux / std::clamp(h, 0.5 * least, 2 * most);
+    Vec<D> relative = flux / thickness(place);
     const double bound = surplus_bound * speed_about(place.element);
     if (relative.norm() > bound)
         relative *= bound / relative.norm();

@@ -22,17 +22,18 @@ public:
     struct OldMouth {
         Vec<D> place;           ///< in the master's frame
         Vec<D> outward;         ///< world axes, at the time
-        double h, flux;         ///< thickness and absolute flux out of the film, per length of rim
+        double h, resistance;   ///< thickness, R
+        double flux;            ///< absolute, out of the film, per length of rim
         Vec<D> master_velocity; ///< world, of the master there
         MouthKind kind;
     };
 
     /// `films`: the pieces of this pair; `w`: one world vector for each element of all films of the network. Elements marked in `idle` (one
     /// value for each element of the network, or none) are excluded from the reconstruction. `acceleration`: acceleration by the pressure, one for
-    /// each element of the network, or none.
+    /// each element of the network, or none; `increment`: change of its velocity in the last step over what was put in place, or none.
     FilmHistory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
-                const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& acceleration, const std::vector<char>& idle,
-                double dx);
+                const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& acceleration,
+                const std::vector<Vec<D>>& increment, const std::vector<char>& idle, double dx);
 
     /// Velocity (world axes) transported to a point of the master's frame over dt, with the old normal at its foot.
     struct Transported {
@@ -43,6 +44,35 @@ public:
     };
     /// `hint`: an element near it, or -1; on return the one it arrived in.
     Transported transport(const Vec<D>& x_body, double dt, int& hint) const;
+    /// What lies at a point of the master's frame. `flux`: h (w - U_m), linear in the element with a limited slope, world axes.
+    struct Sample {
+        int element;
+        double distance; ///< from the element
+        double h;
+        Vec<D> flux;
+    };
+    Sample sample(const Vec<D>& x_body, int& hint) const;
+    /// Of an element: velocity along the film relative to the master, unit normal (world axes), volume.
+    Vec<D> along(int element) const { return tangential<D>(flux_[element] / h_mean_[element], normal_[element]); }
+    const Vec<D>& normal(int element) const { return normal_[element]; }
+    double volume(int element) const { return volumes_[element]; }
+    Vec<D> acceleration(int element) const { return second_order() ? acceleration_[element] : Vec<D>(Vec<D>::Zero()); }
+    Vec<D> increment(int element) const { return increment_.empty() ? Vec<D>(Vec<D>::Zero()) : increment_[element]; }
+    /// Of an element on the master.
+    double measure_on_master(int element) const
+    {
+        const std::array<int, D>& n = elements_[element];
+        if constexpr (D == 2)
+            return (x_[n[1]] - x_[n[0]]).norm();
+        else
+            return 0.5 * (x_[n[1]] - x_[n[0]]).cross(x_[n[2]] - x_[n[0]]).norm();
+    }
+    /// Of the master, at the time.
+    const Mat<D>& rotation() const { return rotation_; }
+    /// Of the master, at the time.
+    Spin<D> spin() const { return twist_.template tail<spin_size<D>>(); }
+    /// The master's reference point in its frame.
+    const Vec<D>& centre() const { return centre_body_; }
     /// Old velocity at a point of the master's frame, extrapolated linearly beyond the film, and the film's normal there.
     Transported at(const Vec<D>& x_body, int& hint) const { return transport(x_body, 0.0, hint); }
     /// Whether transport is of second order in time: the pressure's acceleration is known.
@@ -77,6 +107,8 @@ private:
     Place locate(const Vec<D>& x_body, int hint) const;
     Place walk(const Vec<D>& x_body, int start) const;
     void join_elements();
+    double thickness(const Place& place) const;
+    void limit_slopes();
     Vec<D> vertex_velocity(const Vec<D>& x_body, const Place& place) const;
     Vec<D> half_step_change(const Place& place, double dt) const;
     void fit_vertices(const std::vector<double>& weight);
@@ -94,6 +126,8 @@ private:
     std::vector<double> radius_;             ///< of elements about their centroids
     std::vector<double> speed_; ///< |w - U_m| around a vertex: root of the mean square over the volume of the elements around
     std::vector<double> h_, h_mean_;         ///< thickness at the vertices, mean over the elements
+    std::vector<double> volumes_, slope_;    ///< of elements; share of the fitted slope of the flux that makes no new extremum
+    std::vector<Vec<D>> increment_;          ///< of elements, world axes; or none
     std::vector<char> coarse_, idle_;        ///< elements too large for their gap; those excluded from the reconstruction
     std::vector<Vec<D>> w_, normal_;         ///< of elements, world axes
     std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices

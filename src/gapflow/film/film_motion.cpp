@@ -1,6 +1,6 @@
 #include "gapflow/film/film_motion.hpp"
 
-#include "gapflow/film/film_energy.hpp"
+#include "gapflow/film/film_transport.hpp"
 #include "gapflow/film/for_each_job.hpp"
 
 #include <algorithm>
@@ -11,13 +11,6 @@ namespace gapflow {
 
 namespace {
 
-// A mouth thinner than its film keeps its flux, relative to the master, up to this multiple of the film's speed there times its
-// section: where it narrows beside a point of contact, the flux of a wider mouth would become a jet without a physical cause. (The flux of
-// wide mouths is not limited: each step would remove it, each solve would restore it, and the energy of that would grow.)
-constexpr double mouth_bound = 2.0;
-// Mouths thinner than this times their film's mean thickness lie beside a point of contact, and their outflow's head adds no more than
-// their own flux; much thinner ones have none.
-constexpr double thin_mouth = 0.5, blocked_mouth = 0.1;
 // Of the angle between an element's normal and the other's, which is 30 degrees at most where there is a film; else its mean normal is unreliable.
 constexpr double least_cosine = 0.5;
 
@@ -56,207 +49,370 @@ std::vector<double> wall_normal_speed(const FilmNetwork<D>& network, std::span<c
 
 namespace {
 
-// The transport of films in a step, part by part.
+// The films' transport in a step, part by part.
 template <int D>
-class FilmAdvection {
+class FilmMomentum {
 public:
-    FilmAdvection(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories, double dt)
-        : network_(network), solids_(solids), mouths_(network.rim.mouths), dt_(dt), history_(network.films.size(), nullptr),
-          at_element_(network.elements, unknown()), at_mouth_(mouths_.size(), unknown())
+    FilmMomentum(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
+                 const std::function<MouthLaw(int, int)>& law, double dx, double dt, double share)
+        : network_(network), solids_(solids), mouths_(network.rim.mouths), law_(law), dt_(dt),
+          history_(network.films.size(), nullptr)
     {
         for (std::size_t k = 0; k < network.films.size(); ++k)
             if (auto it = histories.find(network.films[k].pair); it != histories.end())
                 history_[k] = it->second.get();
+        place_ = put_in_place<D>(network, solids, history_, dx);
+        for (FluidInPlace<D>& place : place_) {
+            place.acceleration *= share;
+            place.increment *= share;
+        }
+        predicted_flux_.resize(mouths_.size());
     }
 
-    // Velocities transported from the old films to the new elements and mouths.
-    void transport()
+    // Places at which the bulk's velocity counts: elements that cover new volume, then all mouths.
+    std::vector<Vec<D>> bulk_places() const
     {
+        std::vector<Vec<D>> places;
+        for_each_element([&](std::size_t k, std::size_t i, const FilmElement<D>& e) {
+            if (!history_[k] || place_[i].covered > 0)
+                places.push_back(e.centroid);
+        });
+        for (const Mouth<D>& mouth : mouths_) // at smooth ends beyond the film's own cells
+            places.push_back(history_[mouth.film] && mouth.kind == MouthKind::smooth
+                                 ? Vec<D>(mouth.x + 0.5 * mouth.h * mouth.outward)
+                                 : mouth.x);
+        return places;
+    }
+
+    // The bulk's fluid in volume that films cover; reference velocities in world axes.
+    void cover(const std::vector<Vec<D>>& bulk, FilmFlow<D>& flow)
+    {
+        auto next = bulk.begin();
+        flow.velocity.resize(network_.elements);
+        flow.normal.resize(network_.elements);
+        FilmAccount<D>& account = flow.account;
+        account.reference.resize(network_.elements);
+        account.master.assign(network_.elements, Vec<D>::Zero());
+        reference_.assign(network_.elements, Vec<D>::Zero());
+        for_each_element([&](std::size_t k, std::size_t i, const FilmElement<D>& e) {
+            FluidInPlace<D>& place = place_[i];
+            if (!history_[k]) {
+                account.reference[i] = flow.velocity[i] = tangential<D>(*next, e.normal);
+                flow.normal[i] = next->dot(e.normal);
+                ++next;
+                return;
+            }
+            const PlacedShape<D>& master = solids_[network_.films[k].pair.master].shape;
+            const Vec<D> x = master.to_body(e.centroid_master);
+            const Mat<D> R = master.rotation();
+            const Vec<D> U = moving_with(*history_[k], x, R);
+            if (place.covered > 0) {
+                const Vec<D>& u = *next++;
+                const Vec<D> along = R.transpose() * tangential<D>(u - U, e.normal);
+                const double whole = place.volume + place.covered;
+                place.world = (place.volume * place.world + place.covered * u) / whole;
+                place.velocity = (place.volume * place.velocity + place.covered * along) / whole;
+                place.reference += place.covered / e.volume * along;
+            }
+            reference_[i] = R * place.reference;
+            account.master[i] = tangential<D>(U, e.normal);
+            account.reference[i] = account.master[i] + reference_[i];
+        });
+        for (std::size_t r = 0; r < mouths_.size(); ++r)
+            bulk_at_mouth_.push_back(*next++);
+    }
+
+    // Velocities of elements; of each pair the work that transport gives to the mouths.
+    void carry(const FilmDebts<D>& debts, FilmFlow<D>& flow)
+    {
+        FilmAccount<D>& account = flow.account;
+        auto debt = [&](const FilmPair<D>& pair) {
+            const auto it = debts.find(pair);
+            return it == debts.end() ? 0.0 : it->second;
+        };
+        std::vector<Vec<D>> expected(network_.elements), carrying(network_.elements); // relative: velocity at the end of the step; volume times velocity, mean of the step, master's axes
+        for_each_element([&](std::size_t k, std::size_t i, const FilmElement<D>& e) {
+            if (!history_[k])
+                return;
+            const Mat<D> R = solids_[network_.films[k].pair.master].shape.rotation();
+            expected[i] = reference_[i] + dt_ * (R * place_[i].increment);
+            const FluidInPlace<D>& place = place_[i];
+            carrying[i] = 0.5 * ((place.volume + place.covered) * place.velocity + e.volume * (place.reference + dt_ * place.increment));
+        });
+        mouth_fluxes(expected);
+        std::vector<Carried<D>> low(history_.size()), high(history_.size());
         for_each_job(static_cast<int>(history_.size()), [&](int k) {
             if (!history_[k])
                 return;
             const Film<D>& film = network_.films[k];
-            const PlacedShape<D>& master = solids_[film.pair.master].shape;
-            int hint = -1;
-            for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
-                at_element_[film.first_element + e] =
-                    history_[k]->transport(master.to_body(film.mesh.elements[e].centroid_master), dt_, hint);
+            const std::size_t n = film.mesh.elements.size();
+            const FilmTransport<D> transport(network_, k, solids_[film.pair.master].shape,
+                                             std::span(place_).subspan(film.first_element, n),
+                                             std::span<const Vec<D>>(carrying).subspan(film.first_element, n), mouth_flow_, dt_);
+            low[k] = transport.low();
+            high[k] = transport.high();
         });
-        constexpr int chunk = 64;
-        for_each_job(static_cast<int>((mouths_.size() + chunk - 1) / chunk), [&](int job) {
-            for (std::size_t r = static_cast<std::size_t>(job) * chunk;
-                 r < std::min(mouths_.size(), (job + std::size_t(1)) * chunk); ++r)
-                if (const int k = mouths_[r].film; history_[k]) {
-                    int hint = -1;
-                    at_mouth_[r] = history_[k]->at(solids_[network_.films[k].pair.master].shape.to_body(mouths_[r].x), hint);
-                }
+        struct Sum {
+            double low = 0, high = 0; // work of transport against the expected velocities, what leaves less what enters
+            double low_out = 0, high_out = 0, debt = 0;
+            bool gains = false; // already at first order
+        };
+        std::map<const FilmHistory<D>*, Sum> sums;
+        std::vector<Vec<D>> of_low(network_.elements), of_high(network_.elements);
+        for_each_element([&](std::size_t k, std::size_t i, const FilmElement<D>& e) {
+            if (!history_[k])
+                return;
+            const std::size_t own = i - network_.films[k].first_element;
+            const Mat<D> R = solids_[network_.films[k].pair.master].shape.rotation();
+            of_low[i] = account.master[i] + R * low[k].velocity[own];
+            of_high[i] = account.master[i] + R * high[k].velocity[own];
+            if (getenv("DBG") && of_high[i].norm() > 1e3 * (1e-2+reference_[i].norm()))
+                fprintf(stderr, "BLOW el %zu vol %g h %g start vol %g covered %g v %g ref %g acc %g inc %g low %g high %g inertial %g\n", i, e.volume, e.volume / e.measure, place_[i].volume, place_[i].covered, place_[i].velocity.norm(), place_[i].reference.norm(), place_[i].acceleration.norm() * dt_, place_[i].increment.norm() * dt_, low[k].velocity[own].norm(), high[k].velocity[own].norm(), place_[i].inertial.norm() * dt_);
+            sums[history_[k]].low += e.volume * expected[i].dot(of_low[i] - account.reference[i]);
+            sums[history_[k]].high += e.volume * expected[i].dot(of_high[i] - account.reference[i]);
+        });
+        for (std::size_t k = 0; k < history_.size(); ++k)
+            if (history_[k]) {
+                Sum& sum = sums[history_[k]];
+                sum.low -= low[k].in;
+                sum.high -= high[k].in;
+                sum.low_out += low[k].out;
+                sum.high_out += high[k].out;
+                sum.debt = std::max(debt(network_.films[k].pair), 0.0);
+            }
+        if (getenv("DBG")) for (auto& [old, sum] : sums) fprintf(stderr, "SUM work-in low %g high %g out %g %g debt %g\n", sum.low, sum.high, sum.low_out, sum.high_out, sum.debt);
+        for (auto& [old, sum] : sums) { // what leaves may be kept to pay a debt
+            sum.gains = sum.low > 0;
+            sum.low += sum.debt;
+            sum.high += sum.debt;
+        }
+        for_each_element([&](std::size_t k, std::size_t i, const FilmElement<D>& e) {
+            if (!history_[k])
+                return;
+            const Sum& sum = sums[history_[k]];
+            // The largest share of the second-order velocities with which the films gain nothing and pay their debt; if not even those of first
+            // order do, what was put in place.
+            const double share = sum.high <= 0 ? 1.0 : sum.high > sum.low ? std::max(-sum.low, 0.0) / (sum.high - sum.low) : 0.0;
+            const std::size_t own = i - network_.films[k].first_element;
+            flow.velocity[i] = sum.gains && share == 0 ? account.reference[i] : Vec<D>((1 - share) * of_low[i] + share * of_high[i]);
+            flow.normal[i] = low[k].world[own].dot(e.normal);
+            gives_[history_[k]] -= e.volume * expected[i].dot(flow.velocity[i] - account.reference[i]);
         });
     }
 
-    // The bulk's velocity: at elements without an old film near them, then at all mouths.
-    std::vector<Vec<D>> from_grid(const VelocitySampler<D>& grid_velocity) const
+    // Mouths' fluxes, the factors of their conductances, and the heads: at entrances fluid pays its kinetic head; at exits it
+    // regains what it brings, in all no more than transport and entrances gave.
+    void drive_mouths(const FilmDebts<D>& debts, FilmFlow<D>& flow) const
     {
-        std::vector<Vec<D>> places;
-        for (const Film<D>& film : network_.films)
-            for (std::size_t e = 0; e < film.mesh.elements.size(); ++e)
-                if (!at_element_[film.first_element + e].near)
-                    places.push_back(film.mesh.elements[e].centroid);
-        for (const Mouth<D>& mouth : mouths_) // at smooth ends beyond the film's own cells
-            places.push_back(at_mouth_[&mouth - mouths_.data()].near && mouth.kind == MouthKind::smooth
-                                 ? Vec<D>(mouth.x + 0.5 * mouth.h * mouth.outward)
-                                 : mouth.x);
-        return grid_velocity(places);
-    }
-
-    // Elements' velocities; the pairs' energy losses.
-    auto move_elements(const std::vector<double>& normal_speed, typename std::vector<Vec<D>>::const_iterator& next,
-                       FilmFlow<D>& flow) const
-    {
-        std::vector<double> turned; // of an element's normal speed: the part that was along the film at the foot of its trace
-        for (std::size_t k = 0; k < history_.size(); ++k)
-            for (const FilmElement<D>& e : network_.films[k].mesh.elements) {
-                const Transported& old = at_element_[flow.velocity.size()];
-                Vec<D> w = old.near ? old.velocity : *next++;
-                turned.push_back(old.near ? tangential<D>(w - master_velocity(k, e), old.normal).dot(e.normal) : 0.0);
-                const Vec<D> n_bar = old.near ? Vec<D>(e.normal + old.normal) : e.normal;
-                const double across = n_bar.dot(e.normal);
-                flow.normal.push_back(w.dot(e.normal));
-                if (across > 0.1 * n_bar.norm())
-                    w += (normal_speed[flow.velocity.size()] - w.dot(e.normal)) / across * n_bar;
-                flow.velocity.push_back(tangential<D>(w, e.normal));
-            }
-        auto given_away = limit_motion(network_, solids_, history_, at_element_, at_mouth_, dt_, flow.velocity);
-        // At a corner the flow along the old film hits the new film's walls: it counts with at most the speed that remains along the film.
-        for (std::size_t k = 0; k < history_.size(); ++k)
-            for (std::size_t i = 0; i < network_.films[k].mesh.elements.size(); ++i) {
-                const std::size_t at = network_.films[k].first_element + i;
-                if (turned[at] == 0)
-                    continue;
-                const FilmElement<D>& e = network_.films[k].mesh.elements[i];
-                const double speed = tangential<D>(flow.velocity[at] - master_velocity(k, e), e.normal).norm();
-                flow.normal[at] += std::clamp(turned[at], -speed, speed) - turned[at];
-            }
-        return given_away;
-    }
-
-    // Mouths' fluxes and the factors of their conductances; returns the flux that the head of the outflow adds to each.
-    std::vector<double> move_mouths(const std::function<MouthLaw(int, int)>& law,
-                                    typename std::vector<Vec<D>>::const_iterator& next, FilmFlow<D>& flow) const
-    {
-        const std::vector<double> thickness = mean_thickness();
-        std::vector<double> head(mouths_.size(), 0.0);
+        struct Sum {
+            double in = 0, out = 0, bulk = 0; // heads' work, and energy that the bulk brings in
+            double paid = 0; // at entrances, losses included
+        };
+        std::map<const FilmHistory<D>*, Sum> sums;
+        std::vector<double> work(mouths_.size(), 0.0); // R a q_p^2 of the whole head: in < 0, out > 0
         for (std::size_t r = 0; r < mouths_.size(); ++r) {
             const Mouth<D>& mouth = mouths_[r];
+            if (!history_[mouth.film] || mouth.kind == MouthKind::inflow)
+                continue;
             const FilmPair<D>& pair = network_.films[mouth.film].pair;
-            const Vec<D> bulk = *next++;
-            double q = 0, scale = 1.0;
-            if (at_mouth_[r].near)
-                std::tie(q, scale, head[r]) =
-                    mouth_values(static_cast<int>(r), thickness[mouth.film], bulk, law(pair.master, pair.other));
-            else
-                q = mouth.length * mouth.h * mouth.outward.dot(bulk);
-            flow.mouth.push_back(q);
-            flow.mouth_scale.push_back(scale);
+            const MouthLaw law = law_(pair.master, pair.other);
+            const bool smooth = mouth.kind == MouthKind::smooth;
+            const double u = speed_[r];
+            const double beyond = mouth.kind == MouthKind::open_side ? 0.0 : square(mouth.outward.dot(bulk_at_mouth_[r] - carried_[r]));
+            Sum& sum = sums[history_[mouth.film]];
+            const double head = 0.5 * dt_ * std::abs(predicted_flux_[r]);
+            if (u < 0) {
+                const double brought = smooth ? std::min(square(u), beyond) : 0.0;
+                sum.bulk += head * brought;
+                if (!smooth || !law.jet) {
+                    work[r] = -head * (smooth ? square(u) - brought : (1 + law.entrance_loss) * square(u));
+                    sum.in += head * (square(u) - brought);
+                    sum.paid -= work[r];
+                }
+            } else if (u >= 0 && !smooth && !law.jet) {
+                work[r] = head * std::max(square(u) - beyond, 0.0);
+                sum.out += work[r];
+            }
         }
-        return head;
+        std::map<const FilmHistory<D>*, std::pair<double, double>> factor; // on the heads at entrances and exits
+        for (auto& [old, sum] : sums) {
+            double debt = 0;
+            for (std::size_t k = 0; k < history_.size(); ++k)
+                if (history_[k] == old)
+                    if (auto it = debts.find(network_.films[k].pair); it != debts.end())
+                        debt = it->second;
+            const double gives = gives_.at(old) + sum.bulk - debt, left = sum.in + gives;
+            double in = 1, out = sum.out > 0 ? std::clamp(left / sum.out, 0.0, 1.0) : 0.0;
+            if (sum.in > 0 && (left < 0 || sum.out == 0))
+                in = std::max(-gives, 0.0) / sum.in;
+            factor[old] = {in, out};
+            if (getenv("DBG"))
+                for (std::size_t k = 0; k < history_.size(); ++k)
+                    if (history_[k] == old)
+                        fprintf(stderr, "pair %d %d gives %g in %g out %g bulk %g debt %g  fin %g fout %g\n", network_.films[k].pair.master, network_.films[k].pair.other, gives_.at(old), sum.in, sum.out, sum.bulk, debt, in, out);
+            double loss = in * sum.paid + gives_.at(old) + sum.bulk - out * sum.out - debt; // as expected
+            for (std::size_t k = 0; k < history_.size(); ++k)
+                if (history_[k] == old)
+                    flow.account.before[network_.films[k].pair] = debt + std::max(loss, 0.0) - sum.bulk;
+        }
+        for (std::size_t r = 0; r < mouths_.size(); ++r) {
+            const Mouth<D>& mouth = mouths_[r];
+            double q = start_flux_[r], scale = 1, gain = 0;
+            if (history_[mouth.film] && work[r] != 0 && predicted_flux_[r] != 0) {
+                const auto [in, out] = factor.at(history_[mouth.film]);
+                const double R = mouth.resistance / mouth.length;
+                const double a = std::abs(work[r]) * (work[r] > 0 ? out : in) / (R * square(predicted_flux_[r]));
+                gain = work[r] > 0 ? a : -a;
+                if (work[r] > 0)
+                    q += 2 * a * predicted_flux_[r];
+                scale = 1 / (1 + a);
+                q *= scale;
+            }
+            flow.mouth.push_back(q + (history_[mouth.film] ? mouth.length * mouth.h * mouth.outward.dot(carried_[r]) : 0.0));
+            flow.mouth_scale.push_back(scale);
+            flow.account.gain.push_back(gain);
+            flow.account.predicted.push_back(predicted_flux_[r]);
+            flow.account.kept.push_back(start_flux_[r]);
+            flow.account.carried.push_back(history_[mouth.film] ? mouth.length * mouth.h * mouth.outward.dot(carried_[r]) : 0.0);
+        }
     }
-
-    const std::vector<const FilmHistory<D>*>& history() const { return history_; }
 
 private:
-    using Transported = typename FilmHistory<D>::Transported;
-    static Transported unknown() { return {Vec<D>::Zero(), Vec<D>::Zero(), false, false, 0}; }
-
-    Vec<D> master_velocity(std::size_t film, const FilmElement<D>& e) const
+    template <class F>
+    void for_each_element(F&& f) const
     {
-        return history_[film]->master_velocity(solids_[network_.films[film].pair.master].shape.to_body(e.centroid_master));
+        for (std::size_t k = 0; k < network_.films.size(); ++k)
+            for (std::size_t i = 0; i < network_.films[k].mesh.elements.size(); ++i)
+                f(k, network_.films[k].first_element + i, network_.films[k].mesh.elements[i]);
     }
 
-    std::vector<double> mean_thickness() const
+    // Velocity of the master's old motion at a point of its frame, in its new place.
+    static Vec<D> moving_with(const FilmHistory<D>& history, const Vec<D>& x_body, const Mat<D>& rotation)
     {
-        std::vector<double> mean;
-        for (const Film<D>& film : network_.films) {
-            double volume = 0, measure = 0;
-            for (const FilmElement<D>& e : film.mesh.elements) {
-                volume += e.volume;
-                measure += e.measure;
+        const Vec<D> at_old = history.master_velocity(x_body);
+        const Vec<D> turn = rotation * history.rotation().transpose() * (at_old - history.master_velocity(history.centre()));
+        return history.master_velocity(history.centre()) + turn;
+    }
+
+    // Fluxes relative to the master: kept from the old mouths, expected at the end of the step, mean.
+    void mouth_fluxes(const std::vector<Vec<D>>& expected)
+    {
+        for (std::size_t r = 0; r < mouths_.size(); ++r) {
+            const Mouth<D>& mouth = mouths_[r];
+            const Film<D>& film = network_.films[mouth.film];
+            const FilmHistory<D>* history = history_[mouth.film];
+            const double section = mouth.length * mouth.h;
+            if (!history) {
+                carried_.push_back(Vec<D>::Zero());
+                start_flux_.push_back(section * mouth.outward.dot(bulk_at_mouth_[r]));
+                mean_flux_.push_back(start_flux_.back());
+                speed_.push_back(0);
+                mouth_flow_.push_back({});
+                continue;
             }
-            mean.push_back(volume / measure);
+            const PlacedShape<D>& master = solids_[film.pair.master].shape;
+            const Vec<D> x = master.to_body(mouth.x);
+            const Vec<D> U = moving_with(*history, x, master.rotation());
+            // The film's flux at its end, relative to the master: what was put in place, and expected.
+            double before = 0, after = 0;
+            for (std::size_t i = 0; i < film.mesh.rim.size(); ++i) {
+                const RimEdge<D>& rim = film.mesh.rim[i];
+                bool same = true;
+                for (int k = 0; k < D - 1; ++k)
+                    same = same && std::find(mouth.nodes.begin(), mouth.nodes.end(), rim.nodes[k] + film.first_node) != mouth.nodes.end();
+                if (!same)
+                    continue;
+                before = mouth.outward.dot(reference_[film.first_element + rim.element]);
+                after = mouth.outward.dot(expected[film.first_element + rim.element]);
+                break;
+            }
+            const auto* old = history->nearest_mouth(x, mouth.outward);
+            double q, h = mouth.h;
+            if (old) {
+                q = mouth.length * std::sqrt(old->resistance / mouth.resistance) *
+                    (old->flux - old->h * old->outward.dot(old->master_velocity));
+                h = 0.5 * (h + old->h);
+            } else {
+                q = section * before;
+            }
+            double predicted = before != 0 && after * before > 0 ? q * after / before : q;
+            carried_.push_back(U);
+            start_flux_.push_back(q);
+            predicted_flux_[r] = predicted;
+            mean_flux_.push_back(0.5 * (q + predicted));
+            // Through mouths much thinner than their film the speed q/h has no meaning: no more than the film's own at its end.
+            const double through = std::abs(mean_flux_.back()) / (mouth.length * h), in_film = 2 * 0.5 * std::abs(before + after);
+            double speed = std::min(through, in_film);
+            // What enters by a smooth end without a head comes as the bulk brings it.
+            if (mouth.kind == MouthKind::smooth && law_(film.pair.master, film.pair.other).jet && mean_flux_.back() < 0)
+                speed = std::clamp(mouth.outward.dot(U - bulk_at_mouth_[r]), 0.0, speed);
+            speed_.push_back(std::copysign(speed, mean_flux_.back()));
+            Vec<D> entering = speed_.back() * mouth.outward;
+            if (D == 3) // along the rim with the bulk's velocity
+                entering += tangential<D>(bulk_at_mouth_[r] - U, mouth.outward);
+            mouth_flow_.push_back({mean_flux_.back(), master.rotation().transpose() * entering, U + entering});
         }
-        return mean;
-    }
-
-    // Flux, factor of the conductance and flux by the outflow's head of a mouth with an old film near it. `bulk`: its velocity there.
-    std::tuple<double, double, double> mouth_values(int r, double mean_thickness, const Vec<D>& bulk, const MouthLaw& law) const
-    {
-        const Mouth<D>& mouth = mouths_[r];
-        const FilmHistory<D>& history = *history_[mouth.film];
-        const double section = mouth.length * mouth.h;
-        const Vec<D> place = solids_[network_.films[mouth.film].pair.master].shape.to_body(mouth.x);
-        const Vec<D> w = at_mouth_[r].velocity, U = history.master_velocity(place);
-        double u = mouth.outward.dot(w - U); // out of the film, relative to the master
-        const auto* old = history.nearest_mouth(place, mouth.outward);
-        double q = section * mouth.outward.dot(w), scale = 1.0, head = 0.0;
-        if (old) {
-            const double flux =
-                mouth.length * (old->flux + (mouth.h * mouth.outward - old->h * old->outward).dot(old->master_velocity));
-            const double with_master = section * mouth.outward.dot(U), most = mouth_bound * section * at_mouth_[r].fastest;
-            q = mouth.h < mean_thickness ? with_master + std::clamp(flux - with_master, -most, most) : flux;
-        }
-        // Without losses, fluid that passes a mouth has the film's kinetic energy on one side and the bulk's on the other, which the bulk's
-        // transport supplies or takes up. The head is the difference: where fluid leaves by a sharp mouth, and where it enters by a smooth one.
-        const bool smooth = mouth.kind == MouthKind::smooth;
-        const double beyond = mouth.kind == MouthKind::open_side ? 0.0 : square(mouth.outward.dot(bulk - U));
-        const bool enters = u < 0 && mouth.kind != MouthKind::inflow && (!smooth || !law.jet);
-        const bool regains = u >= 0 && mouth.kind != MouthKind::inflow && !smooth && !law.jet;
-        if (enters) { // semi-implicit
-            const double k = smooth ? std::max(1 - beyond / square(u), 0.0) : 1 + law.entrance_loss;
-            scale = 1 / (1 + dt_ * k * -u / (2 * mouth.resistance * mouth.h));
-            q = scale * q + (1 - scale) * section * mouth.outward.dot(U);
-        } else if (regains) {
-            int hint = -1;
-            if (history.second_order())
-                u = std::max(mouth.outward.dot(history.half_way(place, dt_, hint) - U), 0.0);
-            const double thickness = mouth.h / mean_thickness;
-            const double open = std::min(1.0, thickness / blocked_mouth);
-            head = open * open * mouth.length * dt_ * 0.5 * std::max(square(u) - beyond, 0.0) / mouth.resistance;
-            if (thickness < thin_mouth)
-                head = std::min(head, section * u);
-        }
-        return {q, scale, head};
     }
 
     const FilmNetwork<D>& network_;
     std::span<const Solid<D>> solids_;
     const std::vector<Mouth<D>>& mouths_;
+    const std::function<MouthLaw(int, int)>& law_;
     double dt_;
     std::vector<const FilmHistory<D>*> history_; // of each film's pair; null: none
-    std::vector<Transported> at_element_, at_mouth_;
+    std::vector<FluidInPlace<D>> place_;
+    std::vector<Vec<D>> reference_;              // of elements, relative to the master, world axes
+    std::vector<Vec<D>> bulk_at_mouth_, carried_; // at mouths: the bulk's velocity, the master's
+    std::vector<double> start_flux_, predicted_flux_, mean_flux_, speed_;
+    std::vector<MouthFlow<D>> mouth_flow_;
+    std::map<const FilmHistory<D>*, double> gives_; // work of transport against the pressure, of each pair
 };
 
 } // namespace
 
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
-                         const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
-                         const std::function<MouthLaw(int, int)>& law, double dt)
+                         const VelocitySampler<D>& grid_velocity, const std::function<MouthLaw(int, int)>& law,
+                         const FilmDebts<D>& debts, double dx, double dt, double share)
 {
-    FilmAdvection<D> advection(network, solids, histories, dt);
-    advection.transport();
-    const std::vector<Vec<D>> from_grid = advection.from_grid(grid_velocity);
-    auto next = from_grid.begin();
+    FilmMomentum<D> momentum(network, solids, histories, law, dx, dt, share);
     FilmFlow<D> flow;
-    const auto given_away = advection.move_elements(wall_normal_speed<D>(network, solids, predicted), next, flow);
-    const std::vector<double> head = advection.move_mouths(law, next, flow);
-    add_heads(network, solids, advection.history(), given_away, head, flow.mouth);
+    momentum.cover(grid_velocity(momentum.bulk_places()), flow);
+    momentum.carry(debts, flow);
+    momentum.drive_mouths(debts, flow);
+    flow.account.transported = flow.velocity;
     return flow;
+}
+
+template <int D>
+FilmDebts<D> settle_films(const FilmNetwork<D>& network, const FilmAccount<D>& account, const std::vector<Vec<D>>& velocity,
+                          const std::vector<double>& mouth, double dt, std::vector<Vec<D>>& increment)
+{
+    FilmDebts<D> debts = account.before;
+    increment.assign(velocity.size(), Vec<D>::Zero());
+    if (account.reference.size() != velocity.size())
+        return debts;
+    for (const Film<D>& film : network.films)
+        for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
+            const std::size_t i = film.first_element + k;
+            increment[i] = (velocity[i] - account.reference[i]) / dt;
+            debts[film.pair] += film.mesh.elements[k].volume * (velocity[i] - account.master[i]).dot(account.transported[i] - account.reference[i]);
+        }
+    if (getenv("DBG")) for (auto& d : debts) fprintf(stderr, " debt of elements %d %d %g\n", d.first.master, d.first.other, d.second);
+    for (std::size_t r = 0; r < mouth.size(); ++r) {
+        const Mouth<D>& m = network.rim.mouths[r];
+        const double q = mouth[r] - account.carried[r], a = account.gain[r];
+        if (getenv("DBG")) fprintf(stderr, "  mouth %zu kind %d h %g l %g R %g kept %g pred %g q %g a %g work %g\n", r, (int)m.kind, m.h, m.length, m.resistance, account.kept[r], account.predicted[r], q, a, m.resistance / m.length * q * (a > 0 ? a * (2 * account.predicted[r] - q) : a * q));
+        debts[network.films[m.film].pair] += m.resistance / m.length * q * (a > 0 ? a * (2 * account.predicted[r] - q) : a * q);
+    }
+    return debts;
 }
 
 template <int D>
 FilmHistories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
                                 const std::vector<Twist<D>>& twists, const std::vector<Vec<D>>& u,
                                 const std::vector<double>& mouth, double dx, const std::vector<char>& idle,
-                                const std::vector<Vec<D>>& acceleration)
+                                const std::vector<Vec<D>>& acceleration, const std::vector<Vec<D>>& increment)
 {
     std::vector<Vec<D>> w = u;
     const std::vector<double> normal_speed = wall_normal_speed<D>(network, solids, twists);
@@ -275,20 +431,19 @@ FilmHistories<D> remember_films(const FilmNetwork<D>& network, std::span<const S
             number[film - network.films.data()] = static_cast<int>(list.size());
         list.emplace_back(&pair, &films);
     }
-    const std::vector<Vec<D>> none;
     std::vector<std::shared_ptr<FilmHistory<D>>> histories(list.size());
     for_each_job(static_cast<int>(list.size()), [&](int k) {
         const int master = list[k].first->master;
         const std::vector<const Film<D>*>& films = *list[k].second;
-        const bool flat = std::all_of(films.begin(), films.end(), [](const Film<D>* film) { return film->mesh.flat; });
         histories[k] =
-            std::make_shared<FilmHistory<D>>(solids[master], twists[master], films, w, flat ? acceleration : none, idle, dx);
+            std::make_shared<FilmHistory<D>>(solids[master], twists[master], films, w, acceleration,
+                                             increment, idle, dx);
     });
     for (std::size_t r = 0; r < mouth.size(); ++r) {
         const Mouth<D>& c = network.rim.mouths[r];
         const FilmPair<D>& pair = network.films[c.film].pair;
         const Solid<D>& master = solids[pair.master];
-        histories[number[c.film]]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.h, mouth[r] / c.length,
+        histories[number[c.film]]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.h, c.resistance, mouth[r] / c.length,
                                                      velocity_at<D>(twists[pair.master], c.x - master.centre), c.kind});
     }
     FilmHistories<D> by_pair;
@@ -300,11 +455,12 @@ FilmHistories<D> remember_films(const FilmNetwork<D>& network, std::span<const S
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template NormalRows<D> normal_rows<D>(const FilmMesh<D>&, const FilmElement<D>&, std::span<const Solid<D>>);               \
     template FilmFlow<D> advect_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmHistories<D>&,            \
-                                         const std::vector<Twist<D>>&, const VelocitySampler<D>&,                              \
-                                         const std::function<MouthLaw(int, int)>&, double);                                    \
+                                         const VelocitySampler<D>&, const std::function<MouthLaw(int, int)>&, const FilmDebts<D>&, double, double, double);       \
+    template FilmDebts<D> settle_films<D>(const FilmNetwork<D>&, const FilmAccount<D>&, const std::vector<Vec<D>>&,            \
+                                          const std::vector<double>&, double, std::vector<Vec<D>>&);                           \
     template FilmHistories<D> remember_films<D>(                                                                               \
         const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<Twist<D>>&, const std::vector<Vec<D>>&,            \
-        const std::vector<double>&, double, const std::vector<char>&, const std::vector<Vec<D>>&);                             \
+        const std::vector<double>&, double, const std::vector<char>&, const std::vector<Vec<D>>&, const std::vector<Vec<D>>&);                             \
     template std::vector<double> wall_normal_speed<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                        \
                                                       const std::vector<Twist<D>>&);
 GAPFLOW_INSTANTIATE(2)

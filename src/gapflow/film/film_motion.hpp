@@ -25,13 +25,33 @@ namespace gapflow {
 template <int D>
 using FilmHistories = std::map<FilmPair<D>, std::shared_ptr<const FilmHistory<D>>>;
 
+/// Energy over the density that a pair's films gained in transport and at their mouths against what was expected, by pair; none: 0. The next
+/// step takes it back, or gives it back where it is negative.
+template <int D>
+using FilmDebts = std::map<FilmPair<D>, double>;
+
+/// What transport and the heads at the mouths did to the films, for the account after the projection (settle_films). All relative to the pairs'
+/// masters.
+template <int D>
+struct FilmAccount {
+    std::vector<Vec<D>> reference;   ///< of elements: u put in place, absolute, tangential; has no more energy than the old films
+    std::vector<Vec<D>> master;      ///< of elements: the master's velocity, tangential
+    std::vector<Vec<D>> transported; ///< of elements: u*
+    std::vector<double> gain;        ///< of mouths: a > 0 at outflow, dq = a (2 q_p - q); a < 0 at inflow, dq = a q
+    std::vector<double> predicted;   ///< of mouths: q_p
+    std::vector<double> carried;     ///< of mouths: the flux that goes with the master
+    std::vector<double> kept;        ///< of mouths: the last step's flux relative to the master, with its energy
+    FilmDebts<D> before;             ///< debts of the last step, less what the films are meant to lose and what the bulk brings in
+};
+
 /// Velocities with which films enter the next projection.
 template <int D>
 struct FilmFlow {
     std::vector<Vec<D>> velocity;    ///< u*, tangential, one for each element
     std::vector<double> normal;      ///< w_n*, one for each element
     std::vector<double> mouth;       ///< q*, absolute, one for each mouth
-    std::vector<double> mouth_scale; ///< factor on the mouth's 1/R (semi-implicit inflow)
+    std::vector<double> mouth_scale; ///< factor on the mouth's 1/R
+    FilmAccount<D> account;
 };
 
 /// Velocities at a list of points.
@@ -43,12 +63,17 @@ struct MouthLaw {
     bool jet = false;         ///< outflow leaves as a jet: its kinetic head is lost
 };
 
-/// Advects the old films' velocities onto the new ones. `predicted`: V^n + dt A; `grid_velocity` samples the bulk's extrapolated
+/// Advects the old films' velocities onto the new ones. `grid_velocity` samples the bulk's extrapolated
 /// velocity at a list of points (elements and mouths without an old film near them), once.
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
-                         const std::vector<Twist<D>>& predicted, const VelocitySampler<D>& grid_velocity,
-                         const std::function<MouthLaw(int, int)>& law, double dt);
+                         const VelocitySampler<D>& grid_velocity, const std::function<MouthLaw(int, int)>& law,
+                         const FilmDebts<D>& debts, double dx, double dt, double share = 1);
+
+/// After the projection: the pairs' debts. `increment`: becomes the change of each element's velocity over what was put in place, over dt.
+template <int D>
+FilmDebts<D> settle_films(const FilmNetwork<D>& network, const FilmAccount<D>& account, const std::vector<Vec<D>>& velocity,
+                          const std::vector<double>& mouth, double dt, std::vector<Vec<D>>& increment);
 
 /// Stores the films' velocities after a step. `u`: tangential velocities of elements; `mouth`: fluxes; `twists`: V^{n+1}; `idle`, `acceleration`: as in
 /// FilmHistory.
@@ -56,7 +81,7 @@ template <int D>
 FilmHistories<D> remember_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
                                 const std::vector<Twist<D>>& twists, const std::vector<Vec<D>>& u,
                                 const std::vector<double>& mouth, double dx, const std::vector<char>& idle = {},
-                                const std::vector<Vec<D>>& acceleration = {});
+                                const std::vector<Vec<D>>& acceleration = {}, const std::vector<Vec<D>>& increment = {});
 
 /// Speed normal to the gap of an element's fluid: row . twist, master's and other's together. Between parallel walls it is the mean of
 /// their velocities at mid-gap, n . 1/2 (U_A + U_B). Else the other contributes its speed along its own normal, over twice the cosine between

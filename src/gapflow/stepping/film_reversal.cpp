@@ -15,10 +15,6 @@ constexpr double stopping = 0.25;
 constexpr double in_contact = 2;
 // Plates whose gap is nowhere thicker than this times its mean are parallel enough.
 constexpr double parallel = 1.5;
-// Largest decrease of a film's thickness in a step by its motion; a larger one has another cause and does not measure its
-// speed.
-constexpr double thinnest = 0.5;
-
 /// Of a pair's films.
 struct Gap {
     double area = 0, volume = 0, thickest = 0;
@@ -26,12 +22,6 @@ struct Gap {
     bool flat = true;
     double thickness() const { return volume / area; }
 };
-
-template <int D>
-double thinning(const Gap& now, const FilmHistory<D>& before)
-{
-    return std::sqrt(std::clamp(now.thickness() * before.area() / before.volume(), thinnest, 1.0));
-}
 
 } // namespace
 
@@ -72,50 +62,37 @@ reversing_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists
 }
 
 template <int D>
-void reverse_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
-                   const std::set<FilmPair<D>>& reversing, const std::vector<Twist<D>>& twists, FilmFlow<D>& flow)
+void reverse_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::set<FilmPair<D>>& reversing,
+                   const std::vector<Twist<D>>& twists, FilmFlow<D>& flow)
 {
     if (reversing.empty())
         return;
-    std::map<FilmPair<D>, Gap> gaps;
-    for (const Film<D>& film : network.films)
-        for (const FilmElement<D>& e : film.mesh.elements) {
-            gaps[film.pair].area += e.measure;
-            gaps[film.pair].volume += e.volume;
-        }
     // The walls' mean velocity.
     auto carried = [&](const Film<D>& film, const Vec<D>& x) {
         const int a = film.pair.master, b = film.pair.other;
         return Vec<D>(0.5 * (velocity_at<D>(twists[a], x - solids[a].centre) +
                              velocity_at<D>(twists[b], x - solids[b].centre - film.mesh.shift)));
     };
+    FilmAccount<D>& account = flow.account;
     for (const Film<D>& film : network.films) {
-        const auto old = histories.find(film.pair);
-        if (!reversing.contains(film.pair) || old == histories.end())
+        if (!reversing.contains(film.pair))
             continue;
-        // Speeds in the film go like gap^(-1/2), its fluxes like gap^(1/2).
-        const double thinner = thinning(gaps[film.pair], *old->second);
-        int hint = -1;
-        for (std::size_t i = 0; i < film.mesh.elements.size(); ++i) {
-            const FilmElement<D>& e = film.mesh.elements[i];
-            const Vec<D> U = carried(film, e.centroid);
-            const Vec<D> w = old->second->at(solids[film.pair.master].shape.to_body(e.centroid_master), hint).velocity;
-            flow.velocity[film.first_element + i] = tangential<D>(U - (w - U) / thinner, e.normal);
+        for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
+            const std::size_t i = film.first_element + k;
+            const Vec<D> along = tangential<D>(carried(film, film.mesh.elements[k].centroid), film.mesh.elements[k].normal);
+            flow.velocity[i] = account.reference[i] = account.transported[i] = 2 * along - account.reference[i];
         }
+        account.before.erase(film.pair);
     }
     for (std::size_t r = 0; r < network.rim.mouths.size(); ++r) {
         const Mouth<D>& mouth = network.rim.mouths[r];
         const Film<D>& film = network.films[mouth.film];
-        const auto old = histories.find(film.pair);
-        if (!reversing.contains(film.pair) || old == histories.end())
+        if (!reversing.contains(film.pair))
             continue;
-        const auto* old_mouth = old->second->nearest_mouth(solids[film.pair.master].shape.to_body(mouth.x), mouth.outward);
-        if (!old_mouth)
-            continue;
-        const double thinner = thinning(gaps[film.pair], *old->second);
-        const double along = mouth.outward.dot(carried(film, mouth.x));
-        flow.mouth[r] = mouth.length * (mouth.h * along - thinner * (old_mouth->flux - old_mouth->h * along));
+        const double along = mouth.length * mouth.h * mouth.outward.dot(carried(film, mouth.x));
+        flow.mouth[r] = 2 * along - (account.carried[r] + account.kept[r]);
         flow.mouth_scale[r] = 1;
+        account.gain[r] = 0;
     }
 }
 
@@ -123,8 +100,8 @@ void reverse_films(const FilmNetwork<D>& network, std::span<const Solid<D>> soli
     template std::set<FilmPair<D>> reversing_films<D>(                                                                         \
         const Coupling<D>&, const std::vector<Twist<D>>&, const std::vector<Twist<D>>&,                                        \
         const std::function<GapSettings(int, int)>&, const std::function<MouthLaw(int, int)>&);                                \
-    template void reverse_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmHistories<D>&,                  \
-                                   const std::set<FilmPair<D>>&, const std::vector<Twist<D>>&, FilmFlow<D>&);
+    template void reverse_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const std::set<FilmPair<D>>&,             \
+                                   const std::vector<Twist<D>>&, FilmFlow<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

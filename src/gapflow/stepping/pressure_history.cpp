@@ -43,21 +43,21 @@ template <int D>
 void remember_film_pressure(const Coupling<D>& there, const std::vector<Vec<D>>& before, const std::vector<Vec<D>>& after,
                             const Step& step, PressureHistory<D>& history)
 {
+    // Flat films keep their mesh: from the middles of two steps to the end of the last one.
     std::vector<Vec<D>> mean;
     std::vector<std::size_t> place;
-    for (const Film<D>& film : there.network.films) {
-        if (before.empty() || !film.mesh.flat)
-            continue;
-        for (std::size_t i = 0; i < film.mesh.elements.size(); ++i) {
-            place.push_back(film.first_element + i);
-            mean.push_back((after[place.back()] - before[place.back()]) / step.dt);
-        }
-    }
-    history.film.assign(mean.empty() ? 0 : before.size(), Vec<D>::Zero());
-    const bool same = mean.size() == history.film_mean.size();
-    for (std::size_t i = 0; i < mean.size(); ++i)
-        history.film[place[i]] =
-            same ? Vec<D>(mean[i] + step.dt / (step.dt + step.last_dt) * (mean[i] - history.film_mean[i])) : mean[i];
+    history.film.assign(before.size(), Vec<D>::Zero());
+    for (std::size_t i = 0; i < before.size(); ++i)
+        history.film[i] = (after[i] - before[i]) / step.dt;
+    for (const Film<D>& film : there.network.films)
+        if (!before.empty() && film.mesh.flat)
+            for (std::size_t i = 0; i < film.mesh.elements.size(); ++i) {
+                place.push_back(film.first_element + i);
+                mean.push_back(history.film[place.back()]);
+            }
+    if (mean.size() == history.film_mean.size())
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            history.film[place[i]] += step.dt / (step.dt + step.last_dt) * (mean[i] - history.film_mean[i]);
     history.film_mean = std::move(mean);
 }
 

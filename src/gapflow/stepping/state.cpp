@@ -92,6 +92,13 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         archive("normal_speed", state.velocity.film_normal);
         archive("push", pressure.film);
         archive("last_push", pressure.film_mean);
+        archive("increment", state.film_increment);
+        std::vector<std::pair<FilmPair<D>, double>> debts(state.film_debts.begin(), state.film_debts.end());
+        archive.each("debts", debts, [](StateArchive& items, std::pair<FilmPair<D>, double>& debt) {
+            gapflow::list_state(items, debt.first);
+            items("energy", debt.second);
+        });
+        state.film_debts = {debts.begin(), debts.end()};
     });
     archive("conduit_flux", state.velocity.mouth);
     if (model.viscous())

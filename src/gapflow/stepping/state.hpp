@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gapflow/core/state_archive.hpp"
+#include "gapflow/film/film_motion.hpp"
 #include "gapflow/stepping/contact_set.hpp"
 #include "gapflow/stepping/model.hpp"
 #include "gapflow/stepping/past_pressure.hpp"
@@ -43,6 +44,8 @@ struct State {
     Eigen::VectorXd node_outflow;       ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
     std::set<FilmPair<D>> films_before; ///< pairs that had films before the last step
     std::set<FilmPair<D>> turned;       ///< pairs whose films were reversed in the last step
+    FilmDebts<D> film_debts;            ///< energy that films gained in the last step: the next one takes it back
+    std::vector<Vec<D>> film_increment; ///< acceleration of the films' elements in the last step, pressure and transport
     bool light_bodies = true;           ///< whether the next solver estimates if bodies are light enough to need a correction
 
     /// At the scene's start, fluid at rest.

@@ -3,6 +3,7 @@
 #include "gapflow/film/film_vorticity.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/advection.hpp"
+#include "gapflow/stepping/extrapolation_share.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/motion.hpp"
@@ -107,10 +108,11 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
     Intermediate<D> result;
     FluidVelocity<D>& u_star = result.velocity;
     FilmFlow<D> flow = advect_films<D>(
-        there.network, there.solids, beyond.histories, predicted,
-        [&](const std::vector<Vec<D>>& points) { return sample(grid, u, points); }, model.mouths, step.dt);
+        there.network, there.solids, beyond.histories,
+        [&](const std::vector<Vec<D>>& points) { return sample(grid, u, points); }, model.mouths, state.film_debts, grid.dx(),
+        step.dt, extrapolation_share(step.last_dt, step.dt));
     damp_vorticity(there.network, grid.dx(), flow.velocity);
-    reverse_films<D>(there.network, there.solids, beyond.histories, state.turned, predicted, flow);
+    reverse_films<D>(there.network, there.solids, state.turned, predicted, flow);
     if (state.voids.any())
         flood(model, state, beyond.histories, there, step, flow);
     const BoundaryVelocity<D> sides = model.sides(step.start);
@@ -150,6 +152,7 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
     u_star.film_normal = std::move(flow.normal);
     u_star.mouth = std::move(flow.mouth);
     result.mouth_factor = std::move(flow.mouth_scale);
+    result.film_account = std::move(flow.account);
     return result;
 }
 

@@ -13,6 +13,7 @@ template <int D>
 struct Intermediate {
     FluidVelocity<D> velocity;        ///< u* of the bulk, films and mouths
     std::vector<double> mouth_factor; ///< on the conductance of every mouth
+    FilmAccount<D> film_account;
     FaceField<D> pressure_change;     ///< change of the bulk's velocities by the last pressure in the step
     std::vector<Twist<D>> twists;     ///< V* of all solids
 };

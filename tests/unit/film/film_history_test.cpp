@@ -30,7 +30,7 @@ struct Plates {
     FilmHistory<D> history(const VectorField<D>& velocity, const Twist<D>& twist = Twist<D>::Zero(),
                            const std::vector<Vec<D>>& push = {}, const std::vector<char>& idle = {}) const
     {
-        return {master(), twist, {&film()}, at_elements(velocity), push, idle, scene->grid().dx()};
+        return {master(), twist, {&film()}, at_elements(velocity), push, {}, idle, scene->grid().dx()};
     }
     /// On the master's face: its height.
     double height() const { return film().mesh.x[0][D - 1]; }
@@ -181,7 +181,7 @@ TEST(FilmHistory, TurnsWithTheScene)
         std::vector<Vec<2>> w;
         for (const FilmElement<2>& e : film.mesh.elements)
             w.push_back(rotation * Vec<2>(1 + 0.1 * master.shape.to_body(e.centroid_master)[0], 0));
-        const FilmHistory<2> history(master, Twist<2>::Zero(), {&film}, w, {}, {}, 1.0);
+        const FilmHistory<2> history(master, Twist<2>::Zero(), {&film}, w, {}, {}, {}, 1.0);
         for (int i = 0; i < 2; ++i) {
             int hint = -1;
             (is_turned ? turned : straight)[i] = history.transport({i - 0.3, 1.5}, 0.2 * i, hint).velocity;
@@ -251,7 +251,7 @@ TEST(FilmHistory, MouthsGoOn)
     const Plates<2> plates(3, 7, 10);
     FilmHistory<2> history = plates.history(stretching<2>);
     for (double x : {3.0, 6.0, 7.0})
-        history.mouths.push_back({{x, 0}, x == 3 ? Vec<2>(-1, 0) : Vec<2>(1, 0), 0.2, x, {0, 0}, MouthKind::edge_edge});
+        history.mouths.push_back({{x, 0}, x == 3 ? Vec<2>(-1, 0) : Vec<2>(1, 0), 0.2, 1.0, x, {0, 0}, MouthKind::edge_edge});
     EXPECT_EQ(history.nearest_mouth({6.9, 0}, {1, 0}), &history.mouths[2]);
     EXPECT_EQ(history.nearest_mouth({6.2, 0}, {0.8, 0.6}), &history.mouths[1]);
     EXPECT_EQ(history.nearest_mouth({3.5, 0}, {1, 0}), nullptr); // the near one leads out to the other side

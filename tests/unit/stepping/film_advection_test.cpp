@@ -60,14 +60,15 @@ struct Annulus : CoupledScene {
         return u;
     }
     // One step of advection alone.
-    std::vector<Vec<2>> advected(const std::vector<Vec<2>>& u, double dt) const
+    FilmFlow<2> advected(const std::vector<Vec<2>>& u, double dt, const std::vector<Vec<2>>& acceleration = {},
+                         const std::vector<Vec<2>>& increment = {}) const
     {
-        const FilmHistories<2> histories = remember_films<2>(coupling.network, coupling.solids, rest, u, {}, grid.dx());
+        const FilmHistories<2> histories =
+            remember_films<2>(coupling.network, coupling.solids, rest, u, {}, grid.dx(), {}, acceleration, increment);
         return advect_films<2>(
-                   coupling.network, coupling.solids, histories, rest,
-                   [](const std::vector<Vec<2>>& x) { return std::vector<Vec<2>>(x.size(), Vec<2>(Vec<2>::Zero())); },
-                   [](int, int) { return MouthLaw{}; }, dt)
-            .velocity;
+            coupling.network, coupling.solids, histories,
+            [](const std::vector<Vec<2>>& x) { return std::vector<Vec<2>>(x.size(), Vec<2>(Vec<2>::Zero())); },
+            [](int, int) { return MouthLaw{}; }, {}, grid.dx(), dt);
     }
 
     Vec<2> centre;
@@ -107,7 +108,7 @@ TEST(FilmAdvection, ConvectedSwirlIsFirstOrder)
         const int steps = cells / 2; // the speed is 2 at most: up to half a cell a step
         std::vector<Vec<2>> u = annulus.film_velocity(start);
         for (int step = 0; step < steps; ++step)
-            u = annulus.advected(u, end / steps);
+            u = annulus.advected(u, end / steps).velocity;
         double error = 0, length = 0;
         for (std::size_t i = 0; i < u.size(); ++i) {
             const FilmElement<2>& e = annulus.film().mesh.elements[i];
@@ -135,7 +136,7 @@ TEST(FilmAdvection, FastElementFeedsNothing)
     u[fast] *= 50;
     for (int step = 0; step < 20; ++step) {
         const double before = energy(u);
-        u = annulus.advected(u, 1e-4);
+        u = annulus.advected(u, 1e-4).velocity;
         EXPECT_LE(energy(u), (1 + 1e-9) * before);
     }
     for (std::size_t i = 0; i < u.size(); ++i) {
@@ -176,14 +177,20 @@ TEST(FilmAdvection, SteadySwirlKeepsItsCirculation)
         u.film = annulus.film_velocity([](double angle) { return mean_gap / thickness(angle); });
         project();
         const double first = circulation(), end = 2 * std::numbers::pi; // about one turn
-        const int steps = 10 * cells;
+        const int steps = (getenv("ST") ? atoi(getenv("ST")) : 10) * cells;
+        std::vector<Vec<2>> acceleration, increment;
         for (int step = 0; step < steps; ++step) {
-            u.film = annulus.advected(u.film, end / steps);
+            const FilmFlow<2> flow = annulus.advected(u.film, end / steps, acceleration, increment);
+            u.film = flow.velocity;
             project();
+            settle_films<2>(annulus.coupling.network, flow.account, u.film, {}, end / steps, increment);
+            acceleration = u.film;
+            for (std::size_t i = 0; i < u.film.size(); ++i)
+                acceleration[i] = (u.film[i] - flow.velocity[i]) / (end / steps);
         }
         errors.push_back(std::abs(circulation() / first - 1));
     }
-    EXPECT_GE(order(errors), 0.9);
+    EXPECT_GE(order(errors), 1.8);
 }
 
 } // namespace
