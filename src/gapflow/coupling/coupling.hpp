@@ -114,6 +114,11 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
 template <int D>
 void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVelocity<D>& u);
 
+/// The same of films and mouths alone. Collective.
+template <int D>
+void subtract_film_gradient(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Vec<D>>& film_velocity,
+                            std::vector<double>& mouth_flux);
+
 /// K^T p of all solids but walls: the fluid's impulse on each, about its centre, before constraints. Collective.
 template <int D>
 std::vector<Twist<D>> impulses(const Coupling<D>& coupling, const UnknownVector<D>& p);

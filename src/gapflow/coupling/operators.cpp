@@ -120,13 +120,22 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
                                      to[i] -= a[i] > 0 ? scale * (up * from[i] - down * from[i - back]) : 0.0;
                              });
     }
+    subtract_film_gradient(coupling, p, u.film, u.mouth);
+}
+
+template <int D>
+void subtract_film_gradient(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Vec<D>>& film_velocity,
+                            std::vector<double>& mouth_flux)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const CoupledSystem<D>& system = coupling.system;
     for (const Film<D>& film : coupling.network.films)
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
             const FilmElement<D>& element = film.mesh.elements[e];
             Vec<D> gradient = Vec<D>::Zero();
             for (int i = 0; i < D; ++i)
                 gradient += p.nodes[film.first_node + element.nodes[i]] * element.gradient[i];
-            u.film[film.first_element + e] -=
+            film_velocity[film.first_element + e] -=
                 film_conductance(coupling, film, e) / element.volume * gradient / coupling.density;
         }
     const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
@@ -139,7 +148,7 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
     for (std::size_t r = 0; r < mouths.size(); ++r) {
         for (int i = 0; i < D - 1; ++i)
             drop[r] += mouths[r].shape[i] * p.nodes[mouths[r].nodes[i]];
-        u.mouth[r] += system.links[r].conductance * drop[r];
+        mouth_flux[r] += system.links[r].conductance * drop[r];
     }
 }
 
@@ -192,6 +201,8 @@ double closure_defect(const Coupling<D>& coupling)
     template void outflow<D>(const Coupling<D>&, const FluidVelocity<D>&, const std::vector<Twist<D>>&, UnknownVector<D>&,     \
                              double*);                                                                                         \
     template void subtract_gradient<D>(const Coupling<D>&, UnknownVector<D>&, FluidVelocity<D>&);                              \
+    template void subtract_film_gradient<D>(const Coupling<D>&, const UnknownVector<D>&, std::vector<Vec<D>>&,                 \
+                                            std::vector<double>&);                                                             \
     template std::vector<Twist<D>> impulses<D>(const Coupling<D>&, const UnknownVector<D>&);                                   \
     template double closure_defect<D>(const Coupling<D>&);                                                                     \
     template std::vector<Twist<D>> closure<D>(const Coupling<D>&);

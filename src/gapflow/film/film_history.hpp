@@ -32,8 +32,8 @@ public:
     /// value for each element of the network, or none) are excluded from the reconstruction. `acceleration`: acceleration by the pressure, one for
     /// each element of the network, or none; `increment`: change of its velocity in the last step over what was put in place, or none.
     FilmHistory(const Solid<D>& master, const Twist<D>& master_twist, const std::vector<const Film<D>*>& films,
-                const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& acceleration,
-                const std::vector<Vec<D>>& increment, const std::vector<char>& idle, double dx);
+                const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& acceleration, const std::vector<Vec<D>>& increment,
+                const std::vector<char>& idle, double dx);
 
     /// Velocity (world axes) transported to a point of the master's frame over dt, with the old normal at its foot.
     struct Transported {

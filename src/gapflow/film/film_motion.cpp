@@ -11,6 +11,8 @@ namespace gapflow {
 
 namespace {
 
+// Of a pair's energy: a larger gain than planned in a step is not left to the next one.
+constexpr double surprise = 0.02;
 // Of the angle between an element's normal and the other's, which is 30 degrees at most where there is a film; else its mean normal is unreliable.
 constexpr double least_cosine = 0.5;
 
@@ -130,14 +132,18 @@ public:
             const auto it = debts.find(pair);
             return it == debts.end() ? 0.0 : it->second;
         };
-        std::vector<Vec<D>> expected(network_.elements), carrying(network_.elements); // relative: velocity at the end of the step; volume times velocity, mean of the step, master's axes
+        std::vector<Vec<D>> expected(network_.elements),
+            carrying(
+                network_
+                    .elements); // relative: velocity at the end of the step; volume times velocity, mean of the step, master's axes
         for_each_element([&](std::size_t k, std::size_t i, const FilmElement<D>& e) {
             if (!history_[k])
                 return;
             const Mat<D> R = solids_[network_.films[k].pair.master].shape.rotation();
             expected[i] = reference_[i] + dt_ * (R * place_[i].increment);
             const FluidInPlace<D>& place = place_[i];
-            carrying[i] = 0.5 * ((place.volume + place.covered) * place.velocity + e.volume * (place.reference + dt_ * place.increment));
+            carrying[i] =
+                0.5 * ((place.volume + place.covered) * place.velocity + e.volume * (place.reference + dt_ * place.increment));
         });
         mouth_fluxes(expected);
         std::vector<Carried<D>> low(history_.size()), high(history_.size());
@@ -146,9 +152,9 @@ public:
                 return;
             const Film<D>& film = network_.films[k];
             const std::size_t n = film.mesh.elements.size();
-            const FilmTransport<D> transport(network_, k, solids_[film.pair.master].shape,
-                                             std::span(place_).subspan(film.first_element, n),
-                                             std::span<const Vec<D>>(carrying).subspan(film.first_element, n), mouth_flow_, dt_);
+            const FilmTransport<D> transport(
+                network_, k, solids_[film.pair.master].shape, std::span(place_).subspan(film.first_element, n),
+                std::span<const Vec<D>>(carrying).subspan(film.first_element, n), mouth_flow_, dt_);
             low[k] = transport.low();
             high[k] = transport.high();
         });
@@ -166,8 +172,6 @@ public:
             const Mat<D> R = solids_[network_.films[k].pair.master].shape.rotation();
             of_low[i] = account.master[i] + R * low[k].velocity[own];
             of_high[i] = account.master[i] + R * high[k].velocity[own];
-            if (getenv("DBG") && of_high[i].norm() > 1e3 * (1e-2+reference_[i].norm()))
-                fprintf(stderr, "BLOW el %zu vol %g h %g start vol %g covered %g v %g ref %g acc %g inc %g low %g high %g inertial %g\n", i, e.volume, e.volume / e.measure, place_[i].volume, place_[i].covered, place_[i].velocity.norm(), place_[i].reference.norm(), place_[i].acceleration.norm() * dt_, place_[i].increment.norm() * dt_, low[k].velocity[own].norm(), high[k].velocity[own].norm(), place_[i].inertial.norm() * dt_);
             sums[history_[k]].low += e.volume * expected[i].dot(of_low[i] - account.reference[i]);
             sums[history_[k]].high += e.volume * expected[i].dot(of_high[i] - account.reference[i]);
         });
@@ -180,7 +184,6 @@ public:
                 sum.high_out += high[k].out;
                 sum.debt = std::max(debt(network_.films[k].pair), 0.0);
             }
-        if (getenv("DBG")) for (auto& [old, sum] : sums) fprintf(stderr, "SUM work-in low %g high %g out %g %g debt %g\n", sum.low, sum.high, sum.low_out, sum.high_out, sum.debt);
         for (auto& [old, sum] : sums) { // what leaves may be kept to pay a debt
             sum.gains = sum.low > 0;
             sum.low += sum.debt;
@@ -192,9 +195,12 @@ public:
             const Sum& sum = sums[history_[k]];
             // The largest share of the second-order velocities with which the films gain nothing and pay their debt; if not even those of first
             // order do, what was put in place.
-            const double share = sum.high <= 0 ? 1.0 : sum.high > sum.low ? std::max(-sum.low, 0.0) / (sum.high - sum.low) : 0.0;
+            const double share = sum.high <= 0        ? 1.0
+                                 : sum.high > sum.low ? std::max(-sum.low, 0.0) / (sum.high - sum.low)
+                                                      : 0.0;
             const std::size_t own = i - network_.films[k].first_element;
-            flow.velocity[i] = sum.gains && share == 0 ? account.reference[i] : Vec<D>((1 - share) * of_low[i] + share * of_high[i]);
+            flow.velocity[i] =
+                sum.gains && share == 0 ? account.reference[i] : Vec<D>((1 - share) * of_low[i] + share * of_high[i]);
             flow.normal[i] = low[k].world[own].dot(e.normal);
             gives_[history_[k]] -= e.volume * expected[i].dot(flow.velocity[i] - account.reference[i]);
         });
@@ -206,7 +212,7 @@ public:
     {
         struct Sum {
             double in = 0, out = 0, bulk = 0; // heads' work, and energy that the bulk brings in
-            double paid = 0; // at entrances, losses included
+            double paid = 0;                  // at entrances, losses included
         };
         std::map<const FilmHistory<D>*, Sum> sums;
         std::vector<double> work(mouths_.size(), 0.0); // R a q_p^2 of the whole head: in < 0, out > 0
@@ -218,7 +224,8 @@ public:
             const MouthLaw law = law_(pair.master, pair.other);
             const bool smooth = mouth.kind == MouthKind::smooth;
             const double u = speed_[r];
-            const double beyond = mouth.kind == MouthKind::open_side ? 0.0 : square(mouth.outward.dot(bulk_at_mouth_[r] - carried_[r]));
+            const double beyond =
+                mouth.kind == MouthKind::open_side ? 0.0 : square(mouth.outward.dot(bulk_at_mouth_[r] - carried_[r]));
             Sum& sum = sums[history_[mouth.film]];
             const double head = 0.5 * dt_ * std::abs(predicted_flux_[r]);
             if (u < 0) {
@@ -246,14 +253,13 @@ public:
             if (sum.in > 0 && (left < 0 || sum.out == 0))
                 in = std::max(-gives, 0.0) / sum.in;
             factor[old] = {in, out};
-            if (getenv("DBG"))
-                for (std::size_t k = 0; k < history_.size(); ++k)
-                    if (history_[k] == old)
-                        fprintf(stderr, "pair %d %d gives %g in %g out %g bulk %g debt %g  fin %g fout %g\n", network_.films[k].pair.master, network_.films[k].pair.other, gives_.at(old), sum.in, sum.out, sum.bulk, debt, in, out);
             double loss = in * sum.paid + gives_.at(old) + sum.bulk - out * sum.out - debt; // as expected
             for (std::size_t k = 0; k < history_.size(); ++k)
-                if (history_[k] == old)
+                if (history_[k] == old) {
                     flow.account.before[network_.films[k].pair] = debt + std::max(loss, 0.0) - sum.bulk;
+                    flow.account.owed[network_.films[k].pair] = debt;
+                    flow.account.planned[network_.films[k].pair] = out * sum.out - in * sum.paid - gives_.at(old);
+                }
         }
         for (std::size_t r = 0; r < mouths_.size(); ++r) {
             const Mouth<D>& mouth = mouths_[r];
@@ -273,7 +279,8 @@ public:
             flow.account.gain.push_back(gain);
             flow.account.predicted.push_back(predicted_flux_[r]);
             flow.account.kept.push_back(start_flux_[r]);
-            flow.account.carried.push_back(history_[mouth.film] ? mouth.length * mouth.h * mouth.outward.dot(carried_[r]) : 0.0);
+            flow.account.carried.push_back(history_[mouth.film] ? mouth.length * mouth.h * mouth.outward.dot(carried_[r])
+                                                                : 0.0);
         }
     }
 
@@ -319,7 +326,8 @@ private:
                 const RimEdge<D>& rim = film.mesh.rim[i];
                 bool same = true;
                 for (int k = 0; k < D - 1; ++k)
-                    same = same && std::find(mouth.nodes.begin(), mouth.nodes.end(), rim.nodes[k] + film.first_node) != mouth.nodes.end();
+                    same = same && std::find(mouth.nodes.begin(), mouth.nodes.end(), rim.nodes[k] + film.first_node) !=
+                                       mouth.nodes.end();
                 if (!same)
                     continue;
                 before = mouth.outward.dot(reference_[film.first_element + rim.element]);
@@ -341,7 +349,8 @@ private:
             predicted_flux_[r] = predicted;
             mean_flux_.push_back(0.5 * (q + predicted));
             // Through mouths much thinner than their film the speed q/h has no meaning: no more than the film's own at its end.
-            const double through = std::abs(mean_flux_.back()) / (mouth.length * h), in_film = 2 * 0.5 * std::abs(before + after);
+            const double through = std::abs(mean_flux_.back()) / (mouth.length * h),
+                         in_film = 2 * 0.5 * std::abs(before + after);
             double speed = std::min(through, in_film);
             // What enters by a smooth end without a head comes as the bulk brings it.
             if (mouth.kind == MouthKind::smooth && law_(film.pair.master, film.pair.other).jet && mean_flux_.back() < 0)
@@ -361,7 +370,7 @@ private:
     double dt_;
     std::vector<const FilmHistory<D>*> history_; // of each film's pair; null: none
     std::vector<FluidInPlace<D>> place_;
-    std::vector<Vec<D>> reference_;              // of elements, relative to the master, world axes
+    std::vector<Vec<D>> reference_;               // of elements, relative to the master, world axes
     std::vector<Vec<D>> bulk_at_mouth_, carried_; // at mouths: the bulk's velocity, the master's
     std::vector<double> start_flux_, predicted_flux_, mean_flux_, speed_;
     std::vector<MouthFlow<D>> mouth_flow_;
@@ -384,6 +393,74 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
     return flow;
 }
 
+namespace {
+
+// Energy over the density that the films of each pair gained by transport and heads.
+template <int D>
+FilmDebts<D> gains(const FilmNetwork<D>& network, const FilmAccount<D>& account, const std::vector<Vec<D>>& velocity,
+                   const std::vector<double>& mouth)
+{
+    FilmDebts<D> result;
+    for (const Film<D>& film : network.films)
+        for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
+            const std::size_t i = film.first_element + k;
+            result[film.pair] += film.mesh.elements[k].volume *
+                                 (velocity[i] - account.master[i]).dot(account.transported[i] - account.reference[i]);
+        }
+    for (std::size_t r = 0; r < mouth.size(); ++r) {
+        const Mouth<D>& m = network.rim.mouths[r];
+        const double q = mouth[r] - account.carried[r], a = account.gain[r];
+        result[network.films[m.film].pair] +=
+            m.resistance / m.length * q * (a > 0 ? a * (2 * account.predicted[r] - q) : a * q);
+    }
+    return result;
+}
+
+} // namespace
+
+template <int D>
+std::set<FilmPair<D>> mispredicted_films(const FilmNetwork<D>& network, const FilmAccount<D>& account,
+                                         const std::vector<Vec<D>>& velocity, const std::vector<double>& mouth)
+{
+    FilmDebts<D> energy;
+    for (const Film<D>& film : network.films)
+        for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
+            const std::size_t i = film.first_element + k;
+            energy[film.pair] += 0.5 * film.mesh.elements[k].volume * (account.reference[i] - account.master[i]).squaredNorm();
+        }
+    for (std::size_t r = 0; r < mouth.size(); ++r) {
+        const Mouth<D>& m = network.rim.mouths[r];
+        energy[network.films[m.film].pair] += 0.5 * m.resistance / m.length * square(account.kept[r]);
+    }
+    std::set<FilmPair<D>> result;
+    for (const auto& [pair, gain] : gains(network, account, velocity, mouth)) {
+        const auto planned = account.planned.find(pair);
+        if (planned != account.planned.end() && gain > 0 && gain - planned->second > surprise * energy[pair])
+            result.insert(pair);
+    }
+    return result;
+}
+
+template <int D>
+void take_back_transport(const FilmNetwork<D>& network, const std::set<FilmPair<D>>& pairs, FilmAccount<D>& account,
+                         std::vector<Vec<D>>& velocity, std::vector<double>& mouth, std::vector<double>& factor)
+{
+    for (const Film<D>& film : network.films)
+        for (std::size_t k = 0; k < film.mesh.elements.size() && pairs.contains(film.pair); ++k) {
+            const std::size_t i = film.first_element + k;
+            velocity[i] = account.transported[i] = account.reference[i];
+        }
+    factor.assign(mouth.size(), 1.0);
+    for (std::size_t r = 0; r < mouth.size(); ++r)
+        if (pairs.contains(network.films[network.rim.mouths[r].film].pair)) {
+            mouth[r] = account.carried[r] + account.kept[r];
+            factor[r] = 1 + std::abs(account.gain[r]);
+            account.gain[r] = 0;
+        }
+    for (const FilmPair<D>& pair : pairs)
+        account.before[pair] = account.owed[pair];
+}
+
 template <int D>
 FilmDebts<D> settle_films(const FilmNetwork<D>& network, const FilmAccount<D>& account, const std::vector<Vec<D>>& velocity,
                           const std::vector<double>& mouth, double dt, std::vector<Vec<D>>& increment)
@@ -392,19 +469,10 @@ FilmDebts<D> settle_films(const FilmNetwork<D>& network, const FilmAccount<D>& a
     increment.assign(velocity.size(), Vec<D>::Zero());
     if (account.reference.size() != velocity.size())
         return debts;
-    for (const Film<D>& film : network.films)
-        for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
-            const std::size_t i = film.first_element + k;
-            increment[i] = (velocity[i] - account.reference[i]) / dt;
-            debts[film.pair] += film.mesh.elements[k].volume * (velocity[i] - account.master[i]).dot(account.transported[i] - account.reference[i]);
-        }
-    if (getenv("DBG")) for (auto& d : debts) fprintf(stderr, " debt of elements %d %d %g\n", d.first.master, d.first.other, d.second);
-    for (std::size_t r = 0; r < mouth.size(); ++r) {
-        const Mouth<D>& m = network.rim.mouths[r];
-        const double q = mouth[r] - account.carried[r], a = account.gain[r];
-        if (getenv("DBG")) fprintf(stderr, "  mouth %zu kind %d h %g l %g R %g kept %g pred %g q %g a %g work %g\n", r, (int)m.kind, m.h, m.length, m.resistance, account.kept[r], account.predicted[r], q, a, m.resistance / m.length * q * (a > 0 ? a * (2 * account.predicted[r] - q) : a * q));
-        debts[network.films[m.film].pair] += m.resistance / m.length * q * (a > 0 ? a * (2 * account.predicted[r] - q) : a * q);
-    }
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+        increment[i] = (velocity[i] - account.reference[i]) / dt;
+    for (const auto& [pair, gain] : gains(network, account, velocity, mouth))
+        debts[pair] += gain;
     return debts;
 }
 
@@ -436,14 +504,14 @@ FilmHistories<D> remember_films(const FilmNetwork<D>& network, std::span<const S
         const int master = list[k].first->master;
         const std::vector<const Film<D>*>& films = *list[k].second;
         histories[k] =
-            std::make_shared<FilmHistory<D>>(solids[master], twists[master], films, w, acceleration,
-                                             increment, idle, dx);
+            std::make_shared<FilmHistory<D>>(solids[master], twists[master], films, w, acceleration, increment, idle, dx);
     });
     for (std::size_t r = 0; r < mouth.size(); ++r) {
         const Mouth<D>& c = network.rim.mouths[r];
         const FilmPair<D>& pair = network.films[c.film].pair;
         const Solid<D>& master = solids[pair.master];
-        histories[number[c.film]]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.h, c.resistance, mouth[r] / c.length,
+        histories[number[c.film]]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.h, c.resistance,
+                                                     mouth[r] / c.length,
                                                      velocity_at<D>(twists[pair.master], c.x - master.centre), c.kind});
     }
     FilmHistories<D> by_pair;
@@ -455,12 +523,17 @@ FilmHistories<D> remember_films(const FilmNetwork<D>& network, std::span<const S
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template NormalRows<D> normal_rows<D>(const FilmMesh<D>&, const FilmElement<D>&, std::span<const Solid<D>>);               \
     template FilmFlow<D> advect_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmHistories<D>&,            \
-                                         const VelocitySampler<D>&, const std::function<MouthLaw(int, int)>&, const FilmDebts<D>&, double, double, double);       \
+                                         const VelocitySampler<D>&, const std::function<MouthLaw(int, int)>&,                  \
+                                         const FilmDebts<D>&, double, double, double);                                         \
+    template std::set<FilmPair<D>> mispredicted_films<D>(const FilmNetwork<D>&, const FilmAccount<D>&,                         \
+                                                         const std::vector<Vec<D>>&, const std::vector<double>&);              \
+    template void take_back_transport<D>(const FilmNetwork<D>&, const std::set<FilmPair<D>>&, FilmAccount<D>&,                 \
+                                         std::vector<Vec<D>>&, std::vector<double>&, std::vector<double>&);                    \
     template FilmDebts<D> settle_films<D>(const FilmNetwork<D>&, const FilmAccount<D>&, const std::vector<Vec<D>>&,            \
                                           const std::vector<double>&, double, std::vector<Vec<D>>&);                           \
     template FilmHistories<D> remember_films<D>(                                                                               \
         const FilmNetwork<D>&, std::span<const Solid<D>>, const std::vector<Twist<D>>&, const std::vector<Vec<D>>&,            \
-        const std::vector<double>&, double, const std::vector<char>&, const std::vector<Vec<D>>&, const std::vector<Vec<D>>&);                             \
+        const std::vector<double>&, double, const std::vector<char>&, const std::vector<Vec<D>>&, const std::vector<Vec<D>>&); \
     template std::vector<double> wall_normal_speed<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                        \
                                                       const std::vector<Twist<D>>&);
 GAPFLOW_INSTANTIATE(2)

@@ -17,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace gapflow {
@@ -34,14 +35,16 @@ using FilmDebts = std::map<FilmPair<D>, double>;
 /// masters.
 template <int D>
 struct FilmAccount {
-    std::vector<Vec<D>> reference;   ///< of elements: u put in place, absolute, tangential; has no more energy than the old films
-    std::vector<Vec<D>> master;      ///< of elements: the master's velocity, tangential
+    std::vector<Vec<D>> reference; ///< of elements: u put in place, absolute, tangential; has no more energy than the old films
+    std::vector<Vec<D>> master;    ///< of elements: the master's velocity, tangential
     std::vector<Vec<D>> transported; ///< of elements: u*
     std::vector<double> gain;        ///< of mouths: a > 0 at outflow, dq = a (2 q_p - q); a < 0 at inflow, dq = a q
     std::vector<double> predicted;   ///< of mouths: q_p
     std::vector<double> carried;     ///< of mouths: the flux that goes with the master
     std::vector<double> kept;        ///< of mouths: the last step's flux relative to the master, with its energy
-    FilmDebts<D> before;             ///< debts of the last step, less what the films are meant to lose and what the bulk brings in
+    FilmDebts<D> owed;               ///< debts of the last step
+    FilmDebts<D> planned;            ///< energy that the pairs' films are expected to gain; mostly negative
+    FilmDebts<D> before; ///< debts of the last step, less what the films are meant to lose and what the bulk brings in
 };
 
 /// Velocities with which films enter the next projection.
@@ -69,6 +72,17 @@ template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
                          const VelocitySampler<D>& grid_velocity, const std::function<MouthLaw(int, int)>& law,
                          const FilmDebts<D>& debts, double dx, double dt, double share = 1);
+
+/// Pairs whose films gained so much more than planned that their transport is to be taken back, and the projection to be repeated.
+template <int D>
+std::set<FilmPair<D>> mispredicted_films(const FilmNetwork<D>& network, const FilmAccount<D>& account,
+                                         const std::vector<Vec<D>>& velocity, const std::vector<double>& mouth);
+
+/// u* of these pairs' films becomes what was put in place, without transport and heads. `factor`: becomes what their mouths' conductances are
+/// to be multiplied by, to be without heads.
+template <int D>
+void take_back_transport(const FilmNetwork<D>& network, const std::set<FilmPair<D>>& pairs, FilmAccount<D>& account,
+                         std::vector<Vec<D>>& velocity, std::vector<double>& mouth, std::vector<double>& factor);
 
 /// After the projection: the pairs' debts. `increment`: becomes the change of each element's velocity over what was put in place, over dt.
 template <int D>

@@ -59,7 +59,7 @@ std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::sp
     for_each_job(static_cast<int>(pairs.size()), [&](int job) {
         const FilmHistory<D>& old = *pairs[job].first;
         std::vector<double> taken(old.elements(), 0.0), covered(old.elements(), 0.0); // of each old element: volume, measure
-        std::vector<std::pair<Deposit, Vec<D>>> deposits; // and its flux times its area
+        std::vector<std::pair<Deposit, Vec<D>>> deposits;                             // and its flux times its area
         for (int k : *pairs[job].second) {
             const Film<D>& film = network.films[k];
             const PlacedShape<D>& master = solids[film.pair.master].shape;
@@ -86,8 +86,9 @@ std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::sp
             }
         }
         std::vector<Vec<D>> normal(network.elements, Vec<D>::Zero()); // of the old film at the new elements
-        for (const auto& [d, flux] : deposits) { // the part of the old volume that lies below the new film
-            const double share = old.volume(d.old) * std::min(1.0, covered[d.old] / old.measure_on_master(d.old)) / taken[d.old];
+        for (const auto& [d, flux] : deposits) {                      // the part of the old volume that lies below the new film
+            const double share =
+                old.volume(d.old) * std::min(1.0, covered[d.old] / old.measure_on_master(d.old)) / taken[d.old];
             FluidInPlace<D>& place = result[d.element];
             place.volume += share * d.old_volume;
             place.world += d.weight * flux;
@@ -218,7 +219,9 @@ std::vector<int> FilmTransport<D>::chain(int node, const VertexRings& rings, std
     };
     auto other = [&](int facet, int e) { return facets_[facet].a == e ? facets_[facet].b : facets_[facet].a; };
     const int begin = rings.first[node], end = rings.first[node + 1];
-    auto place = [&](int e) { return std::find(rings.element.begin() + begin, rings.element.begin() + end, e) - rings.element.begin(); };
+    auto place = [&](int e) {
+        return std::find(rings.element.begin() + begin, rings.element.begin() + end, e) - rings.element.begin();
+    };
     int first = -1;
     for (int k = begin; k < end; ++k)
         if (!visited[k]) {
@@ -380,7 +383,8 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             leaves[from] += std::abs(facet.flux) * change;
         }
         if (to >= 0)
-            enters[to] += std::abs(facet.flux) * (velocity[to] - into(to, facet, from < 0 ? facet.mouth.entering : velocity[from]));
+            enters[to] +=
+                std::abs(facet.flux) * (velocity[to] - into(to, facet, from < 0 ? facet.mouth.entering : velocity[from]));
     }
     for (std::size_t f = 0; f < facets_.size(); ++f) {
         const int from = facets_[f].flux >= 0 ? facets_[f].a : facets_[f].b;

@@ -71,10 +71,10 @@ public:
 
 private:
     struct Facet {
-        int a, b;                    ///< elements; b < 0: through a mouth
-        double flux = 0;             ///< from a to b, volume per time
-        double h = 0;                ///< thickness there
-        MouthFlow<D> mouth = {};     ///< if it is one
+        int a, b;                ///< elements; b < 0: through a mouth
+        double flux = 0;         ///< from a to b, volume per time
+        double h = 0;            ///< thickness there
+        MouthFlow<D> mouth = {}; ///< if it is one
         std::array<int, D - 1> nodes = {};
     };
     void find_facets(const RimLinks<D>& rim, int number, std::span<const MouthFlow<D>> mouth_flow);

@@ -28,7 +28,7 @@ reversing_films(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists
 
 /// Reverses the flow of these pairs' films relative to their walls.
 template <int D>
-void reverse_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
-                   const std::set<FilmPair<D>>& reversing, const std::vector<Twist<D>>& twists, FilmFlow<D>& flow);
+void reverse_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const std::set<FilmPair<D>>& reversing,
+                   const std::vector<Twist<D>>& twists, FilmFlow<D>& flow);
 
 } // namespace gapflow

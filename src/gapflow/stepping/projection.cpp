@@ -60,7 +60,7 @@ Projection<D>::Projection(const ProjectionStart<D>& start, FluidVelocity<D>& vel
 }
 
 template <int D>
-void Projection<D>::assemble(bool voids_changed)
+void Projection<D>::assemble(bool voids_changed, bool links_changed)
 {
     Coupling<D>& coupling = start_.coupling;
     std::vector<Twist<D>> with_friction = start_.forced;
@@ -76,6 +76,8 @@ void Projection<D>::assemble(bool voids_changed)
         hold_voids();
         solver_.reset();
     }
+    if (links_changed)
+        solver_.reset();
     if (wet_)
         wet_->add_void_impulse(without_pressure_, held_impulse_);
     outflow(coupling, velocity_, without_pressure_, rhs_, &squares_);

@@ -39,7 +39,7 @@ public:
     /// Assembles the system with the current sets: held contacts, sliding friction, voids; V* and the right-hand side. Throws
     /// ComputationError where incompressible
     /// fluid has no way out. Collective.
-    void assemble(bool voids_changed);
+    void assemble(bool voids_changed, bool links_changed = false);
     /// Pressure and twists of the end of the step. Collective.
     SolveReport solve(double tolerance);
     /// Updates the contacts after the solve. `inertia`: for their forecast.

@@ -172,8 +172,7 @@ Reconstruction<D> reconstruct(const Model<D>& model, const Coupling<D>& here, St
     FaceField<D, std::int8_t> valid = known_faces(here, widest_sliver(model, state.dt), u, result.slivers);
 
     result.histories = remember_films<D>(here.network, here.solids, V, state.velocity.film, state.velocity.mouth, grid.dx(),
-                                         state.voids.empty_elements(here.network), state.pressure.film,
-                                         state.film_increment);
+                                         state.voids.empty_elements(here.network), state.pressure.film, state.film_increment);
     result.film_faces = FaceField<D, std::int8_t>(grid);
     result.any_film_faces = !here.network.films.empty();
     if (result.any_film_faces) {

@@ -92,9 +92,8 @@ StepReport Simulation<D>::step(double next_output)
         diffusion =
             timed(stages_, "viscosity", [&] { return diffuse(model_, state_.bodies, mass, past, there, step, star, report); });
     const std::vector<Twist<D>> V_star = star.twists;
-    const FilmAccount<D> account = std::move(star.film_account);
     Projected<D> end = project(model_, there, std::move(star), mass, step, state_, report, stages_);
-    take_up(model_, there, std::move(end), mass, V_star, account, std::move(past), diffusion, step, state_);
+    take_up(model_, there, std::move(end), mass, V_star, std::move(past), diffusion, step, state_);
     here_ = std::move(there);
     beyond_ = timed(stages_, "continuation", [&] { return reconstruct(model_, *here_, state_, model_.twists(state_.bodies)); });
     for (std::string& note : leaving_notes(model_.scene, state_.bodies, places, step.number == 1))

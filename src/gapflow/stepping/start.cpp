@@ -101,7 +101,7 @@ Start<D> start(const Model<D>& model, State<D>& state, StepReport& report, Stage
     star.twists = V;
     const Step none;
     Projected<D> end = project(model, *here, std::move(star), mass, none, state, report, timers);
-    take_up(model, *here, std::move(end), mass, V, {}, {}, {}, none, state);
+    take_up(model, *here, std::move(end), mass, V, {}, {}, none, state);
     state.voids.finish(*here, state.pressure.impulse.nodes, state.pressure.impulse.nodes, 0);
     return {std::move(*here), V};
 }

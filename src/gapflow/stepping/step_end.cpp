@@ -64,8 +64,8 @@ std::vector<Twist<D>> wrenches(const Model<D>& model, const Coupling<D>& there, 
 
 template <int D>
 void take_up(const Model<D>& model, const Coupling<D>& there, Projected<D> end, const std::vector<TwistMatrix<D>>& mass,
-             const std::vector<Twist<D>>& twists, const FilmAccount<D>& account, LastPressure<D> past,
-             const Diffusion<D>& diffusion, const Step& step, State<D>& state)
+             const std::vector<Twist<D>>& twists, LastPressure<D> past, const Diffusion<D>& diffusion, const Step& step,
+             State<D>& state)
 {
     state.dt = step.dt;
     state.time = step.landing;
@@ -76,8 +76,8 @@ void take_up(const Model<D>& model, const Coupling<D>& there, Projected<D> end, 
     state.pressure.impulse = std::move(end.impulse);
     if (step.dt == 0)
         return;
-    state.film_debts = settle_films(there.network, account, state.velocity.film, state.velocity.mouth, step.dt,
-                                    state.film_increment);
+    state.film_debts =
+        settle_films(there.network, end.account, state.velocity.film, state.velocity.mouth, step.dt, state.film_increment);
     if (met)
         state.film_increment.clear();
     state.steps = step.number;
@@ -94,8 +94,7 @@ void take_up(const Model<D>& model, const Coupling<D>& there, Projected<D> end, 
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void take_up<D>(const Model<D>&, const Coupling<D>&, Projected<D>, const std::vector<TwistMatrix<D>>&,            \
-                             const std::vector<Twist<D>>&, const FilmAccount<D>&, LastPressure<D>, const Diffusion<D>&,        \
-                             const Step&, State<D>&);
+                             const std::vector<Twist<D>>&, LastPressure<D>, const Diffusion<D>&, const Step&, State<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -7,11 +7,11 @@
 
 namespace gapflow {
 
-/// Updates the state with the result of the projection. `twists`: V* before the projection; `account`: of the films' transport; `past`: its storage is used
+/// Updates the state with the result of the projection. `twists`: V* before the projection; `past`: its storage is used
 /// again; `diffusion`: viscous only. Collective.
 template <int D>
 void take_up(const Model<D>& model, const Coupling<D>& there, Projected<D> end, const std::vector<TwistMatrix<D>>& mass,
-             const std::vector<Twist<D>>& twists, const FilmAccount<D>& account, LastPressure<D> past,
-             const Diffusion<D>& diffusion, const Step& step, State<D>& state);
+             const std::vector<Twist<D>>& twists, LastPressure<D> past, const Diffusion<D>& diffusion, const Step& step,
+             State<D>& state);
 
 } // namespace gapflow

@@ -14,8 +14,8 @@ struct Intermediate {
     FluidVelocity<D> velocity;        ///< u* of the bulk, films and mouths
     std::vector<double> mouth_factor; ///< on the conductance of every mouth
     FilmAccount<D> film_account;
-    FaceField<D> pressure_change;     ///< change of the bulk's velocities by the last pressure in the step
-    std::vector<Twist<D>> twists;     ///< V* of all solids
+    FaceField<D> pressure_change; ///< change of the bulk's velocities by the last pressure in the step
+    std::vector<Twist<D>> twists; ///< V* of all solids
 };
 
 /// u* in the configuration `there`, to which the state's bodies have moved; the twists are left empty. `state`: otherwise that

@@ -7,7 +7,9 @@
 #include "gapflow/stepping/sealing.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace gapflow {
 
@@ -54,6 +56,24 @@ void check_crushing(const Coupling<D>& there, const ContactSet<D>& contacts, con
                            " overlap, and are pushed apart again"); // nothing drives them
 }
 
+// Films whose velocities turn out so different from those expected that transport gives them energy: without it. False if there are none.
+template <int D>
+bool take_back(Coupling<D>& there, Projected<D>& end)
+{
+    if (end.account.planned.empty())
+        return false;
+    std::vector<Vec<D>> velocity = end.velocity.film;
+    std::vector<double> mouth = end.velocity.mouth, factor;
+    subtract_film_gradient(there, end.impulse, velocity, mouth);
+    const std::set<FilmPair<D>> pairs = mispredicted_films(there.network, end.account, velocity, mouth);
+    if (pairs.empty())
+        return false;
+    take_back_transport(there.network, pairs, end.account, end.velocity.film, end.velocity.mouth, factor);
+    for (std::size_t r = 0; r < factor.size(); ++r)
+        there.system.links[r].conductance *= factor[r];
+    return true;
+}
+
 SolverOptions solver_options(const Scene& scene, bool ask_lightness)
 {
     SolverOptions options;
@@ -74,7 +94,7 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
         there.system.links[r].conductance *= star.mouth_factor[r];
     if (step.dt > 0)
         start_drag(there, star.velocity);
-    Projected<D> end{std::move(star.velocity), std::move(state.pressure.impulse), {}, {}};
+    Projected<D> end{std::move(star.velocity), std::move(state.pressure.impulse), {}, std::move(star.film_account), {}};
     ContactSet<D>* contacts = step.dt > 0 && !state.contacts.empty() ? &state.contacts : nullptr;
     VoidSet<D>* voids = step.dt > 0 && state.voids.any() ? &state.voids : nullptr;
     NearInertia<D> inertia;
@@ -87,30 +107,39 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
     const SolverOptions options = solver_options(model.scene, state.light_bodies);
     Projection<D> projection({there, state.bodies, mass, star.twists, contacts, voids, step.dt, step.number}, end.velocity,
                              end.impulse, options, timers);
-    Rounds rounds(contacts, voids,
-                  !voids && !(contacts && contacts->likely_to_change(predicted_twists(model, state.bodies, step))));
-    ContactChange change;
-    bool new_voids;
-    do {
-        if (rounds.changed())
-            projection.assemble(rounds.voids_changed());
-        const double tolerance = rounds.tolerance(options.tolerance, projection.holds());
-        const SolveReport solve = projection.solve(tolerance);
-        report.iterations += solve.iterations;
-        report.residual = solve.residual;
-        state.light_bodies = projection.corrects_bodies() || solve.iterations > few_iterations;
-        if (!solve.converged && step.dt > 0 && !voids)
-            check_pockets(model, there, state, end.velocity, projection.without_pressure(), step);
-        if (!solve.converged)
-            throw ComputationError("the pressure solve of step " + std::to_string(step.number) +
-                                   " did not converge: " + solve.message + " (" + std::to_string(solve.iterations) +
-                                   " iterations, relative residual " + std::to_string(solve.residual) + ")");
-        change = projection.update_contacts(inertia, tolerance, rounds);
-        new_voids = projection.update_voids(tolerance, rounds, change != ContactChange::none);
-        if (new_voids)
-            state.contacts.forget_rounds();
-    } while (rounds.go_on(change, new_voids));
-    if (rounds.unsettled())
+    bool links_changed = false;
+    std::optional<Rounds> all_rounds;
+    const auto settle = [&] {
+        Rounds& rounds = all_rounds.emplace(
+            contacts, voids, !voids && !(contacts && contacts->likely_to_change(predicted_twists(model, state.bodies, step))));
+        ContactChange change;
+        bool new_voids;
+        do {
+            if (rounds.changed())
+                projection.assemble(rounds.voids_changed(), std::exchange(links_changed, false));
+            const double tolerance = rounds.tolerance(options.tolerance, projection.holds());
+            const SolveReport solve = projection.solve(tolerance);
+            report.iterations += solve.iterations;
+            report.residual = solve.residual;
+            state.light_bodies = projection.corrects_bodies() || solve.iterations > few_iterations;
+            if (!solve.converged && step.dt > 0 && !voids)
+                check_pockets(model, there, state, end.velocity, projection.without_pressure(), step);
+            if (!solve.converged)
+                throw ComputationError("the pressure solve of step " + std::to_string(step.number) +
+                                       " did not converge: " + solve.message + " (" + std::to_string(solve.iterations) +
+                                       " iterations, relative residual " + std::to_string(solve.residual) + ")");
+            change = projection.update_contacts(inertia, tolerance, rounds);
+            new_voids = projection.update_voids(tolerance, rounds, change != ContactChange::none);
+            if (new_voids)
+                state.contacts.forget_rounds();
+        } while (rounds.go_on(change, new_voids));
+    };
+    settle();
+    if (step.dt > 0 && !voids && take_back(there, end)) {
+        links_changed = true;
+        settle();
+    }
+    if (all_rounds->unsettled())
         report.notes.push_back(std::string(voids ? "contacts and voids" : "contacts") + " did not settle within " +
                                std::to_string(Rounds::most_rounds) + " rounds of a step");
     end.twists = projection.twists();

@@ -16,6 +16,7 @@ struct Projected {
     FluidVelocity<D> velocity;    ///< u* as used in the projection: the flux of mouths that voids shut is 0
     UnknownVector<D> impulse;     ///< p
     std::vector<Twist<D>> twists; ///< V of all solids at the step's end
+    FilmAccount<D> account;       ///< of the films' transport, as used in the projection
     std::vector<char> was_empty;  ///< film elements without fluid before the step; empty: no voids
 };
 
