@@ -14,14 +14,8 @@ namespace gapflow {
 namespace {
 
 constexpr int longest_walk = 100; // elements: a longer walk may be a cycle
-// A new element takes its velocity from an old film within this many cells of its arrival point.
-constexpr double memory_reach = 2.0;
-// A new element is an old one if its centroid lies within this part of the old one's size from it.
-constexpr double same_element = 0.25;
 // Interpolated velocities relative to the master exceed those of the surrounding elements by this factor at most.
 constexpr double surplus_bound = 1.5;
-// The pressure adds at most this part of the surrounding speed to a velocity in half a step.
-constexpr double most_change = 0.5;
 // Speeds are means over the elements around a vertex, and over at least the gap's own thickness, or this in dx: on smaller lengths the film
 // model has no meaning. (A film's end cuts elements of a hundredth of a cell, which have a negligible flux at any speed.)
 constexpr double smallest_patch = 0.25;
@@ -84,7 +78,6 @@ FilmHistory<D>::FilmHistory(const Solid<D>& master, const Twist<D>& master_twist
             }
             elements_.push_back(nodes);
             centroid_.push_back(centroid);
-            w_.push_back(w[film->first_element + e]);
             normal_.push_back(element.normal);
             if (!acceleration.empty())
                 acceleration_.push_back(acceleration[film->first_element + e]);
@@ -93,13 +86,9 @@ FilmHistory<D>::FilmHistory(const Solid<D>& master, const Twist<D>& master_twist
             idle_.push_back(!idle.empty() && idle[film->first_element + e]);
             weight.push_back(idle_.back() ? 0.0 : element.volume);
             h_mean_.push_back(element.volume / element.measure);
-            coarse_.push_back(element.coarse);
-            const Vec<D> relative = w_.back() - master_velocity(centroid);
+            const Vec<D> relative = w[film->first_element + e] - master_velocity(centroid);
             flux_.push_back(h_mean_.back() * relative);
             volumes_.push_back(element.volume);
-            area_ += element.measure;
-            volume_ += element.volume;
-            motion_ += element.volume * tangential<D>(relative, element.normal).squaredNorm();
         }
     }
     radius_.assign(elements_.size(), 0.0);
@@ -142,7 +131,6 @@ void FilmHistory<D>::fit_vertices(const std::vector<double>& weight)
     const VertexFit fit = vertex_fit<D>(x_, elements_, centroid_, normal_body, weight);
     const VertexRings rings = vertex_rings<D>(x_.size(), elements_);
     flux_vertex_.assign(x_.size(), Vec<D>::Zero());
-    acceleration_vertex_.assign(acceleration_.empty() ? 0 : x_.size(), Vec<D>::Zero());
     speed_.assign(x_.size(), 0.0);
     for (int i = 0; i < static_cast<int>(x_.size()); ++i) {
         if (rings.first[i] == rings.first[i + 1])
@@ -163,8 +151,6 @@ void FilmHistory<D>::fit_vertices(const std::vector<double>& weight)
         }
         speed_[i] = std::sqrt(speed_[i]);
         flux_vertex_[i] = fit.at(i, flux_, flux_vertex_[i]);
-        if (!acceleration_.empty())
-            acceleration_vertex_[i] = fit.at(i, acceleration_, acceleration_vertex_[i]);
         if (!flux_vertex_[i].allFinite())
             flux_vertex_[i] = flux_[any];
     }
@@ -319,37 +305,6 @@ Vec<D> FilmHistory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place)
     return master_velocity(x_body) + relative;
 }
 
-// Velocity that the pressure adds in half of dt, at most half of the surrounding speed.
-template <int D>
-Vec<D> FilmHistory<D>::half_step_change(const Place& place, double dt) const
-{
-    if (!second_order() || idle_[place.element] || coarse_[place.element])
-        return Vec<D>::Zero();
-    // Continuous from element to element, and constant beyond the film's end: round-off may decide in which element a point
-    // lies.
-    Vec<D> change = Vec<D>::Zero();
-    double sum = 0, speed = 0;
-    for (int i = 0; i < D; ++i) {
-        const double share = std::max(place.shape[i], 0.0);
-        change += 0.5 * dt * share * acceleration_vertex_[elements_[place.element][i]];
-        speed += share * speed_[elements_[place.element][i]];
-        sum += share;
-    }
-    const double bound = most_change * speed, length = change.norm();
-    return (length > bound ? bound / length : 1.0) / sum * change;
-}
-
-template <int D>
-Vec<D> FilmHistory<D>::half_way(const Vec<D>& x_body, double dt, int& hint) const
-{
-    const Place arrival = locate(x_body, hint);
-    hint = arrival.element;
-    const Vec<D> along = tangential<D>(vertex_velocity(x_body, arrival) - master_velocity(x_body), normal_[arrival.element]);
-    const Vec<D> x_foot = x_body - 0.5 * dt * (rotation_.transpose() * along);
-    const Place foot = locate(x_foot, hint);
-    return vertex_velocity(x_foot, foot) + half_step_change(foot, dt);
-}
-
 template <int D>
 double FilmHistory<D>::at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const
 {
@@ -382,48 +337,11 @@ Vec<D> FilmHistory<D>::master_velocity(const Vec<D>& x_body) const
 }
 
 template <int D>
-typename FilmHistory<D>::Transported FilmHistory<D>::transport(const Vec<D>& x_body, double dt, int& hint) const
+Vec<D> FilmHistory<D>::at(const Vec<D>& x_body, int& hint) const
 {
-    const Place arrival = locate(x_body, hint);
-    hint = arrival.element;
-    auto relative = [&](const Vec<D>& x, const Place& place) { // along the film, seen from the master, in its frame
-        const Vec<D> v = vertex_velocity(x, place) - master_velocity(x);
-        return Vec<D>(rotation_.transpose() * tangential<D>(v, normal_[place.element]));
-    };
-    Place foot = arrival;
-    Vec<D> x_foot = x_body;
-    Vec<D> change = Vec<D>::Zero(); // by the pressure at the foot, relative to that at the arrival point
-    if (dt > 0) {
-        const Vec<D> x_middle = x_body - 0.5 * dt * relative(x_body, arrival);
-        const Place middle = locate(x_middle, hint);
-        Vec<D> on_the_way = relative(x_middle, middle);
-        if (second_order()) { // the velocity at the middle of the step
-            const Vec<D> x_before = x_middle - 0.5 * dt * on_the_way;
-            const Place before = locate(x_before, hint);
-            on_the_way = relative(x_before, before) +
-                         rotation_.transpose() * tangential<D>(half_step_change(before, dt), normal_[before.element]);
-        }
-        x_foot = x_body - dt * on_the_way;
-        foot = locate(x_foot, hint);
-        change = half_step_change(foot, dt) - half_step_change(arrival, dt);
-    }
-    // The difference between the old element's value and the interpolated one is kept where the new element is the old one, in proportion
-    // to the part of the foot still in it: no diffusion at rest, elsewhere that of linear interpolation (kept whole, the scheme would be a
-    // centred difference with a forward step in time, which is unstable; on a changed mesh it would be noise of small cut elements). Not where
-    // the element is coarse for its gap: near a point of contact its velocity is noise, which this would amplify.
-    const std::array<int, D>& nodes = elements_[arrival.element];
-    const double fastest = idle_[arrival.element] ? std::numeric_limits<double>::infinity() : speed_about(arrival.element);
-    const Vec<D>& centroid = centroid_[arrival.element];
-    Place middle = arrival;
-    middle.shape.fill(1.0 / D);
-    double size = 0;
-    for (int i = 0; i < D; ++i)
-        size = std::max(size, (x_[nodes[i]] - x_[nodes[(i + 1) % D]]).norm());
-    const double same = coarse_[arrival.element] ? 0.0
-                                                 : std::max(0.0, 1 - (x_body - centroid).norm() / (same_element * size)) *
-                                                       std::max(0.0, 1 - (x_body - x_foot).norm() / size);
-    return {vertex_velocity(x_foot, foot) + change + same * (w_[arrival.element] - vertex_velocity(centroid, middle)),
-            normal_[foot.element], arrival.distance<memory_reach * dx_, arrival.distance> beside_film * dx_, fastest};
+    const Place place = locate(x_body, hint);
+    hint = place.element;
+    return vertex_velocity(x_body, place);
 }
 
 template <int D>

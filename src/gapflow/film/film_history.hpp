@@ -35,15 +35,6 @@ public:
                 const std::vector<Vec<D>>& w, const std::vector<Vec<D>>& acceleration, const std::vector<Vec<D>>& increment,
                 const std::vector<char>& idle, double dx);
 
-    /// Velocity (world axes) transported to a point of the master's frame over dt, with the old normal at its foot.
-    struct Transported {
-        Vec<D> velocity, normal;
-        bool near;      ///< an old film lies within two cells of the arrival point
-        bool beyond;    ///< but not there
-        double fastest; ///< speed around the arrival point, as speed_about(); infinite where the old film was idle
-    };
-    /// `hint`: an element near it, or -1; on return the one it arrived in.
-    Transported transport(const Vec<D>& x_body, double dt, int& hint) const;
     /// What lies at a point of the master's frame. `flux`: h (w - U_m), linear in the element with a limited slope, world axes.
     struct Sample {
         int element;
@@ -56,7 +47,10 @@ public:
     Vec<D> along(int element) const { return tangential<D>(flux_[element] / h_mean_[element], normal_[element]); }
     const Vec<D>& normal(int element) const { return normal_[element]; }
     double volume(int element) const { return volumes_[element]; }
-    Vec<D> acceleration(int element) const { return second_order() ? acceleration_[element] : Vec<D>(Vec<D>::Zero()); }
+    Vec<D> acceleration(int element) const
+    {
+        return acceleration_.empty() || idle_[element] ? Vec<D>(Vec<D>::Zero()) : acceleration_[element];
+    }
     Vec<D> increment(int element) const { return increment_.empty() ? Vec<D>(Vec<D>::Zero()) : increment_[element]; }
     /// Of an element on the master.
     double measure_on_master(int element) const
@@ -73,20 +67,13 @@ public:
     Spin<D> spin() const { return twist_.template tail<spin_size<D>>(); }
     /// The master's reference point in its frame.
     const Vec<D>& centre() const { return centre_body_; }
-    /// Old velocity at a point of the master's frame, extrapolated linearly beyond the film, and the film's normal there.
-    Transported at(const Vec<D>& x_body, int& hint) const { return transport(x_body, 0.0, hint); }
-    /// Whether transport is of second order in time: the pressure's acceleration is known.
-    bool second_order() const { return !acceleration_.empty(); }
-    /// Velocity there (world axes) after half of dt; second order only.
-    Vec<D> half_way(const Vec<D>& x_body, double dt, int& hint) const;
+    /// Old velocity (world axes) at a point of the master's frame, extrapolated linearly beyond the film. `hint`: an element near it, or -1; on
+    /// return the one nearest to the point.
+    Vec<D> at(const Vec<D>& x_body, int& hint) const;
     /// A field given at the vertices, linear over the elements, at a point of the master's frame; 0 where there was no film. `hint` as
     /// above.
     double at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const;
     int elements() const { return static_cast<int>(elements_.size()); }
-    /// Sums over the elements: area, volume S, and S |u - P U_m|^2, twice the energy of the motion along the master at density 1.
-    double area() const { return area_; }
-    double volume() const { return volume_; }
-    double motion() const { return motion_; }
     /// Speed relative to the master around an element: the largest of its vertices' values, each the root of the mean square over the volume
     /// around the vertex. (Single elements are unreliable: small ones cut by the film's end may have ten times the speed of the flow.)
     double speed_about(int element) const;
@@ -110,12 +97,11 @@ private:
     double thickness(const Place& place) const;
     void limit_slopes();
     Vec<D> vertex_velocity(const Vec<D>& x_body, const Place& place) const;
-    Vec<D> half_step_change(const Place& place, double dt) const;
     void fit_vertices(const std::vector<double>& weight);
     Index<D> bin(const Vec<D>& x_body) const;
     long bin_key(const Index<D>& bin) const;
 
-    double dx_, area_ = 0, volume_ = 0, motion_ = 0;
+    double dx_;
     Mat<D> rotation_;    ///< of the master, at the time
     Vec<D> centre_body_; ///< the master's reference point in its frame
     Twist<D> twist_;
@@ -128,11 +114,10 @@ private:
     std::vector<double> h_, h_mean_;         ///< thickness at the vertices, mean over the elements
     std::vector<double> volumes_, slope_;    ///< of elements; share of the fitted slope of the flux that makes no new extremum
     std::vector<Vec<D>> increment_;          ///< of elements, world axes; or none
-    std::vector<char> coarse_, idle_;        ///< elements too large for their gap; those excluded from the reconstruction
-    std::vector<Vec<D>> w_, normal_;         ///< of elements, world axes
+    std::vector<char> idle_;                 ///< elements excluded from the reconstruction
+    std::vector<Vec<D>> normal_;             ///< of elements, world axes
     std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
-    std::vector<Vec<D>> acceleration_,
-        acceleration_vertex_; ///< acceleration by the pressure, of elements and vertices, world axes; or none
+    std::vector<Vec<D>> acceleration_;       ///< by the pressure, of elements, world axes; or none
     KeyMap<std::vector<int>> bins_;
 };
 

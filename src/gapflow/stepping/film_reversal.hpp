@@ -8,7 +8,7 @@
 #pragma once
 
 #include "gapflow/coupling/coupling.hpp"
-#include "gapflow/film/film_motion.hpp"
+#include "gapflow/film/film_momentum.hpp"
 
 #include <functional>
 #include <set>

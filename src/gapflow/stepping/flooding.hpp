@@ -4,7 +4,7 @@
 #pragma once
 
 #include "gapflow/coupling/coupling.hpp"
-#include "gapflow/film/film_motion.hpp"
+#include "gapflow/film/film_momentum.hpp"
 #include "gapflow/stepping/void_set.hpp"
 
 #include <functional>

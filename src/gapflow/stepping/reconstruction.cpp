@@ -100,7 +100,7 @@ void paint_films(const Coupling<D>& c, Reconstruction<D>& into, FaceField<D, std
             const Vec<D> x = grid.face_centre(side.axis, Index<D>(side.face + cell.offset(cell.owner)));
             // From the master's surface, on which the memory lies: next to it there is no need to search.
             const Vec<D> on_master = master.to_body(master.closest(x).x);
-            into.painted(side.axis, f) = memory.at(on_master, near[cell.owner]).velocity[side.axis];
+            into.painted(side.axis, f) = memory.at(on_master, near[cell.owner])[side.axis];
             valid(side.axis, f) = 1;
             into.film_faces(side.axis, f) = 1;
         }

@@ -4,7 +4,7 @@
 #include "gapflow/body/rigid_body.hpp"
 #include "gapflow/core/machine_memory.hpp"
 #include "gapflow/coupling/coupling.hpp"
-#include "gapflow/film/film_motion.hpp"
+#include "gapflow/film/film_momentum.hpp"
 #include "gapflow/scene/scene.hpp"
 
 #include <functional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gapflow/core/state_archive.hpp"
-#include "gapflow/film/film_motion.hpp"
+#include "gapflow/film/film_account.hpp"
 #include "gapflow/stepping/contact_set.hpp"
 #include "gapflow/stepping/model.hpp"
 #include "gapflow/stepping/past_pressure.hpp"

@@ -112,6 +112,7 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
         [&](const std::vector<Vec<D>>& points) { return sample(grid, u, points); }, model.mouths, state.film_debts, grid.dx(),
         step.dt, extrapolation_share(step.last_dt, step.dt));
     damp_vorticity(there.network, grid.dx(), flow.velocity);
+    flow.account.transported = flow.velocity;
     reverse_films<D>(there.network, there.solids, state.turned, predicted, flow);
     if (state.voids.any())
         flood(model, state, beyond.histories, there, step, flow);

@@ -1,6 +1,7 @@
 // Transport of velocities to the new configuration: bulk, films and mouths together (method, "The time step", stages 2 and 4).
 #pragma once
 
+#include "gapflow/film/film_account.hpp"
 #include "gapflow/stepping/reconstruction.hpp"
 #include "gapflow/stepping/step.hpp"
 

@@ -53,29 +53,16 @@ void gives_back()
     ASSERT_EQ(plates.films.size(), 1u);
     const FilmHistory<D> history = plates.history(stretching<D>);
     EXPECT_EQ(history.elements(), static_cast<int>(plates.film().mesh.elements.size()));
-    const double area = std::pow(4, D - 1);
-    EXPECT_NEAR(history.area(), area, 1e-10);
-    EXPECT_NEAR(history.volume(), 0.2 * area, 1e-10);
-    double motion = 0;
-    for (const FilmElement<D>& e : plates.film().mesh.elements)
-        motion += e.volume * stretching<D>(e.centroid_master).squaredNorm();
-    EXPECT_NEAR(history.motion(), motion, 1e-10);
-    EXPECT_FALSE(history.second_order());
     // A linear field everywhere in the film, from any element on; and on beyond its end.
     for (double aside : {3.0, 3.4, 4.9, 5.123, 6.7, 7.0, 7.04})
         for (int start : {-1, 0, history.elements() - 1}) {
             Vec<D> x = at<D>(4.3, plates.height());
             x[0] = aside;
             int hint = start;
-            const auto found = history.at(plates.body(x), hint);
-            EXPECT_LT((found.velocity - stretching<D>(x)).norm(), 1e-6) << aside << " from " << start;
-            EXPECT_LT((found.normal - plates.film().mesh.elements[hint].normal).norm(), 1e-12);
-            EXPECT_TRUE(found.near);
-            EXPECT_FALSE(found.beyond);
+            EXPECT_LT((history.at(plates.body(x), hint) - stretching<D>(x)).norm(), 1e-6) << aside << " from " << start;
             ASSERT_TRUE(hint >= 0 && hint < history.elements());
             EXPECT_LT(std::abs(plates.film().mesh.elements[hint].centroid_master[0] - aside), 0.5);
-            EXPECT_NEAR(found.fastest, 1 + 0.2 * aside, 0.12); // at a vertex of an element of half a cell
-            EXPECT_EQ(found.fastest, history.speed_about(hint));
+            EXPECT_NEAR(history.speed_about(hint), 1 + 0.2 * aside, 0.12); // at a vertex of an element of half a cell
         }
 }
 
@@ -89,54 +76,26 @@ TEST(FilmHistory, GivesBackWhatWasStored3D)
     gives_back<3>();
 }
 
-// Beyond the film's end by a twentieth of a cell a point is beyond; by two cells no past at all.
-TEST(FilmHistory, TellsHowFarTheFilmIs)
+// A sample is the flux h u, linear in the element with the same mean, and tells how far the film is.
+TEST(FilmHistory, SamplesTheFlux)
 {
     const Plates<2> plates(3, 7, 12);
     const FilmHistory<2> history = plates.history(stretching<2>);
-    for (double beyond : {0.04, 0.06, 1.9, 2.1}) {
+    for (double aside : {4.1, 5.37, 6.05}) {
         int hint = -1;
-        const auto found = history.at(plates.body({7 + beyond, plates.height()}), hint);
-        EXPECT_EQ(found.beyond, beyond > 0.05) << beyond;
-        EXPECT_EQ(found.near, beyond < 2) << beyond;
+        const Vec<2> x(aside, plates.height());
+        const auto sample = history.sample(plates.body(x), hint);
+        EXPECT_LT(sample.distance, 1e-12);
+        EXPECT_NEAR(sample.h, 0.2, 1e-9);
+        EXPECT_LT((sample.flux - 0.2 * stretching<2>(x)).norm(), 1e-7) << aside;
+    }
+    for (double beyond : {0.04, 0.06, 2.1}) {
+        int hint = -1;
+        EXPECT_NEAR(history.sample(plates.body({7 + beyond, plates.height()}), hint).distance, beyond, 1e-9);
     }
 }
 
-// Carried along a steady flow of the speed 1 + 0.2 x for dt, what arrives had this speed times exp(-0.2 dt); the same speed everywhere stays.
-template <int D>
-void transports()
-{
-    const Plates<D> plates(3, 9, 12);
-    const FilmHistory<D> history = plates.history(stretching<D>),
-                         even = plates.history([](const Vec<D>&) { return Vec<D>(0.7 * unit<D>(0)); });
-    double last = 0;
-    for (double dt : {0.4, 0.2, 0.1}) {
-        Vec<D> x = at<D>(6.03, plates.height());
-        x[0] = 7.41;
-        int hint = -1;
-        const Vec<D> found = history.transport(plates.body(x), dt, hint).velocity;
-        const double error = std::abs(found[0] - (1 + 0.2 * x[0]) * std::exp(-0.2 * dt));
-        EXPECT_LT(error, 0.5 * std::pow(0.2 * dt, 3)); // the midpoint rule's: a sixth of it, times the speed
-        if (last > 0) {
-            EXPECT_NEAR(last / error, 8, 0.3);
-        }
-        last = error;
-        EXPECT_LT(Vec<D>(found - found[0] * unit<D>(0)).norm(), 1e-7);
-        EXPECT_LT((even.transport(plates.body(x), dt, hint).velocity - 0.7 * unit<D>(0)).norm(), 1e-7);
-    }
-}
-
-TEST(FilmHistory, CarriesAlongTheFilm2D)
-{
-    transports<2>();
-}
-
-TEST(FilmHistory, CarriesAlongTheFilm3D)
-{
-    transports<3>();
-}
-
-// Fluid that moves as the master does stays where it is, seen from it: every place has the master's velocity there, after any time.
+// Fluid that moves as the master does has the master's velocity at every place.
 template <int D>
 void moves_with_master()
 {
@@ -145,13 +104,11 @@ void moves_with_master()
     twist[0] = -1.2;
     const auto rigid = [&](const Vec<D>& x) { return velocity_at<D>(twist, Vec<D>(x - plates.master().centre)); };
     const FilmHistory<D> history = plates.history(rigid, twist);
-    EXPECT_NEAR(history.motion(), 0, 1e-20);
-    for (double dt : {0.0, 0.3, 5.0}) {
-        const Vec<D> x = at<D>(4.37, plates.height());
-        int hint = -1;
-        EXPECT_LT((history.master_velocity(plates.body(x)) - rigid(x)).norm(), 1e-12);
-        EXPECT_LT((history.transport(plates.body(x), dt, hint).velocity - rigid(x)).norm(), 1e-6);
-    }
+    const Vec<D> x = at<D>(4.37, plates.height());
+    int hint = -1;
+    EXPECT_LT((history.master_velocity(plates.body(x)) - rigid(x)).norm(), 1e-12);
+    EXPECT_LT((history.at(plates.body(x), hint) - rigid(x)).norm(), 1e-6);
+    EXPECT_LT(history.along(hint).norm(), 1e-10);
 }
 
 TEST(FilmHistory, RigidMotionStaysWithTheMaster2D)
@@ -184,7 +141,7 @@ TEST(FilmHistory, TurnsWithTheScene)
         const FilmHistory<2> history(master, Twist<2>::Zero(), {&film}, w, {}, {}, {}, 1.0);
         for (int i = 0; i < 2; ++i) {
             int hint = -1;
-            (is_turned ? turned : straight)[i] = history.transport({i - 0.3, 1.5}, 0.2 * i, hint).velocity;
+            (is_turned ? turned : straight)[i] = history.at({i - 0.3, 1.5}, hint);
         }
     }
     for (int i = 0; i < 2; ++i)
@@ -200,36 +157,26 @@ TEST(FilmHistory, FindsElementsOfLargeFilms)
     for (int i = 0; i < 40; ++i) {
         const Vec<3> x(3 + 0.25 * i, 3.7 + 0.21 * i, plates.height());
         int from_none = -1, from_far = 0;
-        const Vec<3> a = history.at(plates.body(x), from_none).velocity, b = history.at(plates.body(x), from_far).velocity;
+        const Vec<3> a = history.at(plates.body(x), from_none), b = history.at(plates.body(x), from_far);
         EXPECT_LT((a - stretching<3>(x)).norm(), 1e-6);
         EXPECT_LT((a - b).norm(), 1e-9);
     }
     int hint = -1;
-    EXPECT_FALSE(history.at(plates.body({40, 5, plates.height()}), hint).near); // nowhere near: still an answer
+    EXPECT_GT(history.sample(plates.body({40, 5, plates.height()}), hint).distance, 20); // nowhere near: still an answer
 }
 
-// Half of the step's push, no more than half of the speed around; at the end of the step what differs between foot and arrival.
-TEST(FilmHistory, PushedByThePressure)
+// Idle elements have no acceleration to extrapolate.
+TEST(FilmHistory, IdleFluidIsNotPushed)
 {
     const Plates<2> plates(3, 7, 10);
     const VectorField<2> even = [](const Vec<2>&) { return Vec<2>(1, 0); };
-    const auto element_count = plates.film().mesh.elements.size();
-    const Vec<2> x = plates.body({5.03, plates.height()});
-    for (const double push : {0.4, 40.0}) {
-        const FilmHistory<2> history =
-            plates.history(even, Twist<2>::Zero(), std::vector<Vec<2>>(element_count, push * unit<2>(0)));
-        EXPECT_TRUE(history.second_order());
-        int hint = -1;
-        const Vec<2> half = history.half_way(x, 0.5, hint);
-        EXPECT_NEAR(half[0], push == 0.4 ? 1.1 : 1.5, 1e-6);
-        EXPECT_NEAR(history.transport(x, 0.5, hint).velocity[0], 1, 1e-6); // the same push everywhere
+    const auto count = plates.film().mesh.elements.size();
+    for (const bool idle : {false, true}) {
+        const FilmHistory<2> history = plates.history(even, Twist<2>::Zero(), std::vector<Vec<2>>(count, 0.4 * unit<2>(0)),
+                                                      std::vector<char>(count, idle));
+        EXPECT_EQ(history.acceleration(0)[0], idle ? 0 : 0.4);
+        EXPECT_EQ(history.increment(0).norm(), 0);
     }
-    // An idle film pushes nothing and has no bound.
-    const FilmHistory<2> idle = plates.history(even, Twist<2>::Zero(), std::vector<Vec<2>>(element_count, unit<2>(0)),
-                                               std::vector<char>(element_count, 1));
-    int hint = -1;
-    EXPECT_NEAR(idle.half_way(x, 0.5, hint)[0], 1, 1e-6);
-    EXPECT_EQ(idle.at(x, hint).fastest, std::numeric_limits<double>::infinity());
 }
 
 TEST(FilmHistory, FieldsAtVertices)

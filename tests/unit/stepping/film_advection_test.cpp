@@ -2,6 +2,7 @@
 // inner one off centre. The film fills the gap; everything is at rest but its fluid.
 #include "coupled_scene.hpp"
 
+#include "gapflow/film/film_transport.hpp"
 #include "gapflow/solver/solver.hpp"
 #include "gapflow/stepping/setup.hpp"
 
@@ -71,6 +72,22 @@ struct Annulus : CoupledScene {
             [](int, int) { return MouthLaw{}; }, {}, grid.dx(), dt);
     }
 
+    // The same by the finite volumes of second order, whatever energy they take or give.
+    std::vector<Vec<2>> carried(const std::vector<Vec<2>>& u, double dt) const
+    {
+        const FilmHistories<2> histories = remember_films<2>(coupling.network, coupling.solids, rest, u, {}, grid.dx());
+        const FilmHistory<2>& history = *histories.begin()->second;
+        const PlacedShape<2>& master = coupling.solids[film().pair.master].shape;
+        const std::vector<FluidInPlace<2>> start = put_in_place<2>(coupling.network, coupling.solids, {&history}, grid.dx());
+        std::vector<Vec<2>> flow;
+        for (std::size_t i = 0; i < u.size(); ++i)
+            flow.push_back(film().mesh.elements[i].volume * start[i].velocity);
+        std::vector<Vec<2>> result = FilmTransport<2>(coupling.network, 0, master, start, flow, {}, dt).high().velocity;
+        for (Vec<2>& v : result)
+            v = master.rotation() * v;
+        return result;
+    }
+
     Vec<2> centre;
 };
 
@@ -89,15 +106,20 @@ double order(const std::vector<double>& errors)
     return slope;
 }
 
-// Without pressure the speed is carried along the film: u_t + u u_s = 0, u(s, t) = u_0(s - u t), s the length along the master.
+// Without pressure the speed is carried along the film: u_t + u u_s = 0, u(s, t) = u_0(s - u t), s the length along the gap's middle.
 TEST(FilmAdvection, ConvectedSwirlIsFirstOrder)
 {
     const auto start = [](double angle) { return mean_gap / thickness(angle); };
     const double end = 0.3;
     const auto exact = [&](double angle) {
         double u = start(angle);
-        for (int i = 0; i < 200; ++i) // a contraction: no shock before t = 1
-            u = start(angle - u * end / inner_radius);
+        for (int i = 0; i < 200; ++i) { // a contraction: no shock before t = 1
+            double foot = angle; // back with the speed u along the middle of the gap
+            constexpr int pieces = 20;
+            for (int k = 0; k < pieces; ++k)
+                foot -= u * end / pieces / (inner_radius + 0.5 * thickness(foot));
+            u = start(foot);
+        }
         return u;
     };
     std::vector<double> errors;
@@ -108,7 +130,7 @@ TEST(FilmAdvection, ConvectedSwirlIsFirstOrder)
         const int steps = cells / 2; // the speed is 2 at most: up to half a cell a step
         std::vector<Vec<2>> u = annulus.film_velocity(start);
         for (int step = 0; step < steps; ++step)
-            u = annulus.advected(u, end / steps).velocity;
+            u = annulus.carried(u, end / steps);
         double error = 0, length = 0;
         for (std::size_t i = 0; i < u.size(); ++i) {
             const FilmElement<2>& e = annulus.film().mesh.elements[i];
@@ -177,7 +199,7 @@ TEST(FilmAdvection, SteadySwirlKeepsItsCirculation)
         u.film = annulus.film_velocity([](double angle) { return mean_gap / thickness(angle); });
         project();
         const double first = circulation(), end = 2 * std::numbers::pi; // about one turn
-        const int steps = (getenv("ST") ? atoi(getenv("ST")) : 10) * cells;
+        const int steps = 10 * cells;
         std::vector<Vec<2>> acceleration, increment;
         for (int step = 0; step < steps; ++step) {
             const FilmFlow<2> flow = annulus.advected(u.film, end / steps, acceleration, increment);

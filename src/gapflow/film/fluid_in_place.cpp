@@ -1,0 +1,125 @@
+#include "gapflow/film/fluid_in_place.hpp"
+
+#include "gapflow/film/for_each_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace gapflow {
+
+namespace {
+
+// In dx: a point further than this from an old film had none.
+constexpr double beside_film = 0.05;
+
+// A piece of a new element's volume that was in an old element.
+struct Deposit {
+    int element, old;
+    double old_volume, new_volume, weight;
+};
+
+// Of an element on the master, whose surface does not change from step to step.
+template <int D>
+double measure_on_master(const FilmMesh<D>& mesh, int element)
+{
+    const std::array<int, D>& nodes = mesh.elements[element].nodes;
+    if constexpr (D == 2)
+        return (mesh.x[nodes[1]] - mesh.x[nodes[0]]).norm();
+    else
+        return 0.5 * (mesh.x[nodes[1]] - mesh.x[nodes[0]]).cross(mesh.x[nodes[2]] - mesh.x[nodes[0]]).norm();
+}
+
+} // namespace
+
+template <int D>
+std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
+                                          const std::vector<const FilmHistory<D>*>& history, double dx)
+{
+    std::vector<FluidInPlace<D>> result(network.elements);
+    std::map<const FilmHistory<D>*, std::vector<int>> films; // of each pair
+    for (std::size_t k = 0; k < history.size(); ++k)
+        if (history[k])
+            films[history[k]].push_back(static_cast<int>(k));
+    std::vector<std::pair<const FilmHistory<D>*, const std::vector<int>*>> pairs;
+    for (const auto& [old, list] : films)
+        pairs.emplace_back(old, &list);
+    for_each_job(static_cast<int>(pairs.size()), [&](int job) {
+        const FilmHistory<D>& old = *pairs[job].first;
+        std::vector<double> taken(old.elements(), 0.0), covered(old.elements(), 0.0); // of each old element: volume, measure
+        std::vector<std::pair<Deposit, Vec<D>>> deposits;                             // and its flux times its area
+        for (int k : *pairs[job].second) {
+            const Film<D>& film = network.films[k];
+            const PlacedShape<D>& master = solids[film.pair.master].shape;
+            std::vector<double> sum(film.mesh.elements.size(), 0.0);
+            for (const FilmPoint<D>& q : film.mesh.points)
+                sum[q.element] += q.weight * q.h;
+            std::vector<double> on_master;
+            for (std::size_t i = 0; i < film.mesh.elements.size(); ++i)
+                on_master.push_back(measure_on_master(film.mesh, static_cast<int>(i)) / film.mesh.elements[i].measure);
+            int hint = -1;
+            for (const FilmPoint<D>& q : film.mesh.points) {
+                const int e = film.first_element + q.element;
+                const double scale = film.mesh.elements[q.element].volume / sum[q.element];
+                const Vec<D> x = master.to_body(q.x);
+                const auto sample = old.sample(x, hint);
+                if (sample.distance > beside_film * dx) {
+                    result[e].covered += scale * q.weight * q.h;
+                    continue;
+                }
+                const double old_volume = scale * q.weight * sample.h;
+                taken[sample.element] += old_volume;
+                covered[sample.element] += q.weight * on_master[q.element];
+                deposits.push_back({{e, sample.element, old_volume, scale * q.weight * q.h, scale * q.weight}, sample.flux});
+            }
+        }
+        std::vector<Vec<D>> normal(network.elements, Vec<D>::Zero()); // of the old film at the new elements
+        for (const auto& [d, flux] : deposits) {                      // the part of the old volume that lies below the new film
+            const double share =
+                old.volume(d.old) * std::min(1.0, covered[d.old] / old.measure_on_master(d.old)) / taken[d.old];
+            FluidInPlace<D>& place = result[d.element];
+            place.volume += share * d.old_volume;
+            place.world += d.weight * flux;
+            place.velocity += d.weight * tangential<D>(flux, old.normal(d.old));
+            place.reference += std::sqrt(share * d.old_volume * d.new_volume) * old.along(d.old);
+            place.acceleration += d.new_volume * old.acceleration(d.old);
+            place.increment += d.new_volume * old.increment(d.old);
+            normal[d.element] += d.new_volume * old.normal(d.old);
+        }
+        const Spin<D> spin = old.spin();
+        for (int k : *pairs[job].second) {
+            const Film<D>& film = network.films[k];
+            const PlacedShape<D>& master = solids[film.pair.master].shape;
+            for (std::size_t i = 0; i < film.mesh.elements.size(); ++i) {
+                const FilmElement<D>& e = film.mesh.elements[i];
+                const std::size_t at = film.first_element + i;
+                FluidInPlace<D>& place = result[at];
+                if (place.volume <= 0)
+                    continue;
+                const Vec<D> x = master.to_body(e.centroid_master), U = old.master_velocity(x);
+                const Vec<D> n = master.rotation().transpose() * e.normal;
+                const double length = normal[at].norm();
+                const Vec<D> before = length > 0 ? Vec<D>(old.rotation().transpose() * normal[at] / length) : n;
+                auto in_place = [&](const Vec<D>& v) { return turned<D>(old.rotation().transpose() * v, before, n); };
+                place.world = U + place.world / place.volume;
+                place.velocity /= place.volume;
+                const Vec<D> turning = spin_velocity<D>(spin, U - old.master_velocity(old.centre()) + 2 * place.velocity);
+                place.inertial = -tangential<D>(old.rotation().transpose() * turning, n);
+                place.velocity = in_place(place.velocity);
+                place.reference = in_place(place.reference / e.volume);
+                place.acceleration = in_place(place.acceleration / (e.volume - place.covered));
+                place.increment = in_place(place.increment / (e.volume - place.covered));
+            }
+        }
+    });
+    return result;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::vector<FluidInPlace<D>> put_in_place<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                    \
+                                                          const std::vector<const FilmHistory<D>*>&, double);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
