@@ -290,6 +290,7 @@ private:
             const Vec<D> U = moving_with(*history, x, master.rotation());
             // The film's flux at its end, relative to the master: what was put in place, and expected.
             double before = 0, after = 0;
+            Vec<D> across = Vec<D>::Zero(); // what the walls carry it with
             for (std::size_t i = 0; i < film.mesh.rim.size(); ++i) {
                 const RimEdge<D>& rim = film.mesh.rim[i];
                 bool same = true;
@@ -300,6 +301,8 @@ private:
                     continue;
                 before = mouth.outward.dot(reference_[film.first_element + rim.element]);
                 after = mouth.outward.dot(expected[film.first_element + rim.element]);
+                const Vec<D>& n = film.mesh.elements[rim.element].normal;
+                across = n.dot(place_[film.first_element + rim.element].world - U) * n;
                 break;
             }
             const auto* old = history->nearest_mouth(x, mouth.outward);
@@ -327,7 +330,7 @@ private:
             Vec<D> entering = speed_.back() * mouth.outward;
             if (D == 3) // along the rim with the bulk's velocity
                 entering += tangential<D>(bulk_at_mouth_[r] - U, mouth.outward);
-            mouth_flow_.push_back({mean_flux_.back(), master.rotation().transpose() * entering, U + entering});
+            mouth_flow_.push_back({mean_flux_.back(), master.rotation().transpose() * entering, Vec<D>(U + across + entering)});
         }
     }
 

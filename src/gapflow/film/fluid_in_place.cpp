@@ -79,8 +79,8 @@ std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::sp
                 old.volume(d.old) * std::min(1.0, covered[d.old] / old.measure_on_master(d.old)) / taken[d.old];
             FluidInPlace<D>& place = result[d.element];
             place.volume += share * d.old_volume;
-            place.world += d.weight * flux;
-            place.velocity += d.weight * tangential<D>(flux, old.normal(d.old));
+            place.world += share * d.weight * flux;
+            place.velocity += share * d.weight * tangential<D>(flux, old.normal(d.old));
             place.reference += std::sqrt(share * d.old_volume * d.new_volume) * old.along(d.old);
             place.acceleration += d.new_volume * old.acceleration(d.old);
             place.increment += d.new_volume * old.increment(d.old);
