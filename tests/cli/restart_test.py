@@ -318,7 +318,7 @@ class Restart(unittest.TestCase):
         content = path.read_bytes()
         # The attribute: its name, padded, then type, space and the number.
         name = content.index(b"format_version\0")
-        current = (5).to_bytes(8, "little")
+        current = (6).to_bytes(8, "little")
         candidates = [content.index(current, name + 16)]
         while candidates[-1] >= 0 and len(candidates) < 8:
             candidates.append(content.find(current, candidates[-1] + 1))

@@ -178,6 +178,7 @@ public:
         struct Sum {
             double in = 0, out = 0, bulk = 0; // heads' work, and energy that the bulk brings in
             double paid = 0;                  // at entrances, losses included
+            bool leaves = false;              // fluid by any mouth
         };
         std::map<const FilmHistory<D>*, Sum> sums;
         std::vector<double> work(mouths_.size(), 0.0); // R a q_p^2 of the whole head: in < 0, out > 0
@@ -202,7 +203,9 @@ public:
                     sum.in += head * (square(u) - brought);
                     sum.paid -= work[r];
                 }
-            } else if (u >= 0 && !smooth && !law.jet) {
+            }
+            sum.leaves = sum.leaves || u > 0;
+            if (u >= 0 && !smooth && !law.jet) {
                 work[r] = head * std::max(square(u) - beyond, 0.0);
                 sum.out += work[r];
             }
@@ -216,7 +219,7 @@ public:
                         debt = it->second;
             const double gives = gives_.at(old) + sum.bulk - debt, left = sum.in + gives;
             double in = 1, out = sum.out > 0 ? std::clamp(left / sum.out, 0.0, 1.0) : 0.0;
-            if (sum.in > 0 && (left < 0 || sum.out == 0))
+            if (sum.in > 0 && (left < 0 || !sum.leaves))
                 in = std::max(-gives, 0.0) / sum.in;
             factor[old] = {in, out};
             double loss = in * sum.paid + gives_.at(old) + sum.bulk - out * sum.out - debt; // as expected

@@ -135,7 +135,7 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
         } while (rounds.go_on(change, new_voids));
     };
     settle();
-    if (step.dt > 0 && !voids && take_back(there, end)) {
+    if (step.dt > 0 && !voids && !model.viscous() && take_back(there, end)) {
         links_changed = true;
         settle();
     }

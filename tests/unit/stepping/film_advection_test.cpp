@@ -114,7 +114,7 @@ TEST(FilmAdvection, ConvectedSwirlIsFirstOrder)
     const auto exact = [&](double angle) {
         double u = start(angle);
         for (int i = 0; i < 200; ++i) { // a contraction: no shock before t = 1
-            double foot = angle; // back with the speed u along the middle of the gap
+            double foot = angle;        // back with the speed u along the middle of the gap
             constexpr int pieces = 20;
             for (int k = 0; k < pieces; ++k)
                 foot -= u * end / pieces / (inner_radius + 0.5 * thickness(foot));
