@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace gapflow {
 namespace {
@@ -166,6 +167,40 @@ TEST(FilmAdvection, FastElementFeedsNothing)
         if ((e.centroid_master - source.centroid_master).norm() > 0.5) {
             EXPECT_NEAR(u[i].dot(annulus.along(e)) / start[i].norm(), 1.0, 0.02);
         }
+    }
+}
+
+// Put in place, and carried by the step of first order with whatever fluxes: no energy is added, in steps of any length.
+TEST(FilmAdvection, AddsNoEnergyWithAnyFluxes)
+{
+    const Annulus annulus(24);
+    const std::vector<FilmElement<2>>& elements = annulus.film().mesh.elements;
+    const PlacedShape<2>& master = annulus.coupling.solids[annulus.film().pair.master].shape;
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    for (double dt : {1e-4, 0.03, 1.0}) {
+        std::vector<Vec<2>> u;
+        double before = 0, in_place = 0, after = 0;
+        for (const FilmElement<2>& e : elements) {
+            u.push_back(normal(random) * std::pow(10, normal(random)) * annulus.along(e));
+            before += e.volume * u.back().squaredNorm();
+        }
+        const FilmHistories<2> histories =
+            remember_films<2>(annulus.coupling.network, annulus.coupling.solids, annulus.rest, u, {}, annulus.grid.dx());
+        const std::vector<FluidInPlace<2>> start = put_in_place<2>(annulus.coupling.network, annulus.coupling.solids,
+                                                                   {histories.begin()->second.get()}, annulus.grid.dx());
+        std::vector<Vec<2>> flow;
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            in_place += elements[i].volume * start[i].reference.squaredNorm();
+            flow.push_back(elements[i].volume * normal(random) * (master.rotation().transpose() * annulus.along(elements[i])));
+        }
+        EXPECT_LE(in_place, (1 + 1e-12) * before);
+        EXPECT_NEAR(in_place, before, 1e-3 * before);
+        const auto carried = FilmTransport<2>(annulus.coupling.network, 0, master, start, flow, {}, dt).low().velocity;
+        for (std::size_t i = 0; i < u.size(); ++i)
+            after += elements[i].volume * carried[i].squaredNorm();
+        EXPECT_LE(after, (1 + 1e-6) * before) << dt;
+        EXPECT_GT(after, 0) << dt;
     }
 }
 
