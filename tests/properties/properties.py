@@ -222,11 +222,11 @@ class Property:
 
 # Bounds: what the validation's scenes in 2D are off by over 20 full steps, and some room; a scene in fifty is beyond them where contacts decide otherwise.
 # Between two runs of the same flow there are only the solver's tolerance and round-off, which steps and contacts let grow: order is off by 1e-12
-# cells in the median, shift and mirror by 1e-9. Motion: carried over the grid, the flow is interpolated at other places: 1 % of the way in the median.
+# cells in the median, shift and mirror by 1e-9; mirror in 3D by up to 1e-5: cuts through triangles fall otherwise. Motion: carried over the grid, the flow is interpolated at other places: 1 % of the way in the median.
 PROPERTIES = {
     "runs": Property(does_not_run),
     "energy": Property(energy_rises),
-    "mirror": Property(Same(changes.mirrored, first=1e-6, last=1e-3)),
+    "mirror": Property(Same(changes.mirrored, first=1e-5, last=1e-3)),
     "order": Property(Same(changes.reordered, first=1e-6, last=1e-3)),
     "shift": Property(Same(changes.shifted, first=1e-4, last=1e-3), changes.unbounded),
     "motion": Property(Same(lambda case: changes.carried(case, 1.0), first=0.02, last=0.02, of_way=0.1), in_a_stream),
