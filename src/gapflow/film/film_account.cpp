@@ -54,7 +54,8 @@ std::set<FilmPair<D>> mispredicted_films(const FilmNetwork<D>& network, const Fi
     std::set<FilmPair<D>> result;
     for (const auto& [pair, gain] : gains(network, account, velocity, mouth)) {
         const auto planned = account.planned.find(pair);
-        if (planned != account.planned.end() && gain > 0 && gain - planned->second > surprise * energy[pair])
+        if (planned != account.planned.end() && !account.rebounding.contains(pair) && gain > 0 &&
+            gain - planned->second > surprise * energy[pair])
             result.insert(pair);
     }
     return result;
@@ -92,6 +93,11 @@ FilmDebts<D> settle_films(const FilmNetwork<D>& network, const FilmAccount<D>& a
         increment[i] = (velocity[i] - account.reference[i]) / dt;
     for (const auto& [pair, gain] : gains(network, account, velocity, mouth))
         debts[pair] += gain;
+    for (const FilmPair<D>& pair : account.rebounding)
+        if (const auto owed = account.owed.find(pair); owed != account.owed.end())
+            debts[pair] = owed->second;
+        else
+            debts.erase(pair);
     return debts;
 }
 

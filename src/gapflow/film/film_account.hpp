@@ -20,13 +20,14 @@ template <int D>
 struct FilmAccount {
     std::vector<Vec<D>> reference; ///< of elements: u put in place, absolute, tangential; has no more energy than the old films
     std::vector<Vec<D>> master;    ///< of elements: the master's velocity, tangential
-    std::vector<Vec<D>> transported; ///< of elements: u*
-    std::vector<double> gain;        ///< of mouths: a > 0 at outflow, dq = a (2 q_p - q); a < 0 at inflow, dq = a q
-    std::vector<double> predicted;   ///< of mouths: q_p
-    std::vector<double> carried;     ///< of mouths: the flux that goes with the master
-    std::vector<double> kept;        ///< of mouths: the last step's flux relative to the master, with its energy
-    FilmDebts<D> owed;               ///< debts of the last step
-    FilmDebts<D> planned;            ///< energy that the pairs' films are expected to gain; mostly negative
+    std::vector<Vec<D>> transported;  ///< of elements: u*
+    std::vector<double> gain;         ///< of mouths: a > 0 at outflow, dq = a (2 q_p - q); a < 0 at inflow, dq = a q
+    std::vector<double> predicted;    ///< of mouths: q_p
+    std::vector<double> carried;      ///< of mouths: the flux that goes with the master
+    std::vector<double> kept;         ///< of mouths: the last step's flux relative to the master, with its energy
+    FilmDebts<D> owed;                ///< debts of the last step
+    FilmDebts<D> planned;             ///< energy that the pairs' films are expected to gain; mostly negative
+    std::set<FilmPair<D>> rebounding; ///< pairs with contacts that rebound: what transport did to the films, contact has undone
     FilmDebts<D> before; ///< debts of the last step, less what the films are meant to lose and what the bulk brings in
 };
 

@@ -119,7 +119,8 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
 }
 
 template <int D>
-void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt, double last_dt)
+void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced,
+                            const std::vector<Twist<D>>& expected, double dt, double last_dt)
 {
     relaxation_ = 1;
     seen_.clear();
@@ -131,7 +132,8 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
         c.gained = std::abs(rate(c.normal, c, forced) - c.approach);
         c.least = -std::max(c.point.distance - c.hold, 0.0) / dt;
         const bool impact = c.restitution > 0 && c.approach < -resting * c.gained && c.approach < 0;
-        c.target = impact ? -c.restitution * c.approach : c.least;
+        // Of the speed that fluid in the gap leaves until they meet.
+        c.target = impact ? std::max(c.least, c.restitution * std::min(-c.approach, -rate(c.normal, c, expected))) : c.least;
         // A contact at rest may drift within the tolerance: only contacts that close in this step are held.
         if (c.closed && c.point.distance - c.hold > cushion * dx_)
             c.closed = c.slides = false;
@@ -211,6 +213,14 @@ bool ContactSet<D>::driven(const Contact<D>& contact, const std::vector<Solid<D>
     }
     return std::any_of(reached.begin(), reached.end(),
                        [&](int s) { return solids[s].motion == Motion::prescribed && !twists[s].isZero(0); });
+}
+
+template <int D>
+bool ContactSet<D>::rebounds(int a, int b) const
+{
+    return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
+        return c.closed && c.target > c.least && std::minmax(c.point.a, c.point.b) == std::minmax(a, b);
+    });
 }
 
 template <int D>

@@ -63,8 +63,9 @@ public:
     /// moved; to be repeated, with the contacts found anew, until it is false.
     bool separate(std::vector<RigidBody<D>>& bodies, bool at_start = false) const;
     /// Sets the condition of each contact in the step: `before`: twists at its start; `forced`: with the explicit forces of the
-    /// step. Sliding friction of the last step, of length `last_dt`, is taken over.
-    void prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced, double dt, double last_dt);
+    /// step; `expected`: at its end without contact. Sliding friction of the last step, of length `last_dt`, is taken over.
+    void prepare(const std::vector<Twist<D>>& before, const std::vector<Twist<D>>& forced,
+                 const std::vector<Twist<D>>& expected, double dt, double last_dt);
     /// Whether the current states violate the laws at the twists expected at the step's end: then rough solves find the states
     /// first.
     bool likely_to_change(const std::vector<Twist<D>>& expected) const;
@@ -87,6 +88,8 @@ public:
 
     const std::vector<Contact<D>>& contacts() const { return contacts_; }
     bool empty() const { return contacts_.empty(); }
+    /// Whether a contact of these two solids rebounds in the step.
+    bool rebounds(int a, int b) const;
     /// Whether a contact of this solid closed, opened, rebounded or was brought to rest in the step: then the change of its
     /// twist is not an acceleration to extrapolate.
     bool impact_on(int solid) const;

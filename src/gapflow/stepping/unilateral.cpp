@@ -98,8 +98,9 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
     ContactSet<D>* contacts = step.dt > 0 && !state.contacts.empty() ? &state.contacts : nullptr;
     VoidSet<D>* voids = step.dt > 0 && state.voids.any() ? &state.voids : nullptr;
     NearInertia<D> inertia;
+    const std::vector<Twist<D>> expected = predicted_twists(model, state.bodies, step);
     if (contacts) {
-        contacts->prepare(model.twists(state.bodies), star.twists, step.dt, step.last_dt);
+        contacts->prepare(model.twists(state.bodies), star.twists, expected, step.dt, step.last_dt);
         inertia = inertia_of_contacts(model, there, state, mass);
     }
     if (voids)
@@ -110,8 +111,7 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
     bool links_changed = false;
     std::optional<Rounds> all_rounds;
     const auto settle = [&] {
-        Rounds& rounds = all_rounds.emplace(
-            contacts, voids, !voids && !(contacts && contacts->likely_to_change(predicted_twists(model, state.bodies, step))));
+        Rounds& rounds = all_rounds.emplace(contacts, voids, !voids && !(contacts && contacts->likely_to_change(expected)));
         ContactChange change;
         bool new_voids;
         do {
@@ -135,6 +135,10 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
         } while (rounds.go_on(change, new_voids));
     };
     settle();
+    if (contacts)
+        for (const Film<D>& film : there.network.films)
+            if (contacts->rebounds(film.pair.master, film.pair.other))
+                end.account.rebounding.insert(film.pair);
     if (step.dt > 0 && !voids && !model.viscous() && take_back(there, end)) {
         links_changed = true;
         settle();

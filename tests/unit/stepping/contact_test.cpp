@@ -90,6 +90,40 @@ TEST(ContactSet, ReboundInAVeryLightFluid)
     }
 }
 
+// Two plates and the film between them, until a layer is left; the film goes on outwards while the plates turn round.
+TEST(ContactSet, PlatesReboundFromALayerOfFluidWithoutMoreEnergy)
+{
+    Scene scene;
+    scene.size = {4, 4, 0};
+    scene.cells = {64, 64, 1};
+    scene.initial = Scene::Initial::potential;
+    scene.gap.roughness = 0.002;
+    scene.gap.exit = GapScene::Exit::reversible;
+    scene.contact.restitution = 1;
+    for (int side : {-1, 1}) {
+        BodyScene plate = box(side < 0 ? "lower" : "upper", {1, 0.5, 0}, {2, 2 + side * 0.255, 0});
+        plate.velocity = {0, -0.5 * side, 0};
+        scene.bodies.push_back(plate);
+    }
+    scene.end = 0.06;
+    scene.max_step = 0.005;
+    scene.cfl = 0.5;
+    scene.gap_cfl = 0.125;
+    Simulation<2> simulation(scene, Communicator());
+    auto energy = [&] {
+        const auto budget = simulation.budget();
+        return budget.energy_grid + budget.energy_film + budget.energy_bodies;
+    };
+    const double before = energy();
+    double most = 0;
+    while (simulation.time() < scene.end) {
+        simulation.step(scene.end);
+        most = std::max(most, energy());
+    }
+    EXPECT_GT(simulation.bodies()[1].twist[1], 0.2);
+    EXPECT_LT(most, 1.001 * before);
+}
+
 TEST(ContactSet, BlockSlidesBeyondTheAngleOfFriction)
 {
     for (double friction : {0.297, 0.303}) {
