@@ -38,19 +38,36 @@ FilmDebts<D> gains(const FilmNetwork<D>& network, const FilmAccount<D>& account,
 } // namespace
 
 template <int D>
-std::set<FilmPair<D>> mispredicted_films(const FilmNetwork<D>& network, const FilmAccount<D>& account,
-                                         const std::vector<Vec<D>>& velocity, const std::vector<double>& mouth)
+FilmDebts<D> film_energy(const FilmNetwork<D>& network, const FilmAccount<D>& account, const std::vector<Vec<D>>& velocity,
+                         const std::vector<double>& mouth)
 {
     FilmDebts<D> energy;
     for (const Film<D>& film : network.films)
         for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
             const std::size_t i = film.first_element + k;
-            energy[film.pair] += 0.5 * film.mesh.elements[k].volume * (account.reference[i] - account.master[i]).squaredNorm();
+            energy[film.pair] += 0.5 * film.mesh.elements[k].volume * (velocity[i] - account.master[i]).squaredNorm();
         }
     for (std::size_t r = 0; r < mouth.size(); ++r) {
         const Mouth<D>& m = network.rim.mouths[r];
-        energy[network.films[m.film].pair] += 0.5 * m.resistance / m.length * square(account.kept[r]);
+        energy[network.films[m.film].pair] += 0.5 * m.resistance / m.length * square(mouth[r] - account.carried[r]);
     }
+    return energy;
+}
+
+template <int D>
+FilmDebts<D> energy_in_place(const FilmNetwork<D>& network, const FilmAccount<D>& account)
+{
+    std::vector<double> mouth = account.carried;
+    for (std::size_t r = 0; r < mouth.size(); ++r)
+        mouth[r] += account.kept[r];
+    return film_energy(network, account, account.reference, mouth);
+}
+
+template <int D>
+std::set<FilmPair<D>> mispredicted_films(const FilmNetwork<D>& network, const FilmAccount<D>& account,
+                                         const std::vector<Vec<D>>& velocity, const std::vector<double>& mouth)
+{
+    FilmDebts<D> energy = energy_in_place(network, account);
     std::set<FilmPair<D>> result;
     for (const auto& [pair, gain] : gains(network, account, velocity, mouth)) {
         const auto planned = account.planned.find(pair);
@@ -102,6 +119,9 @@ FilmDebts<D> settle_films(const FilmNetwork<D>& network, const FilmAccount<D>& a
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template FilmDebts<D> film_energy<D>(const FilmNetwork<D>&, const FilmAccount<D>&, const std::vector<Vec<D>>&,             \
+                                         const std::vector<double>&);                                                          \
+    template FilmDebts<D> energy_in_place<D>(const FilmNetwork<D>&, const FilmAccount<D>&);                                    \
     template std::set<FilmPair<D>> mispredicted_films<D>(const FilmNetwork<D>&, const FilmAccount<D>&,                         \
                                                          const std::vector<Vec<D>>&, const std::vector<double>&);              \
     template void take_back_transport<D>(const FilmNetwork<D>&, const std::set<FilmPair<D>>&, FilmAccount<D>&,                 \

@@ -31,6 +31,14 @@ struct FilmAccount {
     FilmDebts<D> before; ///< debts of the last step, less what the films are meant to lose and what the bulk brings in
 };
 
+/// Kinetic energy over the density of each pair's films, relative to its master.
+template <int D>
+FilmDebts<D> film_energy(const FilmNetwork<D>& network, const FilmAccount<D>& account, const std::vector<Vec<D>>& velocity,
+                         const std::vector<double>& mouth);
+/// The same of the fluid that was put in place.
+template <int D>
+FilmDebts<D> energy_in_place(const FilmNetwork<D>& network, const FilmAccount<D>& account);
+
 /// Pairs whose films gained so much more than planned that their transport is to be taken back, and the projection to be repeated.
 template <int D>
 std::set<FilmPair<D>> mispredicted_films(const FilmNetwork<D>& network, const FilmAccount<D>& account,

@@ -13,6 +13,10 @@ namespace {
 // the flow with a delay.
 constexpr double courant = 0.5;
 constexpr int most_sub_steps = 16;
+// Part of the last step's acceleration that fluid which crosses two elements or more in a step goes without. The acceleration includes what
+// answered the last step's transport, and grows 1.26 times a step where fluid crosses 0.64 of a wave in it, without this part (validation, gate on its
+// seats).
+constexpr double damping = 0.25;
 // Of the implicit step's solution, in the film's largest speed; sweeps for it.
 constexpr double accuracy = 1e-9;
 constexpr int most_sweeps = 100;
@@ -220,8 +224,11 @@ void FilmTransport<D>::choose_sub_steps()
         enters[facet.a] += std::max(-facet.flux, 0.0);
     }
     double largest = 0;
-    for (std::size_t e = 0; e < enters.size(); ++e)
-        largest = std::max(largest, enters[e] * dt_ / std::max(std::min(start_volume_[e], end_volume_[e]), 1e-300));
+    for (std::size_t e = 0; e < enters.size(); ++e) {
+        const double number = enters[e] * dt_ / std::max(std::min(start_volume_[e], end_volume_[e]), 1e-300);
+        largest = std::max(largest, number);
+        acceleration_.push_back(std::clamp(1 + damping * (1 - number), 1 - damping, 1.0) * start_[e].acceleration);
+    }
     sub_steps_ = static_cast<int>(std::clamp(std::ceil(largest / courant), 1.0, static_cast<double>(most_sub_steps)));
 }
 
@@ -400,16 +407,16 @@ Carried<D> FilmTransport<D>::high() const
         const std::vector<Vec<D>> first = rates(u, first_values, static_cast<double>(k) / sub_steps_);
         std::vector<Vec<D>> next = u;
         for (std::size_t e = 0; e < u.size(); ++e)
-            next[e] += dt * (first[e] + start_[e].acceleration + start_[e].inertial);
+            next[e] += dt * (first[e] + acceleration_[e] + start_[e].inertial);
         const std::vector<Vec<D>> second_values = reconstructed(next);
         const std::vector<Vec<D>> second = rates(next, second_values, (k + 1.0) / sub_steps_);
         for (std::size_t e = 0; e < u.size(); ++e)
-            u[e] += dt * (0.5 * (first[e] + second[e]) + start_[e].acceleration + start_[e].inertial);
+            u[e] += dt * (0.5 * (first[e] + second[e]) + acceleration_[e] + start_[e].inertial);
         count_energy(first_values, 0.5 * dt, result);
         count_energy(second_values, 0.5 * dt, result);
     }
     for (std::size_t e = 0; e < u.size(); ++e)
-        u[e] -= dt_ * start_[e].acceleration;
+        u[e] -= dt_ * acceleration_[e];
     return result;
 }
 

@@ -64,6 +64,7 @@ private:
     double dt_;
     int sub_steps_ = 1;
     std::vector<double> start_volume_, end_volume_, mean_h_;
+    std::vector<Vec<D>> acceleration_;          ///< used during the sub-steps
     std::vector<Vec<D>> x_, centroid_, normal_; ///< nodes on the master, elements; master's axes
     std::vector<std::array<Vec<D>, D>> gradient_;
     std::vector<std::array<int, D>> facet_of_; ///< facet opposite each node of an element, -1: the film's end

@@ -224,6 +224,14 @@ bool ContactSet<D>::rebounds(int a, int b) const
 }
 
 template <int D>
+void ContactSet<D>::hold_back(int a, int b)
+{
+    for (Contact<D>& c : contacts_)
+        if (std::minmax(c.point.a, c.point.b) == std::minmax(a, b))
+            c.target = std::min(c.target, c.least);
+}
+
+template <int D>
 bool ContactSet<D>::impact_on(int solid) const
 {
     return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {

@@ -90,6 +90,8 @@ public:
     bool empty() const { return contacts_.empty(); }
     /// Whether a contact of these two solids rebounds in the step.
     bool rebounds(int a, int b) const;
+    /// The contacts of these two solids do not rebound in the step.
+    void hold_back(int a, int b);
     /// Whether a contact of this solid closed, opened, rebounded or was brought to rest in the step: then the change of its
     /// twist is not an acceleration to extrapolate.
     bool impact_on(int solid) const;

@@ -124,6 +124,30 @@ TEST(ContactSet, PlatesReboundFromALayerOfFluidWithoutMoreEnergy)
     EXPECT_LT(most, 1.001 * before);
 }
 
+// It falls flat: the last film's inertia is ten thousand times the box's, and a rebound against it would need as much energy.
+TEST(ContactSet, BoxThatFallsFlatGainsNoEnergyByRestitution)
+{
+    Scene scene;
+    scene.size = {1, 1, 0};
+    scene.cells = {32, 32, 1};
+    scene.contact.restitution = 0.5;
+    scene.bodies = {box("box", {0.3, 0.15, 0}, {0.5, 0.12, 0})};
+    scene.bodies[0].angle = 2 * std::numbers::pi / 180;
+    scene.bodies[0].velocity = {-0.1, -0.3, 0};
+    scene.end = 0.25;
+    scene.max_step = 0.01;
+    Simulation<2> simulation(scene, Communicator());
+    auto energy = [&] {
+        const auto budget = simulation.budget();
+        return budget.energy_grid + budget.energy_film + budget.energy_bodies;
+    };
+    const double before = energy();
+    while (simulation.time() < scene.end) {
+        simulation.step(scene.end);
+        ASSERT_LT(energy(), 1.001 * before);
+    }
+}
+
 TEST(ContactSet, BlockSlidesBeyondTheAngleOfFriction)
 {
     for (double friction : {0.297, 0.303}) {
