@@ -13,7 +13,7 @@ namespace {
 // the flow with a delay.
 constexpr double courant = 0.5;
 constexpr int most_sub_steps = 16;
-// Part of the last step's acceleration that fluid which crosses two elements or more in a step goes without. The acceleration includes what
+// Part of the last step's acceleration that fluid which crosses three elements or more in a step goes without, from two on. The acceleration includes what
 // answered the last step's transport, and grows 1.26 times a step where fluid crosses 0.64 of a wave in it, without this part (validation, gate on its
 // seats).
 constexpr double damping = 0.25;
@@ -227,7 +227,7 @@ void FilmTransport<D>::choose_sub_steps()
     for (std::size_t e = 0; e < enters.size(); ++e) {
         const double number = enters[e] * dt_ / std::max(std::min(start_volume_[e], end_volume_[e]), 1e-300);
         largest = std::max(largest, number);
-        acceleration_.push_back(std::clamp(1 + damping * (1 - number), 1 - damping, 1.0) * start_[e].acceleration);
+        acceleration_.push_back(std::clamp(1 + damping * (2 - number), 1 - damping, 1.0) * start_[e].acceleration);
     }
     sub_steps_ = static_cast<int>(std::clamp(std::ceil(largest / courant), 1.0, static_cast<double>(most_sub_steps)));
 }
