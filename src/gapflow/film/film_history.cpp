@@ -1,7 +1,6 @@
 #include "gapflow/film/film_history.hpp"
 
 #include "gapflow/film/edge_table.hpp"
-#include "gapflow/film/vertex_fit.hpp"
 
 #include <Eigen/Dense>
 
@@ -129,13 +128,13 @@ void FilmHistory<D>::fit_vertices(const std::vector<double>& weight)
     for (std::size_t e = 0; e < elements_.size(); ++e)
         normal_body[e] = rotation_.transpose() * normal_[e];
     const VertexFit fit = vertex_fit<D>(x_, elements_, centroid_, normal_body, weight);
-    const VertexRings rings = vertex_rings<D>(x_.size(), elements_);
+    rings_ = vertex_rings<D>(x_.size(), elements_);
     flux_vertex_.assign(x_.size(), Vec<D>::Zero());
     speed_.assign(x_.size(), 0.0);
     for (int i = 0; i < static_cast<int>(x_.size()); ++i) {
-        if (rings.first[i] == rings.first[i + 1])
+        if (rings_.first[i] == rings_.first[i + 1])
             continue;
-        const int any = rings.element[rings.first[i]];
+        const int any = rings_.element[rings_.first[i]];
         if (fit.first[i] == fit.first[i + 1]) { // idle all around
             flux_vertex_[i] = flux_[any];
             speed_[i] = flux_[any].norm() / h_mean_[any];
@@ -156,7 +155,20 @@ void FilmHistory<D>::fit_vertices(const std::vector<double>& weight)
     }
 }
 
-// At a facet's middle the flux goes no further than the mean of the element beyond.
+template <int D>
+std::vector<int> FilmHistory<D>::around(int element) const
+{
+    std::vector<int> list;
+    for (int node : elements_[element])
+        list.insert(list.end(), rings_.element.begin() + rings_.first[node], rings_.element.begin() + rings_.first[node + 1]);
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    list.erase(std::find(list.begin(), list.end(), element));
+    return list;
+}
+
+// At a facet's middle the flux goes no further than the mean of an element beside this one: a linear field keeps its slope, because the middle
+// lies between the elements' centroids.
 template <int D>
 void FilmHistory<D>::limit_slopes()
 {
@@ -168,12 +180,15 @@ void FilmHistory<D>::limit_slopes()
         for (int i = 0; i < D; ++i) {
             if (beyond_[e][i] < 0)
                 continue;
-            const Vec<D> d = flux_[beyond_[e][i]] - flux_[e];
-            Vec<D> at = Vec<D>::Zero();
+            Vec<D> change = -mean;
             for (int k = 1; k < D; ++k)
-                at += flux_vertex_[elements_[e][(i + k) % D]] / (D - 1);
-            const double square = d.squaredNorm(), along = (at - mean).dot(d);
-            slope_[e] = std::min(slope_[e], along < 0 || square == 0 ? 0.0 : along > square ? square / along : 1.0);
+                change += flux_vertex_[elements_[e][(i + k) % D]] / (D - 1);
+            double along = 0; // the furthest that a neighbour goes the same way
+            for (int beside : beyond_[e])
+                if (beside >= 0)
+                    along = std::max(along, change.dot(flux_[beside] - flux_[e]));
+            const double square = change.squaredNorm();
+            slope_[e] = std::min(slope_[e], along < square ? along / square : 1.0);
         }
     }
 }

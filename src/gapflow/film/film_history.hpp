@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/film/mouths.hpp"
+#include "gapflow/film/vertex_fit.hpp"
 
 #include <span>
 #include <vector>
@@ -61,6 +62,8 @@ public:
         else
             return 0.5 * (x_[n[1]] - x_[n[0]]).cross(x_[n[2]] - x_[n[0]]).norm();
     }
+    /// Elements that share a vertex with an element, each once, without the element itself.
+    std::vector<int> around(int element) const;
     /// Of the master, at the time.
     const Mat<D>& rotation() const { return rotation_; }
     /// Of the master, at the time.
@@ -107,6 +110,7 @@ private:
     Twist<D> twist_;
     std::vector<Vec<D>> x_; ///< vertices on the master, its frame
     std::vector<std::array<int, D>> elements_;
+    VertexRings rings_;
     std::vector<std::array<int, D>> beyond_; ///< element across the facet opposite each node, -1: none
     std::vector<Vec<D>> centroid_;           ///< master's frame
     std::vector<double> radius_;             ///< of elements about their centroids

@@ -291,23 +291,11 @@ private:
             const PlacedShape<D>& master = solids_[film.pair.master].shape;
             const Vec<D> x = master.to_body(mouth.x);
             const Vec<D> U = moving_with(*history, x, master.rotation());
+            const int at = film.first_element + mouth.element;
             // The film's flux at its end, relative to the master: what was put in place, and expected.
-            double before = 0, after = 0;
-            Vec<D> across = Vec<D>::Zero(); // what the walls carry it with
-            for (std::size_t i = 0; i < film.mesh.rim.size(); ++i) {
-                const RimEdge<D>& rim = film.mesh.rim[i];
-                bool same = true;
-                for (int k = 0; k < D - 1; ++k)
-                    same = same && std::find(mouth.nodes.begin(), mouth.nodes.end(), rim.nodes[k] + film.first_node) !=
-                                       mouth.nodes.end();
-                if (!same)
-                    continue;
-                before = mouth.outward.dot(reference_[film.first_element + rim.element]);
-                after = mouth.outward.dot(expected[film.first_element + rim.element]);
-                const Vec<D>& n = film.mesh.elements[rim.element].normal;
-                across = n.dot(place_[film.first_element + rim.element].world - U) * n;
-                break;
-            }
+            const double before = mouth.outward.dot(reference_[at]), after = mouth.outward.dot(expected[at]);
+            const Vec<D>& n = film.mesh.elements[mouth.element].normal;
+            const Vec<D> across = n.dot(place_[at].world - U) * n; // what the walls carry it with
             const auto* old = history->nearest_mouth(x, mouth.outward);
             double q, h = mouth.h;
             if (old) {

@@ -25,6 +25,11 @@ constexpr int most_sweeps = 100;
 // linear in the element.
 constexpr double steepest = 1.5;
 
+struct InOrderOfFilms {
+    bool operator()(const auto& mouth, int film) const { return mouth.film < film; }
+    bool operator()(int film, const auto& mouth) const { return film < mouth.film; }
+};
+
 } // namespace
 
 template <int D>
@@ -86,10 +91,10 @@ void FilmTransport<D>::find_facets(const RimLinks<D>& rim, int number, std::span
         }
     inner_facets_ = facets_.size();
     mouth_at_corner_.assign(D * count, 0.0);
-    for (std::size_t r = 0; r < rim.mouths.size(); ++r) {
-        const Mouth<D>& mouth = rim.mouths[r];
-        if (mouth.film != number)
-            continue;
+    const auto own = std::equal_range(rim.mouths.begin(), rim.mouths.end(), number, InOrderOfFilms());
+    for (auto it = own.first; it != own.second; ++it) {
+        const Mouth<D>& mouth = *it;
+        const std::size_t r = it - rim.mouths.begin();
         Facet facet{-1, -1, mouth_flow[r].flux, 0, mouth_flow[r]};
         for (int k = 0; k < D - 1; ++k)
             facet.nodes[k] = mouth.nodes[k] - first_node_;
@@ -257,16 +262,6 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             change -= vertex[node] / D;
         return tangential<D>(change, normal_[e]);
     };
-    std::vector<double> slope(velocity.size(), 1.0); // share with which no facet goes beyond the neighbour's mean
-    for (std::size_t f = 0; f < inner_facets_; ++f) {
-        const Facet& facet = facets_[f];
-        for (int e : {facet.a, facet.b}) {
-            const int other = e == facet.a ? facet.b : facet.a;
-            const Vec<D> d = turned<D>(flux[other], normal_[other], normal_[e]) - flux[e];
-            const double square = d.squaredNorm(), along = increment(e, facet).dot(d);
-            slope[e] = std::min(slope[e], along < 0 ? 0.0 : along > square ? square / along : 1.0);
-        }
-    }
     // Between the velocities of the two elements: the gap's thickness makes no new extremum either. And what an element loses by its own
     // changes goes no further than what flows into it brings.
     std::vector<Vec<D>> enters(velocity.size(), Vec<D>::Zero()), leaves = enters;
@@ -277,7 +272,7 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             values[f] = facet.mouth.entering;
         } else {
             Vec<D>& change = values[f];
-            change = (flux[from] + slope[from] * increment(from, facet)) / facet.h - velocity[from];
+            change = (flux[from] + increment(from, facet)) / facet.h - velocity[from];
             if (to >= 0) {
                 const Vec<D> d = turned<D>(velocity[to], normal_[to], normal_[from]) - velocity[from];
                 const double square = d.squaredNorm(), along = change.dot(d);

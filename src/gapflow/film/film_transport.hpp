@@ -30,14 +30,15 @@ struct Carried {
 template <int D>
 class FilmTransport {
 public:
-    /// `number`: of the film in the network. `start`: of the film's elements. `flow`: volume times velocity relative to the master, mean over
+    /// `number`: of the film in the network. `start`: of the film's elements; must outlive the object. `flow`: volume times velocity relative to the master, mean over
     /// the step, its axes, one for each element. `mouth_flow`: of all mouths of the network.
     FilmTransport(const FilmNetwork<D>& network, int number, const PlacedShape<D>& master,
                   std::span<const FluidInPlace<D>> start, std::span<const Vec<D>> flow,
                   std::span<const MouthFlow<D>> mouth_flow, double dt);
     /// First order: positive averages, which add no energy.
     Carried<D> low() const;
-    /// Second order in space, limited, and in time: with the acceleration of the last step during the sub-steps.
+    /// Second order in space, limited, and in time: with the acceleration of the last step during the sub-steps. May add energy where the fluxes
+    /// do not meet the nodes' balances.
     Carried<D> high() const;
 
 private:

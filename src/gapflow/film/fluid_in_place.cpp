@@ -30,6 +30,62 @@ double measure_on_master(const FilmMesh<D>& mesh, int element)
         return 0.5 * (mesh.x[nodes[1]] - mesh.x[nodes[0]]).cross(mesh.x[nodes[2]] - mesh.x[nodes[0]]).norm();
 }
 
+// The old fluid that stays in the film, after one element has given to another what new elements take from the wrong one of the two.
+template <int D>
+struct Remains {
+    double volume = 0;
+    Vec<D> along = Vec<D>::Zero(); // mean velocity along the film
+    Vec<D> given = Vec<D>::Zero(); // momentum beyond the element's own velocity times its volume
+};
+
+// New elements' points sample the old ones: of some they find more measure than these have, of others, next to them, less, down to none. The
+// latter's fluid is in the former's new elements. What no element around has room for has left the film.
+template <int D>
+std::vector<Remains<D>> remaining(const FilmHistory<D>& old, const std::vector<double>& covered)
+{
+    const std::size_t n = covered.size();
+    std::vector<double> room(n), lack(n), asked(n, 0.0); // measure
+    std::vector<Remains<D>> result(n);
+    std::vector<Vec<D>> momentum(n);
+    for (std::size_t e = 0; e < n; ++e) {
+        const int i = static_cast<int>(e);
+        const double measure = old.measure_on_master(i);
+        room[e] = std::max(covered[e] - measure, 0.0);
+        lack[e] = std::max(measure - covered[e], 0.0);
+        result[e].volume = old.volume(i) * std::min(1.0, covered[e] / measure);
+        momentum[e] = result[e].volume * old.along(i);
+    }
+    struct Gift {
+        int from, to;
+        double measure;
+    };
+    std::vector<Gift> gifts;
+    for (std::size_t e = 0; e < n; ++e) {
+        if (lack[e] <= 0)
+            continue;
+        const std::vector<int> around = old.around(static_cast<int>(e));
+        double open = 0;
+        for (int to : around)
+            open += room[to];
+        for (int to : around)
+            if (room[to] > 0) {
+                gifts.push_back({static_cast<int>(e), to, lack[e] * room[to] / open});
+                asked[to] += gifts.back().measure;
+            }
+    }
+    for (const auto& [from, to, measure] : gifts) {
+        const double share = measure * std::min(1.0, room[to] / asked[to]) / old.measure_on_master(from);
+        result[to].volume += share * old.volume(from);
+        momentum[to] += share * old.volume(from) * tangential<D>(old.along(from), old.normal(to));
+    }
+    for (std::size_t e = 0; e < n; ++e) {
+        const Vec<D> own = old.along(static_cast<int>(e));
+        result[e].along = result[e].volume > 0 ? Vec<D>(momentum[e] / result[e].volume) : own;
+        result[e].given = momentum[e] - result[e].volume * own;
+    }
+    return result;
+}
+
 } // namespace
 
 template <int D>
@@ -74,14 +130,16 @@ std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::sp
             }
         }
         std::vector<Vec<D>> normal(network.elements, Vec<D>::Zero()); // of the old film at the new elements
-        for (const auto& [d, flux] : deposits) {                      // the part of the old volume that lies below the new film
-            const double share =
-                old.volume(d.old) * std::min(1.0, covered[d.old] / old.measure_on_master(d.old)) / taken[d.old];
+        const std::vector<Remains<D>> remains = remaining(old, covered);
+        for (const auto& [d, flux] : deposits) {
+            const Remains<D>& from = remains[d.old];
+            const double share = from.volume / taken[d.old];
             FluidInPlace<D>& place = result[d.element];
             place.volume += share * d.old_volume;
-            place.world += share * d.weight * flux;
-            place.velocity += share * d.weight * tangential<D>(flux, old.normal(d.old));
-            place.reference += std::sqrt(share * d.old_volume * d.new_volume) * old.along(d.old);
+            const Vec<D> given = d.old_volume / taken[d.old] * from.given;
+            place.world += share * d.weight * flux + given;
+            place.velocity += share * d.weight * tangential<D>(flux, old.normal(d.old)) + given;
+            place.reference += std::sqrt(share * d.old_volume * d.new_volume) * from.along;
             place.acceleration += d.new_volume * old.acceleration(d.old);
             place.increment += d.new_volume * old.increment(d.old);
             normal[d.element] += d.new_volume * old.normal(d.old);

@@ -234,9 +234,16 @@ private:
         const double resistance = kind == MouthKind::smooth
                                       ? std::max(channel_length(point, cells) / point.h, minimum_resistance)
                                       : mouth_resistance(kind, point.h, grid_.dx());
-        end.mouth = {point.film,      kind,    global_nodes(film, point.edge->nodes),
-                     point.shape,     point.x, point.edge->outward,
-                     point.length,    point.h, resistance,
+        end.mouth = {point.film,
+                     kind,
+                     global_nodes(film, point.edge->nodes),
+                     point.edge->element,
+                     point.shape,
+                     point.x,
+                     point.edge->outward,
+                     point.length,
+                     point.h,
+                     resistance,
                      std::move(cells)};
     }
 

@@ -25,6 +25,7 @@ struct Mouth {
     int film;
     MouthKind kind;
     std::array<int, D - 1> nodes;               ///< numbers among all film nodes
+    int element;                                ///< of its film, at whose edge it lies
     std::array<double, D - 1> shape;            ///< shape functions of these nodes at x
     Vec<D> x, outward;                          ///< at mid-gap; unit, in the film's tangent plane
     double length, h, resistance;               ///< share of the rim (2D: 1), thickness, R
@@ -49,7 +50,7 @@ struct BlindEnd {
 
 template <int D>
 struct RimLinks {
-    std::vector<Mouth<D>> mouths;
+    std::vector<Mouth<D>> mouths; ///< in the order of their films
     std::vector<Joint<D>> joints;
     double closed_length = 0;       ///< of rim that ends against a wall or a third body (2D: number of ends)
     double blind_length = 0;        ///< of rim with neither mouth nor joint

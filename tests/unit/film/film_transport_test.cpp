@@ -95,6 +95,44 @@ TEST(FilmTransport, UniformFlowStaysAsItIs3D)
     uniform_stays<3>();
 }
 
+// Fluxes between elements, seen by what a pulse in one of them brings to those beside it in a short step: those of a uniform flow.
+TEST(FilmTransport, UniformFlowCrossesEachFacetWithItsFlux3D)
+{
+    PlateSetup<3> setup;
+    setup.largest = 1;
+    GapOfPlates<3> gap(setup);
+    gap.open_ends();
+    const Vec<3> u(1, 0.4, 0);
+    const std::vector<Vec<3>> uniform(gap.elements().size(), u);
+    const double dt = 1e-6;
+    const FilmMesh<3>& mesh = gap.film().mesh;
+    int facets = 0;
+    for (std::size_t a = 0; a < uniform.size(); ++a) {
+        std::vector<Vec<3>> pulse(uniform.size(), Vec<3>::Zero());
+        pulse[a] = unit<3>(0);
+        std::vector<MouthFlow<3>> mouths = through_ends(gap, u);
+        for (MouthFlow<3>& mouth : mouths)
+            mouth.entering.setZero();
+        const std::vector<Vec<3>> v = transport(gap, gap.filled(pulse), flow_of(gap, uniform), mouths, dt).low.velocity;
+        for (std::size_t b = 0; b < uniform.size(); ++b) {
+            std::vector<int> common;
+            for (int node : mesh.elements[b].nodes)
+                if (std::ranges::find(mesh.elements[a].nodes, node) != mesh.elements[a].nodes.end())
+                    common.push_back(node);
+            if (a == b || common.size() != 2)
+                continue;
+            const Vec<3> edge = mesh.x[common[1]] - mesh.x[common[0]];
+            Vec<3> across = edge.cross(unit<3>(2));
+            if (across.dot(mesh.elements[b].centroid - mesh.elements[a].centroid) < 0)
+                across = -across;
+            EXPECT_NEAR(v[b][0] * mesh.elements[b].volume / dt, setup.thickness * std::max(across.dot(u), 0.0), 1e-5)
+                << a << ", " << b;
+            ++facets;
+        }
+    }
+    EXPECT_GT(facets, 50);
+}
+
 // A pulse in the middle of a uniform flow: none of its momentum is lost before it gets to the end.
 TEST(FilmTransport, PulseKeepsItsMomentum2D)
 {
@@ -204,6 +242,42 @@ TEST(FilmTransport, SmoothProfileIsSecondOrder)
     EXPECT_GE(order(high[0], high[1]), 1.7) << high[0] << ", " << high[1];
     EXPECT_GE(order(low[0], low[1]), 0.7) << low[0] << ", " << low[1];
     EXPECT_LT(5 * high[1], low[1]);
+}
+
+// The same in 3D, along the mesh's lines and across them.
+TEST(FilmTransport, SmoothProfileIsNearlySecondOrder3D)
+{
+    for (const auto& [u, least] :
+         {std::pair{Vec<3>(1, 0, 0), 1.8}, std::pair{Vec<3>(0, 1, 0), 1.8}, std::pair{Vec<3>(1, 0.5, 0), 1.2}}) {
+        const Vec<3> along = u.normalized();
+        const auto profile = [&](const Vec<3>& x) {
+            const double s = std::clamp(0.5 * (x.dot(along) + 1.4), 0.0, 1.0);
+            return 1 + s * s * s * (10 - 15 * s + 6 * s * s);
+        };
+        std::vector<double> errors;
+        for (double size : {0.25, 0.125}) {
+            PlateSetup<3> setup;
+            setup.largest = size;
+            GapOfPlates<3> gap(setup);
+            gap.open_ends();
+            const std::vector<Vec<3>> uniform(gap.elements().size(), u);
+            std::vector<MouthFlow<3>> mouths = through_ends<3>(gap, u);
+            for (std::size_t r = 0; r < mouths.size(); ++r)
+                mouths[r].entering = profile(gap.network.rim.mouths[r].x) * u;
+            std::vector<Vec<3>> v =
+                gap.at_elements([&](const FilmElement<3>& e) { return Vec<3>(profile(e.centroid_master) * u); });
+            const int steps = static_cast<int>(std::lround(1.6 / size));
+            for (int step = 0; step < steps; ++step)
+                v = transport(gap, gap.filled(v), flow_of(gap, uniform), mouths, 0.8 / u.norm() / steps).high.velocity;
+            errors.push_back(0);
+            for (std::size_t i = 0; i < v.size(); ++i) {
+                const FilmElement<3>& e = gap.elements()[i];
+                if (e.centroid_master.head<2>().cwiseAbs().maxCoeff() < 1.2)
+                    errors.back() += e.measure * (v[i] - profile(e.centroid_master - 0.8 * along) * u).norm();
+            }
+        }
+        EXPECT_GE(order(errors[0], errors[1]), least) << u.transpose() << ": " << errors[0] << ", " << errors[1];
+    }
 }
 
 // Steady flow through a wedge, u = q / h: with the pressure's acceleration u u_s its velocities stay, to second order in

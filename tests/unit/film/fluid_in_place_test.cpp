@@ -53,6 +53,14 @@ double volumes(const std::vector<FluidInPlace<D>>& fluid)
     return sum;
 }
 
+double old_volume(const FilmHistory<3>& old)
+{
+    double sum = 0;
+    for (int e = 0; e < old.elements(); ++e)
+        sum += old.volume(e);
+    return sum;
+}
+
 // The same film: the same fluid, element by element.
 template <int D>
 void same_film()
@@ -217,6 +225,53 @@ TEST(FluidInPlace, NewEndsAreCovered)
     }
     EXPECT_NEAR(covered, 0.75 * 0.2, 0.06 * 0.2); // a twentieth of a cell beside the film counts as in it
     EXPECT_NEAR(volumes(fluid), 1.25 * 0.2, 0.06 * 0.2);
+}
+
+// Balls of radius 2 and 3 that approach: the film grows at its round end, and its mesh changes. All of its fluid stays in it.
+TEST(FluidInPlace, FluidBetweenBallsStaysWhereTheFilmGrows)
+{
+    const auto small = make_ball<3>(2), large = make_ball<3>(3);
+    const auto solids_at = [&](double gap) {
+        Pose<3> below, above;
+        above.position = (5 + gap) * unit<3>(2);
+        return std::vector<Solid<3>>{{"small", {*small, below}, below.position}, {"large", {*large, above}, above.position}};
+    };
+    const auto moving = [](const FilmMesh<3>& mesh) {
+        std::vector<Vec<3>> u;
+        for (const FilmElement<3>& e : mesh.elements)
+            u.push_back(tangential<3>(Vec<3>(0.3 + 0.2 * e.centroid_master[0], 0.2 * e.centroid_master[1], 0), e.normal));
+        return u;
+    };
+    for (double threshold : {0.25, 0.5})
+        for (int steps : {1, 4, 20}) {
+            double lost = 0;
+            std::vector<Solid<3>> solids = solids_at(0.1);
+            FilmMesh<3> mesh = films_of<3>(solids[0].shape, solids[1].shape, options_with(threshold)).at(0);
+            const double all = volume(mesh);
+            for (int step = 1; step <= steps; ++step) {
+                const Film<3> film{{0, 1, {}}, mesh, threshold};
+                const std::vector<Vec<3>> u = moving(mesh);
+                const FilmHistory<3> old(solids[0], Twist<3>::Zero(), {&film}, u, {}, {}, {}, 1.0);
+                double before = 0, after = 0; // energies
+                for (std::size_t i = 0; i < u.size(); ++i)
+                    before += 0.5 * mesh.elements[i].volume * u[i].squaredNorm();
+                lost += volume(mesh);
+                solids = solids_at(0.1 - 0.05 * step / steps);
+                mesh = films_of<3>(solids[0].shape, solids[1].shape, options_with(threshold)).at(0);
+                FilmNetwork<3> network;
+                network.films.push_back({{0, 1, {}}, mesh, threshold});
+                number_films(network.films);
+                network.elements = static_cast<int>(mesh.elements.size());
+                const std::vector<FluidInPlace<3>> fluid = put_in_place<3>(network, solids, {&old}, 1.0);
+                lost -= volumes(fluid);
+                for (std::size_t i = 0; i < fluid.size(); ++i)
+                    after += 0.5 * mesh.elements[i].volume * fluid[i].reference.squaredNorm();
+                EXPECT_LE(volumes(fluid), (1 + 1e-9) * old_volume(old));
+                EXPECT_LE(after, (1 + 1e-9) * before);
+                EXPECT_GE(after, 0.985 * before);
+            }
+            EXPECT_LE(lost, 0.02 * all) << threshold << ", " << steps;
+        }
 }
 
 TEST(FluidInPlace, NothingWithoutHistory)

@@ -67,6 +67,7 @@ public:
         for (const RimEdge<D>& rim : film().mesh.rim) {
             Mouth<D> mouth{};
             mouth.nodes = rim.nodes;
+            mouth.element = rim.element;
             mouth.shape.fill(1.0 / (D - 1));
             mouth.x = Vec<D>::Zero();
             for (int node : rim.nodes) {
