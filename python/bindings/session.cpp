@@ -70,10 +70,10 @@ py::object cell(const Row& row, const Column<Row>& column)
     return std::visit([&](auto member) { return py::cast(row.*member); }, column.member);
 }
 
-py::dict report_dict(const StepReport& report)
+py::dict report_dict(const StepReport& report, int dimension, bool driven)
 {
     py::dict out;
-    for (const Column<StepReport>& column : step_columns())
+    for (const Column<StepReport>& column : step_columns(dimension, driven))
         out[column.name] = cell(report, column);
     out["notes"] = report.notes;
     return out;
@@ -95,7 +95,7 @@ public:
     double time() const override { return any_state().time(); }
     long steps() const override { return any_state().steps(); }
     const Scene& scene() const override { return scene_; }
-    py::dict report() const override { return report_dict(any_run().report()); }
+    py::dict report() const override { return report_dict(any_run().report(), D, any_state().driven()); }
 
     py::dict step(double until) override
     {
@@ -115,7 +115,7 @@ public:
             throw;
         }
         handle_signals();
-        return report_dict(run_->report());
+        return report_dict(run_->report(), D, state().driven());
     }
 
     void set_force(const std::string& body, const std::vector<double>& force, const std::vector<double>& torque) override

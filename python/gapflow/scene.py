@@ -50,7 +50,8 @@ class Domain:
 @dataclass(kw_only=True, slots=True)
 class Fluid:
     """density (default 1), viscosity (dynamic), reference_pressure (absolute, at open sides), vapour_pressure (absolute, or
-    "none"), velocity (at the start), initial ("rest" or "potential")."""
+    "none"), velocity (at the start), initial ("rest" or "potential"); pressure_gradient or
+    mean_velocity (of fluid and bodies) along periodic axes."""
 
     density: float | None = None
     viscosity: float | None = None
@@ -58,6 +59,8 @@ class Fluid:
     vapour_pressure: float | Literal["none"] | None = None
     velocity: Vector | None = None
     initial: Literal["rest", "potential"] | None = None
+    pressure_gradient: Vector | None = None
+    mean_velocity: Vector | None = None
 
 
 @dataclass(kw_only=True, slots=True)

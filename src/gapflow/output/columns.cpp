@@ -2,10 +2,10 @@
 
 namespace gapflow {
 
-std::span<const Column<StepReport>> step_columns()
+std::vector<Column<StepReport>> step_columns(int dimension, bool driven)
 {
     using R = StepReport;
-    static const Column<R> columns[] = {
+    std::vector<Column<R>> columns{
         {"step", &R::step},
         {"time", &R::time},
         {"dt", &R::dt},
@@ -21,6 +21,16 @@ std::span<const Column<StepReport>> step_columns()
         {"dissipation_film", &R::dissipation_film},
         {"seconds", &R::seconds},
     };
+    const Column<R> gradient[] = {{"pressure_gradient_x", &R::pressure_gradient_x},
+                                  {"pressure_gradient_y", &R::pressure_gradient_y},
+                                  {"pressure_gradient_z", &R::pressure_gradient_z}};
+    const Column<R> velocity[] = {{"mean_velocity_x", &R::mean_velocity_x},
+                                  {"mean_velocity_y", &R::mean_velocity_y},
+                                  {"mean_velocity_z", &R::mean_velocity_z}};
+    if (driven) {
+        columns.insert(columns.end(), gradient, gradient + dimension);
+        columns.insert(columns.end(), velocity, velocity + dimension);
+    }
     return columns;
 }
 

@@ -10,8 +10,8 @@
 
 namespace gapflow {
 
-/// Of steps.csv.
-std::span<const Column<StepReport>> step_columns();
+/// Of steps.csv. `driven`: those of a periodic box that a pressure gradient drives, too.
+std::vector<Column<StepReport>> step_columns(int dimension, bool driven);
 /// Of gaps.csv, after step and time.
 std::span<const Column<GapState>> gap_columns();
 

@@ -131,7 +131,7 @@ VtkSurface<D> body_surface(const RigidBody<D>& body, double tolerance)
 template <int D>
 RunFiles<D>::RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version,
                       const RunPosition* from)
-    : folder_(folder), collection_(folder / "gapflow.pvd")
+    : folder_(folder), collection_(folder / "gapflow.pvd"), step_columns_(step_columns(D, simulation.driven()))
 {
     const Communicator& comm = simulation.grid().comm();
     on_root(comm, [&] {
@@ -178,7 +178,7 @@ void RunFiles<D>::open_tables(const RunPosition* from)
         body.push_back(std::move(name));
     open(bodies_, "bodies.csv", body);
     open(gaps_, "gaps.csv", names_of(gap_columns(), {"step", "time"}));
-    open(steps_, "steps.csv", names_of(step_columns()));
+    open(steps_, "steps.csv", names_of<StepReport>(step_columns_));
 }
 
 template <int D>
@@ -194,7 +194,7 @@ void RunFiles<D>::write_step(const Simulation<D>& simulation, const StepReport& 
         }
         for (const GapState& gap : gaps)
             gaps_->row(report.step, report.time, Cells<GapState>{gap_columns(), gap});
-        steps_->row(Cells<StepReport>{step_columns(), report});
+        steps_->row(Cells<StepReport>{step_columns_, report});
         bodies_->flush();
         gaps_->flush();
         steps_->flush();

@@ -41,6 +41,7 @@ private:
     std::filesystem::path folder_;
     PvdCollection collection_;
     std::optional<Table> bodies_, gaps_, steps_; ///< on the root
+    std::vector<Column<StepReport>> step_columns_;
     RunRecord record_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     int frame_ = 0;

@@ -19,6 +19,21 @@ namespace {
 
 constexpr double most_steps = 1e9, most_outputs = 1e6;
 
+/// A vector along periodic axes.
+std::optional<Triple> along_periodic_axes(const Values& v, const char* name, const Scene& scene)
+{
+    if (!v.given(name))
+        return {};
+    const Triple value = v.triple(name);
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        if (const std::string letter(1, "xyz"[axis]);
+            value[axis] != 0 && scene.sides[2 * axis].kind != SideScene::Kind::periodic)
+            v.refuse(name, letter + " is not a periodic axis",
+                     "write 0 there, or " + letter + "_low = \"periodic\" and " + letter +
+                         "_high = \"periodic\" in [domain.sides]");
+    return value;
+}
+
 void read_fluid(const Values& v, Scene& scene)
 {
     scene.density = v.number("fluid.density");
@@ -27,6 +42,11 @@ void read_fluid(const Values& v, Scene& scene)
     if (const Node* vapour = v.given("fluid.vapour_pressure"); vapour && vapour->numeric())
         scene.vapour_pressure = vapour->number;
     scene.fluid_velocity = v.triple("fluid.velocity");
+    scene.pressure_gradient = along_periodic_axes(v, "fluid.pressure_gradient", scene);
+    scene.mean_velocity = along_periodic_axes(v, "fluid.mean_velocity", scene);
+    if (scene.pressure_gradient && scene.mean_velocity)
+        v.refuse("fluid.mean_velocity", "a pressure gradient is given, too",
+                 "leave out one of the two: each follows from the other");
     scene.initial = v.choice<Scene::Initial>("fluid.initial");
     scene.fractions = v.choice<Scene::Fractions>("grid.fractions");
     scene.advection = v.choice<Scene::Advection>("grid.advection");

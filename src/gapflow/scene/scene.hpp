@@ -120,6 +120,8 @@ struct Scene {
     double reference_pressure = 0.0;
     std::optional<double> vapour_pressure; ///< absolute; empty: wet films withstand any tension
     Triple fluid_velocity{};
+    std::optional<Triple> pressure_gradient; ///< mean, of the reduced pressure along periodic axes
+    std::optional<Triple> mean_velocity;     ///< of fluid and solids along periodic axes; not with a gradient
     Initial initial = Initial::rest;
 
     Fractions fractions = Fractions::cut_cell;

@@ -140,6 +140,10 @@ std::string scene_as_json(const Scene& scene)
                      {"vapour_pressure", scene.vapour_pressure ? Json(*scene.vapour_pressure) : Json("none")},
                      {"velocity", list.vector(scene.fluid_velocity)},
                      {"initial", word({"rest", "potential"}, scene.initial)}};
+    if (scene.pressure_gradient)
+        json["fluid"]["pressure_gradient"] = list.vector(*scene.pressure_gradient);
+    if (scene.mean_velocity)
+        json["fluid"]["mean_velocity"] = list.vector(*scene.mean_velocity);
     json["grid"] = {{"fractions", word({"cut-cell", "voxel"}, scene.fractions)},
                     {"advection", word({"maccormack", "semi-lagrangian"}, scene.advection)},
                     {"thin", word({"refuse", "allow"}, scene.thin)}};

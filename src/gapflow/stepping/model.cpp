@@ -35,6 +35,28 @@ std::vector<TwistMatrix<D>> Model<D>::masses(const std::vector<RigidBody<D>>& of
 }
 
 template <int D>
+std::optional<double> Model<D>::kept_velocity(int axis) const
+{
+    if (!grid.periodic(axis) || scene.pressure_gradient)
+        return {};
+    if (scene.mean_velocity)
+        return (*scene.mean_velocity)[axis];
+    const bool falls = scene.gravity[axis] != 0 && std::any_of(bodies.begin(), bodies.end(), [&](const RigidBody<D>& body) {
+                           return body.motion == Motion::free && body.mass != scene.density * body.volume;
+                       });
+    return falls ? std::optional(scene.fluid_velocity[axis]) : std::nullopt;
+}
+
+template <int D>
+bool Model<D>::driven() const
+{
+    bool driven = scene.pressure_gradient.has_value();
+    for (int axis = 0; axis < D; ++axis)
+        driven = driven || kept_velocity(axis).has_value();
+    return driven;
+}
+
+template <int D>
 BoundaryVelocity<D> Model<D>::sides(double time) const
 {
     BoundaryVelocity<D> sides;

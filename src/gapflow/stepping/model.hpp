@@ -7,6 +7,7 @@
 #include "gapflow/stepping/velocity_ghosts.hpp"
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct Model {
 
     bool viscous() const { return scene.viscosity > 0; }
     Vec<D> gravity() const { return to_vec<D>(scene.gravity); }
+    /// Mean velocity of fluid and solids that is kept along a periodic axis: fluid.mean_velocity, or that of the start where bodies are
+    /// heavier or lighter than the fluid along gravity, as in a tall tank. None: it follows from the forces.
+    std::optional<double> kept_velocity(int axis) const;
+    /// Whether a mean pressure gradient drives the fluid along some axis.
+    bool driven() const;
     /// Bodies first, walls after them. Refers to the shapes of both.
     std::vector<Solid<D>> solids(const std::vector<RigidBody<D>>& at) const { return make_solids<D>(at, walls); }
     /// Twists of all solids.

@@ -2,6 +2,7 @@
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/body/move.hpp"
+#include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/extrapolation_share.hpp"
 
 #include <algorithm>
@@ -11,6 +12,16 @@ namespace gapflow {
 namespace {
 
 constexpr int most_separations = 10; // to remove the overlaps of a step
+
+// Of a free body after all forces but the fluid's answer to its motion.
+template <int D>
+Twist<D> forced(const Model<D>& model, const RigidBody<D>& body, const Drive<D>& drive, const Step& step)
+{
+    Twist<D> V = forced_twist<D>(body, model.gravity(), model.scene.density, step.dt);
+    if (model.driven())
+        V += impulse_response(body, Twist<D>(step.dt * driving_wrench(body, drive)), step.dt);
+    return V;
+}
 
 } // namespace
 
@@ -49,15 +60,16 @@ std::vector<Twist<D>> predicted_twists(const Model<D>& model, const std::vector<
 }
 
 template <int D>
-std::vector<Twist<D>> forced_twists(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const FaceField<D>& change,
-                                    const FaceFractions<D>& old, const FaceFractions<D>& there, const Step& step)
+std::vector<Twist<D>> forced_twists(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Drive<D>& drive,
+                                    const FaceField<D>& change, const FaceFractions<D>& old, const FaceFractions<D>& there,
+                                    const Step& step)
 {
     const std::vector<Vec<D>> swept = swept_impulses(model.grid, model.scene.density, change, old, there, bodies.size());
     std::vector<Twist<D>> V = model.twists(bodies);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b].motion != Motion::free)
             continue;
-        V[b] = forced_twist<D>(bodies[b], model.gravity(), model.scene.density, step.dt);
+        V[b] = forced(model, bodies[b], drive, step);
         if (!bodies[b].hinge)
             V[b] += impulse_response(bodies[b], wrench<D>(swept[b], Vec<D>(Vec<D>::Zero())), step.dt);
     }
@@ -77,9 +89,9 @@ bool finish_bodies(const Model<D>& model, const std::vector<Twist<D>>& V, const 
         const Twist<D> change = (V[b] - body.twist) / step.dt;
         double lasting = met[b] ? 0.0 : 1.0;
         if (any_met && !met[b] && body.motion == Motion::free) {
-            const Twist<D> forced = (forced_twist<D>(body, gravity, model.scene.density, step.dt) - body.twist) / step.dt;
-            lasting =
-                lasting_part(body, change, state.acceleration[b], std::max(gravity.norm(), forced.template head<D>().norm()));
+            const Twist<D> by_forces = (forced(model, body, state.drive, step) - body.twist) / step.dt;
+            lasting = lasting_part(body, change, state.acceleration[b],
+                                   std::max(gravity.norm(), by_forces.template head<D>().norm()));
         }
         state.acceleration[b] = lasting * change;
         if (body.motion == Motion::free)
@@ -92,8 +104,9 @@ bool finish_bodies(const Model<D>& model, const std::vector<Twist<D>>& V, const 
     template std::vector<RigidBody<D>> moved<D>(std::vector<RigidBody<D>>, const Step&);                                       \
     template void find_contacts<D>(const Model<D>&, State<D>&, const Step&);                                                   \
     template std::vector<Twist<D>> predicted_twists<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const Step&);        \
-    template std::vector<Twist<D>> forced_twists<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const FaceField<D>&,    \
-                                                    const FaceFractions<D>&, const FaceFractions<D>&, const Step&);            \
+    template std::vector<Twist<D>> forced_twists<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const Drive<D>&,        \
+                                                    const FaceField<D>&, const FaceFractions<D>&, const FaceFractions<D>&,     \
+                                                    const Step&);                                                              \
     template bool finish_bodies<D>(const Model<D>&, const std::vector<Twist<D>>&, const Step&, State<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

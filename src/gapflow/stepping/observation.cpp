@@ -1,5 +1,7 @@
 #include "gapflow/stepping/observation.hpp"
 
+#include "gapflow/stepping/drive.hpp"
+
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
@@ -139,6 +141,7 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
     budget.momentum = sums.template head<D>();
     budget.angular_momentum = sums.template segment<spin_size<D>>(D);
     budget.energy_grid = sums[D + spin_size<D>];
+    budget.volume_flow = budget.momentum / rho;
 
     auto add = [&](const Vec<D>& momentum, const Vec<D>& x) {
         budget.momentum += momentum;
@@ -151,6 +154,7 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
             const std::size_t i = film.first_element + e;
             const Vec<D> w = state.velocity.film[i] + normal[i] * element.normal;
             add(rho * element.volume * w, element.centroid);
+            budget.volume_flow += element.volume * w;
             budget.energy_film += 0.5 * rho * element.volume * w.squaredNorm();
         }
     const std::vector<Mouth<D>>& mouths = here.network.rim.mouths;
@@ -185,6 +189,15 @@ void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>
     const Budget<D> sums = budget(model, here, state, V);
     report.energy_fluid = sums.energy_grid + sums.energy_film;
     report.energy_bodies = sums.energy_bodies;
+    if (model.driven()) {
+        const Vec<D> flow = mean_velocity(model, state, sums.volume_flow, V);
+        double* const gradients[] = {&report.pressure_gradient_x, &report.pressure_gradient_y, &report.pressure_gradient_z};
+        double* const flows[] = {&report.mean_velocity_x, &report.mean_velocity_y, &report.mean_velocity_z};
+        for (int axis = 0; axis < D; ++axis) {
+            *gradients[axis] = state.drive.gradient[axis];
+            *flows[axis] = flow[axis];
+        }
+    }
     if (state.dt > 0)
         report.dissipation_film = film_loss(here, V, state.velocity) / state.dt;
     UnknownVector<D> rest;

@@ -1,6 +1,7 @@
 #include "gapflow/stepping/simulation.hpp"
 
 #include "gapflow/stepping/configuration.hpp"
+#include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/leaving.hpp"
@@ -72,6 +73,7 @@ StepReport Simulation<D>::step(double next_output)
     const Stopwatch watch;
     StepReport report;
     const Step step = choose_step(model_, state_, *here_, beyond_.histories, next_output);
+    state_.drive = next_drive(model_, *here_, state_, step);
     const std::vector<Whereabouts> places = whereabouts(model_.scene, state_.bodies);
     LastPressure<D> past = recall_pressure(model_, *here_, step, state_);
     state_.turned = model_.viscous() ? std::set<FilmPair<D>>()
@@ -86,7 +88,9 @@ StepReport Simulation<D>::step(double next_output)
     Intermediate<D> star = timed(stages_, "advection", [&] {
         return transport(model_, state_, std::move(beyond_), past.bulk, there, *left.fractions, step);
     });
-    star.twists = forced_twists(model_, state_.bodies, star.pressure_change, *left.fractions, *there.fractions, step);
+    drive_fluid(model_, there, state_.drive, step, star);
+    star.twists =
+        forced_twists(model_, state_.bodies, state_.drive, star.pressure_change, *left.fractions, *there.fractions, step);
     Diffusion<D> diffusion;
     if (model_.viscous())
         diffusion =
@@ -122,6 +126,12 @@ template <int D>
 double Simulation<D>::hydrostatic(const Vec<D>& x) const
 {
     return model_.hydrostatic(x);
+}
+
+template <int D>
+bool Simulation<D>::driven() const
+{
+    return model_.driven();
 }
 
 template <int D>

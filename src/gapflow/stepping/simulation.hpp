@@ -44,6 +44,8 @@ public:
     double hydrostatic(const Vec<D>& x) const;
     /// Fluid force and torque on every body about its centre of mass, averaged over the step, buoyancy included.
     const std::vector<Twist<D>>& fluid_wrenches() const { return state_.wrenches; }
+    /// Whether a mean pressure gradient drives the fluid along periodic axes.
+    bool driven() const;
     std::vector<GapState> gaps() const;
     /// Voids in the films.
     const VoidSet<D>& voids() const { return state_.voids; }

@@ -101,6 +101,11 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         state.film_debts = {debts.begin(), debts.end()};
     });
     archive("conduit_flux", state.velocity.mouth);
+    if (model.driven())
+        archive.group("drive", [&] {
+            archive("gradient", state.drive.gradient);
+            archive("mean_velocity", state.drive.flow);
+        });
     if (model.viscous())
         archive.group("viscosity", [&] {
             list_field(archive, "pressure", grid, pressure.bulk.pressure);

@@ -29,6 +29,13 @@ struct PressureHistory {
     void forget();
 };
 
+/// Mean pressure gradient of a driven periodic box (method, "Driven periodic boxes").
+template <int D>
+struct Drive {
+    Vec<D> gradient = Vec<D>::Zero(); ///< of the reduced pressure, in the last step
+    Vec<D> flow = Vec<D>::Zero();     ///< mean velocity of fluid and solids before that step
+};
+
 template <int D>
 struct State {
     double time = 0;
@@ -46,7 +53,8 @@ struct State {
     std::set<FilmPair<D>> turned;       ///< pairs whose films were reversed in the last step
     FilmDebts<D> film_debts;            ///< energy that films gained in the last step: the next one takes it back
     std::vector<Vec<D>> film_increment; ///< acceleration of the films' elements in the last step, pressure and transport
-    bool light_bodies = true;           ///< whether the next solver estimates if bodies are light enough to need a correction
+    Drive<D> drive;
+    bool light_bodies = true; ///< whether the next solver estimates if bodies are light enough to need a correction
 
     /// At the scene's start, fluid at rest.
     explicit State(const Model<D>& model);

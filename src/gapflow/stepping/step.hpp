@@ -26,6 +26,8 @@ struct StepReport {
     double residual = 0, divergence_max = 0;           ///< divergence: net outflow of a cell over its volume, 1/time
     double energy_fluid = 0, energy_bodies = 0;        ///< as in Budget
     double dissipation_grid = 0, dissipation_film = 0; ///< power that viscosity dissipates, in the bulk and in films
+    double pressure_gradient_x = 0, pressure_gradient_y = 0, pressure_gradient_z = 0; ///< mean, that drives a periodic box
+    double mean_velocity_x = 0, mean_velocity_y = 0, mean_velocity_z = 0;             ///< of fluid and solids of such a box
     double seconds = 0;
     std::vector<std::string> notes; ///< for the user, once each: thin bodies, contacts that do not converge, blind film ends
 };

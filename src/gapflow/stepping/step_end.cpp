@@ -1,6 +1,7 @@
 #include "gapflow/stepping/step_end.hpp"
 
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/motion.hpp"
 
@@ -34,10 +35,11 @@ void take_velocities(const Model<D>& model, const Coupling<D>& there, Projected<
     follow_front<D>(there, end.was_empty, is_empty, voids.is_void(), V, u);
 }
 
-// Force and torque of the fluid on every body, mean over the step: pressure, buoyancy, shear of films, viscous traction of the bulk.
+// Force and torque of the fluid on every body, mean over the step: pressure, buoyancy, driving gradient, shear of films, viscous traction of the bulk.
 template <int D>
 std::vector<Twist<D>> wrenches(const Model<D>& model, const Coupling<D>& there, const Projected<D>& end,
-                               const Diffusion<D>& diffusion, const Step& step, const std::vector<RigidBody<D>>& bodies)
+                               const Diffusion<D>& diffusion, const Drive<D>& drive, const Step& step,
+                               const std::vector<RigidBody<D>>& bodies)
 {
     std::vector<Twist<D>> impulse = impulses(there, end.impulse);
     if (!there.drag_inertia.empty()) {
@@ -51,6 +53,8 @@ std::vector<Twist<D>> wrenches(const Model<D>& model, const Coupling<D>& there, 
         const RigidBody<D>& body = bodies[b];
         const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
         Twist<D> sum = wrench<D>(-model.scene.density * body.volume * g, arm);
+        if (step.dt > 0 && model.driven())
+            sum += driving_wrench(body, drive);
         if (step.dt > 0)
             sum += impulse[b] / step.dt;
         if (!diffusion.impulses.empty())
@@ -71,7 +75,7 @@ void take_up(const Model<D>& model, const Coupling<D>& there, Projected<D> end, 
     state.time = step.landing;
     const bool met = step.dt > 0 && finish_bodies(model, end.twists, step, state);
     take_velocities(model, there, end, met, step, state);
-    state.wrenches = wrenches(model, there, end, diffusion, step, state.bodies);
+    state.wrenches = wrenches(model, there, end, diffusion, state.drive, step, state.bodies);
     state.velocity = std::move(end.velocity);
     state.pressure.impulse = std::move(end.impulse);
     if (step.dt == 0)
