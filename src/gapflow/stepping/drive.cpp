@@ -1,48 +1,106 @@
 #include "gapflow/stepping/drive.hpp"
 
-#include "gapflow/stepping/observation.hpp"
-
 #include <algorithm>
+#include <optional>
 
 namespace gapflow {
 
 namespace {
 
-// Volume of the domain.
+// Of all faces of an axis, in cells' volumes: the sum of the parts that lie in each body. The sum over planes of a cross-section, whose faces
+// inside the body count with those around: a cell's position times what of the body passes it, summed by parts.
 template <int D>
-double domain_volume(const Grid<D>& grid)
+std::vector<Vec<D>> sections(const Grid<D>& grid, const FaceFractions<D>& fractions, const std::vector<RigidBody<D>>& bodies)
 {
-    return grid.size().prod();
+    std::vector<double> sums(D * bodies.size(), 0.0);
+    const auto is_inside = [&](const Index<D>& c) { // all that passes one face passes the other, too
+        for (int axis = 0; axis < D; ++axis)
+            for (const Index<D>& f : {c, Index<D>(c + gapflow::step<D>(axis))})
+                if (fractions.cut(axis, f) < 0 && fractions.open(axis, f) == 0)
+                    return true;
+        return false;
+    };
+    for (const Index<D>& c : fractions.surface_cells)
+        for (int axis = 0; axis < D && !is_inside(c); ++axis)
+            for (int end = 0; end < 2; ++end) {
+                const Index<D> f = end ? Index<D>(c + gapflow::step<D>(axis)) : c;
+                const int cut = fractions.cut(axis, f);
+                if (cut < 0)
+                    continue;
+                for (const SolidPart<D>& part : fractions.faces[cut].solid)
+                    if (part.solid < static_cast<int>(bodies.size())) {
+                        const double x = part.arm[axis] - part.centroid[axis] + grid.cell_centre(c)[axis];
+                        sums[D * part.solid + axis] += (end ? -1 : 1) * part.fraction * x / grid.dx();
+                    }
+            }
+    grid.comm().sum(sums);
+    std::vector<Vec<D>> result(bodies.size());
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        result[b] = Eigen::Map<const Vec<D>>(&sums[D * b]);
+    return result;
 }
 
-// Upper bound of the change of the mean velocity by a uniform impulse of 1 per mass of fluid: fluid takes 1, a light body up to 3, as a ball
-// without mass does in ideal fluid.
+// Estimate of the change of the mean velocity by a uniform impulse of 1 per mass of fluid in ideal fluid, after Maxwell's formula for a mixture
+// of conductors: a body takes up to infinitely much, a fixed one nothing. Of light bodies it is an upper bound up to close packing.
 template <int D>
-double largest_response(const Model<D>& model, const std::vector<RigidBody<D>>& bodies)
+double response(const Model<D>& model, const std::vector<RigidBody<D>>& bodies)
 {
-    double response = 1;
-    for (const RigidBody<D>& body : bodies)
-        if (body.motion == Motion::free) {
-            const double of_body = 1.5 / (0.5 + body.mass / (model.scene.density * body.volume));
-            response += std::max(of_body - 1, 0.0) * body.volume / domain_volume(model.grid);
-        }
-    return response;
+    constexpr double most = 0.85, margin = 1.25;
+    double sum = 0;
+    for (const RigidBody<D>& body : bodies) {
+        const double mobility = body.motion == Motion::free ? model.scene.density * body.volume / body.mass : 0.0;
+        if (body.volume > 0 && body.volume < model.grid.size().prod())
+            sum += (mobility - 1) / (mobility + D - 1) * body.volume / model.grid.size().prod();
+    }
+    sum = std::clamp(sum, -most, most);
+    const double s = (1 + (D - 1) * sum) / (1 - sum);
+    return s > 1 ? 1 + margin * (s - 1) : s;
 }
 
 } // namespace
 
+// The flow through the planes of a grid's faces, in the mean: through open faces, in bodies, and in films, whose share of the faces is what the
+// grid leaves closed.
 template <int D>
-Vec<D> mean_velocity(const Model<D>& model, const State<D>& state, const Vec<D>& fluid_flow, const std::vector<Twist<D>>& V)
+Vec<D> mean_velocity(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V)
 {
-    Vec<D> flow = fluid_flow;
-    for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-        const RigidBody<D>& body = state.bodies[b];
-        if (body.motion == Motion::fixed)
-            continue;
-        const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
-        flow += body.volume * velocity_at<D>(V[b], arm);
+    const Grid<D>& grid = model.grid;
+    std::vector<double> sums(2 * D, 0.0); // flow through open faces; faces that films close
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> low = grid.low(),
+                       high = grid.high(); // one face a cell along each axis, also where there is no other end
+        for_each_row<D>(low, high, [&](const Index<D>& row) {
+            const double *open = &here.open(axis, row), *all = &here.fractions->open(axis, row),
+                         *u = &state.velocity.grid(axis, row);
+            for (int i = 0; i < high[0] - low[0]; ++i) {
+                sums[axis] += open[i] * u[i];
+                sums[D + axis] += all[i] - open[i];
+            }
+        });
     }
-    return flow / domain_volume(model.grid);
+    grid.comm().sum(sums);
+    Vec<D> in_films = Vec<D>::Zero();
+    double volume = 0;
+    const std::vector<double> normal = wall_normal_speed<D>(here.network, here.solids, V);
+    for (const Film<D>& film : here.network.films)
+        for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
+            const FilmElement<D>& e = film.mesh.elements[k];
+            const std::size_t i = film.first_element + k;
+            in_films += e.volume * (state.velocity.film[i] + normal[i] * e.normal);
+            volume += e.volume;
+        }
+    const std::vector<Vec<D>> section = sections(grid, *here.fractions, state.bodies);
+    Vec<D> flow;
+    for (int axis = 0; axis < D; ++axis) {
+        flow[axis] = sums[axis] + (volume > 0 ? sums[D + axis] * in_films[axis] / volume : 0.0);
+        for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+            const RigidBody<D>& body = state.bodies[b];
+            const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
+            if (body.motion != Motion::fixed)
+                flow[axis] += section[b][axis] * velocity_at<D>(V[b], arm)[axis];
+        }
+    }
+    return flow / grid.cells().template cast<double>().prod();
 }
 
 // With b the impulse of the gradient over the density in the last step, and s the response to it, the mean velocity of the next step's end is
@@ -54,11 +112,10 @@ Drive<D> next_drive(const Model<D>& model, const Coupling<D>& here, const State<
     if (!model.driven())
         return drive;
     const Scene& scene = model.scene;
-    const std::vector<Twist<D>> V = model.twists(state.bodies);
-    drive.flow = mean_velocity(model, state, budget(model, here, state, V).volume_flow, V);
+    drive.flow = mean_velocity(model, here, state, model.twists(state.bodies));
     if (scene.pressure_gradient)
         drive.gradient = to_vec<D>(*scene.pressure_gradient);
-    const double s = largest_response(model, state.bodies);
+    const double s = response(model, state.bodies);
     const double last = step.last_dt > 0 ? step.dt / step.last_dt : 0.0; // a change of the last step, over this one
     for (int axis = 0; axis < D; ++axis)
         if (const std::optional<double> wanted = model.kept_velocity(axis)) {
@@ -89,8 +146,10 @@ void drive_fluid(const Model<D>& model, const Coupling<D>& there, const Drive<D>
     for (const Film<D>& film : there.network.films)
         for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
             const std::size_t i = film.first_element + k;
-            const Vec<D> along = tangential<D>(impulse, film.mesh.elements[k].normal);
+            const Vec<D>& n = film.mesh.elements[k].normal;
+            const Vec<D> along = tangential<D>(impulse, n);
             u.film[i] += along;
+            u.film_normal[i] += impulse.dot(n);
             account.reference[i] += along;
             account.transported[i] += along;
         }
@@ -112,7 +171,7 @@ Twist<D> driving_wrench(const RigidBody<D>& body, const Drive<D>& drive)
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template Vec<D> mean_velocity<D>(const Model<D>&, const State<D>&, const Vec<D>&, const std::vector<Twist<D>>&);           \
+    template Vec<D> mean_velocity<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&);      \
     template Drive<D> next_drive<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const Step&);                        \
     template void drive_fluid<D>(const Model<D>&, const Coupling<D>&, const Drive<D>&, const Step&, Intermediate<D>&);         \
     template Twist<D> driving_wrench<D>(const RigidBody<D>&, const Drive<D>&);

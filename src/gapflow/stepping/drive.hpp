@@ -9,10 +9,9 @@
 
 namespace gapflow {
 
-/// Mean velocity of fluid and solids over the domain's volume. `fluid_flow`: of fluid and films, volume times velocity; `V`: twists of all
-/// solids.
+/// Mean velocity of fluid and solids over the domain's volume. `V`: twists of all solids that the flow belongs to. Collective.
 template <int D>
-Vec<D> mean_velocity(const Model<D>& model, const State<D>& state, const Vec<D>& fluid_flow, const std::vector<Twist<D>>& V);
+Vec<D> mean_velocity(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V);
 
 /// The gradient in a step, and the mean velocity before it; `state`: before the step. Zero where nothing drives. Collective.
 template <int D>

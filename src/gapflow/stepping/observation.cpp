@@ -141,7 +141,6 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
     budget.momentum = sums.template head<D>();
     budget.angular_momentum = sums.template segment<spin_size<D>>(D);
     budget.energy_grid = sums[D + spin_size<D>];
-    budget.volume_flow = budget.momentum / rho;
 
     auto add = [&](const Vec<D>& momentum, const Vec<D>& x) {
         budget.momentum += momentum;
@@ -154,7 +153,6 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
             const std::size_t i = film.first_element + e;
             const Vec<D> w = state.velocity.film[i] + normal[i] * element.normal;
             add(rho * element.volume * w, element.centroid);
-            budget.volume_flow += element.volume * w;
             budget.energy_film += 0.5 * rho * element.volume * w.squaredNorm();
         }
     const std::vector<Mouth<D>>& mouths = here.network.rim.mouths;
@@ -190,7 +188,7 @@ void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>
     report.energy_fluid = sums.energy_grid + sums.energy_film;
     report.energy_bodies = sums.energy_bodies;
     if (model.driven()) {
-        const Vec<D> flow = mean_velocity(model, state, sums.volume_flow, V);
+        const Vec<D> flow = mean_velocity(model, here, state, V);
         double* const gradients[] = {&report.pressure_gradient_x, &report.pressure_gradient_y, &report.pressure_gradient_z};
         double* const flows[] = {&report.mean_velocity_x, &report.mean_velocity_y, &report.mean_velocity_z};
         for (int axis = 0; axis < D; ++axis) {

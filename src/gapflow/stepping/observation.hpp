@@ -26,7 +26,6 @@ template <int D>
 struct Budget {
     Vec<D> momentum = Vec<D>::Zero();           ///< fluid, films, mouths and free bodies
     Spin<D> angular_momentum = Spin<D>::Zero(); ///< the same, about the domain's origin
-    Vec<D> volume_flow = Vec<D>::Zero();        ///< volume times velocity of fluid and films
     double energy_grid = 0, energy_film = 0;
     double energy_bodies = 0; ///< kinetic energy of the free bodies and energy of their springs
 };
