@@ -262,6 +262,21 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             change -= vertex[node] / D;
         return tangential<D>(change, normal_[e]);
     };
+    // At no facet does the flux go further than the mean of an element beside this one: linear fields keep their slope on any mesh.
+    auto beyond = [&](int e, int facet) { return facets_[facet].a == e ? facets_[facet].b : facets_[facet].a; };
+    std::vector<double> slope(velocity.size(), 1.0);
+    for (std::size_t f = 0; f < inner_facets_; ++f)
+        for (int e : {facets_[f].a, facets_[f].b}) {
+            const Vec<D> change = increment(e, facets_[f]);
+            double along = 0;
+            for (int beside : facet_of_[e])
+                if (beside >= 0) {
+                    const int n = beyond(e, beside);
+                    along = std::max(along, change.dot(turned<D>(flux[n], normal_[n], normal_[e]) - flux[e]));
+                }
+            const double square = change.squaredNorm();
+            slope[e] = std::min(slope[e], along < square ? along / square : 1.0);
+        }
     // Between the velocities of the two elements: the gap's thickness makes no new extremum either. And what an element loses by its own
     // changes goes no further than what flows into it brings.
     std::vector<Vec<D>> enters(velocity.size(), Vec<D>::Zero()), leaves = enters;
@@ -272,7 +287,7 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             values[f] = facet.mouth.entering;
         } else {
             Vec<D>& change = values[f];
-            change = (flux[from] + increment(from, facet)) / facet.h - velocity[from];
+            change = (flux[from] + slope[from] * increment(from, facet)) / facet.h - velocity[from];
             if (to >= 0) {
                 const Vec<D> d = turned<D>(velocity[to], normal_[to], normal_[from]) - velocity[from];
                 const double square = d.squaredNorm(), along = change.dot(d);
