@@ -1,4 +1,4 @@
-// A 2D scene with its films and rows built, without a simulation around it.
+// A scene with its films and rows built, without a simulation around it.
 #pragma once
 
 #include "gapflow/stepping/setup.hpp"
@@ -7,24 +7,26 @@
 
 namespace gapflow {
 
-struct CoupledScene {
-    explicit CoupledScene(const Scene& of)
-        : scene(of), grid(make_grid<2>(scene, Communicator())), bodies(make_bodies<2>(scene)), walls(make_walls<2>(scene))
+template <int D>
+struct CoupledSceneOf {
+    explicit CoupledSceneOf(const Scene& of)
+        : scene(of), grid(make_grid<D>(scene, Communicator())), bodies(make_bodies<D>(scene)), walls(make_walls<D>(scene))
     {
-        const auto solids = make_solids<2>(bodies, walls);
-        const std::vector<TwistMatrix<2>> mass(solids.size(), TwistMatrix<2>::Identity());
+        const auto solids = make_solids<D>(bodies, walls);
+        const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
         coupling =
-            couple<2>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<2>(scene, solids, true), {});
-        rest.assign(solids.size(), Twist<2>::Zero());
+            couple<D>(grid, solids, mass, {scene.density, FractionMode::cut_cell}, gap_settings<D>(scene, solids, true), {});
+        rest.assign(solids.size(), Twist<D>::Zero());
     }
-    const Film<2>& film() const { return coupling.network.films.front(); }
+    const Film<D>& film() const { return coupling.network.films.front(); }
 
     Scene scene;
-    Grid<2> grid;
-    std::vector<RigidBody<2>> bodies;
-    DomainWalls<2> walls;
-    Coupling<2> coupling;
-    std::vector<Twist<2>> rest; ///< of all solids
+    Grid<D> grid;
+    std::vector<RigidBody<D>> bodies;
+    DomainWalls<D> walls;
+    Coupling<D> coupling;
+    std::vector<Twist<D>> rest; ///< of all solids
 };
+using CoupledScene = CoupledSceneOf<2>;
 
 } // namespace gapflow
