@@ -37,6 +37,7 @@ viscosity = 0
 reference_pressure = 1e5
 vapour_pressure = "none"
 velocity = [1, 0]
+mean_velocity = [0, 0]
 initial = "potential"
 [grid]
 fractions = "voxel"
@@ -119,6 +120,8 @@ cells = [8, 8, 8]
 [domain.sides]
 z_low = "periodic"
 z_high = "periodic"
+[fluid]
+pressure_gradient = [0, 0, -0.5]
 [[body]]
 name = "post"
 shape = "cylinder"
@@ -206,6 +209,8 @@ TEST(Scene, DomainFluidGrid)
     EXPECT_EQ(s.density, 1000);
     EXPECT_EQ(s.reference_pressure, 1e5);
     EXPECT_EQ(s.fluid_velocity, (Triple{1, 0, 0}));
+    EXPECT_EQ(s.mean_velocity, (Triple{0, 0, 0}));
+    EXPECT_FALSE(s.pressure_gradient);
     EXPECT_EQ(s.initial, Scene::Initial::potential);
     EXPECT_EQ(s.fractions, Scene::Fractions::voxel);
     EXPECT_EQ(s.advection, Scene::Advection::semi_lagrangian);
@@ -317,6 +322,8 @@ TEST(Scene, Bodies3D)
     const Scene s = deep();
     EXPECT_EQ(s.dimension, 3);
     EXPECT_EQ(s.sides[4].kind, SideScene::Kind::periodic);
+    EXPECT_EQ(s.pressure_gradient, (Triple{0, 0, -0.5}));
+    EXPECT_FALSE(s.mean_velocity);
     const BodyScene &post = s.bodies.at(0), &shell = s.bodies.at(1);
     EXPECT_EQ(post.inertia, (std::vector<double>{1, 0.1, 0, 0.1, 2, 0, 0, 0, 3}));
     EXPECT_NEAR(post.quaternion[0], std::sqrt(0.5), 1e-15);
