@@ -1,6 +1,7 @@
 #include "gapflow/output/run_files.hpp"
 
 #include "gapflow/output/columns.hpp"
+#include "gapflow/output/crowd_statistics.hpp"
 #include "gapflow/output/file.hpp"
 #include "gapflow/output/vtk.hpp"
 
@@ -39,6 +40,21 @@ void remove_leftovers(const std::filesystem::path& folder, int frames)
     clean(folder, false);
     for (const char* part : parts)
         clean(folder / part, true);
+}
+
+std::vector<NpyColumn> binary_columns(const Scene& scene, const std::vector<std::string>& names)
+{
+    std::size_t longest = 1;
+    for (const BodyScene& body : scene.bodies)
+        longest = std::max(longest, count_characters(body.name));
+    std::vector<NpyColumn> columns;
+    for (const std::string& name : names)
+        columns.push_back({name,
+                           name == "step"   ? NpyColumn::Type::integer
+                           : name == "body" ? NpyColumn::Type::text
+                                            : NpyColumn::Type::real,
+                           name == "body" ? longest : 0});
+    return columns;
 }
 
 std::string frame_name(const std::string& name, int frame, const char* extension)
@@ -126,6 +142,36 @@ VtkSurface<D> body_surface(const RigidBody<D>& body, double tolerance)
     return surface;
 }
 
+template <int D>
+std::span<const RigidBody<D>> bodies_of(const Simulation<D>& simulation, const CrowdScene& crowd)
+{
+    return std::span(simulation.bodies()).subspan(static_cast<std::size_t>(crowd.first), static_cast<std::size_t>(crowd.number));
+}
+
+// Surfaces of all bodies of a crowd; "body" is the number in the crowd, counted from 1, of a point's body.
+template <int D>
+VtkSurface<D> crowd_surface(const Simulation<D>& simulation, const CrowdScene& crowd, double tolerance)
+{
+    VtkSurface<D> all;
+    VtkArray velocity{"velocity", D, {}}, body{"body", 1, {}};
+    int number = 0;
+    for (const RigidBody<D>& one : bodies_of(simulation, crowd)) {
+        const VtkSurface<D> surface = body_surface(one, tolerance);
+        const int first = static_cast<int>(all.points.size());
+        all.points.insert(all.points.end(), surface.points.begin(), surface.points.end());
+        for (std::array<int, D> element : surface.elements) {
+            for (int& point : element)
+                point += first;
+            all.elements.push_back(element);
+        }
+        const std::vector<double>& u = surface.point_data[0].values;
+        velocity.values.insert(velocity.values.end(), u.begin(), u.end());
+        body.values.insert(body.values.end(), surface.points.size(), ++number);
+    }
+    all.point_data = {velocity, body};
+    return all;
+}
+
 } // namespace
 
 template <int D>
@@ -142,7 +188,7 @@ RunFiles<D>::RunFiles(const std::filesystem::path& folder, const Simulation<D>& 
         else
             std::filesystem::remove(folder_ / "checkpoint.h5");
         remove_leftovers(folder_, from ? from->frames : std::numeric_limits<int>::max());
-        open_tables(from);
+        open_tables(simulation.scene(), from);
         if (from)
             collection_.write();
     });
@@ -165,7 +211,7 @@ void RunFiles<D>::keep_notes(const std::vector<std::string>& notes)
 }
 
 template <int D>
-void RunFiles<D>::open_tables(const RunPosition* from)
+void RunFiles<D>::open_tables(const Scene& scene, const RunPosition* from)
 {
     const auto open = [&](std::optional<Table>& table, const char* name, const std::vector<std::string>& columns) {
         if (from)
@@ -176,7 +222,36 @@ void RunFiles<D>::open_tables(const RunPosition* from)
     std::vector<std::string> body{"step", "time", "body"};
     for (std::string& name : body_columns(D).all())
         body.push_back(std::move(name));
-    open(bodies_, "bodies.csv", body);
+    // A run that goes on writes the tables that are there; a new one removes those of earlier runs that it does not write.
+    const auto wanted = [&](const char* name, const char* other, bool by_scene) {
+        const bool there = std::filesystem::exists(folder_ / name), other_there = std::filesystem::exists(folder_ / other);
+        const bool write = from && (there || other_there) ? there : by_scene;
+        if (!write)
+            std::filesystem::remove(folder_ / name);
+        return write;
+    };
+    const bool csv = wanted("bodies.csv", "bodies.npy", scene.writes_csv());
+    const bool binary = wanted("bodies.npy", "bodies.csv", scene.writes_binary());
+    if (csv)
+        open(bodies_, "bodies.csv", body);
+    if (binary) {
+        const std::vector<NpyColumn> columns = binary_columns(scene, body);
+        if (from)
+            binary_bodies_.emplace(NpyTable::resume(folder_ / "bodies.npy", columns, from->step));
+        else
+            binary_bodies_.emplace(folder_ / "bodies.npy", columns);
+    }
+    const auto of_crowds = [&](std::optional<Table>& table, const char* name, const std::vector<std::string>& own) {
+        if (scene.crowds.empty()) {
+            std::filesystem::remove(folder_ / name);
+            return;
+        }
+        std::vector<std::string> columns{"step", "time", "crowd"};
+        columns.insert(columns.end(), own.begin(), own.end());
+        open(table, name, columns);
+    };
+    of_crowds(crowds_, "crowds.csv", crowd_columns(D));
+    of_crowds(profiles_, "crowd_profiles.csv", profile_columns(D));
     open(gaps_, "gaps.csv", names_of(gap_columns(), {"step", "time"}));
     open(steps_, "steps.csv", names_of<StepReport>(step_columns_));
 }
@@ -189,16 +264,51 @@ void RunFiles<D>::write_step(const Simulation<D>& simulation, const StepReport& 
     on_root(simulation.grid().comm(), [&] {
         for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
             const RigidBody<D>& body = simulation.bodies()[b];
-            bodies_->row(report.step, report.time, body.name, body.centre(), rotation_numbers<D>(body.pose.rotation),
-                         body.twist, simulation.fluid_wrenches()[b]);
+            const auto write = [&](auto& table) {
+                if (table)
+                    table->row(report.step, report.time, body.name, body.centre(), rotation_numbers<D>(body.pose.rotation),
+                               body.twist, simulation.fluid_wrenches()[b]);
+            };
+            write(bodies_);
+            write(binary_bodies_);
         }
+        write_crowds(simulation, report);
         for (const GapState& gap : gaps)
             gaps_->row(report.step, report.time, Cells<GapState>{gap_columns(), gap});
         steps_->row(Cells<StepReport>{step_columns_, report});
-        bodies_->flush();
+        if (bodies_)
+            bodies_->flush();
+        if (binary_bodies_)
+            binary_bodies_->flush();
         gaps_->flush();
         steps_->flush();
     });
+}
+
+template <int D>
+void RunFiles<D>::write_crowds(const Simulation<D>& simulation, const StepReport& report)
+{
+    const Scene& scene = simulation.scene();
+    for (const CrowdScene& crowd : scene.crowds) {
+        const std::vector<Twist<D>>& all = simulation.fluid_wrenches();
+        const auto wrenches = std::span(all).subspan(static_cast<std::size_t>(crowd.first), static_cast<std::size_t>(crowd.number));
+        const CrowdStatistics<D> s = crowd_statistics<D>(bodies_of(simulation, crowd), wrenches, height_axis(scene));
+        crowds_->row(report.step, report.time, crowd.name, s.number, s.position, s.velocity, s.fluctuation, s.spin,
+                     Eigen::Vector3d(s.speed.data()), s.largest_speed, Eigen::Vector3d(s.height.data()), s.energy, s.force);
+    }
+    if (crowds_)
+        crowds_->flush();
+}
+
+template <int D>
+void RunFiles<D>::write_profiles(const Simulation<D>& simulation)
+{
+    for (const CrowdScene& crowd : simulation.scene().crowds)
+        for (const CrowdLayer<D>& layer : crowd_profile<D>(simulation.scene(), bodies_of(simulation, crowd)))
+            profiles_->row(simulation.steps(), simulation.time(), crowd.name, layer.height, layer.number, layer.volume_fraction,
+                           layer.velocity);
+    if (profiles_)
+        profiles_->flush();
 }
 
 template <int D>
@@ -217,14 +327,20 @@ void RunFiles<D>::write_fields(const Simulation<D>& simulation)
     write_vti<D>(folder_ / fields, simulation.grid(), arrays, options);
     on_root(simulation.grid().comm(), [&] {
         collection_.add(simulation.time(), "fields", fields);
-        for (const RigidBody<D>& body : simulation.bodies()) {
-            const VtkSurface<D> surface = body_surface(body, 0.05 * simulation.grid().dx());
+        const auto write_bodies = [&](const std::string& name, const VtkSurface<D>& surface) {
             if (surface.elements.empty()) // half-spaces have no end
-                continue;
-            const std::string file = "bodies/" + frame_name(body.name, frame_, "vtp");
+                return;
+            const std::string file = "bodies/" + frame_name(name, frame_, "vtp");
             write_vtp<D>(folder_ / file, surface, options);
-            collection_.add(simulation.time(), body.name, file);
-        }
+            collection_.add(simulation.time(), name, file);
+        };
+        const double tolerance = 0.05 * simulation.grid().dx();
+        for (int b = 0; b < static_cast<int>(simulation.bodies().size()); ++b)
+            if (const RigidBody<D>& body = simulation.bodies()[static_cast<std::size_t>(b)]; !simulation.scene().crowd_of(b))
+                write_bodies(body.name, body_surface(body, tolerance));
+        for (const CrowdScene& crowd : simulation.scene().crowds)
+            write_bodies(crowd.name, crowd_surface(simulation, crowd, tolerance));
+        write_profiles(simulation);
         const std::string films = "films/" + frame_name("films", frame_, "vtp");
         write_vtp<D>(folder_ / films, film_surface(simulation), options);
         collection_.add(simulation.time(), "films", films);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/output/checkpoint.hpp"
+#include "gapflow/output/npy_table.hpp"
 #include "gapflow/output/pvd.hpp"
 #include "gapflow/output/run_record.hpp"
 #include "gapflow/output/table.hpp"
@@ -34,7 +35,9 @@ public:
     int frames() const { return frame_; }
 
 private:
-    void open_tables(const RunPosition* from);
+    void open_tables(const Scene& scene, const RunPosition* from);
+    void write_crowds(const Simulation<D>& simulation, const StepReport& report);
+    void write_profiles(const Simulation<D>& simulation);
     void keep_notes(const std::vector<std::string>& notes);
     void write_record(const Simulation<D>& simulation);
 
@@ -42,6 +45,8 @@ private:
     PvdCollection collection_;
     std::optional<Table> bodies_, gaps_, steps_; ///< on the root
     std::vector<Column<StepReport>> step_columns_;
+    std::optional<NpyTable> binary_bodies_;      ///< on the root, besides or instead of bodies_
+    std::optional<Table> crowds_, profiles_;     ///< on the root, of scenes with crowds
     RunRecord record_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     int frame_ = 0;

@@ -2,6 +2,7 @@
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/text.hpp"
+#include "gapflow/output/npy_table.hpp"
 #include "gapflow/output/pvd.hpp"
 
 #include <nlohmann/json.hpp>
@@ -66,7 +67,7 @@ RunTable read_table(const std::filesystem::path& path)
         return table;
     const std::vector<std::string> names = cells_of(header);
     for (const std::string& name : names)
-        if (name.starts_with("body"))
+        if (name.starts_with("body") || name == "crowd")
             table.texts[name];
         else
             table.numbers[name];
@@ -153,7 +154,10 @@ StoredRun read_run(const std::filesystem::path& folder)
     }
     if (run.dimension != 2 && run.dimension != 3)
         throw InputError(record_file.string() + ": a domain of " + std::to_string(run.dimension) + " dimensions");
-    run.bodies = read_table(folder / "bodies.csv");
+    run.bodies = std::filesystem::exists(folder / "bodies.csv", error) ? read_table(folder / "bodies.csv")
+                                                                       : read_npy(folder / "bodies.npy");
+    run.crowds = read_table(folder / "crowds.csv");
+    run.profiles = read_table(folder / "crowd_profiles.csv");
     run.gaps = read_table(folder / "gaps.csv");
     run.steps = read_table(folder / "steps.csv");
     run.frames = read_frames(folder);

@@ -16,7 +16,7 @@ namespace gapflow {
 struct RunTable {
     std::size_t rows = 0;
     std::map<std::string, std::vector<double>> numbers;
-    std::map<std::string, std::vector<std::string>> texts; ///< body, body_a, body_b
+    std::map<std::string, std::vector<std::string>> texts; ///< body, body_a, body_b, crowd
 
     /// Empty if there is no such column.
     const std::vector<double>& number(const std::string& column) const;
@@ -36,7 +36,9 @@ struct StoredRun {
     std::shared_ptr<const nlohmann::ordered_json> record; ///< run.json without the scene
     std::shared_ptr<const nlohmann::ordered_json> scene;  ///< the resolved scene
     int dimension = 2;
-    RunTable bodies, gaps, steps;
+    RunTable bodies; ///< of bodies.csv, or of bodies.npy where there is no bodies.csv
+    RunTable gaps, steps;
+    RunTable crowds, profiles; ///< without rows where the scene has no crowds
     std::vector<RunFrame> frames; ///< those whose field or body files are there
 };
 

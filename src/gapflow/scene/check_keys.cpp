@@ -24,7 +24,7 @@ namespace {
 
 bool is_list_table(const std::string& name)
 {
-    return name == "body" || name == "pair";
+    return name == "body" || name == "crowd" || name == "pair";
 }
 
 /// Keys and tables directly in a table ("" or "gap.").
@@ -45,8 +45,8 @@ std::vector<std::string> keys_in(const std::string& table, const std::vector<Key
 std::string shown_prefix(const Node& element, const std::string& table, int number)
 {
     const Node* name = element.find("name");
-    if (table == "body" && name && name->kind == Node::Kind::text && !name->text.empty())
-        return "body." + name->text + ".";
+    if (table != "pair" && name && name->kind == Node::Kind::text && !name->text.empty())
+        return table + "." + name->text + ".";
     return table + "[" + std::to_string(number) + "].";
 }
 

@@ -71,6 +71,13 @@ struct Check {
             fail("empty");
     }
 
+    void count() const
+    {
+        number(value);
+        if (value.kind != Node::Kind::integer)
+            fail(number_text(value.number) + " is not a whole number");
+    }
+
     void counts() const
     {
         numbers(value, dimension);
@@ -191,6 +198,8 @@ struct Check {
             return value.numeric() ? number(value) : word(value);
         case T::vector:
             return numbers(value, dimension);
+        case T::count:
+            return count();
         case T::counts:
             return counts();
         case T::spin:
@@ -199,6 +208,8 @@ struct Check {
             return direction();
         case T::rotation:
             return rotation();
+        case T::rotation_or_word:
+            return value.kind == Node::Kind::text ? word(value) : rotation();
         case T::inertia:
             return inertia();
         case T::text:

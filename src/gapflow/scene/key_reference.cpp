@@ -26,7 +26,7 @@ std::string name_in_table(const KeyInfo& key)
 
 bool is_list_table(const std::string& table)
 {
-    return table == "body" || table == "pair";
+    return table == "body" || table == "crowd" || table == "pair";
 }
 
 std::string header_of(const std::string& table)
@@ -54,6 +54,9 @@ std::string meaning_of_table(const std::string& table)
         return "Any key of [gap] and [contact] for one pair, as often as needed. Walls are named wall:x_low to wall:z_high.";
     if (table == "body")
         return "A solid, as often as needed. In 2D, masses and forces are per unit depth.";
+    if (table == "crowd")
+        return "Many bodies of one shape, as often as needed; they become bodies NAME_0001, NAME_0002 ... behind all of [[body]]. They "
+               "lie wholly in the region, in the same places on every machine.";
     if (table == "time")
         return "Needed by `gapflow run` and `gapflow converge` only.";
     if (table == "solver")
@@ -142,7 +145,8 @@ std::string key_names()
     for (const KeyInfo& key : scene_keys()) {
         if (key.name.starts_with("pair."))
             continue;
-        out += key.name.starts_with("body.") ? "body.NAME." + key.name.substr(5) : key.name;
+        const std::string table = table_of(key);
+        out += is_list_table(table) ? table + ".NAME." + key.name.substr(table.size() + 1) : key.name;
         out += '\n';
     }
     return out;

@@ -139,6 +139,109 @@ std::vector<KeyInfo> body_keys()
     };
 }
 
+/// Those of a body that make sense for many, and the crowd's own.
+std::vector<KeyInfo> crowd_keys()
+{
+    std::vector<KeyInfo> keys{
+        {"crowd.name", T::text, "", "", any, {}, "its bodies are called NAME_0001, NAME_0002 ...", "always"},
+        {"crowd.number", T::count, "", "", {1, 100000}, {}, "of bodies", "unless volume_fraction is given"},
+        {"crowd.volume_fraction",
+         T::number,
+         "",
+         "",
+         {0, 1, true, true},
+         {},
+         "of the bodies in the region, instead of number",
+         "unless number is given"},
+        {"crowd.region.low", T::vector, "m", "", any, {}, "low corner of a box; that of the domain if not given"},
+        {"crowd.region.high", T::vector, "m", "", any, {}, "high corner of a box; that of the domain if not given"},
+        {"crowd.region.centre", T::vector, "m", "", any, {}, "of a ball (2D: a disk) instead of a box"},
+        {"crowd.region.radius", T::number, "m", "", positive, {}, "of a ball or cylinder", "for a ball or cylinder"},
+        {"crowd.region.from", T::vector, "m", "", any, {}, "one end of the axis of a cylinder (3D) instead of a box"},
+        {"crowd.region.to", T::vector, "m", "", any, {}, "the other end", "for a cylinder"},
+        {"crowd.sizes.distribution",
+         T::choice,
+         "",
+         "\"fixed\"",
+         any,
+         {"fixed", "uniform", "normal", "log-normal"},
+         "of a factor on all lengths of the shape, one for each body"},
+        {"crowd.sizes.mean", T::number, "", "1.0", positive, {}, "of the factor; not of a uniform distribution"},
+        {"crowd.sizes.deviation",
+         T::number,
+         "",
+         "",
+         positive,
+         {},
+         "standard deviation of the factor, before it is cut off",
+         "for a normal or log-normal distribution"},
+        {"crowd.sizes.low",
+         T::number,
+         "",
+         "",
+         positive,
+         {},
+         "smallest factor: smaller ones are drawn again; of a normal distribution a tenth of the mean if not given",
+         "for a uniform distribution"},
+        {"crowd.sizes.high",
+         T::number,
+         "",
+         "",
+         positive,
+         {},
+         "largest factor: larger ones are drawn again",
+         "for a uniform distribution"},
+        {"crowd.seed", T::count, "", "1", {0, 9007199254740992.0}, {}, "of the random numbers: another one, other places"},
+        {"crowd.arrangement",
+         T::choice,
+         "",
+         "\"random\"",
+         any,
+         {"random", "lattice"},
+         "random places without overlap, or a square or cubic lattice that fills a box"},
+        {"crowd.spacing",
+         T::number_or_word,
+         "m",
+         "\"auto\"",
+         non_negative,
+         {"auto"},
+         "smallest distance of its bodies from each other, from other bodies and from walls; auto: a hundredth of the diameter of the "
+         "ball that holds the shape, at least contact.thickness and a given gap.roughness"},
+        {"crowd.jitter",
+         T::number,
+         "",
+         "0.0",
+         {0, 0.5},
+         {},
+         "of a lattice: largest random shift along each axis, over the distance of sites"},
+        {"crowd.rotation",
+         T::rotation_or_word,
+         "degrees",
+         "",
+         any,
+         {"random"},
+         "one of all bodies, or each at random; if not given: random, of a lattice none (balls are not turned)"},
+    };
+    for (KeyInfo key : body_keys()) {
+        const std::string name = last_part(key.name);
+        const bool own = key.name == "body." + name;
+        if (!own || name == "name" || name == "normal" || name == "inside_out" || name == "position" || name == "rotation" ||
+            name == "motion_file")
+            continue;
+        key.name = "crowd." + name;
+        if (name == "shape")
+            std::erase(key.choices, "half-space");
+        else if (name == "file")
+            key.meaning = "of a mesh: its surface (OBJ or STL; 2D: polygon)";
+        else if (name == "mass" || name == "inertia")
+            key.meaning += "; of a body of size factor 1";
+        else if (name == "motion")
+            key.meaning = "moved by fluid and forces, held, or moved with given velocities";
+        keys.push_back(key);
+    }
+    return keys;
+}
+
 void append(std::vector<KeyInfo>& keys, const std::vector<KeyInfo>& more)
 {
     keys.insert(keys.end(), more.begin(), more.end());
@@ -233,6 +336,7 @@ std::vector<KeyInfo> scene_keys()
             keys.push_back(key);
         }
     append(keys, body_keys());
+    append(keys, crowd_keys());
     append(
         keys,
         {
@@ -264,6 +368,13 @@ std::vector<KeyInfo> scene_keys()
              non_negative,
              {},
              "time between checkpoints; 0: only at the end and when interrupted"},
+            {"output.bodies",
+             T::choice,
+             "",
+             "\"auto\"",
+             any,
+             {"auto", "csv", "binary", "both"},
+             "table of the bodies: bodies.csv, the binary bodies.npy of NumPy, or both; auto: bodies.csv up to 50 bodies"},
         });
     return keys;
 }
@@ -312,6 +423,8 @@ std::string allowed_values(const KeyInfo& key, int dimension)
         return choices_text(key.choices) + " or a number" + range;
     case T::vector:
         return "a list of " + count + " numbers" + (range.empty() ? "" : ", each" + range);
+    case T::count:
+        return "a whole number" + range;
     case T::counts:
         return "a list of " + count + " whole numbers" + (range.empty() ? "" : ", each" + range);
     case T::spin:
@@ -322,6 +435,11 @@ std::string allowed_values(const KeyInfo& key, int dimension)
         return dimension == 2   ? "a number of degrees (2D)"
                : dimension == 3 ? "{ axis = [x, y, z], degrees = number } or a quaternion [w, x, y, z], neither of length 0"
                                 : "degrees in 2D; { axis, degrees } or a quaternion [w, x, y, z] in 3D";
+    case T::rotation_or_word: {
+        KeyInfo plain = key;
+        plain.type = T::rotation;
+        return choices_text(key.choices) + " or " + allowed_values(plain, dimension);
+    }
     case T::inertia:
         return dimension == 2   ? "a number > 0 (2D)"
                : dimension == 3 ? "3 principal moments > 0, or a symmetric positive definite matrix of 3 rows of 3 numbers"

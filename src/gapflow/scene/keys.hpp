@@ -11,10 +11,12 @@ enum class KeyType {
     number,
     number_or_word, ///< a number in the range or one of the choices
     vector,         ///< a number for each axis
+    count,          ///< a whole number
     counts,         ///< a whole number for each axis
     spin,           ///< 2D: a number, 3D: three numbers
     direction,      ///< 3D: three numbers, not all 0; not in 2D
     rotation,       ///< 2D: degrees, 3D: { axis, degrees } or a quaternion [w, x, y, z]
+    rotation_or_word, ///< the same, or one of the choices
     inertia,        ///< 2D: a number, 3D: three principal moments or a matrix of three rows
     text,
     choice,
@@ -33,7 +35,7 @@ struct KeyRange {
 };
 
 struct KeyInfo {
-    std::string name; ///< dotted; keys of [[body]] and [[pair]] start with "body." and "pair."
+    std::string name; ///< dotted; keys of [[body]], [[crowd]] and [[pair]] start with "body.", "crowd." and "pair."
     KeyType type = KeyType::number;
     std::string unit;          ///< in SI (any consistent units do); in 2D masses and forces are per unit depth
     std::string default_value; ///< as TOML; one number for a vector stands for every axis; empty: none

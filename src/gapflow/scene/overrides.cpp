@@ -7,11 +7,12 @@ namespace gapflow {
 
 namespace {
 
-/// The body that a dotted name starts with, the longest name first (names may hold dots); `rest` becomes what follows it.
-Node& addressed_body(Node& document, const std::string& where, std::string& rest)
+/// The body, or the element of another list of tables, that a dotted name starts with, the longest name first (names may hold dots);
+/// `rest` becomes what follows it.
+Node& addressed(const std::string& kind, Node& document, const std::string& where, std::string& rest)
 {
     Node none;
-    Node* bodies = document.find("body");
+    Node* bodies = document.find(kind);
     Node* best = nullptr;
     std::size_t length = 0;
     std::vector<std::string> names;
@@ -28,8 +29,8 @@ Node& addressed_body(Node& document, const std::string& where, std::string& rest
     if (!best) {
         const std::string given = rest.substr(0, rest.find('.'));
         const std::string near = nearest_name(given, names);
-        throw InputError(where + ": no body is named '" + given + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?") +
-                         "; write body.NAME.key=value with one of the names: " + joined(names));
+        throw InputError(where + ": no " + kind + " is named '" + given + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?") +
+                         "; write " + kind + ".NAME.key=value with one of the names: " + joined(names));
     }
     rest = rest.substr(length + 1);
     return *best;
@@ -58,15 +59,18 @@ void apply(Node& document, const std::string& dotted, const std::string& text, c
         throw InputError(where + ": pairs have no names and cannot be set here; edit [[pair]] in the scene file");
     Node* table = &document;
     std::string name = dotted, rest = dotted;
-    if (dotted.starts_with("body.")) {
-        rest = dotted.substr(5);
-        table = &addressed_body(document, where, rest);
-        name = "body." + rest;
-    }
+    for (const std::string kind : {"body", "crowd"})
+        if (dotted.starts_with(kind + ".")) {
+            rest = dotted.substr(kind.size() + 1);
+            table = &addressed(kind, document, where, rest);
+            name = kind + "." + rest;
+        }
     const KeyInfo* key = find_key(keys, name);
     if (!key && is_table(keys, name))
         throw InputError(where + ": is a table; set its keys one by one, as " +
-                         (name == "body" ? "body.NAME.position=..." : dotted + ".key=value"));
+                         (name == "body"    ? "body.NAME.position=..."
+                          : name == "crowd" ? "crowd.NAME.number=..."
+                                            : dotted + ".key=value"));
     if (!key)
         refuse_unknown(where, name, dotted, keys);
     Node value = parse_value(text, where);

@@ -27,12 +27,7 @@ bool contains(const std::vector<std::string>& list, const std::string& word)
 void read_name(const Values& v, const Scene& scene, BodyScene& body)
 {
     body.name = v.text("name");
-    if (body.name.starts_with("wall:"))
-        v.refuse("name", "names that start with wall: belong to the sides of the domain", "choose another name");
-    const bool control = std::any_of(body.name.begin(), body.name.end(), [](unsigned char c) { return c < 0x20; });
-    if (control || body.name.find_first_of(",\"/\\") != std::string::npos || trimmed(body.name) != body.name)
-        v.refuse("name", "a name stands in tables and file names",
-                 "leave out commas, quotes, slashes, line breaks and blanks at its ends");
+    check_body_name(v, body.name);
     for (const BodyScene& other : scene.bodies)
         if (other.name == body.name)
             v.refuse("name", "an earlier [[body]] has this name", "give every body a name of its own");
@@ -52,9 +47,15 @@ void check_shape_keys(const Values& v, const std::string& shape, Shape kind)
             v.refuse_missing(name, "a " + shape + " needs it");
 }
 
+Shape shape_named(const std::string& word)
+{
+    static const std::vector<std::string> words{"box", "ball", "capsule", "cylinder", "half-space", "mesh"};
+    return static_cast<Shape>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
 void read_shape(const Values& v, const Scene& scene, BodyScene& body)
 {
-    body.shape = v.choice<Shape>("shape");
+    body.shape = shape_named(v.text("shape"));
     if (body.shape == Shape::cylinder && scene.dimension == 2)
         v.refuse("shape", "a cylinder needs three dimensions", "use a ball (a disk) or a capsule in a 2D scene");
     check_shape_keys(v, v.text("shape"), body.shape);
@@ -69,7 +70,7 @@ void read_shape(const Values& v, const Scene& scene, BodyScene& body)
         if (body.normal == Triple{})
             v.refuse("normal", "a normal of length 0", "give the direction out of the solid");
     }
-    body.inside_out = v.flag("inside_out");
+    body.inside_out = v.known("inside_out") && v.flag("inside_out");
     if (body.shape != Shape::mesh)
         return;
     body.mesh_scale = v.number("scale");
@@ -83,7 +84,7 @@ void read_shape(const Values& v, const Scene& scene, BodyScene& body)
 void read_rotation(const Values& v, BodyScene& body)
 {
     const Node* rotation = v.given("rotation");
-    if (!rotation)
+    if (!rotation || rotation->kind == Node::Kind::text) // of a crowd: "random"
         return;
     constexpr double radians = std::numbers::pi / 180;
     if (rotation->numeric()) {
@@ -178,7 +179,8 @@ void read_motion_table(const Values& v, const char* key, const Scene& scene, Bod
 void read_motion(const Values& v, Scene& scene, BodyScene& body)
 {
     body.motion = v.choice<Motion>("motion");
-    body.position = v.triple("position");
+    if (v.known("position"))
+        body.position = v.triple("position");
     read_rotation(v, body);
     body.velocity = v.triple("velocity");
     body.angular_velocity = v.triple("angular_velocity");
@@ -302,6 +304,26 @@ BodyScene read_body(const Values& v, bool moves, Scene& scene)
 }
 
 } // namespace
+
+void check_body_name(const Values& v, const std::string& name)
+{
+    if (name.starts_with("wall:"))
+        v.refuse("name", "names that start with wall: belong to the sides of the domain", "choose another name");
+    const bool control = std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20; });
+    if (control || name.find_first_of(",\"/\\") != std::string::npos || trimmed(name) != name)
+        v.refuse("name", "a name stands in tables and file names",
+                 "leave out commas, quotes, slashes, line breaks and blanks at its ends");
+}
+
+BodyScene read_crowd_body(const Values& v, bool moves, Scene& scene)
+{
+    BodyScene body;
+    read_shape(v, scene, body);
+    read_motion(v, scene, body);
+    read_constraints(v, scene, body);
+    read_mass(v, moves, body);
+    return body;
+}
 
 void read_bodies(const Node& document, const std::vector<KeyInfo>& keys, bool moves, Scene& scene)
 {

@@ -9,6 +9,13 @@ namespace gapflow {
 
 namespace {
 
+/// What gap.roughness = "auto" stands for.
+double roughness_of_auto(Purpose purpose, const Scene& scene)
+{
+    const bool at_rest = purpose == Purpose::added_mass || (purpose == Purpose::check && scene.end == 0);
+    return at_rest ? 0.0 : automatic_roughness * scene.size[0] / scene.cells[0];
+}
+
 /// [gap] and [contact] have defaults; a pair keeps the values that it does not give. `automatic`: the roughness for "auto".
 void read_settings(const Values& v, const std::string& gap_table, const std::string& contact_table, bool defaults,
                    double automatic, GapScene& gap, ContactScene& contact)
@@ -62,12 +69,16 @@ void check_dry(const Values& v, const std::string& gap_table, const GapScene& ga
         v.refuse(name, "dry contact needs the gap's film", "leave model = \"none\" and contact = \"dry\" to different pairs");
 }
 
-/// The names allowed in a pair: bodies and closed sides.
-std::vector<std::string> partners(const Scene& scene)
+/// The names allowed in a pair: bodies and closed sides. `told`: for a message, of a crowd only the first and the last.
+std::vector<std::string> partners(const Scene& scene, bool told = false)
 {
     std::vector<std::string> names;
-    for (const BodyScene& body : scene.bodies)
-        names.push_back(body.name);
+    const std::size_t alone = scene.crowds.empty() ? scene.bodies.size() : static_cast<std::size_t>(scene.crowds[0].first);
+    for (std::size_t i = 0; i < (told ? alone : scene.bodies.size()); ++i)
+        names.push_back(scene.bodies[i].name);
+    for (const CrowdScene& crowd : scene.crowds)
+        if (told)
+            names.push_back(names_text(scene, crowd));
     for (int side = 0; side < 2 * scene.dimension; ++side)
         if (scene.sides[side].kind == SideScene::Kind::wall)
             names.push_back("wall:" + side_names[side]);
@@ -81,13 +92,17 @@ void read_pair(const Values& v, double automatic, Scene& scene)
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) != known.end())
             continue;
+        for (const CrowdScene& crowd : scene.crowds)
+            if (crowd.name == name)
+                v.refuse("bodies", "'" + name + "' is a crowd, and a pair names single bodies",
+                         "name one of " + names_text(scene, crowd) + ", or set [gap] and [contact] for all pairs");
         const std::string near = nearest_name(name, known);
         const bool side =
             name.starts_with("wall:") && std::find(side_names.begin(), side_names.end(), name.substr(5)) != side_names.end();
         v.refuse("bodies",
                  side ? "'" + name + "': this side of the domain is not a wall"
                       : "no body or wall is named '" + name + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?"),
-                 "allowed: " + joined(known));
+                 "allowed: " + joined(partners(scene, true)));
     }
     std::copy(names.begin(), names.end(), pair.bodies.begin());
     if (pair.bodies[0].starts_with("wall:") && pair.bodies[1].starts_with("wall:"))
@@ -105,14 +120,17 @@ void read_pair(const Values& v, double automatic, Scene& scene)
 
 } // namespace
 
-void read_gaps(const Values& v, const std::vector<KeyInfo>& keys, Purpose purpose, Scene& scene)
+void read_gaps(const Values& v, Purpose purpose, Scene& scene)
 {
-    const bool at_rest = purpose == Purpose::added_mass || (purpose == Purpose::check && scene.end == 0);
-    const double automatic = at_rest ? 0.0 : automatic_roughness * scene.size[0] / scene.cells[0];
-    read_settings(v, "gap.", "contact.", true, automatic, scene.gap, scene.contact);
+    read_settings(v, "gap.", "contact.", true, roughness_of_auto(purpose, scene), scene.gap, scene.contact);
     check_dry(v, "gap.", scene.gap, scene);
     if (scene.vapour_pressure)
         check_level(v, "fluid.vapour_pressure", scene);
+}
+
+void read_pairs(const Values& v, const std::vector<KeyInfo>& keys, Purpose purpose, Scene& scene)
+{
+    const double automatic = roughness_of_auto(purpose, scene);
     const Node* pairs = v.given("pair");
     for (std::size_t i = 0; pairs && i < pairs->items.size(); ++i)
         read_pair(Values(pairs->items[i], "pair.", shown_prefix(pairs->items[i], "pair", static_cast<int>(i) + 1), keys,

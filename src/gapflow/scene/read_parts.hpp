@@ -12,8 +12,20 @@ void read_domain(const Values& values, Scene& scene);
 /// All [[body]]. A mass is demanded of free bodies if `moves` (a scene that will run).
 void read_bodies(const Node& document, const std::vector<KeyInfo>& keys, bool moves, Scene& scene);
 
-/// [gap], [contact] and all [[pair]]; needs sides and bodies already read.
-void read_gaps(const Values& values, const std::vector<KeyInfo>& keys, Purpose purpose, Scene& scene);
+/// A body of a [[crowd]], without name and place: its rotation is that given for all, none where it is random.
+BodyScene read_crowd_body(const Values& values, bool moves, Scene& scene);
+
+/// Throws InputError for names that tables and files cannot have.
+void check_body_name(const Values& values, const std::string& name);
+
+/// All [[crowd]], as bodies behind those read before; needs sides, [gap] and [contact] already read.
+void read_crowds(const Node& document, const std::vector<KeyInfo>& keys, bool moves, Scene& scene);
+
+/// [gap] and [contact]; needs sides already read.
+void read_gaps(const Values& values, Purpose purpose, Scene& scene);
+
+/// All [[pair]]; needs [gap], [contact] and all bodies already read.
+void read_pairs(const Values& values, const std::vector<KeyInfo>& keys, Purpose purpose, Scene& scene);
 
 /// A path from the scene, relative to the scene's folder.
 std::string resolved_path(const Scene& scene, const std::string& path);

@@ -84,6 +84,7 @@ void read_output(const Values& v, Scene& scene)
     scene.output_every = v.number("output.every");
     scene.fields = v.texts("output.fields");
     scene.checkpoint_every = v.number("output.checkpoint_every");
+    scene.bodies_table = v.choice<Scene::BodiesTable>("output.bodies");
     check_count(v, "output.every", scene.output_every, scene.end, most_outputs, "output times");
     check_count(v, "output.checkpoint_every", scene.checkpoint_every, scene.end, most_outputs, "checkpoints");
 }
@@ -129,9 +130,11 @@ Scene scene_of(Node document, const std::string& file, const Overrides& override
     read_domain(values, scene);
     read_fluid(values, scene);
     const bool moves = purpose == Purpose::run || (purpose == Purpose::check && scene.end > 0);
+    read_gaps(values, purpose, scene);
     read_bodies(document, keys, moves, scene);
+    read_crowds(document, keys, moves, scene);
     check_way_out(values, scene);
-    read_gaps(values, keys, purpose, scene);
+    read_pairs(values, keys, purpose, scene);
     scene.tolerance = values.number("solver.tolerance");
     scene.backend = values.choice<Scene::Backend>("solver.backend");
     read_output(values, scene);

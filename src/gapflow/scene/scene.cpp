@@ -43,6 +43,30 @@ double Scene::least_distance(const std::string& a, const std::string& b) const
     return std::max(contact_of(a, b).thickness, gap.automatic_roughness ? 0.0 : gap.roughness);
 }
 
+const CrowdScene* Scene::crowd_of(int body) const
+{
+    const auto crowd = std::find_if(crowds.begin(), crowds.end(),
+                                    [&](const CrowdScene& c) { return body >= c.first && body < c.first + c.number; });
+    return crowd == crowds.end() ? nullptr : &*crowd;
+}
+
+bool Scene::writes_csv() const
+{
+    return bodies_table == BodiesTable::csv || bodies_table == BodiesTable::both ||
+           (bodies_table == BodiesTable::automatic && bodies.size() <= most_bodies_of_csv);
+}
+
+bool Scene::writes_binary() const
+{
+    return bodies_table == BodiesTable::both || !writes_csv();
+}
+
+std::string names_text(const Scene& scene, const CrowdScene& crowd)
+{
+    const auto name = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].name; };
+    return name(crowd.first) + (crowd.number > 1 ? " ... " + name(crowd.first + crowd.number - 1) : "");
+}
+
 std::string roughness_text(const Scene& scene)
 {
     char text[100];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -98,7 +99,23 @@ struct BodyScene {
     std::optional<HingeScene> hinge; ///< only with all of `free`
 };
 
+/// What a [[crowd]] became: bodies in a row of the scene's.
+struct CrowdScene {
+    enum class Arrangement { random, lattice };
+
+    std::string name; ///< its bodies are called name_0001, name_0002 ...
+    int first = 0;    ///< number of its first body among the scene's
+    int number = 0;
+    Arrangement arrangement = Arrangement::random;
+    std::uint64_t seed = 1;
+    double spacing = 0;                ///< smallest distance of its bodies from each other, other bodies and walls
+    double region_volume = 0;          ///< 2D: area
+    double volume_fraction = 0;        ///< of its bodies in the region
+    double smallest = 1, largest = 1; ///< factors on the shape's lengths
+};
+
 struct Scene {
+    enum class BodiesTable { automatic, csv, binary, both };
     enum class Fractions { cut_cell, voxel };
     enum class Advection { maccormack, semi_lagrangian };
     enum class Thin { refuse, allow };
@@ -131,7 +148,8 @@ struct Scene {
     GapScene gap;
     ContactScene contact;
     std::vector<PairScene> pairs;
-    std::vector<BodyScene> bodies;
+    std::vector<BodyScene> bodies;  ///< the crowds' behind all others
+    std::vector<CrowdScene> crowds; ///< in the order of their bodies
 
     double end = 0.0;
     double max_step = 0.0;
@@ -145,8 +163,15 @@ struct Scene {
     double output_every = 0.0; ///< 0: only the start and the end
     std::vector<std::string> fields{"velocity", "pressure"};
     double checkpoint_every = 0.0; ///< 0: only at the end and when interrupted
+    BodiesTable bodies_table = BodiesTable::automatic;
 
     std::vector<std::string> warnings; ///< about settings that were accepted but not used, for the caller to print
+
+    /// The crowd that a body is of, by its number; null: none.
+    const CrowdScene* crowd_of(int body) const;
+    /// Whether bodies.csv, or the binary bodies.npy, is written.
+    bool writes_csv() const;
+    bool writes_binary() const;
 
     /// Settings that hold for a pair, by the names of its bodies in any order.
     const GapScene& gap_of(const std::string& a, const std::string& b) const;
@@ -171,6 +196,9 @@ std::vector<double> derivative_at(const TimeTable& table, double time);
 /// grid, and steps and solves stay well within the resolution of double precision (method, "Mesh").
 inline constexpr double automatic_roughness = 0.005;
 
+/// output.bodies = "auto" writes bodies.csv up to this number of bodies.
+inline constexpr std::size_t most_bodies_of_csv = 50;
+
 /// Additional checks of the reader.
 enum class Purpose { run, added_mass, check };
 
@@ -181,6 +209,9 @@ double expected_memory(int dimension, double cells);
 /// Reads and validates a scene. `overrides` are dotted keys and TOML values as given to --set.
 /// Throws InputError that names file, line, key, value, range and remedy.
 Scene read_scene(const std::string& file, const std::vector<std::pair<std::string, std::string>>& overrides, Purpose purpose);
+
+/// Text with the names of a crowd's bodies for the user: "ball_0001 ... ball_0400".
+std::string names_text(const Scene& scene, const CrowdScene& crowd);
 
 /// Text about the default roughness of gaps for the user: its length, in cells, and whether it is the automatic one.
 std::string roughness_text(const Scene& scene);

@@ -159,6 +159,16 @@ std::string scene_as_json(const Scene& scene)
     json["body"] = Json::array();
     for (const BodyScene& body : scene.bodies)
         json["body"].push_back(body_json(body, list));
+    for (const CrowdScene& crowd : scene.crowds)
+        json["crowd"].push_back({{"name", crowd.name},
+                                 {"number", crowd.number},
+                                 {"first", crowd.first},
+                                 {"arrangement", word({"random", "lattice"}, crowd.arrangement)},
+                                 {"seed", crowd.seed},
+                                 {"spacing", crowd.spacing},
+                                 {"region_volume", crowd.region_volume},
+                                 {"volume_fraction", crowd.volume_fraction},
+                                 {"sizes", {crowd.smallest, crowd.largest}}});
     json["time"] = Json::object();
     if (scene.end > 0)
         json["time"]["end"] = scene.end;
@@ -170,7 +180,8 @@ std::string scene_as_json(const Scene& scene)
     json["output"] = {{"directory", scene.output_directory},
                       {"every", scene.output_every},
                       {"fields", scene.fields},
-                      {"checkpoint_every", scene.checkpoint_every}};
+                      {"checkpoint_every", scene.checkpoint_every},
+                      {"bodies", word({"auto", "csv", "binary", "both"}, scene.bodies_table)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

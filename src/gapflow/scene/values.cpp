@@ -21,6 +21,11 @@ const KeyInfo& Values::info(const std::string& name) const
     return *key;
 }
 
+bool Values::known(const std::string& name) const
+{
+    return find_key(keys_, prefix_ + name) != nullptr;
+}
+
 const Node* Values::given(const std::string& name) const
 {
     const Node* node = &table_;

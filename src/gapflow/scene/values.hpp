@@ -19,6 +19,8 @@ public:
     int dimension() const { return dimension_; }
     const Node& table() const { return table_; }
     std::string shown(const std::string& name) const { return shown_ + name; }
+    /// Whether the table may have a key of this name.
+    bool known(const std::string& name) const;
     /// The value in the file, or null.
     const Node* given(const std::string& name) const;
     /// Given, or with a default.

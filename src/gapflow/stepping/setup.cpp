@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <tuple>
 
 namespace gapflow {
 
@@ -91,38 +93,6 @@ Grid<D> make_grid(const Scene& scene, const Communicator& comm)
 namespace {
 
 template <int D>
-std::unique_ptr<Shape<D>> make_shape(const BodyScene& body)
-{
-    using Kind = BodyScene::ShapeKind;
-    switch (body.shape) {
-    case Kind::box:
-        return make_box<D>(to_vec<D>(body.size));
-    case Kind::ball:
-        return make_ball<D>(body.radius);
-    case Kind::capsule:
-        return make_capsule<D>(body.radius, body.length);
-    case Kind::cylinder:
-        if constexpr (D == 3)
-            return make_cylinder(body.radius, body.length);
-        break;
-    case Kind::half_space:
-        return make_half_space<D>(to_vec<D>(body.normal));
-    case Kind::mesh:
-        return make_mesh<D>(body.mesh_file, body.mesh_scale);
-    }
-    throw InputError("body '" + body.name + "': a cylinder needs three dimensions; use a ball (a disk) or a capsule");
-}
-
-template <int D>
-Rotation<D> rotation_of(const BodyScene& body)
-{
-    if constexpr (D == 2)
-        return Rotation<2>(body.angle);
-    else
-        return Rotation<3>(body.quaternion[0], body.quaternion[1], body.quaternion[2], body.quaternion[3]);
-}
-
-template <int D>
 SpinMatrix<D> inertia_of(const BodyScene& body)
 {
     SpinMatrix<D> inertia = SpinMatrix<D>::Identity();
@@ -136,24 +106,39 @@ SpinMatrix<D> inertia_of(const BodyScene& body)
     return inertia;
 }
 
+/// Shapes of bodies. Bodies of one mesh share its shape: a crowd reads its file once.
+template <int D>
+class MeshShapes {
+public:
+    std::shared_ptr<const Shape<D>> of(const BodyScene& body)
+    {
+        if (body.shape != BodyScene::ShapeKind::mesh)
+            return make_shape<D>(body);
+        std::shared_ptr<const Shape<D>>& shape = made_[{body.mesh_file, body.mesh_scale, body.inside_out}];
+        if (!shape)
+            shape = make_shape<D>(body);
+        return shape;
+    }
+
+private:
+    std::map<std::tuple<std::string, double, bool>, std::shared_ptr<const Shape<D>>> made_;
+};
+
 } // namespace
 
 template <int D>
 std::vector<RigidBody<D>> make_bodies(const Scene& scene)
 {
     std::vector<RigidBody<D>> bodies;
+    MeshShapes<D> shapes;
     for (const BodyScene& from : scene.bodies) {
         RigidBody<D> body;
         body.name = from.name;
-        std::unique_ptr<Shape<D>> shape = make_shape<D>(from);
-        if (from.inside_out)
-            shape = make_inside_out<D>(std::move(shape));
-        body.shape = std::move(shape);
+        body.shape = shapes.of(from);
         body.motion = from.motion == BodyScene::Motion::free         ? Motion::free
                       : from.motion == BodyScene::Motion::prescribed ? Motion::prescribed
                                                                      : Motion::fixed;
-        body.pose.position = to_vec<D>(from.position);
-        body.pose.rotation = rotation_of<D>(from);
+        body.pose = scene_pose<D>(from);
         if (from.mass)
             set_mass<D>(body, *from.mass, inertia_of<D>(from));
         else if (from.shape != BodyScene::ShapeKind::half_space)

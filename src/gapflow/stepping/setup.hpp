@@ -5,6 +5,7 @@
 #include "gapflow/core/machine_memory.hpp"
 #include "gapflow/coupling/coupling.hpp"
 #include "gapflow/film/film_momentum.hpp"
+#include "gapflow/scene/body_shape.hpp"
 #include "gapflow/scene/scene.hpp"
 
 #include <functional>
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace gapflow {
-
-/// The first D numbers of a scene's vector.
-template <int D>
-Vec<D> to_vec(const Triple& t)
-{
-    return Eigen::Map<const Vec<D>>(t.data());
-}
 
 /// Throws InputError where the scene's grid needs more memory than the machines of the ranks have: before anything is allocated,
 /// with the number. `available`: bytes on this rank's machine. Collective.

@@ -111,6 +111,7 @@ directory = "elsewhere"
 every = 0.05
 fields = ["pressure"]
 checkpoint_every = 0.5
+bodies = "both"
 )";
 
 const std::string deep_scene = R"(
@@ -174,6 +175,8 @@ Scene minimal()
 TEST(Scene, EveryKeyIsReadHere)
 {
     for (const KeyInfo& key : scene_keys()) {
+        if (key.name.starts_with("crowd.")) // crowd_test.cpp
+            continue;
         std::string line = "\n";
         line += last_part(key.name) + " = ";
         EXPECT_TRUE((flat_scene + deep_scene).find(line) != std::string::npos) << key.name;
