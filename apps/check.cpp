@@ -86,6 +86,8 @@ int check_command(const Scene& scene)
         std::printf("scene     %s%s%s\n", scene.file.c_str(), scene.title.empty() ? "" : ": ", scene.title.c_str());
         std::printf("cells     %s = %.0f, spacing %.6g\n", count_text(scene).c_str(), cells, scene.size[0] / scene.cells[0]);
         std::printf("bodies    %zu, of which %td move\n", scene.bodies.size(), moving);
+        for (const CrowdScene& crowd : scene.crowds)
+            std::printf("crowd     %s: %d bodies, %s\n", crowd.name.c_str(), crowd.number, names_text(scene, crowd).c_str());
         std::printf("gaps      model %s, threshold %s, roughness %s\n", scene.gap.film ? "film" : "none",
                     scene.gap.threshold ? (number_text(*scene.gap.threshold) + " cells").c_str() : "auto",
                     roughness_text(scene).c_str());

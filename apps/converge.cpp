@@ -277,6 +277,7 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
                                {"time.gap_cfl", fmt::format("{:.17g}", scene.gap_cfl * ratio)}}));
         require_memory(scenes.back(), comm);
         require_thickness(scenes.back());
+        scenes.back().bodies_table = Scene::BodiesTable::csv; // what is compared
         scenes.back().output_directory = scene.output_directory + "/cells_" + std::to_string(n);
     }
     std::vector<Run> runs;

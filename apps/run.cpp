@@ -71,7 +71,9 @@ void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
     for (const auto& [name, stage] : simulation.stages().stages())
         stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, stage.seconds);
     log.info("time: " + stages);
-    log.info(fmt::format("files: {0}/bodies.csv, gaps.csv, steps.csv; open {0}/gapflow.pvd in ParaView", folder));
+    log.info(fmt::format("files: {0}/{1}, gaps.csv, steps.csv{2}; open {0}/gapflow.pvd in ParaView", folder,
+                         simulation.scene().writes_csv() ? "bodies.csv" : "bodies.npy",
+                         simulation.scene().crowds.empty() ? "" : ", crowds.csv, crowd_profiles.csv"));
     log.info(fmt::format("look at it: gapflow report {0} writes {0}/report.html for a browser", folder));
 }
 

@@ -16,7 +16,7 @@ import atexit as _atexit
 
 from . import _core
 from ._core import ComputationError, InputError
-from .scene import (Ball, Body, Box, Capsule, Contact, Cylinder, Domain, Fluid, Gap, GridOptions, HalfSpace, Hinge, Mesh, Output,
+from .scene import (Ball, Body, Box, Capsule, Contact, Crowd, Cylinder, Domain, Fluid, Gap, GridOptions, HalfSpace, Hinge, Mesh, Output,
                     Pair, Scene, SceneLike, Sides, Solver, Spring, Time, Toml)
 from .records import AddedMass, Budget, Films, Grid, SealedPocket, StepReport
 from .simulation import BodyState, SceneWarning, Simulation, added_mass, check, rank
@@ -24,7 +24,7 @@ from .simulation import BodyState, SceneWarning, Simulation, added_mass, check, 
 __version__: str = _core.__version__
 
 __all__ = [
-    "AddedMass", "Ball", "Body", "BodyState", "Box", "Budget", "Capsule", "ComputationError", "Contact", "Cylinder", "Domain",
+    "AddedMass", "Ball", "Body", "BodyState", "Box", "Budget", "Capsule", "ComputationError", "Contact", "Crowd", "Cylinder", "Domain",
     "Films", "Fluid", "Gap", "Grid", "GridOptions", "HalfSpace", "Hinge", "InputError", "Mesh", "Output", "Pair", "Scene",
     "SceneLike", "SceneWarning", "SealedPocket", "Sides", "Simulation", "Solver", "Spring", "StepReport", "Time", "Toml",
     "added_mass", "check", "rank",

@@ -209,6 +209,43 @@ class Mesh(Body):
 
 
 @dataclass(kw_only=True, slots=True)
+class Crowd:
+    """Many bodies of one shape, called NAME_0001, NAME_0002 ...: either `number` or `volume_fraction` (of the region).
+
+    shape with its lengths ("ball": radius; "box": size; "capsule", "cylinder": radius, length; "mesh": file, scale). region: {"low", "high"},
+    {"centre", "radius"} or {"from", "to", "radius"}; the domain if not given. sizes: {"distribution", "mean", "deviation", "low", "high"} of a
+    factor on all lengths. arrangement: "random" (without overlap) or "lattice" with `jitter`. spacing: smallest distance. rotation: as of a
+    body, or "random". The other keys are those of a body.
+    """
+
+    name: str
+    shape: Literal["ball", "box", "capsule", "cylinder", "mesh"]
+    number: int | None = None
+    volume_fraction: float | None = None
+    region: Mapping[str, Any] | None = None
+    sizes: Mapping[str, Any] | None = None
+    seed: int | None = None
+    arrangement: Literal["random", "lattice"] | None = None
+    spacing: float | Literal["auto"] | None = None
+    jitter: float | None = None
+    rotation: float | Vector | Mapping[str, Any] | Literal["random"] | None = None
+    size: Vector | None = None
+    radius: float | None = None
+    length: float | None = None
+    file: str | Path | None = None
+    scale: float | None = None
+    density: float | None = None
+    mass: float | None = None
+    inertia: float | Sequence[float] | Sequence[Sequence[float]] | None = None
+    motion: Literal["free", "fixed", "prescribed"] | None = None
+    free: Sequence[str] | None = None
+    velocity: Vector | None = None
+    angular_velocity: Spin | None = None
+    force: Vector | None = None
+    torque: Spin | None = None
+
+
+@dataclass(kw_only=True, slots=True)
 class Time:
     """end: `Simulation.run()` goes to here. max_step: largest time step. cfl: cells that the fluid may cross in a step.
     gap_cfl: part of its thickness that a gap may change by in a step."""
@@ -229,12 +266,14 @@ class Solver:
 
 @dataclass(kw_only=True, slots=True)
 class Output:
-    """For runs that write files (`Simulation(..., output=...)`): directory, every (time between fields), fields."""
+    """For runs that write files (`Simulation(..., output=...)`): directory, every (time between fields), fields, bodies (the table of bodies:
+    "csv", "binary", "both" or "auto")."""
 
     directory: str | Path | None = None
     every: float | None = None
     fields: Sequence[str] | None = None
     checkpoint_every: float | None = None
+    bodies: Literal["auto", "csv", "binary", "both"] | None = None
 
 
 @dataclass(kw_only=True, slots=True)
@@ -243,6 +282,7 @@ class Scene:
 
     domain: Domain | Mapping[str, Any]
     bodies: list[Body] = field(default_factory=list)
+    crowds: list[Crowd] = field(default_factory=list)
     pairs: list[Pair] = field(default_factory=list)
     time: Time | Mapping[str, Any] | None = None
     title: str | None = None
@@ -277,6 +317,7 @@ def _plain(value: Any) -> Any:
         entries = {f.name: getattr(value, f.name) for f in dataclasses.fields(value)}
         if isinstance(value, Scene):
             entries["body"] = entries.pop("bodies") or None
+            entries["crowd"] = entries.pop("crowds") or None
             entries["pair"] = entries.pop("pairs") or None
         return _plain(entries)
     if isinstance(value, Mapping):

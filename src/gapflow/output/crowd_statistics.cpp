@@ -122,7 +122,8 @@ std::vector<CrowdLayer<D>> crowd_profile(const Scene& scene, std::span<const Rig
     for (const RigidBody<D>& body : bodies)
         volume += body.volume / static_cast<double>(bodies.size());
     const double thickness = 2 * (D == 2 ? std::sqrt(volume / std::numbers::pi) : std::cbrt(0.75 * volume / std::numbers::pi));
-    const int count = std::clamp(static_cast<int>(std::lround(std::min(extent / thickness, 1.0 * most_layers))), 1, most_layers);
+    const int count =
+        std::clamp(static_cast<int>(std::lround(std::min(extent / thickness, 1.0 * most_layers))), 1, most_layers);
     const double step = extent / count;
     double across = 1; // of a layer
     for (int other = 0; other < D; ++other)
@@ -153,7 +154,8 @@ std::vector<CrowdLayer<D>> crowd_profile(const Scene& scene, std::span<const Rig
             const std::vector<Vec<D>> points = points_in(*body.shape, body.centre_of_volume);
             const Mat<D> rotation = body.pose.matrix();
             for (const Vec<D>& x : points)
-                add(layer_of((body.pose.position + rotation * x)[axis]), body.volume / static_cast<double>(points.size()), body);
+                add(layer_of((body.pose.position + rotation * x)[axis]), body.volume / static_cast<double>(points.size()),
+                    body);
         }
     }
     for (int k = 0; k < count; ++k) {
@@ -161,7 +163,8 @@ std::vector<CrowdLayer<D>> crowd_profile(const Scene& scene, std::span<const Rig
         const double solid = filled[static_cast<std::size_t>(k)];
         layer.height = low + (k + 0.5) * step;
         layer.volume_fraction = solid / across;
-        layer.velocity = solid > 0 ? Vec<D>(layer.velocity / solid) : Vec<D>::Constant(std::numeric_limits<double>::quiet_NaN());
+        layer.velocity =
+            solid > 0 ? Vec<D>(layer.velocity / solid) : Vec<D>::Constant(std::numeric_limits<double>::quiet_NaN());
     }
     return layers;
 }
@@ -176,8 +179,8 @@ std::vector<std::string> crowd_columns(int dimension)
     add("");
     add("v");
     add("v", "_rms");
-    for (const char* name : {"spin_rms", "speed_p5", "speed_p50", "speed_p95", "speed_max", "height_p5", "height_p50", "height_p95",
-                             "energy"})
+    for (const char* name :
+         {"spin_rms", "speed_p5", "speed_p50", "speed_p95", "speed_max", "height_p5", "height_p50", "height_p95", "energy"})
         names.emplace_back(name);
     add("f");
     return names;

@@ -20,15 +20,15 @@ struct CrowdStatistics {
     static constexpr std::array<double, 3> shares{0.05, 0.5, 0.95}; ///< of the percentiles
 
     int number = 0;
-    Vec<D> position = Vec<D>::Zero();      ///< mean of the centres of mass
-    Vec<D> velocity = Vec<D>::Zero();      ///< mean
-    Vec<D> fluctuation = Vec<D>::Zero();   ///< root mean square of the velocity less its mean, each component
-    double spin = 0;                       ///< root mean square of the angular velocity's size
-    std::array<double, 3> speed{};         ///< percentiles
+    Vec<D> position = Vec<D>::Zero();    ///< mean of the centres of mass
+    Vec<D> velocity = Vec<D>::Zero();    ///< mean
+    Vec<D> fluctuation = Vec<D>::Zero(); ///< root mean square of the velocity less its mean, each component
+    double spin = 0;                     ///< root mean square of the angular velocity's size
+    std::array<double, 3> speed{};       ///< percentiles
     double largest_speed = 0;
-    std::array<double, 3> height{};        ///< percentiles of the coordinate along the height's axis
-    double energy = 0;                     ///< kinetic, in sum
-    Vec<D> force = Vec<D>::Zero();         ///< mean force of the fluid
+    std::array<double, 3> height{}; ///< percentiles of the coordinate along the height's axis
+    double energy = 0;              ///< kinetic, in sum
+    Vec<D> force = Vec<D>::Zero();  ///< mean force of the fluid
 };
 
 /// `wrenches`: of the fluid, one of each body.

@@ -154,7 +154,8 @@ NpyTable::NpyTable(Open, const std::filesystem::path& path, std::vector<NpyColum
         throw_file_error(path, "cannot create the table", errno);
 }
 
-NpyTable::NpyTable(const std::filesystem::path& path, std::vector<NpyColumn> columns) : NpyTable(Open{}, path, std::move(columns))
+NpyTable::NpyTable(const std::filesystem::path& path, std::vector<NpyColumn> columns)
+    : NpyTable(Open{}, path, std::move(columns))
 {
     // Fails where the file cannot be cut (a device); the write then reports it.
     [[maybe_unused]] const int cut = ::ftruncate(descriptor_, 0);
@@ -171,8 +172,9 @@ NpyTable NpyTable::resume(const std::filesystem::path& path, std::vector<NpyColu
         return a.name == b.name && a.type == b.type && a.width == b.width;
     };
     if (!std::equal(columns.begin(), columns.end(), header.columns.begin(), header.columns.end(), same))
-        throw InputError(path.string() + ": has other columns than this run writes; resume with the scene and version that wrote it, or "
-                                         "into another folder (-o DIR)");
+        throw InputError(path.string() +
+                         ": has other columns than this run writes; resume with the scene and version that wrote it, or "
+                         "into another folder (-o DIR)");
     const long width = row_bytes(columns);
     in.seekg(0, std::ios::end);
     const long whole = std::min(header.rows, (static_cast<long>(in.tellg()) - header.bytes) / width);
@@ -200,8 +202,8 @@ NpyTable NpyTable::resume(const std::filesystem::path& path, std::vector<NpyColu
 }
 
 NpyTable::NpyTable(NpyTable&& other) noexcept
-    : path_(std::move(other.path_)), columns_(std::move(other.columns_)), header_(std::move(other.header_)), filled_(other.filled_),
-      rows_(other.rows_), pending_rows_(other.pending_rows_), pending_(std::move(other.pending_)),
+    : path_(std::move(other.path_)), columns_(std::move(other.columns_)), header_(std::move(other.header_)),
+      filled_(other.filled_), rows_(other.rows_), pending_rows_(other.pending_rows_), pending_(std::move(other.pending_)),
       descriptor_(std::exchange(other.descriptor_, -1))
 {
 }

@@ -145,31 +145,8 @@ VtkSurface<D> body_surface(const RigidBody<D>& body, double tolerance)
 template <int D>
 std::span<const RigidBody<D>> bodies_of(const Simulation<D>& simulation, const CrowdScene& crowd)
 {
-    return std::span(simulation.bodies()).subspan(static_cast<std::size_t>(crowd.first), static_cast<std::size_t>(crowd.number));
-}
-
-// Surfaces of all bodies of a crowd; "body" is the number in the crowd, counted from 1, of a point's body.
-template <int D>
-VtkSurface<D> crowd_surface(const Simulation<D>& simulation, const CrowdScene& crowd, double tolerance)
-{
-    VtkSurface<D> all;
-    VtkArray velocity{"velocity", D, {}}, body{"body", 1, {}};
-    int number = 0;
-    for (const RigidBody<D>& one : bodies_of(simulation, crowd)) {
-        const VtkSurface<D> surface = body_surface(one, tolerance);
-        const int first = static_cast<int>(all.points.size());
-        all.points.insert(all.points.end(), surface.points.begin(), surface.points.end());
-        for (std::array<int, D> element : surface.elements) {
-            for (int& point : element)
-                point += first;
-            all.elements.push_back(element);
-        }
-        const std::vector<double>& u = surface.point_data[0].values;
-        velocity.values.insert(velocity.values.end(), u.begin(), u.end());
-        body.values.insert(body.values.end(), surface.points.size(), ++number);
-    }
-    all.point_data = {velocity, body};
-    return all;
+    return std::span(simulation.bodies())
+        .subspan(static_cast<std::size_t>(crowd.first), static_cast<std::size_t>(crowd.number));
 }
 
 } // namespace
@@ -291,7 +268,8 @@ void RunFiles<D>::write_crowds(const Simulation<D>& simulation, const StepReport
     const Scene& scene = simulation.scene();
     for (const CrowdScene& crowd : scene.crowds) {
         const std::vector<Twist<D>>& all = simulation.fluid_wrenches();
-        const auto wrenches = std::span(all).subspan(static_cast<std::size_t>(crowd.first), static_cast<std::size_t>(crowd.number));
+        const auto wrenches =
+            std::span(all).subspan(static_cast<std::size_t>(crowd.first), static_cast<std::size_t>(crowd.number));
         const CrowdStatistics<D> s = crowd_statistics<D>(bodies_of(simulation, crowd), wrenches, height_axis(scene));
         crowds_->row(report.step, report.time, crowd.name, s.number, s.position, s.velocity, s.fluctuation, s.spin,
                      Eigen::Vector3d(s.speed.data()), s.largest_speed, Eigen::Vector3d(s.height.data()), s.energy, s.force);
@@ -327,19 +305,14 @@ void RunFiles<D>::write_fields(const Simulation<D>& simulation)
     write_vti<D>(folder_ / fields, simulation.grid(), arrays, options);
     on_root(simulation.grid().comm(), [&] {
         collection_.add(simulation.time(), "fields", fields);
-        const auto write_bodies = [&](const std::string& name, const VtkSurface<D>& surface) {
+        for (const RigidBody<D>& body : simulation.bodies()) {
+            const VtkSurface<D> surface = body_surface(body, 0.05 * simulation.grid().dx());
             if (surface.elements.empty()) // half-spaces have no end
-                return;
-            const std::string file = "bodies/" + frame_name(name, frame_, "vtp");
+                continue;
+            const std::string file = "bodies/" + frame_name(body.name, frame_, "vtp");
             write_vtp<D>(folder_ / file, surface, options);
-            collection_.add(simulation.time(), name, file);
-        };
-        const double tolerance = 0.05 * simulation.grid().dx();
-        for (int b = 0; b < static_cast<int>(simulation.bodies().size()); ++b)
-            if (const RigidBody<D>& body = simulation.bodies()[static_cast<std::size_t>(b)]; !simulation.scene().crowd_of(b))
-                write_bodies(body.name, body_surface(body, tolerance));
-        for (const CrowdScene& crowd : simulation.scene().crowds)
-            write_bodies(crowd.name, crowd_surface(simulation, crowd, tolerance));
+            collection_.add(simulation.time(), body.name, file);
+        }
         write_profiles(simulation);
         const std::string films = "films/" + frame_name("films", frame_, "vtp");
         write_vtp<D>(folder_ / films, film_surface(simulation), options);

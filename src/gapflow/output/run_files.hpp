@@ -45,8 +45,8 @@ private:
     PvdCollection collection_;
     std::optional<Table> bodies_, gaps_, steps_; ///< on the root
     std::vector<Column<StepReport>> step_columns_;
-    std::optional<NpyTable> binary_bodies_;      ///< on the root, besides or instead of bodies_
-    std::optional<Table> crowds_, profiles_;     ///< on the root, of scenes with crowds
+    std::optional<NpyTable> binary_bodies_;  ///< on the root, besides or instead of bodies_
+    std::optional<Table> crowds_, profiles_; ///< on the root, of scenes with crowds
     RunRecord record_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     int frame_ = 0;

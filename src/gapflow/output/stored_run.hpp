@@ -38,7 +38,7 @@ struct StoredRun {
     int dimension = 2;
     RunTable bodies; ///< of bodies.csv, or of bodies.npy where there is no bodies.csv
     RunTable gaps, steps;
-    RunTable crowds, profiles; ///< without rows where the scene has no crowds
+    RunTable crowds, profiles;    ///< without rows where the scene has no crowds
     std::vector<RunFrame> frames; ///< those whose field or body files are there
 };
 

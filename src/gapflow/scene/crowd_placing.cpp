@@ -10,11 +10,11 @@ namespace gapflow {
 
 namespace {
 
-constexpr int most_tries = 2000;   // of one body
-constexpr int most_passes = 4000;  // that push balls apart
-constexpr int shuffles = 50;       // sweeps of single moves afterwards
-constexpr int jitter_tries = 100;  // of one body of a lattice
-constexpr double slack = 1e-3;     // over the mean radius: balls are pushed further apart than asked for, so that pushing ends
+constexpr int most_tries = 2000;  // of one body
+constexpr int most_passes = 4000; // that push balls apart
+constexpr int shuffles = 50;      // sweeps of single moves afterwards
+constexpr int jitter_tries = 100; // of one body of a lattice
+constexpr double slack = 1e-3;    // over the mean radius: balls are pushed further apart than asked for, so that pushing ends
 
 template <int D>
 Rotation<D> random_rotation(RandomNumbers& random)

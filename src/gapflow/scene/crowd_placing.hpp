@@ -11,7 +11,7 @@ namespace gapflow {
 
 template <int D>
 struct CrowdPlan {
-    Hull<D> hull; ///< of a body of size factor 1
+    Hull<D> hull;                ///< of a body of size factor 1
     std::vector<double> factors; ///< on the lengths of each body
     Region<D> region;
     double spacing = 0;

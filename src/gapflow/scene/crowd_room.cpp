@@ -13,9 +13,9 @@ namespace gapflow {
 
 namespace {
 
-constexpr int most_steps = 200;       // of Gilbert's algorithm
-constexpr int most_cells = 64;        // along an axis, of the list of bodies
-constexpr int rim_points = 64;        // of a cylinder's end
+constexpr int most_steps = 200;         // of Gilbert's algorithm
+constexpr int most_cells = 64;          // along an axis, of the list of bodies
+constexpr int rim_points = 64;          // of a cylinder's end
 constexpr std::size_t few_points = 400; // of a mesh's hull
 
 template <int D>
@@ -226,8 +226,8 @@ CrowdRoom<D>::CrowdRoom(const Scene& scene)
             continue;
         }
         const double sign = side % 2 == 0 ? 1 : -1;
-        walls_.push_back({axis, sign, sign * (low_[axis] + (side % 2) * size_[axis]),
-                          scene.sides[side].kind == SideScene::Kind::wall});
+        walls_.push_back(
+            {axis, sign, sign * (low_[axis] + (side % 2) * size_[axis]), scene.sides[side].kind == SideScene::Kind::wall});
     }
     for (const BodyScene& body : scene.bodies) {
         std::unique_ptr<Shape<D>> shape = make_shape<D>(body);
@@ -253,7 +253,8 @@ void CrowdRoom<D>::expect(double reach, double spacing)
     spacing_ = spacing;
     reach_ = std::max(reach_, reach);
     for (int axis = 0; axis < D; ++axis)
-        cells_[axis] = std::clamp(static_cast<int>(std::min(size_[axis] / (2 * reach_ + spacing), 1.0 * most_cells)), 1, most_cells);
+        cells_[axis] =
+            std::clamp(static_cast<int>(std::min(size_[axis] / (2 * reach_ + spacing), 1.0 * most_cells)), 1, most_cells);
     in_cell_.assign(static_cast<std::size_t>(cells_.prod()), {});
     for (int body = 0; body < count(); ++body)
         sort_in(body);

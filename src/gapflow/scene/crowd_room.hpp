@@ -45,10 +45,10 @@ template <int D>
 struct Region {
     enum class Kind { box, ball, cylinder };
     Kind kind = Kind::box;
-    Vec<D> low, high;                                          ///< of a box; of the others' bounds
-    std::array<bool, D> endless{};                             ///< of a box: a whole period of the domain along the axis, without ends
-    Vec<D> centre = Vec<D>::Zero(), axis = Vec<D>::Zero();     ///< of ball and cylinder; unit vector
-    double radius = 0, length = 0;                             ///< of ball and cylinder
+    Vec<D> low, high;              ///< of a box; of the others' bounds
+    std::array<bool, D> endless{}; ///< of a box: a whole period of the domain along the axis, without ends
+    Vec<D> centre = Vec<D>::Zero(), axis = Vec<D>::Zero(); ///< of ball and cylinder; unit vector
+    double radius = 0, length = 0;                         ///< of ball and cylinder
 
     double volume() const; ///< 2D: area
     bool holds(const Hull<D>& hull, const Vec<D>& at) const;
@@ -141,7 +141,8 @@ void CrowdRoom<D>::near(const Vec<D>& at, Visit visit) const
         home[axis] = std::clamp(static_cast<int>((place[axis] - low_[axis]) / size_[axis] * cells_[axis]), 0, cells_[axis] - 1);
         const bool round = period_[axis] > 0;
         first[axis] = round ? (cells_[axis] < 3 ? 0 : home[axis] - 1) : std::max(home[axis] - 1, 0);
-        last[axis] = round ? (cells_[axis] < 3 ? cells_[axis] - 1 : home[axis] + 1) : std::min(home[axis] + 1, cells_[axis] - 1);
+        last[axis] =
+            round ? (cells_[axis] < 3 ? cells_[axis] - 1 : home[axis] + 1) : std::min(home[axis] + 1, cells_[axis] - 1);
     }
     Index<D> c = first;
     for (;;) {

@@ -55,7 +55,8 @@ std::string meaning_of_table(const std::string& table)
     if (table == "body")
         return "A solid, as often as needed. In 2D, masses and forces are per unit depth.";
     if (table == "crowd")
-        return "Many bodies of one shape, as often as needed; they become bodies NAME_0001, NAME_0002 ... behind all of [[body]]. They "
+        return "Many bodies of one shape, as often as needed; they become bodies NAME_0001, NAME_0002 ... behind all of "
+               "[[body]]. They "
                "lie wholly in the region, in the same places on every machine.";
     if (table == "time")
         return "Needed by `gapflow run` and `gapflow converge` only.";

@@ -205,7 +205,8 @@ std::vector<KeyInfo> crowd_keys()
          "\"auto\"",
          non_negative,
          {"auto"},
-         "smallest distance of its bodies from each other, from other bodies and from walls; auto: a hundredth of the diameter of the "
+         "smallest distance of its bodies from each other, from other bodies and from walls; auto: a hundredth of the diameter "
+         "of the "
          "ball that holds the shape, at least contact.thickness and a given gap.roughness"},
         {"crowd.jitter",
          T::number,
@@ -374,7 +375,8 @@ std::vector<KeyInfo> scene_keys()
              "\"auto\"",
              any,
              {"auto", "csv", "binary", "both"},
-             "table of the bodies: bodies.csv, the binary bodies.npy of NumPy, or both; auto: bodies.csv up to 50 bodies"},
+             "table of the bodies: bodies.csv, the binary bodies.npy of NumPy, or both; auto: bodies.csv, or bodies.npy of "
+             "scenes with crowds and more than 50 bodies"},
         });
     return keys;
 }

@@ -9,15 +9,15 @@ namespace gapflow {
 
 enum class KeyType {
     number,
-    number_or_word, ///< a number in the range or one of the choices
-    vector,         ///< a number for each axis
-    count,          ///< a whole number
-    counts,         ///< a whole number for each axis
-    spin,           ///< 2D: a number, 3D: three numbers
-    direction,      ///< 3D: three numbers, not all 0; not in 2D
-    rotation,       ///< 2D: degrees, 3D: { axis, degrees } or a quaternion [w, x, y, z]
+    number_or_word,   ///< a number in the range or one of the choices
+    vector,           ///< a number for each axis
+    count,            ///< a whole number
+    counts,           ///< a whole number for each axis
+    spin,             ///< 2D: a number, 3D: three numbers
+    direction,        ///< 3D: three numbers, not all 0; not in 2D
+    rotation,         ///< 2D: degrees, 3D: { axis, degrees } or a quaternion [w, x, y, z]
     rotation_or_word, ///< the same, or one of the choices
-    inertia,        ///< 2D: a number, 3D: three principal moments or a matrix of three rows
+    inertia,          ///< 2D: a number, 3D: three principal moments or a matrix of three rows
     text,
     choice,
     choices, ///< a list of some of the choices

@@ -29,8 +29,9 @@ Node& addressed(const std::string& kind, Node& document, const std::string& wher
     if (!best) {
         const std::string given = rest.substr(0, rest.find('.'));
         const std::string near = nearest_name(given, names);
-        throw InputError(where + ": no " + kind + " is named '" + given + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?") +
-                         "; write " + kind + ".NAME.key=value with one of the names: " + joined(names));
+        throw InputError(where + ": no " + kind + " is named '" + given + "'" +
+                         (near.empty() ? "" : ", did you mean '" + near + "'?") + "; write " + kind +
+                         ".NAME.key=value with one of the names: " + joined(names));
     }
     rest = rest.substr(length + 1);
     return *best;

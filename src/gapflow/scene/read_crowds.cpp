@@ -139,8 +139,9 @@ std::vector<double> draw_factors(const Values& v, const Sizes& sizes, double vol
                      "allowed: up to " + number_text(most_bodies) + "; use larger bodies or a smaller region");
     }
     if (factors.empty())
-        v.refuse("volume_fraction", "is less than half a body in the region (a body: " + short_text(volume) + ", the region: " +
-                                        short_text(room) + ")",
+        v.refuse("volume_fraction",
+                 "is less than half a body in the region (a body: " + short_text(volume) + ", the region: " + short_text(room) +
+                     ")",
                  "use smaller bodies, a larger region or a larger fraction");
     return factors;
 }
@@ -213,17 +214,19 @@ Region<D> read_region(const Values& v, const CrowdRoom<D>& room)
         }
     }
     for (int axis = 0; axis < D; ++axis) {
-        const bool below = region.low[axis] < low[axis] - round_off(axis), above = region.high[axis] > high[axis] + round_off(axis);
+        const bool below =
+            region.low[axis]<low[axis] - round_off(axis), above = region.high[axis]> high[axis] + round_off(axis);
         if (below || above)
-            v.refuse(kind == 0 && v.given(below ? "region.low" : "region.high") ? (below ? "region.low" : "region.high") : "region",
+            v.refuse(kind == 0 && v.given(below ? "region.low" : "region.high") ? (below ? "region.low" : "region.high")
+                                                                                : "region",
                      std::string("the region reaches out of the domain along ") + "xyz"[axis],
                      std::string("allowed along ") + "xyz"[axis] + ": from " + number_text(low[axis]) + " to " +
                          number_text(high[axis]));
         if (kind == 0) {
             region.low[axis] = std::max(region.low[axis], low[axis]);
             region.high[axis] = std::min(region.high[axis], high[axis]);
-            region.endless[axis] = room.period()[axis] > 0 && region.high[axis] - region.low[axis] >
-                                                                  room.size()[axis] - round_off(axis);
+            region.endless[axis] =
+                room.period()[axis] > 0 && region.high[axis] - region.low[axis] > room.size()[axis] - round_off(axis);
         }
     }
     return region;
@@ -279,7 +282,8 @@ template <int D>
     const bool lattice = crowd.arrangement == CrowdScene::Arrangement::lattice;
     const std::string spacing = "spacing (" + short_text(crowd.spacing) + (v.given("spacing") ? ")" : ", auto)");
     if (found == 0 && !lattice)
-        v.refuse(amount_key(v), "no body finds room in the region", "use smaller bodies, a larger region or a smaller " + spacing);
+        v.refuse(amount_key(v), "no body finds room in the region",
+                 "use smaller bodies, a larger region or a smaller " + spacing);
     const std::string count = std::to_string(found) + " of " + std::to_string(plan.factors.size()) + " bodies";
     char fraction[64];
     std::snprintf(fraction, sizeof fraction, ", a volume fraction of %.3g", crowd.volume_fraction);
@@ -302,7 +306,8 @@ void add_crowd(const Values& v, bool moves, CrowdRoom<D>& room, Scene& scene)
     if (!v.given("number") && !v.given("volume_fraction"))
         v.refuse_missing("number", "a crowd needs number or volume_fraction");
     if (v.given("file") && v.text("shape") != "mesh")
-        v.refuse("file", "a " + v.text("shape") + " has no file", "remove it; a crowd moves with constant velocities, not as in a file");
+        v.refuse("file", "a " + v.text("shape") + " has no file",
+                 "remove it; a crowd moves with constant velocities, not as in a file");
     const BodyScene body = read_crowd_body(v, moves, scene);
     std::unique_ptr<Shape<D>> shape;
     try {
@@ -337,8 +342,9 @@ void add_crowd(const Values& v, bool moves, CrowdRoom<D>& room, Scene& scene)
     crowd.region_volume = plan.region.volume();
     crowd.volume_fraction = volume_of(plan, volume) / crowd.region_volume;
     if (crowd.volume_fraction >= 1)
-        v.refuse(amount_key(v), std::to_string(plan.factors.size()) + " bodies have " + short_text(crowd.volume_fraction) +
-                                    " times the region's volume",
+        v.refuse(amount_key(v),
+                 std::to_string(plan.factors.size()) + " bodies have " + short_text(crowd.volume_fraction) +
+                     " times the region's volume",
                  "use fewer or smaller bodies, or a larger region");
     const auto [least, most] = std::minmax_element(plan.factors.begin(), plan.factors.end());
     crowd.smallest = *least;
@@ -375,7 +381,8 @@ void add_crowds(const Node& crowds, const std::vector<KeyInfo>& keys, bool moves
     }
     for (std::size_t i = 0; i < crowds.items.size(); ++i) {
         const Node& table = crowds.items[i];
-        add_crowd<D>(Values(table, "crowd.", shown_prefix(table, "crowd", static_cast<int>(i) + 1), keys, D), moves, *room, scene);
+        add_crowd<D>(Values(table, "crowd.", shown_prefix(table, "crowd", static_cast<int>(i) + 1), keys, D), moves, *room,
+                     scene);
     }
 }
 

@@ -53,7 +53,7 @@ const CrowdScene* Scene::crowd_of(int body) const
 bool Scene::writes_csv() const
 {
     return bodies_table == BodiesTable::csv || bodies_table == BodiesTable::both ||
-           (bodies_table == BodiesTable::automatic && bodies.size() <= most_bodies_of_csv);
+           (bodies_table == BodiesTable::automatic && (crowds.empty() || bodies.size() <= most_bodies_of_csv));
 }
 
 bool Scene::writes_binary() const

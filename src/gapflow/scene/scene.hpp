@@ -108,9 +108,9 @@ struct CrowdScene {
     int number = 0;
     Arrangement arrangement = Arrangement::random;
     std::uint64_t seed = 1;
-    double spacing = 0;                ///< smallest distance of its bodies from each other, other bodies and walls
-    double region_volume = 0;          ///< 2D: area
-    double volume_fraction = 0;        ///< of its bodies in the region
+    double spacing = 0;               ///< smallest distance of its bodies from each other, other bodies and walls
+    double region_volume = 0;         ///< 2D: area
+    double volume_fraction = 0;       ///< of its bodies in the region
     double smallest = 1, largest = 1; ///< factors on the shape's lengths
 };
 
@@ -196,7 +196,7 @@ std::vector<double> derivative_at(const TimeTable& table, double time);
 /// grid, and steps and solves stay well within the resolution of double precision (method, "Mesh").
 inline constexpr double automatic_roughness = 0.005;
 
-/// output.bodies = "auto" writes bodies.csv up to this number of bodies.
+/// output.bodies = "auto" writes bodies.npy in scenes with crowds and more bodies than this.
 inline constexpr std::size_t most_bodies_of_csv = 50;
 
 /// Additional checks of the reader.

@@ -76,10 +76,12 @@ const std::string periodic_2d =
 
 TEST(Crowd, BecomesNamedBodies)
 {
-    const Scene scene = scene_of(solid_domain + "[[body]]\nname = \"block\"\nshape = \"box\"\nsize = [0.5, 0.5, 0.5]\nposition = "
-                                                "[0.5, 0.5, 0.25]\nmotion = \"fixed\"\n" +
-                                 crowd(ball + "number = 40\nvelocity = [0, 0, 1]\nfree = [\"x\", \"z\"]\n") +
-                                 crowd("name = \"rod\"\nshape = \"capsule\"\nradius = 0.02\nlength = 0.1\ndensity = 3\nnumber = 12\n"));
+    const Scene scene =
+        scene_of(solid_domain +
+                 "[[body]]\nname = \"block\"\nshape = \"box\"\nsize = [0.5, 0.5, 0.5]\nposition = "
+                 "[0.5, 0.5, 0.25]\nmotion = \"fixed\"\n" +
+                 crowd(ball + "number = 40\nvelocity = [0, 0, 1]\nfree = [\"x\", \"z\"]\n") +
+                 crowd("name = \"rod\"\nshape = \"capsule\"\nradius = 0.02\nlength = 0.1\ndensity = 3\nnumber = 12\n"));
     ASSERT_EQ(scene.bodies.size(), 53u);
     ASSERT_EQ(scene.crowds.size(), 2u);
     EXPECT_EQ(scene.bodies[1].name, "ball_0001");
@@ -197,8 +199,9 @@ TEST(Crowd, SizesFollowTheirDistribution)
 
 TEST(Crowd, MassScalesWithSize)
 {
-    const Scene scene = scene_of(flat_domain + crowd("name = \"s\"\nshape = \"ball\"\nradius = 0.02\nmass = 3\ninertia = 0.5\nnumber = "
-                                                     "5\nsizes = { mean = 2 }\n"));
+    const Scene scene =
+        scene_of(flat_domain + crowd("name = \"s\"\nshape = \"ball\"\nradius = 0.02\nmass = 3\ninertia = 0.5\nnumber = "
+                                     "5\nsizes = { mean = 2 }\n"));
     EXPECT_NEAR(scene.bodies[0].radius, 0.04, 1e-15);
     EXPECT_NEAR(*scene.bodies[0].mass, 12, 1e-12);
     EXPECT_NEAR(scene.bodies[0].inertia[0], 8, 1e-12);
@@ -226,10 +229,11 @@ TEST(Crowd, RegionsHoldWholeBodies)
 TEST(Crowd, ContainersAndFunnelsStayFree)
 {
     // Balls and boxes in a container of another shape, which is no region.
-    const Scene scene = scene_of("[domain]\nsize = [2, 2, 2]\ncells = [16, 16, 16]\n[[body]]\nname = \"tank\"\nshape = \"ball\"\nradius "
-                                 "= 0.9\nposition = [1, 1, 1]\ninside_out = true\nmotion = \"fixed\"\n" +
-                                 crowd("name = \"box\"\nshape = \"box\"\nsize = [0.3, 0.1, 0.1]\ndensity = 2\nnumber = 40\n") +
-                                 crowd(ball + "number = 60\n"));
+    const Scene scene =
+        scene_of("[domain]\nsize = [2, 2, 2]\ncells = [16, 16, 16]\n[[body]]\nname = \"tank\"\nshape = \"ball\"\nradius "
+                 "= 0.9\nposition = [1, 1, 1]\ninside_out = true\nmotion = \"fixed\"\n" +
+                 crowd("name = \"box\"\nshape = \"box\"\nsize = [0.3, 0.1, 0.1]\ndensity = 2\nnumber = 40\n") +
+                 crowd(ball + "number = 60\n"));
     const auto shape = make_shape<3>(scene.bodies[1]);
     for (int i = 1; i <= 40; ++i) {
         const PlacedShape<3> box(*shape, scene_pose<3>(scene.bodies[i]));
@@ -242,7 +246,8 @@ TEST(Crowd, ContainersAndFunnelsStayFree)
 
 TEST(Crowd, Lattices)
 {
-    const std::string cube = "[domain]\nsize = [1, 1, 1]\ncells = [16, 16, 16]\n" + crowd(ball + "arrangement = \"lattice\"\nnumber = ");
+    const std::string cube =
+        "[domain]\nsize = [1, 1, 1]\ncells = [16, 16, 16]\n" + crowd(ball + "arrangement = \"lattice\"\nnumber = ");
     Scene scene = scene_of(cube + "343\n");
     ASSERT_EQ(scene.bodies.size(), 343u);
     EXPECT_NEAR(scene.bodies[0].position[0], 0.5 / 7, 1e-15);
@@ -257,8 +262,9 @@ TEST(Crowd, Lattices)
         moved += std::abs(std::remainder(body.position[0] - 0.5 / 7, 1.0 / 7)) > 1e-6;
     EXPECT_GT(moved, 330);
     // Boxes of a lattice are not turned, and lie closer than any way of turning them would let them.
-    const Scene boxes = scene_of(flat_domain + crowd("name = \"b\"\nshape = \"box\"\nsize = [0.17, 0.17]\ndensity = 1\nnumber = 50\n"
-                                                     "arrangement = \"lattice\"\n"));
+    const Scene boxes =
+        scene_of(flat_domain + crowd("name = \"b\"\nshape = \"box\"\nsize = [0.17, 0.17]\ndensity = 1\nnumber = 50\n"
+                                     "arrangement = \"lattice\"\n"));
     EXPECT_EQ(boxes.bodies[3].angle, 0);
 }
 
@@ -267,42 +273,52 @@ TEST(Crowd, BadOnesAreRefused)
     const std::string rods = "name = \"r\"\nshape = \"box\"\nsize = [0.2, 0.05]\ndensity = 1\n";
     const std::vector<std::pair<std::string, std::string>> cases{
         {ball, "crowd.toml:4:1: crowd.ball.number is missing: a crowd needs number or volume_fraction"},
-        {ball + "number = 3\nvolume_fraction = 0.1\n", "crowd.toml:10:19: crowd.ball.volume_fraction = 0.1: given together with number"},
+        {ball + "number = 3\nvolume_fraction = 0.1\n",
+         "crowd.toml:10:19: crowd.ball.volume_fraction = 0.1: given together with number"},
         {ball + "number = 2.5\n", "crowd.ball.number = 2.5: 2.5 is not a whole number"},
         {ball + "number = 0\n", "out of range"},
         {ball + "number = 3\nposition = [1, 1]\n", "crowd.toml:10:1: crowd.ball.position: unknown key"},
         {ball + "number = 500\n", "have 1.963 times the region's volume; use fewer"},
-        {ball + "number = 230\n", "find room at random; use fewer bodies, a larger region or a smaller spacing (0.001, auto); balls"},
+        {ball + "number = 230\n",
+         "find room at random; use fewer bodies, a larger region or a smaller spacing (0.001, auto); balls"},
         {rods + "number = 150\n", "together, find room at random; use fewer"},
         {rods + "number = 150\n", "or arrangement = \"lattice\""},
         {rods + "number = 50\narrangement = \"lattice\"\nrotation = 45\nspacing = 0.05\n", "have room at their sites"},
         {ball + "number = 3\njitter = 0.1\n", "only a lattice has jitter"},
         {ball + "number = 3\nregion = { low = [1, 0], high = [0.5, 1] }\n", "no extent along x"},
-        {ball + "number = 3\nregion = { low = [1, 0], high = [2.5, 1] }\n", "region.high = [2.5, 1]: the region reaches out of the domain"},
+        {ball + "number = 3\nregion = { low = [1, 0], high = [2.5, 1] }\n",
+         "region.high = [2.5, 1]: the region reaches out of the domain"},
         {ball + "number = 3\nregion = { centre = [1, 0.5] }\n", "region.radius is missing: a ball needs it"},
-        {ball + "number = 3\nregion = { centre = [1, 0.5], low = [0, 0] }\n", "region.low = [0, 0]: given together with region.centre"},
+        {ball + "number = 3\nregion = { centre = [1, 0.5], low = [0, 0] }\n",
+         "region.low = [0, 0]: given together with region.centre"},
         {ball + "number = 3\nregion = { radius = 0.5 }\n", "given without region.centre"},
         {ball + "number = 3\nregion = { from = [0, 0], to = [1, 0], radius = 0.5 }\n", "a cylinder needs three dimensions"},
-        {ball + "number = 3\nregion = { centre = [1, 0.5], radius = 0.5 }\narrangement = \"lattice\"\n", "a lattice fills a box"},
+        {ball + "number = 3\nregion = { centre = [1, 0.5], radius = 0.5 }\narrangement = \"lattice\"\n",
+         "a lattice fills a box"},
         {ball + "number = 3\nsizes = { deviation = 0.1 }\n", "a fixed distribution has none; add sizes.distribution"},
-        {ball + "number = 3\nsizes = { distribution = \"normal\" }\n", "sizes.deviation is missing: a normal distribution needs it"},
+        {ball + "number = 3\nsizes = { distribution = \"normal\" }\n",
+         "sizes.deviation is missing: a normal distribution needs it"},
         {ball + "number = 3\nsizes = { distribution = \"uniform\", low = 2, high = 1 }\n", "not below the largest"},
         {ball + "number = 3\nsizes = { distribution = \"normal\", deviation = 0.001, low = 2 }\n", "next to no factor"},
         {ball + "number = 3\nsizes = { distribution = \"gauss\" }\n", "unknown value \"gauss\""},
         {ball + "volume_fraction = 1e-5\n", "less than half a body"},
         {"name = \"d\"\nshape = \"ball\"\nradius = 1e-5\ndensity = 1\nvolume_fraction = 0.1\n", "allowed: up to 100000"},
         {ball + "number = 3\nregion = { low = [0, 0], high = [0.05, 1] }\n", "no body finds room in the region"},
-        {"name = \"h\"\nshape = \"half-space\"\nnormal = [1, 0]\nnumber = 3\n", "crowd.h.shape = \"half-space\": unknown value"},
+        {"name = \"h\"\nshape = \"half-space\"\nnormal = [1, 0]\nnumber = 3\n",
+         "crowd.h.shape = \"half-space\": unknown value"},
         {ball + "number = 3\nfile = \"path.csv\"\nmotion = \"prescribed\"\n", "a ball has no file"},
         {ball + "number = 3\n[[crowd]]\n" + ball + "number = 3\n", "an earlier [[crowd]] has this name"},
-        {ball + "number = 3\n[[body]]\nname = \"ball_0002\"\nshape = \"ball\"\nradius = 0.1\ndensity = 1\n", "the body 'ball_0002' has"},
-        {ball + "number = 3\n[[pair]]\nbodies = [\"ball\", \"wall:x_low\"]\n", "'ball' is a crowd, and a pair names single bodies; name one of "
-                                                                             "ball_0001 ... ball_0003"},
+        {ball + "number = 3\n[[body]]\nname = \"ball_0002\"\nshape = \"ball\"\nradius = 0.1\ndensity = 1\n",
+         "the body 'ball_0002' has"},
+        {ball + "number = 3\n[[pair]]\nbodies = [\"ball\", \"wall:x_low\"]\n",
+         "'ball' is a crowd, and a pair names single bodies; name one of "
+         "ball_0001 ... ball_0003"},
         {ball + "number = 3\n[[pair]]\nbodies = [\"bell\", \"wall:x_low\"]\n", "allowed: ball_0001 ... ball_0003, wall:x_low"},
     };
     for (const auto& [keys, expected] : cases)
         EXPECT_THAT(refusal_of(flat_domain + crowd(keys)), testing::HasSubstr(expected)) << keys;
-    EXPECT_EQ(refusal_of(flat_domain + crowd(ball + "number = 3\n[[pair]]\nbodies = [\"ball_0001\", \"wall:x_low\"]\n")), "accepted");
+    EXPECT_EQ(refusal_of(flat_domain + crowd(ball + "number = 3\n[[pair]]\nbodies = [\"ball_0001\", \"wall:x_low\"]\n")),
+              "accepted");
 }
 
 TEST(Crowd, JsonTellsWhatItBecame)
