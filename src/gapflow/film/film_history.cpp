@@ -20,8 +20,11 @@ constexpr double surplus_bound = 1.5;
 constexpr double smallest_patch = 0.25;
 // A mouth takes over the flux of an old one within this many cells.
 constexpr double mouth_reach = 2.0;
-// In dx: a point further from a film does not belong to it. Shape functions less than `at_vertex` are round-off.
-constexpr double beside_film = 0.05;
+// In dx: a point of the master that lies further beyond a film's end does not belong to it. The master's surface rises over an element's plane
+// by less than this share of the element's size; what is further off is another surface.
+constexpr double beyond_end = 0.05;
+constexpr double rise = 0.25;
+// Shape functions less than this are round-off.
 constexpr double at_vertex = 1e-6;
 // Films of up to this many elements are searched without bins.
 constexpr int few_elements = 256;
@@ -202,7 +205,7 @@ typename FilmHistory<D>::Sample FilmHistory<D>::sample(const Vec<D>& x_body, int
     for (int i = 0; i < D; ++i)
         flux += slope_[place.element] * (std::clamp(place.shape[i], 0.0, 1.0) - 1.0 / D) *
                 flux_vertex_[elements_[place.element][i]];
-    return {place.element, place.distance, thickness(place), flux};
+    return {place.element, belongs(place, x_body), thickness(place), flux};
 }
 
 template <int D>
@@ -229,6 +232,17 @@ typename FilmHistory<D>::Place FilmHistory<D>::place_in(int element, const Vec<D
         v[i] = x_[elements_[element][i]];
     place.distance = to_simplex<D>(v, x_body, place.shape);
     return place;
+}
+
+// On the master's surface over the element, or next to it. (The surface of a ball of four cells is 0.05 cells from an element of one cell.)
+template <int D>
+bool FilmHistory<D>::belongs(const Place& place, const Vec<D>& x_body) const
+{
+    Vec<D> in_plane = Vec<D>::Zero();
+    for (int i = 0; i < D; ++i)
+        in_plane += place.shape[i] * x_[elements_[place.element][i]];
+    const double off = (x_body - in_plane).norm(), end = beyond_end * dx_;
+    return off < rise * radius_[place.element] + end && place.distance * place.distance - off * off < end * end;
 }
 
 // From element to element towards x, across the facet that x lies furthest beyond. Element -1: x lies beyond the film's end.
@@ -325,7 +339,7 @@ double FilmHistory<D>::at_vertices(std::span<const double> field, const Vec<D>& 
 {
     const Place place = locate(x_body, hint);
     hint = place.element;
-    if (place.element < 0 || place.distance > beside_film * dx_)
+    if (place.element < 0 || !belongs(place, x_body))
         return 0;
     double value = 0, sum = 0;
     for (int i = 0; i < D; ++i)

@@ -39,7 +39,7 @@ public:
     /// What lies at a point of the master's frame. `flux`: h (w - U_m), linear in the element with a limited slope, world axes.
     struct Sample {
         int element;
-        double distance; ///< from the element
+        bool belongs; ///< x to the film: it lies at the element, not beyond the film's end
         double h;
         Vec<D> flux;
     };
@@ -94,6 +94,7 @@ private:
         double distance;
     };
     Place place_in(int element, const Vec<D>& x_body) const;
+    bool belongs(const Place& place, const Vec<D>& x_body) const;
     Place locate(const Vec<D>& x_body, int hint) const;
     Place walk(const Vec<D>& x_body, int start) const;
     void join_elements();

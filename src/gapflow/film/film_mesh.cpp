@@ -5,12 +5,13 @@
 #include "gapflow/film/film_mesh.hpp"
 
 #include "gapflow/film/film_quadrature.hpp"
-#include "gapflow/film/gap_cut.hpp"
+#include "gapflow/film/ring_cut.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 namespace gapflow {
 namespace {
@@ -295,6 +296,19 @@ std::optional<std::vector<FilmMesh<D>>> films_at_scale(const GapSurface<D>& base
     return films;
 }
 
+/// The film of a gap in rings, or none.
+std::vector<FilmMesh<3>> ring_films(GapTest<3> test, const GapCut<3>& cut)
+{
+    if (cut.nodes.empty())
+        return {};
+    std::set<int> patches;
+    for (const GapCut<3>::Node& node : cut.nodes)
+        patches.insert(node.p.patch);
+    test.label.assign(patches.begin(), patches.end());
+    test.options.curved = 1.7 * test.options.rings; // diagonals of elements between rings that no limit keeps apart
+    return Assembler<3>(test, cut).films(false);
+}
+
 } // namespace
 
 template <int D>
@@ -306,6 +320,7 @@ FilmMeshOptions coupling_sizes(bool viscous)
         options.curved = 0.4;
         options.smallest = viscous ? 1e-4 : 1. / 16;
         options.straddle_smooth = 1;
+        options.rings = viscous ? 0.4 : 0.6;
         options.kink = 0.06;
         options.spacing = 0.5;
         options.ratio = 3;
@@ -322,6 +337,9 @@ std::vector<FilmMesh<D>> film_meshes(const PlacedShape<D>& master, const PlacedS
     if (test.options.smallest <= 0)
         test.options.smallest = D == 2 ? 1e-4 : 1. / 32;
 
+    if constexpr (D == 3)
+        if (const auto cut = ring_cut(test))
+            return ring_films(test, *cut);
     const GapSurface<D> surface(test, base ? *base : master.shape().surface_mesh());
     if (surface.elements().empty())
         return {};

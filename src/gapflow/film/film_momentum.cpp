@@ -21,14 +21,14 @@ template <int D>
 class FilmMomentum {
 public:
     FilmMomentum(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
-                 const std::function<MouthLaw(int, int)>& law, double dx, double dt, double share)
+                 const std::function<MouthLaw(int, int)>& law, double dt, double share)
         : network_(network), solids_(solids), mouths_(network.rim.mouths), law_(law), dt_(dt),
           history_(network.films.size(), nullptr)
     {
         for (std::size_t k = 0; k < network.films.size(); ++k)
             if (auto it = histories.find(network.films[k].pair); it != histories.end())
                 history_[k] = it->second.get();
-        place_ = put_in_place<D>(network, solids, history_, dx);
+        place_ = put_in_place<D>(network, solids, history_);
         for (FluidInPlace<D>& place : place_) {
             place.acceleration *= share;
             place.increment *= share;
@@ -344,9 +344,9 @@ private:
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
                          const VelocitySampler<D>& grid_velocity, const std::function<MouthLaw(int, int)>& law,
-                         const FilmDebts<D>& debts, double dx, double dt, double share)
+                         const FilmDebts<D>& debts, double dt, double share)
 {
-    FilmMomentum<D> momentum(network, solids, histories, law, dx, dt, share);
+    FilmMomentum<D> momentum(network, solids, histories, law, dt, share);
     FilmFlow<D> flow;
     momentum.cover(grid_velocity(momentum.bulk_places()), flow);
     momentum.carry(debts, flow);
@@ -358,7 +358,7 @@ FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template FilmFlow<D> advect_films<D>(const FilmNetwork<D>&, std::span<const Solid<D>>, const FilmHistories<D>&,            \
                                          const VelocitySampler<D>&, const std::function<MouthLaw(int, int)>&,                  \
-                                         const FilmDebts<D>&, double, double, double);
+                                         const FilmDebts<D>&, double, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

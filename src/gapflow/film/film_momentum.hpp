@@ -33,6 +33,6 @@ struct MouthLaw {
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
                          const VelocitySampler<D>& grid_velocity, const std::function<MouthLaw(int, int)>& law,
-                         const FilmDebts<D>& debts, double dx, double dt, double share = 1);
+                         const FilmDebts<D>& debts, double dt, double share = 1);
 
 } // namespace gapflow

@@ -10,9 +10,6 @@ namespace gapflow {
 
 namespace {
 
-// In dx: a point further than this from an old film had none.
-constexpr double beside_film = 0.05;
-
 // A piece of a new element's volume that was in an old element.
 struct Deposit {
     int element, old;
@@ -90,7 +87,7 @@ std::vector<Remains<D>> remaining(const FilmHistory<D>& old, const std::vector<d
 
 template <int D>
 std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
-                                          const std::vector<const FilmHistory<D>*>& history, double dx)
+                                          const std::vector<const FilmHistory<D>*>& history)
 {
     std::vector<FluidInPlace<D>> result(network.elements);
     std::map<const FilmHistory<D>*, std::vector<int>> films; // of each pair
@@ -119,7 +116,7 @@ std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::sp
                 const double scale = film.mesh.elements[q.element].volume / sum[q.element];
                 const Vec<D> x = master.to_body(q.x);
                 const auto sample = old.sample(x, hint);
-                if (sample.distance > beside_film * dx) {
+                if (!sample.belongs) {
                     result[e].covered += scale * q.weight * q.h;
                     continue;
                 }
@@ -175,7 +172,7 @@ std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::sp
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<FluidInPlace<D>> put_in_place<D>(const FilmNetwork<D>&, std::span<const Solid<D>>,                    \
-                                                          const std::vector<const FilmHistory<D>*>&, double);
+                                                          const std::vector<const FilmHistory<D>*>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

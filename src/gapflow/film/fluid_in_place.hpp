@@ -33,6 +33,6 @@ struct FluidInPlace {
 /// One value for each element of the network; all 0 where a film's pair has no history.
 template <int D>
 std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
-                                          const std::vector<const FilmHistory<D>*>& history, double dx);
+                                          const std::vector<const FilmHistory<D>*>& history);
 
 } // namespace gapflow

@@ -109,8 +109,8 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
     FluidVelocity<D>& u_star = result.velocity;
     FilmFlow<D> flow = advect_films<D>(
         there.network, there.solids, beyond.histories,
-        [&](const std::vector<Vec<D>>& points) { return sample(grid, u, points); }, model.mouths, state.film_debts, grid.dx(),
-        step.dt, extrapolation_share(step.last_dt, step.dt));
+        [&](const std::vector<Vec<D>>& points) { return sample(grid, u, points); }, model.mouths, state.film_debts, step.dt,
+        extrapolation_share(step.last_dt, step.dt));
     damp_vorticity(there.network, grid.dx(), flow.velocity);
     flow.account.transported = flow.velocity;
     reverse_films<D>(there.network, there.solids, state.turned, predicted, flow);

@@ -127,6 +127,105 @@ TEST(CurvedFilm, WallThatSlidesAlongItselfSweepsNothing)
     }
 }
 
+FilmMeshOptions rings_with(double threshold)
+{
+    FilmMeshOptions options = coupling_sizes<3>(false);
+    options.threshold = threshold;
+    return options;
+}
+
+/// What a mesh in rings keeps: its rim lies outside the gap as far as the area of the polygon needs.
+FilmMeshOptions limits_of(FilmMeshOptions options)
+{
+    options.threshold *= 1.12;
+    options.largest = 1.5;
+    return options;
+}
+
+TEST(RingFilm, BallOverWallHasTheGapsExtentWithFewNodes)
+{
+    const auto ball = make_ball<3>(5), wall = make_half_space<3>(unit<3>(2));
+    FilmMeshOptions options = rings_with(1.5), fine = options;
+    fine.rings = 0;
+    fine.largest_curved = fine.straddle_smooth = 0.25;
+    fine.curved = 0.1;
+    for (double gap : {0.5, 0.1, 1e-3, 1e-6}) {
+        const auto place_ball = place<3>(ball, Vec<3>(0.1, 0.2, 5 + gap));
+        const auto films = films_of<3>(place_ball, place<3>(wall, Vec<3>::Zero()), options);
+        ASSERT_EQ(films.size(), 1u);
+        const FilmMesh<3>& film = films[0];
+        check_film(film, limits_of(options));
+        EXPECT_LT(film.x.size(), 150u);
+        const double a = half_width(5, gap, 1.5);
+        EXPECT_NEAR(-other_area(film)[2], pi * a * a, 3e-3 * pi * a * a);
+        EXPECT_EQ(rim_lengths(film).size(), 1u);
+        EXPECT_GT(rim_lengths(film).at(RimEnd::thickness), 2 * pi * a);
+        const auto exact = films_of<3>(place_ball, place<3>(wall, Vec<3>::Zero()), fine);
+        EXPECT_NEAR(volume(film), volume(exact[0]), 0.02 * volume(exact[0]));
+    }
+}
+
+TEST(RingFilm, IsAsSymmetricAsThePairAndTurnsWithIt)
+{
+    const auto ball = make_ball<3>(4);
+    const FilmMeshOptions options = rings_with(1.5);
+    const Vec<3> apart(0, 0, 8.05);
+    const auto films = films_of<3>(place<3>(ball, Vec<3>::Zero()), place<3>(ball, apart), options);
+    ASSERT_EQ(films.size(), 1u);
+    check_film(films[0], limits_of(options));
+    for (int axis = 0; axis < 2; ++axis) // every node has its mirror image
+        for (const Vec<3>& x : films[0].mid) {
+            Vec<3> image = x;
+            image[axis] = -x[axis];
+            double nearest = 1e30;
+            for (const Vec<3>& y : films[0].mid)
+                nearest = std::min(nearest, (y - image).norm());
+            EXPECT_LT(nearest, 1e-9);
+        }
+    const Rotation<3> turn = Eigen::Quaterniond(0.3, -0.2, 0.8, 0.4).normalized();
+    const auto turned = films_of<3>(place<3>(ball, Vec<3>::Zero(), turn), place<3>(ball, turn * apart, turn), options);
+    ASSERT_EQ(turned.size(), 1u);
+    ASSERT_EQ(turned[0].x.size(), films[0].x.size());
+    for (std::size_t i = 0; i < films[0].x.size(); ++i)
+        EXPECT_LT((turned[0].x[i] - turn * films[0].x[i]).norm(), 1e-9);
+}
+
+TEST(RingFilm, EndsHalfwayToAThirdBody)
+{
+    const auto ball = make_ball<3>(2);
+    const FilmMeshOptions options = rings_with(1.5);
+    const double between = 4.1; // three balls that nearly touch each other
+    const auto a = place<3>(ball, Vec<3>::Zero()), b = place<3>(ball, Vec<3>(between, 0, 0)),
+               c = place<3>(ball, Vec<3>(0.5 * between, std::sqrt(0.75) * between, 0));
+    const auto films = films_of<3>(a, b, options, [&](const Vec<3>& x, const Vec<3>&) { return c.distance(x); });
+    ASSERT_EQ(films.size(), 1u);
+    check_film(films[0], limits_of(options));
+    EXPECT_LT(films[0].x.size(), 150u);
+    for (const auto& r : films[0].rim)
+        if (r.end == RimEnd::third_body) {
+            for (int n : r.nodes)
+                EXPECT_LT(b.distance(films[0].x[n]), c.distance(films[0].x[n]) + 1e-9);
+        }
+    const auto alone = films_of<3>(a, b, options);
+    EXPECT_LE(area(films[0]), area(alone[0]) * (1 + 1e-12));
+}
+
+// Where the gap ends at an edge of the other, it takes the refined surface.
+TEST(RingFilm, IsNotForGapsThatEndAtEdges)
+{
+    const auto ball = make_ball<3>(5), narrow = make_box<3>({3, 3, 2}), wide = make_box<3>({20, 20, 2});
+    FilmMeshOptions options = rings_with(1.5), refined = options;
+    refined.rings = 0;
+    const auto above = place<3>(ball, Vec<3>(0.1, 0.2, 6.1));
+    const auto nodes = [&](const auto& box, const FilmMeshOptions& o) {
+        return films_of<3>(above, place<3>(box, Vec<3>::Zero()), o).at(0).x.size();
+    };
+    EXPECT_EQ(nodes(narrow, options), nodes(narrow, refined));
+    EXPECT_LT(2 * nodes(wide, options), nodes(wide, refined));
+    const auto shell = make_inside_out<3>(make_ball<3>(5.3)); // not convex: all around
+    EXPECT_TRUE(films_of<3>(above, place<3>(shell, Vec<3>(0.1, 0.2, 6.1)), options).at(0).rim.empty());
+}
+
 // Surfaces that touch and stand still are one solid: the film of a wedge ends where they come as near as that.
 TEST(CurvedFilm, EndsWhereSurfacesTouch)
 {
@@ -270,9 +369,9 @@ TEST(CurvedFilm, MovesWithThePair)
 }
 
 template <int D>
-void random_poses(const std::vector<std::unique_ptr<Shape<D>>>& shapes, int count)
+void random_poses(const std::vector<std::unique_ptr<Shape<D>>>& shapes, int count, const FilmMeshOptions& options,
+                  const FilmMeshOptions& limits)
 {
-    const FilmMeshOptions options = options_with(0.7);
     std::mt19937 random(11);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform;
@@ -298,7 +397,7 @@ void random_poses(const std::vector<std::unique_ptr<Shape<D>>>& shapes, int coun
         }
         for (const auto& film : films_of<D>(a, b, options)) {
             ++found;
-            ASSERT_NO_FATAL_FAILURE(check_film(film, options)) << "pose " << i;
+            ASSERT_NO_FATAL_FAILURE(check_film(film, limits)) << "pose " << i;
         }
     }
     EXPECT_GT(found, count / 4);
@@ -310,7 +409,7 @@ TEST(CurvedFilm, RandomPoses2D)
     shapes.push_back(make_box<2>({5, 2}));
     shapes.push_back(make_ball<2>(2));
     shapes.push_back(make_capsule<2>(1, 4));
-    random_poses<2>(shapes, 300);
+    random_poses<2>(shapes, 300, options_with(0.7), options_with(0.7));
 }
 
 TEST(CurvedFilm, RandomPoses3D)
@@ -320,7 +419,8 @@ TEST(CurvedFilm, RandomPoses3D)
     shapes.push_back(make_ball<3>(2));
     shapes.push_back(make_capsule<3>(1, 3));
     shapes.push_back(make_cylinder(1.5, 2.5));
-    random_poses<3>(shapes, 64);
+    random_poses<3>(shapes, 64, options_with(0.7), options_with(0.7));
+    random_poses<3>(shapes, 64, rings_with(0.7), limits_of(rings_with(0.7)));
 }
 
 } // namespace

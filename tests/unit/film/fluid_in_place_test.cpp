@@ -262,7 +262,7 @@ TEST(FluidInPlace, FluidBetweenBallsStaysWhereTheFilmGrows)
                 network.films.push_back({{0, 1, {}}, mesh, threshold});
                 number_films(network.films);
                 network.elements = static_cast<int>(mesh.elements.size());
-                const std::vector<FluidInPlace<3>> fluid = put_in_place<3>(network, solids, {&old}, 1.0);
+                const std::vector<FluidInPlace<3>> fluid = put_in_place<3>(network, solids, {&old});
                 lost -= volumes(fluid);
                 for (std::size_t i = 0; i < fluid.size(); ++i)
                     after += 0.5 * mesh.elements[i].volume * fluid[i].reference.squaredNorm();
@@ -274,10 +274,54 @@ TEST(FluidInPlace, FluidBetweenBallsStaysWhereTheFilmGrows)
         }
 }
 
+// The surface of a ball of four cells lies 0.05 cells and more over elements of a cell: on a mesh that has not changed the fluid stays as it is, and
+// on one that turns about the point of contact none is new.
+TEST(FluidInPlace, RoundSurfacesOverLargeElementsAreOfTheFilm)
+{
+    const auto ball = make_ball<3>(4);
+    const auto floor = make_half_space<3>(unit<3>(2));
+    const FilmMeshOptions sizes = [] {
+        FilmMeshOptions options = coupling_sizes<3>(false);
+        options.threshold = 1.95;
+        return options;
+    }();
+    for (double rings : {0.0, sizes.rings})
+        for (double angle : {0.0, 0.1}) {
+            FilmMeshOptions options = sizes;
+            options.rings = rings;
+            const auto at = [&](double turn) {
+                Pose<3> pose;
+                pose.position = 4.005 * unit<3>(2);
+                pose.rotation = Rotation<3>(Eigen::AngleAxisd(turn, unit<3>(2)));
+                return std::vector<Solid<3>>{{"ball", {*ball, pose}, pose.position}, {"floor", {*floor, {}}, Vec<3>::Zero()}};
+            };
+            const std::vector<Solid<3>> before = at(0), after = at(angle);
+            const Film<3> film{{0, 1, {}}, films_of<3>(before[0].shape, before[1].shape, options).at(0), options.threshold};
+            std::mt19937 random(5);
+            std::uniform_real_distribution<double> uniform(-1, 1);
+            std::vector<Vec<3>> u;
+            for (const FilmElement<3>& e : film.mesh.elements)
+                u.push_back(tangential<3>(Vec<3>::NullaryExpr([&] { return uniform(random); }), e.normal));
+            const FilmHistory<3> old(before[0], Twist<3>::Zero(), {&film}, u, {}, {}, {}, 1.0);
+            FilmNetwork<3> network;
+            network.films.push_back(
+                {{0, 1, {}}, films_of<3>(after[0].shape, after[1].shape, options).at(0), options.threshold});
+            number_films(network.films);
+            network.elements = static_cast<int>(network.films[0].mesh.elements.size());
+            const std::vector<FluidInPlace<3>> fluid = put_in_place<3>(network, after, {&old});
+            for (std::size_t i = 0; i < fluid.size(); ++i) {
+                EXPECT_EQ(fluid[i].covered, 0) << i;
+                if (angle == 0) {
+                    EXPECT_LT((fluid[i].reference - u[i]).norm(), 1e-4) << i;
+                }
+            }
+        }
+}
+
 TEST(FluidInPlace, NothingWithoutHistory)
 {
     const GapOfPlates<2> gap({});
-    for (const FluidInPlace<2>& place : put_in_place<2>(gap.network, gap.solids, {nullptr}, 1.0)) {
+    for (const FluidInPlace<2>& place : put_in_place<2>(gap.network, gap.solids, {nullptr})) {
         EXPECT_EQ(place.volume, 0);
         EXPECT_EQ(place.covered, 0);
         EXPECT_EQ(place.reference.norm(), 0);

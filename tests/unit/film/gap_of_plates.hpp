@@ -86,7 +86,7 @@ public:
     }
     std::vector<FluidInPlace<D>> put_in_place(const FilmHistory<D>& old) const
     {
-        return gapflow::put_in_place<D>(network, solids, {&old}, 1.0);
+        return gapflow::put_in_place<D>(network, solids, {&old});
     }
     /// Fluid that fills the film, of velocities in the master's axes.
     std::vector<FluidInPlace<D>> filled(const std::vector<Vec<D>>& velocity) const

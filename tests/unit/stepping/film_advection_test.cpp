@@ -70,7 +70,7 @@ struct Annulus : CoupledScene {
         return advect_films<2>(
             coupling.network, coupling.solids, histories,
             [](const std::vector<Vec<2>>& x) { return std::vector<Vec<2>>(x.size(), Vec<2>(Vec<2>::Zero())); },
-            [](int, int) { return MouthLaw{}; }, {}, grid.dx(), dt);
+            [](int, int) { return MouthLaw{}; }, {}, dt);
     }
 
     // The same by the finite volumes of second order, whatever energy they take or give.
@@ -79,7 +79,7 @@ struct Annulus : CoupledScene {
         const FilmHistories<2> histories = remember_films<2>(coupling.network, coupling.solids, rest, u, {}, grid.dx());
         const FilmHistory<2>& history = *histories.begin()->second;
         const PlacedShape<2>& master = coupling.solids[film().pair.master].shape;
-        const std::vector<FluidInPlace<2>> start = put_in_place<2>(coupling.network, coupling.solids, {&history}, grid.dx());
+        const std::vector<FluidInPlace<2>> start = put_in_place<2>(coupling.network, coupling.solids, {&history});
         std::vector<Vec<2>> flow;
         for (std::size_t i = 0; i < u.size(); ++i)
             flow.push_back(film().mesh.elements[i].volume * start[i].velocity);
@@ -187,8 +187,8 @@ TEST(FilmAdvection, AddsNoEnergyWithAnyFluxes)
         }
         const FilmHistories<2> histories =
             remember_films<2>(annulus.coupling.network, annulus.coupling.solids, annulus.rest, u, {}, annulus.grid.dx());
-        const std::vector<FluidInPlace<2>> start = put_in_place<2>(annulus.coupling.network, annulus.coupling.solids,
-                                                                   {histories.begin()->second.get()}, annulus.grid.dx());
+        const std::vector<FluidInPlace<2>> start =
+            put_in_place<2>(annulus.coupling.network, annulus.coupling.solids, {histories.begin()->second.get()});
         std::vector<Vec<2>> flow;
         for (std::size_t i = 0; i < u.size(); ++i) {
             in_place += elements[i].volume * start[i].reference.squaredNorm();

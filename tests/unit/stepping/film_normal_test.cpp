@@ -80,7 +80,7 @@ TEST(FilmNormal, FlowRoundACornerGainsNoEnergy)
     const FilmFlow<2> flow = advect_films<2>(
         after.coupling.network, after.coupling.solids, histories,
         [](const std::vector<Vec<2>>& x) { return std::vector<Vec<2>>(x.size(), Vec<2>(Vec<2>::Zero())); },
-        [](int, int) { return MouthLaw{}; }, {}, after.grid.dx(), 1e-6);
+        [](int, int) { return MouthLaw{}; }, {}, 1e-6);
     double along = 0, across = 0;
     for (std::size_t i = 0; i < flow.velocity.size(); ++i) {
         along += after.film().mesh.elements[i].volume * flow.velocity[i].squaredNorm();

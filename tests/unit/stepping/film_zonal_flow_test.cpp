@@ -97,7 +97,7 @@ TEST(FilmZonalFlow, KeepsItsSpinBetweenSpheres)
             const FilmFlow<3> flow = advect_films<3>(
                 c.network, c.solids, histories,
                 [](const std::vector<Vec<3>>& x) { return std::vector<Vec<3>>(x.size(), Vec<3>(Vec<3>::Zero())); },
-                [](int, int) { return MouthLaw{}; }, debts, shells.grid.dx(), dt);
+                [](int, int) { return MouthLaw{}; }, debts, dt);
             u.film = flow.velocity;
             project();
             debts = settle_films<3>(c.network, flow.account, u.film, {}, dt, increment);
