@@ -100,9 +100,9 @@ struct FilmMeshOptions {
     double straddle = 0.125;        ///< size of elements cut by the film's end, in dx
     double straddle_smooth = 0.125; ///< the same where the film ends between smooth curved surfaces (at no edge and no patch)
     double kink = 0.03;             ///< of a cut's length: how far the film's end may lie from a straight line (3D)
-    double rings = 0;               ///< between a ball and a convex body: rings about the nearest point, in sqrt(2 R h) (3D); 0: none
-    double spacing = 0.0;           ///< of quadrature points, in dx; 0: default (1/8 in 2D; 3D: 1/4, where both are flat 1/2)
-    double ratio = 1.5;             ///< largest change of h over an element
+    double rings = 0;     ///< between a ball and a convex body: rings about the nearest point, in sqrt(2 R h) (3D); 0: none
+    double spacing = 0.0; ///< of quadrature points, in dx; 0: default (1/8 in 2D; 3D: 1/4, where both are flat 1/2)
+    double ratio = 1.5;   ///< largest change of h over an element
     int node_cap = 100000;
     Vec<3> origin = Vec<3>::Zero(); ///< of the grid, to cut points at its planes
 };
