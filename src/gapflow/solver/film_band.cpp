@@ -23,15 +23,22 @@ namespace gapflow {
 namespace {
 
 constexpr int layers = 2; // cells between a mouth's cells and the band's end
-// Where films are everywhere, a band around all of them would be a factorisation of the whole fluid: then the band consists of the
-// mouths' own cells. This is so where the band has more cells than this, and than a share of the films' nodes.
+// Where films are everywhere, a band around all of them would be a factorisation of the whole fluid: then the band consists of those of the
+// mouths' own cells whose mouths conduct more than a share of what the cell's faces do. This is so where the band has more cells than this, and
+// than a share of the films' nodes.
 constexpr std::size_t few_cells = 8000;
 constexpr double share_of_nodes = 1.0 / 3;
+constexpr double share_of_faces = 0.1;
 constexpr double shift = 1e-12; // relative, on the diagonal: films whose mouths are 1e-12 of their own conductance
+
+struct Surroundings {
+    std::vector<long> cells; ///< sorted
+    bool crowded;            ///< the links' cells alone
+};
 
 /// All cells within `layers` steps of the links' cells, or the links' cells alone.
 template <int D>
-std::vector<long> cells_around_links(const CoupledSystem<D>& system)
+Surroundings around_links(const CoupledSystem<D>& system)
 {
     const Grid<D>& grid = *system.grid;
     std::vector<long> found;
@@ -57,8 +64,19 @@ std::vector<long> cells_around_links(const CoupledSystem<D>& system)
         unique();
     }
     if (found.size() > few_cells && static_cast<double>(found.size()) > share_of_nodes * system.nodes)
-        return alone;
-    return found;
+        return {std::move(alone), true};
+    return {std::move(found), false};
+}
+
+/// What the links conduct to each of the cells.
+template <int D>
+std::vector<double> conducted_by_links(const CoupledSystem<D>& system, const std::vector<long>& cells)
+{
+    std::vector<double> sum(cells.size(), 0.0);
+    for (const Link& link : system.links)
+        for (const auto& [key, weight] : link.cells)
+            sum[std::lower_bound(cells.begin(), cells.end(), key) - cells.begin()] += link.conductance * weight * weight;
+    return sum;
 }
 
 } // namespace
@@ -77,15 +95,18 @@ void FilmBand<D>::find_cells()
     const Block<D> level = block_of_level<D>(grid.low(), grid.high());
     // Every rank sends its cells' data: whether there is an unknown, and the conductances around.
     constexpr int width = 2 * D + 1;
-    const std::vector<long> around = cells_around_links(system_);
+    const auto [around, crowded] = around_links(system_);
+    const std::vector<double> by_links = crowded ? conducted_by_links(system_, around) : std::vector<double>();
     std::vector<double> told(width * around.size(), 0.0);
     for (std::size_t i = 0; i < around.size(); ++i) {
         const Index<D> c = grid.cell_of_key(around[i]);
         if (!grid.owns(c) || system_.component(c) < 0)
             continue;
-        told[width * i] = 1;
+        double by_faces = 0;
         for (int side = 0; side < 2 * D; ++side)
-            told[width * i + 1 + side] = system_.conductance(side / 2, side % 2 ? Index<D>(c + step<D>(side / 2)) : c);
+            by_faces += told[width * i + 1 + side] =
+                system_.conductance(side / 2, side % 2 ? Index<D>(c + step<D>(side / 2)) : c);
+        told[width * i] = !crowded || by_links[i] > share_of_faces * by_faces;
     }
     grid.comm().sum(told);
     for (std::size_t i = 0; i < around.size(); ++i)
@@ -118,8 +139,11 @@ void FilmBand<D>::find_cells()
     for (std::size_t r = 0; r < system_.links.size(); ++r)
         for (const auto& [key, weight] : system_.links[r].cells) {
             const Index<D> c = grid.cell_of_key(key);
-            if (grid.owns(c))
-                link_cells_.push_back({static_cast<int>(r), level.offset(c), weight});
+            if (!grid.owns(c))
+                continue;
+            link_cells_.push_back({static_cast<int>(r), level.offset(c), weight});
+            if (row_of(key) < 0)
+                outside_links_.push_back(link_cells_.back());
         }
 }
 
@@ -307,6 +331,16 @@ void FilmBand<D>::first(const UnknownVector<D>& r, double scale, Level<D>& level
                                           : 0.0f;
     for (const Neighbour& entry : outside_)
         level.b[entry.level_offset] += static_cast<float>(scale * entry.conductance * correction_[entry.row]);
+    for (const LinkCell& entry : outside_links_) {
+        const Link& link = system_.links[entry.link];
+        double difference = 0;
+        for (const auto& [node, weight] : link.nodes)
+            difference += weight * correction_[node];
+        for (const auto& [key, weight] : link.cells)
+            if (const int row = row_of(key); row >= 0)
+                difference += weight * correction_[row];
+        level.b[entry.level_offset] -= static_cast<float>(scale * link.conductance * entry.weight * difference);
+    }
 }
 
 template <int D>

@@ -83,6 +83,7 @@ private:
     std::vector<int> plane_begin_;                 ///< first of owned_ in every plane of the rank's block; and the end
     std::vector<Neighbour> outside_;               ///< this rank's
     std::vector<LinkCell> link_cells_;             ///< this rank's
+    std::vector<LinkCell> outside_links_;          ///< those of them whose cells are not in the band
     std::vector<std::array<double, 2 * D>> faces_; ///< conductances around every band cell
     std::vector<int> block_;                       ///< number of the floating block of a row, -1: fixed from outside
     std::vector<long> block_size_;
