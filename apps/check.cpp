@@ -56,7 +56,9 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     long unknowns = coupling.network.nodes;
     for (const Component& component : coupling.system.components)
         unknowns += component.unknowns;
-    std::printf("memory    about %.3g MiB\n", forecast_memory(scene, coupling.network.nodes) / 1048576.0);
+    std::printf("memory    about %.3g MiB\n",
+                forecast_memory(scene, coupling.network.nodes, static_cast<long>(coupling.network.rim.mouths.size())) /
+                    1048576.0);
     std::printf("unknowns  %ld pressures, %d of them in films\n", unknowns - coupling.network.nodes, coupling.network.nodes);
     for (const auto& [pair, sum] : pairs)
         std::printf("film      %s - %s: thinnest %.4g (%.4g cells), where thinner than %.4g cells, %zu nodes\n",

@@ -65,7 +65,7 @@ void require_memory(const Scene& scene, const Communicator& comm, double availab
     double cells = 1;
     for (int axis = 0; axis < scene.dimension; ++axis)
         cells *= scene.cells[axis];
-    const double needed = forecast_memory(scene, 0);
+    const double needed = forecast_memory(scene, 0, 0);
     const double here = needed * ranks_on_this_machine(comm) / comm.size();
     if (!comm.any(here > available))
         return;
