@@ -116,18 +116,24 @@ struct Classifier {
         return std::all_of(points.begin(), points.end(), [&](const Vec<D>& x) { return holds(touch, x); });
     }
 
-    // Do both solids of a pair meet in the cell, all closed, so that neither's flux out of it vanishes?
-    bool is_orphan(const Index<D>& cell, const FilmPair<D>& pair) const
+    // Is a cell without any opening more than the inside of one solid?
+    bool is_closed_surface(const Index<D>& cell) const
     {
         for (int side = 0; side < 2 * D; ++side)
             if (faces.open(side / 2, cell + (side % 2) * step<D>(side / 2)) > negligible_opening)
                 return false;
+        for (int side = 0; side < 2 * D; ++side)
+            if (faces.parts(side / 2, cell + (side % 2) * step<D>(side / 2)).empty())
+                return false;
+        return true;
+    }
+
+    // Do both solids of a pair meet in a closed cell, so that neither's flux out of it vanishes?
+    bool is_orphan(const Index<D>& cell, const FilmPair<D>& pair) const
+    {
         std::optional<Vec<D>> master, other; // area of their parts of the faces
         for (int side = 0; side < 2 * D; ++side) {
-            const std::span<const SolidPart<D>> parts = faces.parts(side / 2, cell + (side % 2) * step<D>(side / 2));
-            if (parts.empty()) // the cell lies in one solid
-                return false;
-            for (const SolidPart<D>& part : parts)
+            for (const SolidPart<D>& part : faces.parts(side / 2, cell + (side % 2) * step<D>(side / 2)))
                 for (auto [solid, area] : {std::pair(pair.master, &master), std::pair(pair.other, &other)})
                     if (part.solid == solid)
                         *area = area->value_or(Vec<D>::Zero()) + (2 * (side % 2) - 1) * part.fraction * unit<D>(side / 2);
@@ -228,15 +234,25 @@ struct Classifier {
     void take_orphans()
     {
         std::vector<std::pair<long, Touch<D>>> taken;
+        KeyMap<char> closed; // of the cells looked at: most are looked at from many others
+        closed.reserve(8 * result.cells.size());
         for (const auto& [key, cell] : result.cells) {
             if (cell.touches[0].points == 0)
                 continue;
+            const Index<D> from = grid.cell_of_key(key);
             for_each_index<D>(Index<D>::Constant(-2), Index<D>::Constant(3), [&](const Index<D>& d) {
-                seen_from(grid.cell_of_key(key), cell, cell.touches[0].film, d,
-                          [&](const Index<D>& beyond, const Touch<D>& touch) {
-                              if (is_orphan(beyond, gaps.films()[touch.film].pair) && !result.cells.contains(grid.key(beyond)))
-                                  taken.emplace_back(grid.key(beyond), touch);
-                          });
+                const Index<D> place = grid.wrapped(Index<D>(from + d));
+                if (!grid.in_domain(place))
+                    return;
+                const auto [is_closed, is_new] = closed.insert(grid.key(place));
+                if (is_new)
+                    is_closed = is_closed_surface(place);
+                if (!is_closed)
+                    return;
+                seen_from(from, cell, cell.touches[0].film, d, [&](const Index<D>& beyond, const Touch<D>& touch) {
+                    if (is_orphan(beyond, gaps.films()[touch.film].pair) && !result.cells.contains(grid.key(beyond)))
+                        taken.emplace_back(grid.key(beyond), touch);
+                });
             });
         }
         for (const auto& [key, touch] : taken)

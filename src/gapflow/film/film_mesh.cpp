@@ -175,9 +175,9 @@ private:
                 one_patch && test_.master.shape().curvature(patch) == 0 && test_.other.shape().curvature(other_patch) == 0;
             film.flat &= flat && patch == first_patch && other_patch == first_other;
             set_geometry<D>(corners(mid_, nodes), element);
+            set_lateral(patch, other_patch, film, element);
             add_points(test_, patch, other_patch, flat, int(film.elements.size()) - 1, film);
             set_walls(patch, flat, corners(film.x, element.nodes), corners(film.y, element.nodes), element);
-            set_lateral(patch, other_patch, film, element);
             add_rim(e, film);
         }
         film.points.shrink_to_fit(); // most of a film's memory
@@ -321,6 +321,7 @@ FilmMeshOptions coupling_sizes(bool viscous)
         options.smallest = viscous ? 1e-4 : 1. / 16;
         options.straddle_smooth = 1;
         options.rings = viscous ? 0.4 : 0.6;
+        options.inverse = viscous;
         options.kink = 0.06;
         options.spacing = 0.5;
         options.ratio = 3;

@@ -103,6 +103,7 @@ struct FilmMeshOptions {
     double rings = 0;     ///< between a ball and a convex body: rings about the nearest point, in sqrt(2 R h) (3D); 0: none
     double spacing = 0.0; ///< of quadrature points, in dx; 0: default (1/8 in 2D; 3D: 1/4, where both are flat 1/2)
     double ratio = 1.5;   ///< largest change of h over an element
+    bool inverse = true;  ///< int 1/h of all elements to the accuracy of int h; else of coarse ones alone (3D)
     int node_cap = 100000;
     Vec<3> origin = Vec<3>::Zero(); ///< of the grid, to cut points at its planes
 };

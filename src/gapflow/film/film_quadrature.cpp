@@ -235,7 +235,9 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
         y[k] = film.y[element.nodes[k]];
         h[k] = film.h[element.nodes[k]];
     }
-    const auto [divisions, for_inverse] = divisions_of<D>(x, y, h, o, flat);
+    auto [divisions, for_inverse] = divisions_of<D>(x, y, h, o, flat);
+    if (D == 3 && !o.inverse && !element.coarse)
+        for_inverse = divisions;
 
     static thread_local std::vector<Piece<D>> pieces;
     pieces.clear();

@@ -223,6 +223,14 @@ private:
             triangle.add(u[k], v[k]);
         if (whole)
             return add_area(triangle, owner < 0 ? sums_->open : sums_->solid[owner]);
+        if (cutters_.size() == 1) { // most faces
+            const Affine f = through(u, v, {value(0, c[0]), value(0, c[1]), value(0, c[2])});
+            Polygon low, high;
+            split(
+                triangle, [&](int i) { return f(triangle.u[i], triangle.v[i]); }, tolerance_, false, low, high);
+            add_area(low, sums_->solid[0]);
+            return add_area(high, sums_->open);
+        }
         linear_.resize(cutters_.size());
         for (std::size_t i = 0; i < cutters_.size(); ++i)
             if (cutters_[i].planes.empty())

@@ -39,9 +39,11 @@ Deflation<D>::Deflation(const CoupledOperator<D>& matrix, const FilmBand<D>& ban
     for (int& k : node_part_)
         if (k >= 0)
             k += columns_;
-    columns_ += weak_films;
-    if (columns_ > 0)
-        set_up_energies();
+    all_columns_ = columns_ += weak_films;
+    if (columns_ > 0) {
+        set_up_fluid();
+        update_bodies();
+    }
 }
 
 template <int D>
@@ -155,6 +157,7 @@ void Deflation<D>::extend_over_band()
             extension_.col(k) -= band_.solve(band_.gather(y));
         }
     }
+    extension_rows_ = extension_.transpose();
 }
 
 template <int D>
@@ -197,41 +200,53 @@ typename Deflation<D>::Magnitudes Deflation<D>::magnitudes() const
 }
 
 template <int D>
-void Deflation<D>::set_up_energies()
+void Deflation<D>::set_up_fluid()
 {
     full_ = std::min(columns_, full_parts);
     const int dofs = matrix_.dofs();
     extend_over_band();
-    Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(full_, full_), flux(dofs, full_);
+    energy_ = Eigen::MatrixXd::Zero(full_, full_);
+    flux_.resize(dofs, full_);
     UnknownVector<D> z = zero_vector(system_), y = zero_vector(system_);
     for (int k = 0; k < full_; ++k) {
         column(k, z);
         matrix_.apply_fluid(z, y);
-        energy.col(k) = restricted(y).head(full_);
+        energy_.col(k) = restricted(y).head(full_);
         if (dofs > 0)
-            flux.col(k) = matrix_.transpose_flux(z);
+            flux_.col(k) = matrix_.transpose_flux(z);
     }
-    energy = 0.5 * (energy + energy.transpose().eval());
+    energy_ = 0.5 * (energy_ + energy_.transpose().eval());
     const Eigen::VectorXd mass = system_.mass.diagonal();
-    const auto [links, fluxes, squares] = magnitudes();
-    for (int k = 0; k < full_; ++k)
-        if (energy(k, k) < 1e-13 * links[k]) {
-            energy.row(k).setZero();
-            energy.col(k).setZero();
+    magnitudes_ = magnitudes();
+    const auto& [links, fluxes, squares] = magnitudes_;
+    for (int k = 0; k < full_; ++k) {
+        if (energy_(k, k) < 1e-13 * links[k]) {
+            energy_.row(k).setZero();
+            energy_.col(k).setZero();
         }
+        // A film's harmonic extension may carry the flux: its magnitude is not in `fluxes`.
+        if (dofs > 0 && flux_.col(k).cwiseAbs2().cwiseQuotient(mass).sum() < 1e-20 * fluxes[k])
+            flux_.col(k).setZero();
+    }
+}
+
+template <int D>
+void Deflation<D>::update_bodies()
+{
+    columns_ = all_columns_;
+    if (columns_ == 0)
+        return;
+    const int dofs = matrix_.dofs();
+    Eigen::MatrixXd energy = energy_;
     if (dofs > 0) {
         Eigen::MatrixXd twists(dofs, full_);
-        for (int k = 0; k < full_; ++k) {
-            // A film's harmonic extension may carry the flux: its magnitude is not in `fluxes`.
-            const double size = flux.col(k).cwiseAbs2().cwiseQuotient(mass).sum();
-            if (size < 1e-20 * fluxes[k])
-                flux.col(k).setZero();
-            twists.col(k) = matrix_.inverse_mass(flux.col(k));
-        }
-        energy += flux.transpose() * twists;
+        for (int k = 0; k < full_; ++k)
+            twists.col(k) = matrix_.inverse_mass(flux_.col(k));
+        energy += flux_.transpose() * twists;
     }
     inverse_energy_ = positive_pseudo_inverse(energy, 1e-10);
 
+    const auto& [links, fluxes, squares] = magnitudes_;
     inverse_diagonal_ = Eigen::VectorXd::Zero(columns_ - full_);
     for (int k = full_; k < columns_; ++k) {
         const double energy_k = links[k] + (squares[k] > 1e-20 * fluxes[k] ? squares[k] : 0.0);
@@ -254,12 +269,12 @@ Eigen::VectorXd Deflation<D>::restricted(const UnknownVector<D>& r) const
         },
         r.cells, part_);
     for (const auto& entry : band_.owned())
-        sums.segment(1, full_) += r.cells(entry.cell) * extension_.row(entry.row).transpose();
+        sums.segment(1, full_) += r.cells(entry.cell) * extension_rows_.col(entry.row);
     grid.comm().sum(std::span<double>(sums.data() + 1, columns_));
     for (int i = 0; i < system_.nodes; ++i) {
         sums[node_part_[i] + 1] += r.nodes[i];
         if (!band_.empty())
-            sums.segment(1, full_) += r.nodes[i] * extension_.row(i).transpose();
+            sums.segment(1, full_) += r.nodes[i] * extension_rows_.col(i);
     }
     return sums.tail(columns_);
 }

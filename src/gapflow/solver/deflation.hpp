@@ -18,6 +18,8 @@ class Deflation {
 public:
     Deflation(const CoupledOperator<D>& matrix, const FilmBand<D>& band);
     bool empty() const { return columns_ == 0; }
+    /// Takes the matrix' present response of the bodies.
+    void update_bodies();
     /// z += Z (Z^T A Z)^+ Z^T r. Collective.
     void add_correction(const UnknownVector<D>& r, UnknownVector<D>& z) const;
     long bytes() const { return static_cast<long>(sizeof(int)) * part_.size(); }
@@ -31,7 +33,7 @@ private:
     /// Unit vector k, extended to all unknowns.
     void column(int k, UnknownVector<D>& z) const;
     void extend_over_band();
-    void set_up_energies();
+    void set_up_fluid();
     /// Of each column: sums of magnitudes, to distinguish an energy from round-off.
     struct Magnitudes {
         Eigen::VectorXd links;   ///< of the links' part of its energy
@@ -47,11 +49,15 @@ private:
     const CoupledSystem<D>& system_;
     const CoupledOperator<D>& matrix_;
     const FilmBand<D>& band_;
-    int columns_ = 0;
+    int columns_ = 0;                  ///< 0 if all of them are null vectors
+    int all_columns_ = 0;
     int full_ = 0;                     ///< columns with a full energy matrix, the first ones
     CellField<D, int> part_;           ///< column of each cell's constant, -1: none
     std::vector<int> node_part_;       ///< column of each node's constant, -1: none
     Eigen::MatrixXd extension_;        ///< band unknowns x full_: harmonic extension minus the constants
+    Eigen::MatrixXd extension_rows_;   ///< its transpose: the columns' values at one unknown lie side by side
+    Eigen::MatrixXd energy_, flux_;    ///< Z^T L Z and K^T Z of the full columns
+    Magnitudes magnitudes_;
     Eigen::MatrixXd inverse_energy_;   ///< full_ x full_
     Eigen::VectorXd inverse_diagonal_; ///< of the others
 };

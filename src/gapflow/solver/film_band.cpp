@@ -31,9 +31,11 @@ constexpr double share_of_nodes = 1.0 / 3;
 constexpr double share_of_faces = 0.1;
 constexpr double shift = 1e-12; // relative, on the diagonal: films whose mouths are 1e-12 of their own conductance
 
+/// Cells around the links.
 struct Surroundings {
     std::vector<long> cells; ///< sorted
     bool crowded;            ///< the links' cells alone
+    KeyMap<double> by_links; ///< what the links conduct to each of their cells
 };
 
 /// All cells within `layers` steps of the links' cells, or the links' cells alone.
@@ -41,42 +43,34 @@ template <int D>
 Surroundings around_links(const CoupledSystem<D>& system)
 {
     const Grid<D>& grid = *system.grid;
-    std::vector<long> found;
-    for (const Link& link : system.links)
-        for (const auto& entry : link.cells)
-            found.push_back(entry.first);
-    auto unique = [&] {
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-    };
-    unique();
-    std::vector<long> alone = found;
-    for (int layer = 0; layer < layers; ++layer) {
-        const std::size_t n = found.size();
-        for (std::size_t i = 0; i < n; ++i)
-            for (int side = 0; side < 2 * D; ++side) {
-                Index<D> c = grid.cell_of_key(found[i]);
-                c[side / 2] += side % 2 ? 1 : -1;
-                c = grid.wrapped(c);
-                if (grid.in_domain(c))
-                    found.push_back(grid.key(c));
-            }
-        unique();
-    }
-    if (found.size() > few_cells && static_cast<double>(found.size()) > share_of_nodes * system.nodes)
-        return {std::move(alone), true};
-    return {std::move(found), false};
-}
-
-/// What the links conduct to each of the cells.
-template <int D>
-std::vector<double> conducted_by_links(const CoupledSystem<D>& system, const std::vector<long>& cells)
-{
-    std::vector<double> sum(cells.size(), 0.0);
+    Surroundings around;
     for (const Link& link : system.links)
         for (const auto& [key, weight] : link.cells)
-            sum[std::lower_bound(cells.begin(), cells.end(), key) - cells.begin()] += link.conductance * weight * weight;
-    return sum;
+            around.by_links[key] += link.conductance * weight * weight;
+    KeyMap<char> known;
+    known.reserve(8 * around.by_links.size());
+    std::vector<long>& found = around.cells;
+    for (const auto& entry : around.by_links) {
+        found.push_back(entry.first);
+        known.insert(entry.first);
+    }
+    const std::size_t alone = found.size();
+    for (std::size_t layer = 0, first = 0; layer < layers; ++layer) {
+        const std::size_t end = found.size();
+        for (; first < end; ++first)
+            for (int side = 0; side < 2 * D; ++side) {
+                Index<D> c = grid.cell_of_key(found[first]);
+                c[side / 2] += side % 2 ? 1 : -1;
+                c = grid.wrapped(c);
+                if (grid.in_domain(c) && known.insert(grid.key(c)).second)
+                    found.push_back(grid.key(c));
+            }
+    }
+    around.crowded = found.size() > few_cells && static_cast<double>(found.size()) > share_of_nodes * system.nodes;
+    if (around.crowded)
+        found.resize(alone);
+    std::sort(found.begin(), found.end());
+    return around;
 }
 
 } // namespace
@@ -95,8 +89,7 @@ void FilmBand<D>::find_cells()
     const Block<D> level = block_of_level<D>(grid.low(), grid.high());
     // Every rank sends its cells' data: whether there is an unknown, and the conductances around.
     constexpr int width = 2 * D + 1;
-    const auto [around, crowded] = around_links(system_);
-    const std::vector<double> by_links = crowded ? conducted_by_links(system_, around) : std::vector<double>();
+    const auto [around, crowded, by_links] = around_links(system_);
     std::vector<double> told(width * around.size(), 0.0);
     for (std::size_t i = 0; i < around.size(); ++i) {
         const Index<D> c = grid.cell_of_key(around[i]);
@@ -106,11 +99,12 @@ void FilmBand<D>::find_cells()
         for (int side = 0; side < 2 * D; ++side)
             by_faces += told[width * i + 1 + side] =
                 system_.conductance(side / 2, side % 2 ? Index<D>(c + step<D>(side / 2)) : c);
-        told[width * i] = !crowded || by_links[i] > share_of_faces * by_faces;
+        told[width * i] = !crowded || *by_links.find(around[i]) > share_of_faces * by_faces;
     }
     grid.comm().sum(told);
     for (std::size_t i = 0; i < around.size(); ++i)
         if (told[width * i] > 0) {
+            rows_.insert(around[i], system_.nodes + static_cast<int>(keys_.size()));
             keys_.push_back(around[i]);
             faces_.emplace_back();
             std::copy_n(&told[width * i + 1], 2 * D, faces_.back().begin());
@@ -127,7 +121,7 @@ void FilmBand<D>::find_cells()
             other[side / 2] += side % 2 ? 1 : -1;
             other = grid.wrapped(other);
             if (faces_[i][side] > 0 && grid.in_domain(other) && grid.owns(other) &&
-                !std::binary_search(keys_.begin(), keys_.end(), grid.key(other)))
+                !rows_.contains(grid.key(other)))
                 outside_.push_back({level.offset(other), row, faces_[i][side]});
         }
     }
@@ -136,22 +130,28 @@ void FilmBand<D>::find_cells()
     for (const OwnedCell& entry : owned_)
         ++plane_begin_[entry.cell[D - 1] - first_plane + 1];
     std::partial_sum(plane_begin_.begin(), plane_begin_.end(), plane_begin_.begin());
-    for (std::size_t r = 0; r < system_.links.size(); ++r)
+    band_cells_begin_.push_back(0);
+    for (std::size_t r = 0; r < system_.links.size(); ++r) {
         for (const auto& [key, weight] : system_.links[r].cells) {
+            const int row = row_of(key);
+            if (row >= 0)
+                band_cells_.push_back({row, weight});
             const Index<D> c = grid.cell_of_key(key);
             if (!grid.owns(c))
                 continue;
             link_cells_.push_back({static_cast<int>(r), level.offset(c), weight});
-            if (row_of(key) < 0)
+            if (row < 0)
                 outside_links_.push_back(link_cells_.back());
         }
+        band_cells_begin_.push_back(static_cast<int>(band_cells_.size()));
+    }
 }
 
 template <int D>
 int FilmBand<D>::row_of(long key) const
 {
-    const auto found = std::lower_bound(keys_.begin(), keys_.end(), key);
-    return found != keys_.end() && *found == key ? system_.nodes + static_cast<int>(found - keys_.begin()) : -1;
+    const int* row = rows_.find(key);
+    return row ? *row : -1;
 }
 
 template <int D>
@@ -194,12 +194,12 @@ void FilmBand<D>::for_each_term(F&& f, Join&& join, std::vector<char>& fixed) co
         }
     }
     std::vector<std::pair<int, double>> terms;
-    for (const Link& link : system_.links) {
+    for (std::size_t k = 0; k < system_.links.size(); ++k) {
+        const Link& link = system_.links[k];
         terms.assign(link.nodes.begin(), link.nodes.end());
         double sum = 0, size = 0;
-        for (const auto& [key, weight] : link.cells)
-            if (const int row = row_of(key); row >= 0)
-                terms.emplace_back(row, weight);
+        for (int i = band_cells_begin_[k]; i < band_cells_begin_[k + 1]; ++i)
+            terms.emplace_back(band_cells_[i].row, band_cells_[i].weight);
         for (const auto& [i, wi] : terms) {
             for (const auto& [j, wj] : terms)
                 if (j <= i)
@@ -331,16 +331,25 @@ void FilmBand<D>::first(const UnknownVector<D>& r, double scale, Level<D>& level
                                           : 0.0f;
     for (const Neighbour& entry : outside_)
         level.b[entry.level_offset] += static_cast<float>(scale * entry.conductance * correction_[entry.row]);
+    int last = -1;
+    double difference = 0; // of the last link
     for (const LinkCell& entry : outside_links_) {
-        const Link& link = system_.links[entry.link];
-        double difference = 0;
-        for (const auto& [node, weight] : link.nodes)
-            difference += weight * correction_[node];
-        for (const auto& [key, weight] : link.cells)
-            if (const int row = row_of(key); row >= 0)
-                difference += weight * correction_[row];
-        level.b[entry.level_offset] -= static_cast<float>(scale * link.conductance * entry.weight * difference);
+        if (entry.link != last)
+            difference = sum_over_band(last = entry.link, correction_);
+        level.b[entry.level_offset] -=
+            static_cast<float>(scale * system_.links[entry.link].conductance * entry.weight * difference);
     }
+}
+
+template <int D>
+double FilmBand<D>::sum_over_band(int link, const Eigen::VectorXd& values) const
+{
+    double sum = 0;
+    for (const auto& [node, weight] : system_.links[link].nodes)
+        sum += weight * values[node];
+    for (int i = band_cells_begin_[link]; i < band_cells_begin_[link + 1]; ++i)
+        sum += band_cells_[i].weight * values[band_cells_[i].row];
+    return sum;
 }
 
 template <int D>
@@ -366,9 +375,8 @@ void FilmBand<D>::second(double scale, const Level<D>& level)
         const double flux = link.conductance * r[size_ + k];
         for (const auto& [node, weight] : link.nodes)
             r[node] -= weight * flux;
-        for (const auto& [key, weight] : link.cells)
-            if (const int row = row_of(key); row >= 0)
-                r[row] -= weight * flux;
+        for (int i = band_cells_begin_[k]; i < band_cells_begin_[k + 1]; ++i)
+            r[band_cells_[i].row] -= band_cells_[i].weight * flux;
     }
     correction_ += solve(r.head(size_));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/core/decompositions.hpp"
+#include "gapflow/film/key_map.hpp"
 #include "gapflow/solver/coupled_operator.hpp"
 #include "gapflow/solver/level.hpp"
 
@@ -67,6 +68,12 @@ private:
         long level_offset;
         double weight;
     };
+    struct BandCell { ///< of a link
+        int row;
+        double weight;
+    };
+    /// The weighted sum of a link over the band's nodes and cells.
+    double sum_over_band(int link, const Eigen::VectorXd& values) const;
     void find_cells();
     int row_of(long key) const; ///< of a cell; -1 outside the band
     /// Calls f(i, j, value) for the terms that make up the submatrix' lower triangle, and join(i, j) for rows that one of them
@@ -79,11 +86,14 @@ private:
     const CoupledSystem<D>& system_;
     int size_ = 0;
     std::vector<long> keys_;                       ///< of the band's cells, sorted
+    KeyMap<int> rows_;                             ///< of these cells
     std::vector<OwnedCell> owned_;                 ///< in the order of keys_: by planes normal to the last axis
     std::vector<int> plane_begin_;                 ///< first of owned_ in every plane of the rank's block; and the end
     std::vector<Neighbour> outside_;               ///< this rank's
     std::vector<LinkCell> link_cells_;             ///< this rank's
-    std::vector<LinkCell> outside_links_;          ///< those of them whose cells are not in the band
+    std::vector<LinkCell> outside_links_;          ///< those of them whose cells are not in the band, by links
+    std::vector<BandCell> band_cells_;             ///< the links' cells that are in the band, by links
+    std::vector<int> band_cells_begin_;            ///< first of each link's, and the end
     std::vector<std::array<double, 2 * D>> faces_; ///< conductances around every band cell
     std::vector<int> block_;                       ///< number of the floating block of a row, -1: fixed from outside
     std::vector<long> block_size_;

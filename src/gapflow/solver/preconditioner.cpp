@@ -137,7 +137,7 @@ void Preconditioner<D>::add_bodies()
 template <int D>
 void Preconditioner<D>::update_bodies()
 {
-    deflation_.emplace(matrix_, band_);
+    deflation_->update_bodies();
     bodies_.update();
 }
 
