@@ -1,6 +1,9 @@
 // Film meshes of curved bodies: extent, size of elements, films that close on themselves or switch patches, invariance.
 #include "film_mesh_checks.hpp"
 
+#include "gapflow/film/film_set.hpp"
+#include "gapflow/film/rim_points.hpp"
+
 #include <random>
 
 namespace gapflow::test {
@@ -208,6 +211,49 @@ TEST(RingFilm, EndsHalfwayToAThirdBody)
         }
     const auto alone = films_of<3>(a, b, options);
     EXPECT_LE(area(films[0]), area(alone[0]) * (1 + 1e-12));
+}
+
+// One mouth an edge of the rim, half as many as edges of half a cell would have: films of crowds have most of their cost in mouths.
+TEST(RingFilm, HasAPointOnEachEdgeOfItsRim)
+{
+    const auto ball = make_ball<3>(4), wall = make_half_space<3>(unit<3>(2));
+    for (double gap : {1.0, 0.5, 0.1, 1e-3}) {
+        std::vector<Film<3>> films;
+        for (FilmMesh<3>& mesh :
+             films_of<3>(place<3>(ball, Vec<3>(0.1, 0.2, 4 + gap)), place<3>(wall, Vec<3>::Zero()), rings_with(1.5)))
+            films.push_back({{0, 1, {}}, std::move(mesh), 1.5});
+        ASSERT_EQ(films.size(), 1u);
+        const std::vector<RimPoint<3>> points = rim_points<3>(films, 1.0);
+        EXPECT_EQ(points.size(), films[0].mesh.rim.size());
+        double length = 0;
+        for (const RimPoint<3>& point : points)
+            length += point.length;
+        EXPECT_NEAR(length, rim_lengths(films[0].mesh).at(RimEnd::thickness), 1e-12 * length);
+    }
+}
+
+// Without viscosity int 1/h is the conductance of coarse elements alone: what no one reads takes no points. Nothing else changes.
+TEST(RingFilm, FindsTheInverseOfCoarseElementsAlone)
+{
+    const auto ball = make_ball<3>(4), wall = make_half_space<3>(unit<3>(2));
+    FilmMeshOptions options = rings_with(1.5), all = options;
+    options.smallest = all.smallest = 0.25; // some elements are coarse
+    EXPECT_FALSE(options.inverse);
+    EXPECT_TRUE(coupling_sizes<3>(true).inverse);
+    all.inverse = true;
+    const auto at = place<3>(ball, Vec<3>(0.1, 0.2, 4 + 1e-4)), below = place<3>(wall, Vec<3>::Zero());
+    const FilmMesh<3> film = films_of<3>(at, below, options).at(0), exact = films_of<3>(at, below, all).at(0);
+    ASSERT_EQ(film.points.size(), exact.points.size());
+    ASSERT_EQ(film.elements.size(), exact.elements.size());
+    int coarse = 0, rough = 0;
+    for (std::size_t e = 0; e < film.elements.size(); ++e) {
+        EXPECT_EQ(film.elements[e].volume, exact.elements[e].volume);
+        EXPECT_EQ(film.elements[e].conductance(), exact.elements[e].conductance());
+        coarse += film.elements[e].coarse;
+        rough += film.elements[e].inverse != exact.elements[e].inverse;
+    }
+    EXPECT_GT(coarse, 0);
+    EXPECT_GT(rough, 0);
 }
 
 // Where the gap ends at an edge of the other, it takes the refined surface.
