@@ -19,7 +19,7 @@ Vector = Sequence[float]
 Spin = Union[float, Vector]
 """About the centre of mass: a number in 2D, three numbers (world axes) in 3D."""
 Side = Union[str, Mapping[str, Any]]
-"""`"wall"`, `"open"`, `"periodic"`, `{"inflow": [u, v]}`, `{"inflow": "file.csv"}` or `{"wall": [u, v]}`."""
+"""`"wall"`, `"open"`, `"periodic"`, `"far"`, `{"inflow": [u, v]}`, `{"inflow": "file.csv"}`, `{"pressure": value}`, `{"pressure": "file.csv"}` or `{"wall": [u, v]}`."""
 
 
 @dataclass(kw_only=True, slots=True)

@@ -3,6 +3,7 @@
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/coupling/film_rows.hpp"
 #include "gapflow/grid/body_flux.hpp"
+#include "gapflow/grid/far_field.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -74,6 +75,7 @@ void fill_grid(Coupling<D>& coupling)
     CoupledSystem<D>& system = coupling.system;
     system.grid = coupling.grid;
     system.conductance = FaceField<D>(grid, 0.0);
+    const FarField<D> far_fluid = far_field(grid);
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> end = high + step<D>(axis);
         for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) {
@@ -82,7 +84,8 @@ void fill_grid(Coupling<D>& coupling)
             for (int i = 0; i < end[0] - low[0]; ++i)
                 to[i] = a[i] > 1e-12 ? a[i] * unit_conductance : 0.0;
         });
-        for (int side = 0; side < 2; ++side) { // the domain's sides: to the pressure beyond an open one, half a cell away
+        for (int side = 0; side < 2;
+             ++side) { // the domain's sides: to the pressure beyond an open one, half a cell away, or further
             const int place = side * grid.cells()[axis];
             if (grid.periodic(axis) || (side == 0 ? low[axis] : high[axis]) != place)
                 continue;
@@ -91,8 +94,9 @@ void fill_grid(Coupling<D>& coupling)
             last[axis] = place + 1;
             for_each_index<D>(first, last, [&](const Index<D>& f) {
                 const Index<D> inner = side ? Index<D>(f - step<D>(axis)) : f;
-                const bool open = grid.side(axis, side) == SideKind::open && coupling.kind(inner) != is_film;
-                system.conductance(axis, f) *= open ? 2.0 : 0.0;
+                const bool open = is_open(grid.side(axis, side)) && coupling.kind(inner) != is_film;
+                const bool far = grid.side(axis, side) == SideKind::far;
+                system.conductance(axis, f) *= open ? (far ? 2 / far_distance(grid, far_fluid, axis, f) : 2.0) : 0.0;
             });
         }
     }

@@ -2,6 +2,7 @@
 #include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/coupling.hpp"
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/grid/far_field.hpp"
 
 #include <algorithm>
 #include <array>
@@ -108,6 +109,7 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
     const CoupledSystem<D>& system = coupling.system;
     exchange(grid, p.cells, 1);
     const double scale = 1 / (coupling.density * grid.dx());
+    const FarField<D> far = far_field(grid);
     for (int axis = 0; axis < D; ++axis) {
         const long back = p.cells.block().stride[axis];
         // The pressure beyond an open side is 0, half a cell away: twice the drop.
@@ -119,6 +121,11 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
                                  for (int i = 0; i < n; ++i)
                                      to[i] -= a[i] > 0 ? scale * (up * from[i] - down * from[i - back]) : 0.0;
                              });
+        for_each_far_face(grid, axis, [&](const Index<D>& f, int end) { // the pressure 0 is further away
+            const double much = 2 * scale * (1 - 1 / far_distance(grid, far, axis, f));
+            if (system.conductance(axis, f) > 0)
+                u.grid(axis, f) += end ? -much * p.cells(f - step<D>(axis)) : much * p.cells(f);
+        });
     }
     subtract_film_gradient(coupling, p, u.film, u.mouth);
 }

@@ -62,7 +62,7 @@ template <int D>
 struct CoupledSystem {
     const Grid<D>* grid = nullptr;
     /// Conductance of every face, 0 where closed. On open sides of the domain: to the pressure 0 beyond the face (distance
-    /// dx/2, so twice the inner value). Valid on all faces of owned cells (both sides of the block).
+    /// dx/2, so twice the inner value); on far sides to the pressure 0 at infinity (far_distance()). Valid on all faces of owned cells (both sides of the block).
     FaceField<D> conductance;
     /// Faces on this rank's block (its ends included) whose flow is part of a film. Not part of the system: multigrid uses them to
     /// connect the cells that the films join.

@@ -135,10 +135,10 @@ private:
             for (int end = 0; end < 2; ++end) {
                 const SideKind side = grid_.side(axis, end);
                 const double plane = grid_.origin()[axis] + end * grid_.size()[axis];
-                if ((side != SideKind::open && side != SideKind::inflow) ||
-                    std::abs(point.x[axis] - plane) > 1e-3 * grid_.dx() || point.edge->outward[axis] * (2 * end - 1) < 0.5)
+                if ((!is_open(side) && side != SideKind::inflow) || std::abs(point.x[axis] - plane) > 1e-3 * grid_.dx() ||
+                    point.edge->outward[axis] * (2 * end - 1) < 0.5)
                     continue;
-                append_mouth(point, side == SideKind::open ? MouthKind::open_side : MouthKind::inflow, {}, result);
+                append_mouth(point, is_open(side) ? MouthKind::open_side : MouthKind::inflow, {}, result);
                 return true;
             }
         return false;

@@ -16,8 +16,14 @@
 
 namespace gapflow {
 
-/// Boundary condition on a side of the domain.
-enum class SideKind { wall, open, periodic, inflow };
+/// Boundary condition on a side of the domain. Far: the fluid goes on without end.
+enum class SideKind { wall, open, periodic, inflow, far };
+
+/// Whether fluid passes a side as the pressure wants.
+inline bool is_open(SideKind kind)
+{
+    return kind == SideKind::open || kind == SideKind::far;
+}
 
 template <int D>
 class Grid {

@@ -268,8 +268,10 @@ Json essence(const std::string& scene)
         bare(body, "file");
         bare(body, "motion_file");
     }
-    for (Json& side : json["domain"]["sides"])
+    for (Json& side : json["domain"]["sides"]) {
         bare(side, "inflow");
+        bare(side, "pressure");
+    }
     return json;
 }
 

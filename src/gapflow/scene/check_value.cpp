@@ -168,13 +168,15 @@ struct Check {
         if (value.kind != Node::Kind::table || value.items.size() != 1)
             fail("not a side");
         const Node& entry = value.items[0];
-        if (entry.key == "inflow" && entry.kind == Node::Kind::text) {
+        if ((entry.key == "inflow" || entry.key == "pressure") && entry.kind == Node::Kind::text) {
             if (entry.text.empty())
                 fail("empty file name");
+        } else if (entry.key == "pressure") {
+            number(entry);
         } else if (entry.key == "inflow" || entry.key == "wall") {
             numbers(entry, dimension);
         } else {
-            const std::string near = nearest_name(entry.key, {"inflow", "wall"});
+            const std::string near = nearest_name(entry.key, {"inflow", "pressure", "wall"});
             fail("unknown key '" + entry.key + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?"));
         }
     }

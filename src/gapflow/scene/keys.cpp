@@ -271,10 +271,10 @@ std::vector<KeyInfo> scene_keys()
         for (const std::string end : {"low", "high"})
             keys.push_back({"domain.sides." + axis + "_" + end,
                             T::side,
-                            "m/s",
+                            "m/s and Pa",
                             "\"wall\"",
                             any,
-                            {"wall", "open", "periodic"},
+                            {"wall", "open", "periodic", "far"},
                             "boundary condition at the " + end + " end of " + axis});
     append(
         keys,
@@ -287,9 +287,9 @@ std::vector<KeyInfo> scene_keys()
              "0.0",
              any,
              {},
-             "absolute pressure at the highest point of open sides"},
+             "absolute pressure at the highest point of open and far sides"},
             {"fluid.vapour_pressure", T::number_or_word, "Pa", "\"none\"", any, {"none"}, "absolute: films cavitate there"},
-            {"fluid.velocity", T::vector, "m/s", "0.0", any, {}, "of the fluid at the start"},
+            {"fluid.velocity", T::vector, "m/s", "0.0", any, {}, "of the fluid at the start, and beyond open and far sides"},
             {"fluid.pressure_gradient",
              T::vector,
              "Pa/m",
@@ -457,8 +457,9 @@ std::string allowed_values(const KeyInfo& key, int dimension)
     case T::flag:
         return "true or false";
     case T::side:
-        return "\"wall\", \"open\", \"periodic\", { inflow = [" + count +
-               " numbers] }, { inflow = \"file.csv\" } or { wall = [" + count + " numbers] }";
+        return "\"wall\", \"open\", \"periodic\", \"far\", { inflow = [" + count +
+               " numbers] }, { inflow = \"file.csv\" }, { pressure = number }, { pressure = \"file.csv\" } or { wall = [" +
+               count + " numbers] }";
     }
     return "";
 }

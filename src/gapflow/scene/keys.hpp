@@ -23,7 +23,7 @@ enum class KeyType {
     choices, ///< a list of some of the choices
     names,   ///< two names of bodies or walls
     flag,
-    side ///< "wall", "open", "periodic", { inflow = velocity or file }, { wall = velocity }
+    side ///< "wall", "open", "periodic", "far", { inflow = velocity or file }, { pressure = number or file }, { wall = velocity }
 };
 
 struct KeyRange {

@@ -5,6 +5,7 @@
 #include "gapflow/core/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -78,7 +79,18 @@ void check_memory(const Values& v, const Scene& scene)
     v.refuse("domain.cells", text, "allowed: up to 2^31 cells in all; use fewer cells");
 }
 
-void read_inflow(const Values& v, const std::string& name, const Node& inflow, Scene& scene, SideScene& side)
+/// The table of an inflow or pressure side; `what`: "an inflow", for a message.
+TimeTable side_table(const Values& v, const std::string& name, const Node& file, const std::vector<std::string>& columns,
+                     const std::string& what, const Scene& scene)
+{
+    try {
+        return read_time_table(resolved_path(scene, file.text), columns);
+    } catch (const InputError& e) {
+        v.refuse(name, e.what(), what + " file has rows of " + joined(columns, ","));
+    }
+}
+
+void read_inflow(const Values& v, const std::string& name, const Node& inflow, const Scene& scene, SideScene& side)
 {
     side.kind = SideScene::Kind::inflow;
     if (inflow.kind != Node::Kind::text) {
@@ -88,11 +100,16 @@ void read_inflow(const Values& v, const std::string& name, const Node& inflow, S
     std::vector<std::string> columns{"time", "u", "v"};
     if (scene.dimension == 3)
         columns.push_back("w");
-    try {
-        side.table = read_time_table(resolved_path(scene, inflow.text), columns);
-    } catch (const InputError& e) {
-        v.refuse(name, e.what(), "an inflow file has rows of " + joined(columns, ","));
-    }
+    side.table = side_table(v, name, inflow, columns, "an inflow", scene);
+}
+
+void read_pressure(const Values& v, const std::string& name, const Node& pressure, const Scene& scene, SideScene& side)
+{
+    side.kind = SideScene::Kind::pressure;
+    if (pressure.kind == Node::Kind::text)
+        side.table = side_table(v, name, pressure, {"time", "pressure"}, "a pressure", scene);
+    else
+        side.table = {"", {0}, {{pressure.number}}};
 }
 
 void read_side(const Values& v, int number, Scene& scene)
@@ -102,9 +119,12 @@ void read_side(const Values& v, int number, Scene& scene)
     SideScene& side = scene.sides[number];
     const Node* given = v.given(name);
     if (!given || given->kind == Node::Kind::text) {
-        side.kind = v.choice<SideScene::Kind>(name); // wall, open, periodic
+        using Kind = SideScene::Kind;
+        side.kind = std::array{Kind::wall, Kind::open, Kind::periodic, Kind::far}.at(v.choice<std::size_t>(name));
     } else if (const Node* inflow = given->find("inflow")) {
         read_inflow(v, name, *inflow, scene, side);
+    } else if (const Node* pressure = given->find("pressure")) {
+        read_pressure(v, name, *pressure, scene, side);
     } else {
         side.velocity = to_triple(*given->find("wall"));
         if (side.velocity[axis] != 0) {
@@ -131,6 +151,17 @@ void check_periodic(const Values& v, const Scene& scene)
     }
 }
 
+/// Beyond a far side a disturbance fades because fluid is around it: it needs room along two axes at least.
+void check_far(const Values& v, const Scene& scene)
+{
+    for (int number = 0; number < 2 * scene.dimension; ++number)
+        if (scene.sides[number].kind == SideScene::Kind::far && scene.endless_axes().size() < 2)
+            v.refuse("domain.sides." + side_names[number],
+                     "the fluid is a channel: walls or periodic sides bound it along all other axes, and in a channel without "
+                     "end nothing fades",
+                     "write \"open\" for the channel's end, or \"far\" for sides along another axis too");
+}
+
 } // namespace
 
 void read_domain(const Values& v, Scene& scene)
@@ -145,6 +176,7 @@ void read_domain(const Values& v, Scene& scene)
     for (int number = 0; number < 2 * scene.dimension; ++number)
         read_side(v, number, scene);
     check_periodic(v, scene);
+    check_far(v, scene);
 }
 
 } // namespace gapflow

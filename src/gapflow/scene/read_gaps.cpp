@@ -53,7 +53,7 @@ void read_settings(const Values& v, const std::string& gap_table, const std::str
 /// Dry contact and cavitation need the absolute pressure; `name`: the key that requests them.
 void check_level(const Values& v, const std::string& name, const Scene& scene)
 {
-    const auto open = [](const SideScene& side) { return side.kind == SideScene::Kind::open; };
+    const auto open = [](const SideScene& side) { return side.is_open(); };
     if (std::none_of(scene.sides.begin(), scene.sides.begin() + 2 * scene.dimension, open))
         v.refuse(name, "a dry or cavitating pair in a closed box has no pressure level",
                  "open a side of the domain, where the pressure is fluid.reference_pressure");

@@ -99,7 +99,7 @@ void check_way_out(const Values& v, const Scene& scene)
     bool in = false, out = false;
     for (int side = 0; side < 2 * scene.dimension; ++side) {
         const SideScene& s = scene.sides[side];
-        if (s.kind == SideScene::Kind::open || (s.kind == SideScene::Kind::inflow && !s.table.time.empty()))
+        if (s.is_open() || (s.kind == SideScene::Kind::inflow && !s.table.time.empty()))
             return;
         const double inward = (side % 2 == 0 ? 1 : -1) * s.velocity[side / 2];
         if (s.kind != SideScene::Kind::inflow || inward == 0)

@@ -43,6 +43,18 @@ double Scene::least_distance(const std::string& a, const std::string& b) const
     return std::max(contact_of(a, b).thickness, gap.automatic_roughness ? 0.0 : gap.roughness);
 }
 
+std::vector<int> Scene::endless_axes() const
+{
+    std::vector<int> axes;
+    for (int axis = 0; axis < dimension; ++axis) {
+        const SideScene::Kind low = sides[2 * axis].kind, high = sides[2 * axis + 1].kind;
+        const bool between_walls = low == SideScene::Kind::wall && high == SideScene::Kind::wall;
+        if (!between_walls && low != SideScene::Kind::periodic)
+            axes.push_back(axis);
+    }
+    return axes;
+}
+
 const CrowdScene* Scene::crowd_of(int body) const
 {
     const auto crowd = std::find_if(crowds.begin(), crowds.end(),

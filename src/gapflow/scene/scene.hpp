@@ -22,10 +22,14 @@ struct TimeTable {
 };
 
 struct SideScene {
-    enum class Kind { wall, open, periodic, inflow };
+    enum class Kind { wall, open, periodic, inflow, far, pressure };
     Kind kind = Kind::wall;
     Triple velocity{}; ///< of a sliding wall (in its plane), or of a constant inflow
-    TimeTable table;   ///< inflow from a file (time,u,v[,w]); empty if constant
+    TimeTable
+        table; ///< inflow from a file (time,u,v[,w]), empty if constant; pressure (time,pressure), a row without a file if constant
+
+    /// Whether fluid passes as the pressure wants, which is known there or beyond.
+    bool is_open() const { return kind == Kind::open || kind == Kind::far || kind == Kind::pressure; }
 };
 
 struct GapScene {
@@ -167,6 +171,8 @@ struct Scene {
 
     std::vector<std::string> warnings; ///< about settings that were accepted but not used, for the caller to print
 
+    /// Axes along which the fluid goes on or can leave: neither periodic nor between two walls.
+    std::vector<int> endless_axes() const;
     /// The crowd that a body is of, by its number; null: none.
     const CrowdScene* crowd_of(int body) const;
     /// Whether bodies.csv, or the binary bodies.npy, is written.

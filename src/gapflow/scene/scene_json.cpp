@@ -29,8 +29,10 @@ Json side_json(const SideScene& side, const Lists& list)
 {
     if (side.kind == SideScene::Kind::inflow)
         return {{"inflow", side.table.time.empty() ? list.vector(side.velocity) : Json(side.table.file)}};
-    if (side.velocity != Triple{})
-        return {{"wall", list.vector(side.velocity)}};
+    if (side.kind == SideScene::Kind::pressure)
+        return {{"pressure", side.table.file.empty() ? Json(side.table.rows.at(0).at(0)) : Json(side.table.file)}};
+    if (side.kind == SideScene::Kind::far)
+        return "far";
     return word({"wall", "open", "periodic"}, side.kind);
 }
 

@@ -5,9 +5,12 @@
 //
 // Away from the ends the ratio is 1/2: half the Galerkin operator of piecewise constant transfer, which over-corrects and
 // restores the convergence that piecewise constants alone lose (Braess, Computing 55, 1995). Beyond open sides the distance
-// is half a cell's true width on every level. An odd number of cells leaves a narrower last cell.
+// is half a cell's true width on every level, beyond far sides the length over which the pressure fades is added. An odd number of
+// cells leaves a narrower last cell.
 
 #include "gapflow/solver/level.hpp"
+
+#include "gapflow/grid/far_field.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -223,9 +226,29 @@ bool can_halve(const Level<D>& level, const Grid<D>& grid)
     return true;
 }
 
+namespace {
+
+// How much further than to a face of a level it is to the pressure 0 beyond it, in cells of the finest level: on far sides, else 0.
 template <int D>
-Level<D> coarsened(const Level<D>& fine, const Communicator& comm)
+double way_beyond(const Grid<D>& grid, const FarField<D>& far, const Level<D>& level, int axis, const Index<D>& face)
 {
+    const bool end = face[axis] == level.cells[axis];
+    if ((face[axis] != 0 && !end) || grid.side(axis, end) != SideKind::far)
+        return 0;
+    Vec<D> x;
+    for (int k = 0; k < D; ++k) {
+        const int i = std::min(face[k], level.cells[k] - 1);
+        x[k] = k == axis ? end * level.finest_cells[k] : i * level.unit[k] + 0.5 * level.width(k, i);
+    }
+    return far.pressure_length(axis, grid.origin() + grid.dx() * x) / grid.dx();
+}
+
+} // namespace
+
+template <int D>
+Level<D> coarsened(const Level<D>& fine, const Grid<D>& grid)
+{
+    const FarField<D> far = far_field(grid);
     Level<D> coarse;
     coarse.finest_cells = fine.finest_cells;
     coarse.periodic = fine.periodic;
@@ -238,7 +261,7 @@ Level<D> coarsened(const Level<D>& fine, const Communicator& comm)
         coarse.low[axis] = fine.low[axis] / factor[axis];
         coarse.high[axis] = (fine.high[axis] + factor[axis] - 1) / factor[axis];
     }
-    allocate(coarse, comm);
+    allocate(coarse, grid.comm());
     const long back = coarse.row_stride(D - 1);
     const int width = coarse.high[0] - coarse.low[0], fine_width = fine.high[0] - fine.low[0];
     std::vector<double> fine_sum(fine_width + 1);
@@ -265,20 +288,23 @@ Level<D> coarsened(const Level<D>& fine, const Communicator& comm)
                         to[i] += a[i];
                 }
             });
-            auto ratio = [&](int fine_face, int coarse_face) {
-                return fine.distance(axis, fine_face) / coarse.distance(axis, coarse_face);
+            auto ratio = [&](int fine_face, const Index<D>& coarse_face) {
+                const double more = way_beyond(grid, far, coarse, axis, coarse_face);
+                return (fine.distance(axis, fine_face) + more) / (coarse.distance(axis, coarse_face[axis]) + more);
             };
+            Index<D> face = first;
             if (axis == 0)
-                for (int i = 0; i <= width; ++i) {
+                for (int i = 0; i <= width; ++i, ++face[0]) {
                     const int f = std::min(i * factor[0], fine_width);
-                    row_values[i] = static_cast<float>(fine_sum[f] * ratio(fine.low[0] + f, coarse.low[0] + i));
+                    row_values[i] = static_cast<float>(fine_sum[f] * ratio(fine.low[0] + f, face));
                 }
             else {
-                const double r = ratio(begin[axis], first[axis]);
-                for (int i = 0; i < width; ++i) {
+                const double of_row = ratio(begin[axis], first);
+                const bool varies = way_beyond(grid, far, coarse, axis, first) > 0;
+                for (int i = 0; i < width; ++i, ++face[0]) {
                     const int f = i * factor[0];
                     const double sum = fine_sum[f] + (factor[0] == 2 && f + 1 < fine_width ? fine_sum[f + 1] : 0.0);
-                    row_values[i] = static_cast<float>(sum * r);
+                    row_values[i] = static_cast<float>(sum * (varies ? ratio(begin[axis], face) : of_row));
                 }
             }
             const long row = coarse.row_number(first);
@@ -327,7 +353,7 @@ Level<D> gathered(const Level<D>& part, const Communicator& comm)
     template std::array<SharedRows<double>, D> shared_conductances<D>(const CoupledSystem<D>&, bool);                          \
     template Level<D> finest_level<D>(const CoupledSystem<D>&, const std::array<SharedRows<double>, D>&, double);              \
     template bool can_halve<D>(const Level<D>&, const Grid<D>&);                                                               \
-    template Level<D> coarsened<D>(const Level<D>&, const Communicator&);                                                      \
+    template Level<D> coarsened<D>(const Level<D>&, const Grid<D>&);                                                           \
     template void allocate<D>(Level<D>&, const Communicator&);                                                                 \
     template void finish<D>(Level<D>&);                                                                                        \
     template Level<D> gathered<D>(const Level<D>&, const Communicator&);

@@ -86,9 +86,9 @@ template <int D>
 bool can_halve(const Level<D>& level, const Grid<D>& grid);
 
 /// The next level on the same ranks. A face's coefficient is the sum of its fine faces' times the ratio of the distances
-/// across them: half the Galerkin operator of piecewise constant transfer away from the ends.
+/// across them: half the Galerkin operator of piecewise constant transfer away from the ends. `grid`: the finest level's.
 template <int D>
-Level<D> coarsened(const Level<D>& fine, const Communicator& comm);
+Level<D> coarsened(const Level<D>& fine, const Grid<D>& grid);
 
 /// Storage, inverse diagonal and weights for a level whose cells and conductances (possibly none) are known.
 template <int D>

@@ -38,12 +38,12 @@ Multigrid<D>::Multigrid(const CoupledSystem<D>& system, const std::array<SharedR
         const Level<D>& last = levels_.back();
         const bool gathered_already = first_gathered_ < levels_.size();
         if (gathered_already) {
-            levels_.push_back(coarsened(last, comm_));
+            levels_.push_back(coarsened(last, grid));
             continue;
         }
         // The first gathered level is the coarsened last one, or its copy where blocks cannot be halved.
         const bool halve = can_halve(last, grid);
-        Level<D> next = halve ? coarsened(last, comm_) : last;
+        Level<D> next = halve ? coarsened(last, grid) : last;
         if (!halve || total(next) <= gathered_cells || !can_halve(next, grid)) {
             first_gathered_ = levels_.size();
             for (int rank = 0, offset = 0; rank < comm_.size(); ++rank) {

@@ -3,6 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/stepping/extrapolation_share.hpp"
 #include "gapflow/viscosity/viscous_solver.hpp"
 
 #include <algorithm>
@@ -22,10 +23,14 @@ Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bod
         if (bodies[b].motion == Motion::free)
             moving.twists[b] += impulse_response(bodies[b], Twist<D>(step.dt * past.force[b]), step.dt);
     FluidVelocity<D> u = u_star;
-    subtract_known_gradient(there, past.bulk, step.dt, u.grid);
+    SidePressures<D> beyond = model.pressure_beyond(step.start);
+    for (double& pressure : beyond) // as recall_pressure() does with the bulk's
+        pressure *= std::min(1.0, extrapolation_share(step.last_dt, step.dt));
+    subtract_known_gradient(there, past.bulk, step.dt, u.grid, beyond);
     fill_velocity_ghosts(grid, u.grid, model.sides(step.end()));
 
-    const ViscousSystem<D> system = viscous_system(there, model.scene.viscosity, step.dt, u.grid, moving);
+    const ViscousSystem<D> system =
+        viscous_system(there, model.scene.viscosity, step.dt, u.grid, moving, to_vec<D>(model.scene.fluid_velocity));
     const FaceField<D> before = u.grid;
     ViscousStep<D> solved = solve_viscous_system(system, u.grid, moving, model.scene.tolerance);
     if (!solved.report.converged)

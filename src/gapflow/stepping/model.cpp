@@ -3,9 +3,24 @@
 #include "gapflow/body/forces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gapflow {
+
+namespace {
+
+bool is_pressure_side(const SideScene& side)
+{
+    return side.kind == SideScene::Kind::pressure;
+}
+
+double side_pressure(const SideScene& side, double time)
+{
+    return value_at(side.table, time).at(0);
+}
+
+} // namespace
 
 template <int D>
 Model<D>::Model(const Scene& s, const Communicator& comm, Task task)
@@ -72,24 +87,46 @@ BoundaryVelocity<D> Model<D>::sides(double time) const
     return sides;
 }
 
+// Largest -g . x on a side.
 template <int D>
-double Model<D>::hydrostatic(const Vec<D>& x) const
+double Model<D>::height(int side) const
 {
     const Vec<D> g = gravity();
     double highest = -std::numeric_limits<double>::infinity();
     for (int corner = 0; corner < (1 << D); ++corner) {
         Vec<D> place;
-        bool open = false;
-        for (int axis = 0; axis < D; ++axis) {
-            const int end = corner >> axis & 1;
-            place[axis] = grid.origin()[axis] + end * grid.size()[axis];
-            open = open || grid.side(axis, end) == SideKind::open;
-        }
-        if (open)
+        for (int axis = 0; axis < D; ++axis)
+            place[axis] = grid.origin()[axis] + (corner >> axis & 1) * grid.size()[axis];
+        if ((corner >> (side / 2) & 1) == side % 2)
             highest = std::max(highest, -g.dot(place));
     }
-    const double level = std::isfinite(highest) ? scene.density * highest + scene.reference_pressure : 0.0;
-    return scene.density * g.dot(x) + level;
+    return highest;
+}
+
+template <int D>
+double Model<D>::hydrostatic(const Vec<D>& x) const
+{
+    double highest = -std::numeric_limits<double>::infinity(), level = 0;
+    for (int s = 0; s < 2 * D; ++s)
+        if (scene.sides[s].kind == SideScene::Kind::open || scene.sides[s].kind == SideScene::Kind::far)
+            highest = std::max(highest, height(s));
+    if (std::isfinite(highest))
+        level = scene.density * highest + scene.reference_pressure;
+    else if (const auto first = std::find_if(scene.sides.begin(), scene.sides.end(), is_pressure_side);
+             first != scene.sides.end())
+        level = scene.density * height(static_cast<int>(first - scene.sides.begin())) + side_pressure(*first, 0);
+    return scene.density * gravity().dot(x) + level;
+}
+
+template <int D>
+std::array<double, 2 * D> Model<D>::pressure_beyond(double time) const
+{
+    std::array<double, 2 * D> beyond{};
+    const double level = hydrostatic(Vec<D>::Zero());
+    for (int s = 0; s < 2 * D; ++s)
+        if (is_pressure_side(scene.sides[s]))
+            beyond[s] = side_pressure(scene.sides[s], time) - (level - scene.density * height(s));
+    return beyond;
 }
 
 template <int D>

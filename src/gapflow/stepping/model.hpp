@@ -45,14 +45,19 @@ struct Model {
     std::vector<TwistMatrix<D>> masses(const std::vector<RigidBody<D>>& of, double dt) const;
     /// Velocities of walls and inflow at a time.
     BoundaryVelocity<D> sides(double time) const;
-    /// rho g . (x - x0), full minus reduced pressure; x0 is the highest point of the open sides, where the
-    /// reference pressure acts.
+    /// rho g . (x - x0), full minus reduced pressure; x0 is the highest point of the open and far sides, where the reference pressure
+    /// acts, or without any that of the first pressure side, where its pressure at time 0 acts.
     double hydrostatic(const Vec<D>& x) const;
+    /// Reduced pressure beyond every side at a time: 0 but for pressure sides.
+    std::array<double, 2 * D> pressure_beyond(double time) const;
 
     /// The coupled system of bodies at a place. `mass`: as masses() gives it, none: unit masses; the others as in couple(). Collective.
     Coupling<D> coupled(const std::vector<RigidBody<D>>& at, std::vector<TwistMatrix<D>> mass = {}, double viscosity_dt = 0,
                         const std::set<FilmPair<D>>& alive = {}, const std::function<WetShares(const Coupling<D>&)>& wet = {},
                         StageTimers* timers = nullptr) const;
+
+private:
+    double height(int side) const;
 };
 
 } // namespace gapflow

@@ -2,6 +2,7 @@
 
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/extrapolation.hpp"
+#include "gapflow/grid/far_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,11 +63,12 @@ void extrapolate_pressure(const Coupling<D>& coupling, PastPressure<D>& past)
 
 template <int D>
 void subtract_known_gradient(const Coupling<D>& coupling, const PastPressure<D>& past, double dt, FaceField<D>& u,
-                             FaceField<D, std::int8_t>* changed)
+                             const SidePressures<D>& beyond, FaceField<D, std::int8_t>* changed)
 {
     const CellField<D>&pressure = past.pressure, &known = past.known;
     const Grid<D>& grid = *coupling.grid;
     const double scale = dt / (coupling.density * grid.dx());
+    const FarField<D> far = far_field(grid);
     for (int axis = 0; axis < D; ++axis) {
         const long back = pressure.block().stride[axis];
         for_each_face_row<D>(
@@ -85,15 +87,29 @@ void subtract_known_gradient(const Coupling<D>& coupling, const PastPressure<D>&
                 for (int i = 0; i < n; ++i)
                     marks[i] = a[i] > 0 && (above == 0 || k[i] > 0) && (below == 0 || k[i - back] > 0);
             });
+        for_each_far_face(grid, axis, [&](const Index<D>& f, int end) { // the pressure 0 is further away
+            const Index<D> inner = end ? Index<D>(f - step<D>(axis)) : f;
+            const double much = 2 * scale * (1 - 1 / far_distance(grid, far, axis, f));
+            if (coupling.system.conductance(axis, f) > 0 && known(inner) > 0)
+                u(axis, f) += (end ? -much : much) * pressure(inner);
+        });
+        for (int end = 0; end < 2; ++end)
+            if (const double pressure_there = beyond[2 * axis + end]; pressure_there != 0)
+                for_each_face_of_side<D>(grid, axis, end, [&](const Index<D>& f) {
+                    const Index<D> inner = end ? Index<D>(f - step<D>(axis)) : f;
+                    if (coupling.system.conductance(axis, f) > 0 && known(inner) > 0)
+                        u(axis, f) += (end ? -2 : 2) * scale * pressure_there;
+                });
     }
 }
 
 template <int D>
-FaceField<D> velocity_change(const Coupling<D>& coupling, const PastPressure<D>& past, double dt)
+FaceField<D> velocity_change(const Coupling<D>& coupling, const PastPressure<D>& past, double dt,
+                             const SidePressures<D>& beyond)
 {
     FaceField<D> change(*coupling.grid);
     FaceField<D, std::int8_t> valid(*coupling.grid);
-    subtract_known_gradient(coupling, past, dt, change, &valid);
+    subtract_known_gradient(coupling, past, dt, change, beyond, &valid);
     extrapolate(*coupling.grid, change, valid, carried_layers);
     return change;
 }
@@ -174,8 +190,8 @@ std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const Fa
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void extrapolate_pressure<D>(const Coupling<D>&, PastPressure<D>&);                                               \
     template void subtract_known_gradient<D>(const Coupling<D>&, const PastPressure<D>&, double, FaceField<D>&,                \
-                                             FaceField<D, std::int8_t>*);                                                      \
-    template FaceField<D> velocity_change<D>(const Coupling<D>&, const PastPressure<D>&, double);                              \
+                                             const SidePressures<D>&, FaceField<D, std::int8_t>*);                             \
+    template FaceField<D> velocity_change<D>(const Coupling<D>&, const PastPressure<D>&, double, const SidePressures<D>&);     \
     template void limit_to_inertia<D>(const Grid<D>&, const FaceField<D>&, FaceField<D>&, FaceField<D>&);                      \
     template std::vector<Vec<D>> swept_impulses<D>(const Grid<D>&, double, const FaceField<D>&, const FaceFractions<D>&,       \
                                                    const FaceFractions<D>&, std::size_t);

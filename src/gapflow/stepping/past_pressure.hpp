@@ -16,6 +16,7 @@
 
 #include "gapflow/coupling/coupling.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,21 +29,26 @@ struct PastPressure {
     CellField<D> known;    ///< 1 where there is one
 };
 
+/// Reduced pressure beyond every side of the domain, at 2 * axis + end.
+template <int D>
+using SidePressures = std::array<double, 2 * D>;
+
 /// Extrapolates the pressure into cells of this configuration that had none: the mean of the neighbours that had one, two
 /// layers deep. Fills
 /// ghosts. Collective.
 template <int D>
 void extrapolate_pressure(const Coupling<D>& coupling, PastPressure<D>& past);
 
-/// u -= dt grad p / rho on open faces between cells whose pressure is known; `changed` gets 1 there. Beyond an open side the pressure
-/// is 0, half a cell away.
+/// u -= dt grad p / rho on open faces between cells whose pressure is known; `changed` gets 1 there. Beyond open sides the pressure
+/// is `beyond`, half a cell away; beyond far sides it is 0, at infinity.
 template <int D>
 void subtract_known_gradient(const Coupling<D>& coupling, const PastPressure<D>& past, double dt, FaceField<D>& u,
-                             FaceField<D, std::int8_t>* changed = nullptr);
+                             const SidePressures<D>& beyond = {}, FaceField<D, std::int8_t>* changed = nullptr);
 
 /// g on open faces, extrapolated into solids. Collective.
 template <int D>
-FaceField<D> velocity_change(const Coupling<D>& coupling, const PastPressure<D>& past, double dt);
+FaceField<D> velocity_change(const Coupling<D>& coupling, const PastPressure<D>& past, double dt,
+                             const SidePressures<D>& beyond = {});
 
 /// Limits the length of g to twice the change of the flow along its path, |dt u . grad u|, computed from u and `half_way`, u
 /// half a step later: at a face the larger of the two cells' values. (The part of the pressure gradient that viscosity balances

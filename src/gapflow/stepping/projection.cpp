@@ -138,7 +138,7 @@ bool Projection<D>::update_voids(double tolerance, const Rounds& rounds, bool co
         return false;
     VoidSet<D>& voids = *start_.voids;
     const double accuracy = 10 * tolerance;
-    const auto [outflow, drop] = wet_->outcome(impulse_, twists_);
+    auto [outflow, drop] = wet_->outcome(impulse_, twists_);
     node_outflow_ = outflow;
     const bool at_once = rounds.voids_at_once();
     if (rounds.last() || (contacts_changed && !at_once))
@@ -153,6 +153,8 @@ bool Projection<D>::update_voids(double tolerance, const Rounds& rounds, bool co
                        (voids.shut()[r] ? 0.0
                                         : entrained_flux(start_.coupling, r, twists_) -
                                               carried_flux<D>(start_.coupling, mouths[r], twists_)));
+    for (std::size_t r = 0; r < mouths.size(); ++r)
+        drop[r] -= start_.dt * start_.beyond_mouths[r];
     return voids.update_mouths(mouths, flux, drop, accuracy, at_once) || nodes;
 }
 

@@ -25,6 +25,7 @@ struct ProjectionStart {
     const std::vector<Twist<D>>& forced;       ///< of all solids after all forces but the fluid's and the contacts'
     ContactSet<D>* contacts;                   ///< null: none
     VoidSet<D>* voids;                         ///< null: none
+    const std::vector<double>& beyond_mouths;  ///< reduced pressure beyond every mouth that the system takes as 0
     double dt;                                 ///< 0: the initial projection
     long step;                                 ///< its number, for messages
 };

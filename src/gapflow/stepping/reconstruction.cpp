@@ -130,7 +130,7 @@ FaceField<D, std::int8_t> known_faces(const Coupling<D>& c, double widest, const
         const int n = end[0] - low[0];
         // The velocities of walls and inflow hold everywhere on their sides. A face of an open side that a body covers has no
         // velocity of its own: its advected value would be unbounded from step to step.
-        auto given = [&](int end) { return !grid.periodic(axis) && grid.side(axis, end) != SideKind::open; };
+        auto given = [&](int end) { return !grid.periodic(axis) && !is_open(grid.side(axis, end)); };
         auto at_side = [&](int place) { return (place == 0 && given(0)) || (place == grid.cells()[axis] && given(1)); };
         auto of_plane = [&](int plane) {
             std::vector<Sliver<D>> found;

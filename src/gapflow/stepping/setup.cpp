@@ -79,13 +79,28 @@ void require_memory(const Scene& scene, const Communicator& comm, double availab
     throw InputError(scene.file + text);
 }
 
+namespace {
+
+SideKind side_kind(const SideScene& side)
+{
+    if (side.kind == SideScene::Kind::far)
+        return SideKind::far;
+    if (side.is_open())
+        return SideKind::open;
+    if (side.kind == SideScene::Kind::periodic)
+        return SideKind::periodic;
+    return side.kind == SideScene::Kind::inflow ? SideKind::inflow : SideKind::wall;
+}
+
+} // namespace
+
 template <int D>
 Grid<D> make_grid(const Scene& scene, const Communicator& comm)
 {
     require_memory(scene, comm);
     std::array<SideKind, 2 * D> sides;
     for (int s = 0; s < 2 * D; ++s)
-        sides[s] = static_cast<SideKind>(scene.sides[s].kind);
+        sides[s] = side_kind(scene.sides[s]);
     const int ghost = 3 + static_cast<int>(std::ceil(scene.cfl));
     return Grid<D>(to_vec<D>(scene.origin), scene.size[0] / scene.cells[0], to_index<D>(scene.cells), sides, ghost, comm);
 }

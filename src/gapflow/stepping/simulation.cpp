@@ -6,6 +6,7 @@
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/motion.hpp"
+#include "gapflow/stepping/side_pressure.hpp"
 #include "gapflow/stepping/start.hpp"
 #include "gapflow/stepping/steering.hpp"
 #include "gapflow/stepping/step_end.hpp"
@@ -96,6 +97,7 @@ StepReport Simulation<D>::step(double next_output)
         diffusion =
             timed(stages_, "viscosity", [&] { return diffuse(model_, state_.bodies, mass, past, there, step, star, report); });
     const std::vector<Twist<D>> V_star = star.twists;
+    push_from_beyond(model_, state_.bodies, there, step, star);
     Projected<D> end = project(model_, there, std::move(star), mass, step, state_, report, stages_);
     take_up(model_, there, std::move(end), mass, V_star, std::move(past), diffusion, step, state_);
     here_ = std::move(there);

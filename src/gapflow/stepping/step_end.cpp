@@ -4,6 +4,7 @@
 #include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/motion.hpp"
+#include "gapflow/stepping/side_pressure.hpp"
 
 namespace gapflow {
 
@@ -48,6 +49,7 @@ std::vector<Twist<D>> wrenches(const Model<D>& model, const Coupling<D>& there, 
             impulse[s] += shear[s];
     }
     const Vec<D> g = model.gravity();
+    const std::vector<Twist<D>> from_beyond = wrenches_from_beyond(model, there, step.end());
     std::vector<Twist<D>> result;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const RigidBody<D>& body = bodies[b];
@@ -56,7 +58,7 @@ std::vector<Twist<D>> wrenches(const Model<D>& model, const Coupling<D>& there, 
         if (step.dt > 0 && model.driven())
             sum += driving_wrench(body, drive);
         if (step.dt > 0)
-            sum += impulse[b] / step.dt;
+            sum += impulse[b] / step.dt + from_beyond[b];
         if (!diffusion.impulses.empty())
             sum += diffusion.impulses[b] / step.dt;
         result.push_back(sum);

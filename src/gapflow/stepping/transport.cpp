@@ -7,6 +7,7 @@
 #include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/flooding.hpp"
 #include "gapflow/stepping/motion.hpp"
+#include "gapflow/stepping/side_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,12 +45,15 @@ void flood(const Model<D>& model, const State<D>& state, const FilmHistories<D>&
     const VoidSet<D>& voids = state.voids;
     const std::vector<Twist<D>> V = model.twists(state.bodies);
     const std::vector<Mouth<D>>& mouths = there.network.rim.mouths;
-    std::vector<double> pressure(mouths.size(), 0.0); // of the last step's bulk, where the mouths are now
+    std::vector<double> pressure(mouths.size(), 0.0); // of the last step's bulk, where the mouths are now, or beyond the side
     for (std::size_t r = 0; r < mouths.size() && step.last_dt > 0; ++r)
         for (const auto& [key, weight] : mouths[r].cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
                 pressure[r] += weight * state.pressure.impulse.cells(c) / step.last_dt;
     grid.comm().sum(pressure);
+    const std::vector<double> beyond = pressure_beyond_mouths(model, mouths, step.end());
+    for (std::size_t r = 0; r < mouths.size(); ++r)
+        pressure[r] += beyond[r];
     rest_in_voids<D>(there, voids.empty_elements(there.network), V, flow.velocity);
     limit_inflow<D>(there, voids, histories, model.mouths, pressure, step.dt, flow);
     pass_on<D>(there, voids, V, step.dt, flow);

@@ -5,6 +5,7 @@
 #include "gapflow/stepping/motion.hpp"
 #include "gapflow/stepping/projection.hpp"
 #include "gapflow/stepping/sealing.hpp"
+#include "gapflow/stepping/side_pressure.hpp"
 
 #include <cmath>
 #include <optional>
@@ -144,8 +145,9 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
     if (voids)
         end.was_empty = voids->empty_elements(there.network);
     const SolverOptions options = solver_options(model.scene, state.light_bodies);
-    Projection<D> projection({there, state.bodies, mass, star.twists, contacts, voids, step.dt, step.number}, end.velocity,
-                             end.impulse, options, timers);
+    const std::vector<double> beyond_mouths = pressure_beyond_mouths(model, there.network.rim.mouths, step.end());
+    Projection<D> projection({there, state.bodies, mass, star.twists, contacts, voids, beyond_mouths, step.dt, step.number},
+                             end.velocity, end.impulse, options, timers);
     bool links_changed = false;
     std::optional<Rounds> all_rounds;
     const auto settle = [&] {

@@ -44,7 +44,7 @@ void fill_velocity_ghosts(const Grid<D>& grid, int axis, CellField<D>& u, const 
             if (kind == SideKind::periodic || !mine)
                 continue;
             const double given = sides.velocity[2 * normal + end][axis];
-            const bool set_boundary = axis == normal && kind != SideKind::open;
+            const bool set_boundary = axis == normal && !is_open(kind);
             Index<D> low = block.low, high = block.high;
             (end == 0 ? high[normal] : low[normal]) = end == 0 ? (set_boundary ? 1 : 0) : last + (set_boundary ? 0 : 1);
             // Layer by layer: values = constant + factor * those of another layer.
@@ -53,7 +53,7 @@ void fill_velocity_ghosts(const Grid<D>& grid, int axis, CellField<D>& u, const 
                 const bool fixed = kind == SideKind::inflow || (set_boundary && beyond == 0);
                 const bool opposite = !fixed && kind == SideKind::wall && (axis == normal || sides.no_slip);
                 const double constant = fixed ? given : opposite ? 2 * given : 0.0, factor = opposite ? -1.0 : 1.0;
-                const int mirrored = kind == SideKind::open ? 0 : axis == normal ? beyond : beyond - 1;
+                const int mirrored = is_open(kind) ? 0 : axis == normal ? beyond : beyond - 1;
                 const int source = end == 0 ? std::min(mirrored, last) : std::max(last - mirrored, 0);
                 const long shift = fixed ? 0 : static_cast<long>(source - place) * block.stride[normal];
                 set_layer(u, low, high, normal, place, constant, fixed ? 0.0 : factor, shift);
@@ -61,11 +61,48 @@ void fill_velocity_ghosts(const Grid<D>& grid, int axis, CellField<D>& u, const 
         }
 }
 
+namespace {
+
+// Fluid that comes in from far has no vorticity: d u_t / d n = d u_n / d t at the side, for the component t of u beyond the side normal
+// to n. All layers beyond have one value.
+template <int D>
+void bring_in_without_vorticity(const Grid<D>& grid, int n, int end, int t, FaceField<D>& u)
+{
+    const CellField<D>& across = u[n];
+    CellField<D>& along = u[t];
+    const Block<D>& block = along.block();
+    const int inner = end ? grid.cells()[n] - 1 : 0, outwards = end ? 1 : -1;
+    Index<D> low = block.low, high = block.high;
+    low[n] = inner;
+    high[n] = inner + 1;
+    ++low[t];
+    for_each_index<D>(low, high, [&](const Index<D>& f) {
+        Index<D> side = f;
+        side[n] = end * grid.cells()[n];
+        const double after = across(side), before = across(side - step<D>(t));
+        if (outwards * (after + before) >= 0)
+            return;
+        const double value = along(f) + outwards * (after - before);
+        Index<D> ghost = f;
+        for (ghost[n] += outwards; ghost[n] >= block.low[n] && ghost[n] < block.high[n]; ghost[n] += outwards)
+            along(ghost) = value;
+    });
+}
+
+} // namespace
+
 template <int D>
 void fill_velocity_ghosts(const Grid<D>& grid, FaceField<D>& u, const BoundaryVelocity<D>& sides)
 {
     for (int axis = 0; axis < D; ++axis)
         fill_velocity_ghosts(grid, axis, u[axis], sides);
+    for (int n = 0; n < D; ++n)
+        for (int end = 0; end < 2; ++end) {
+            const bool mine = end == 0 ? grid.low()[n] == 0 : grid.high()[n] == grid.cells()[n];
+            for (int t = 0; t < D && mine && grid.side(n, end) == SideKind::far; ++t)
+                if (t != n)
+                    bring_in_without_vorticity(grid, n, end, t, u);
+        }
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \

@@ -21,11 +21,12 @@ struct BoundaryVelocity {
 ///   wall              normal component odd about the wall's velocity, tangential components even (no slip: odd too);
 ///   inflow            the given velocity;
 ///   open              constant;
+///   far               constant; where fluid comes in, tangential components such that it has no vorticity;
 ///   other ranks and periodic sides: exchanged. Collective.
 template <int D>
 void fill_velocity_ghosts(const Grid<D>& grid, FaceField<D>& u, const BoundaryVelocity<D>& sides);
 
-/// The same for the component normal to `axis` alone.
+/// The same for the component normal to `axis` alone; far sides as open ones.
 template <int D>
 void fill_velocity_ghosts(const Grid<D>& grid, int axis, CellField<D>& u, const BoundaryVelocity<D>& sides);
 

@@ -59,7 +59,7 @@ bool ViscousFaces<D>::is_open(int axis, const Index<D>& f) const
     if (grid_.periodic(axis) || (f[axis] > 0 && f[axis] < grid_.cells()[axis]))
         return true;
     const Index<D> inner = f[axis] > 0 ? Index<D>(f - step<D>(axis)) : f;
-    return grid_.side(axis, f[axis] > 0) == SideKind::open && static_cast<CellKind>(coupling_.kind(inner)) != CellKind::film;
+    return gapflow::is_open(grid_.side(axis, f[axis] > 0)) && static_cast<CellKind>(coupling_.kind(inner)) != CellKind::film;
 }
 
 template <int D>

@@ -1,5 +1,6 @@
 #include "gapflow/viscosity/viscous_system.hpp"
 
+#include "gapflow/grid/far_field.hpp"
 #include "gapflow/viscosity/following_faces.hpp"
 #include "gapflow/viscosity/narrow_gaps.hpp"
 #include "gapflow/viscosity/viscous_faces.hpp"
@@ -34,9 +35,9 @@ template <int D>
 class ViscousLattice {
 public:
     ViscousLattice(const Coupling<D>& coupling, const FaceField<D>& u_star, ViscousFaces<D>& faces, NarrowGaps<D>& gaps,
-                   ViscousTerms<D>& terms, ViscousSystem<D>& system)
-        : grid_(*coupling.grid), fractions_(*coupling.fractions), u_star_(u_star), faces_(faces), rays_(faces.rays()),
-          gaps_(gaps), terms_(terms), system_(system)
+                   ViscousTerms<D>& terms, const Vec<D>& outside, ViscousSystem<D>& system)
+        : grid_(*coupling.grid), far_(far_field(*coupling.grid)), outside_(outside), fractions_(*coupling.fractions),
+          u_star_(u_star), faces_(faces), rays_(faces.rays()), gaps_(gaps), terms_(terms), system_(system)
     {
     }
 
@@ -123,6 +124,8 @@ private:
         }
         ViscousTerm<D> term{axis, at, 0, 1, 0, {-1, -1}, {}};
         if (leads_out && (hit.image < 0 || hit.distance > to_side * grid_.dx())) {
+            if (grid_.side(k, end) == SideKind::far)
+                return add_far_edge(axis, f, k, end, term);
             if (k == axis && faces_.on_side(axis, f))
                 return;
             term.stiffness = system_.edge / to_side;
@@ -150,7 +153,24 @@ private:
         terms_.add(term);
     }
 
+    // The lattice edge that leaves the domain through a far side. Slow flow around a body fades like r^-(d - 2) (a point force's), d the
+    // number of endless axes.
+    void add_far_edge(int axis, const Index<D>& f, int k, int end, ViscousTerm<D>& term)
+    {
+        const int degree = far_.dimensions() - 2;
+        if (degree <= 0)
+            return;
+        Vec<D> x = grid_.face_centre(axis, f);
+        x[k] = grid_.origin()[k] + end * grid_.size()[k];
+        const double to_side = k == axis ? 0.0 : 0.5;
+        term.stiffness = system_.edge / (to_side + 1 / (degree * far_.fading(k, x) * grid_.dx()));
+        term.target = outside_[axis];
+        terms_.add(term);
+    }
+
     const Grid<D>& grid_;
+    const FarField<D> far_;
+    const Vec<D> outside_; ///< velocity of the fluid far away
     const FaceFractions<D>& fractions_;
     const FaceField<D>& u_star_;
     ViscousFaces<D>& faces_;
@@ -165,14 +185,14 @@ private:
 
 template <int D>
 ViscousSystem<D> viscous_system(const Coupling<D>& coupling, double viscosity, double dt, const FaceField<D>& u_star,
-                                const ViscousBodies<D>& bodies)
+                                const ViscousBodies<D>& bodies, const Vec<D>& outside)
 {
     ViscousSystem<D> system = empty_system(coupling, viscosity, dt);
     ViscousFaces<D> faces(coupling);
     faces.classify(system.active);
     ViscousTerms<D> terms(coupling, bodies, system);
     NarrowGaps<D> gaps(coupling, faces, system);
-    ViscousLattice<D> lattice(coupling, u_star, faces, gaps, terms, system);
+    ViscousLattice<D> lattice(coupling, u_star, faces, gaps, terms, outside, system);
     for (int axis = 0; axis < D; ++axis)
         lattice.add(axis);
     FollowingFaces<D> following(coupling, u_star, faces, gaps, terms, system);
@@ -183,7 +203,9 @@ ViscousSystem<D> viscous_system(const Coupling<D>& coupling, double viscosity, d
     return system;
 }
 
-template ViscousSystem<2> viscous_system<2>(const Coupling<2>&, double, double, const FaceField<2>&, const ViscousBodies<2>&);
-template ViscousSystem<3> viscous_system<3>(const Coupling<3>&, double, double, const FaceField<3>&, const ViscousBodies<3>&);
+template ViscousSystem<2> viscous_system<2>(const Coupling<2>&, double, double, const FaceField<2>&, const ViscousBodies<2>&,
+                                            const Vec<2>&);
+template ViscousSystem<3> viscous_system<3>(const Coupling<3>&, double, double, const FaceField<3>&, const ViscousBodies<3>&,
+                                            const Vec<3>&);
 
 } // namespace gapflow

@@ -94,9 +94,9 @@ struct ViscousBodies {
 };
 
 /// `u_star`: on open faces, ghosts filled (boundary faces of walls and inflow hold their velocity, ghosts beyond an inflow side
-/// that side's). Collective.
+/// that side's). `outside`: of the fluid beyond far sides. Collective.
 template <int D>
 ViscousSystem<D> viscous_system(const Coupling<D>& coupling, double viscosity, double dt, const FaceField<D>& u_star,
-                                const ViscousBodies<D>& bodies);
+                                const ViscousBodies<D>& bodies, const Vec<D>& outside = Vec<D>::Zero());
 
 } // namespace gapflow
