@@ -145,6 +145,7 @@ void read_domain(const Values& v, Scene& scene)
     for (int number = 0; number < 2 * scene.dimension; ++number)
         read_side(v, number, scene);
     check_periodic(v, scene);
+    scene.leaving = v.choice<Scene::Leaving>("domain.leaving");
 }
 
 } // namespace gapflow
