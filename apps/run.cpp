@@ -135,9 +135,9 @@ int drive(const Scene& scene, const RunOptions& options)
     progress.clear();
     run.finish();
     if (run.ended_by() == "time.until_steady")
-        log.info(fmt::format(
-            "the flow is steady: it changes by less than {:.3g} of itself in the time in which it crosses the domain",
-            *scene.until_steady));
+        log.info(fmt::format("the flow is steady: it changes by less than {:.3g} of itself in the time in which it, or "
+                             "viscosity, crosses the domain",
+                             *scene.until_steady));
     else if (run.ended_by() == "domain.leaving")
         log.warning(fmt::format(
             "ended because a body is on its way out (domain.leaving = \"stop\"); to go on: gapflow run {0} --resume "

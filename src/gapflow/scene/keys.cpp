@@ -433,8 +433,7 @@ std::vector<KeyInfo> scene_keys()
                 {0, 1, true},
                 {},
                 "the run ends before time.end once the flow changes by less than this part of itself in the time in which the "
-                "fluid crosses the "
-                "domain"},
+                "fluid, or viscosity, crosses the domain"},
                {"solver.tolerance", T::number, "", "1e-8", {1e-16, 1e-2, true}, {}, "relative residual"},
                {"solver.backend",
                 T::choice,

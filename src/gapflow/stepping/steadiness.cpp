@@ -88,7 +88,10 @@ double unsteadiness(const Model<D>& model, const Coupling<D>& here, const Earlie
         return changed == 0 ? 0.0 : whole > 0 ? changed / whole : std::numeric_limits<double>::infinity();
     };
     const double relative = std::max({ratio(of_flow, speed), ratio(of_forces, force), ratio(of_motion, speed)});
-    const double r = relative == 0 ? 0.0 : ratio(relative * model.grid.size().maxCoeff(), speed * state.dt);
+    const double length = model.grid.size().maxCoeff(), viscosity = model.scene.viscosity / model.scene.density;
+    const double crossing = speed > 0 ? length / speed : std::numeric_limits<double>::infinity();
+    const double own_time = viscosity > 0 ? std::min(crossing, length * length / viscosity) : crossing;
+    const double r = relative == 0 ? 0.0 : relative * std::max(own_time / state.dt, 1.0);
     watch.calm_steps = r < tolerance ? watch.calm_steps + 1 : 0;
     return r;
 }

@@ -1,11 +1,11 @@
 // How far a flow is from steady (method, "Steady flow"): the rates at which the bulk's velocity, the fluid's forces and the bodies' motion change
-// in a step, over their own size and per flow time tau = L / U,
+// in a step, over their own size and per time tau of the flow,
 //
-//     r = tau max( |du/dt| / |u|,  max_b |dF_b/dt| / F,  max_b |dV_b/dt| / U ),
+//     r = tau max( |du/dt| / |u|,  max_b |dF_b/dt| / F,  max_b |dV_b/dt| / U ),      tau = max( min( L / U, L^2 / nu ), dt ),
 //
 // U the root mean square of the fluid's velocity, L the domain's longest edge, F the largest force without buoyancy, not less than
-// rho U^2 l^(D-1) of the largest body's size l. Where U has
-// fallen below the tolerance times its largest value so far, that takes its place: the fluid counts as at rest. A change that would take a flow time to double the flow has r = 1, whatever the step.
+// rho U^2 l^(D-1) of the largest body's size l. Where U has fallen below the tolerance times its largest value so far, that takes its
+// place: the fluid counts as at rest. A change that would take the time tau to double the flow has r = 1, whatever the step.
 #pragma once
 
 #include "gapflow/stepping/state.hpp"

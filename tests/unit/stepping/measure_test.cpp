@@ -320,7 +320,7 @@ TEST(ForceParts, AddUpToTheFluidsForceAndContactCarriesTheRest)
     scene.sides[0].kind = SideScene::Kind::inflow;
     scene.sides[0].velocity = {0.2, 0, 0};
     scene.sides[1].kind = SideScene::Kind::open;
-    scene.contact.friction = 0.5;
+    scene.contact.friction = 2;
     scene.gap.roughness = 1e-4;
     scene.bodies = {box("block", {0.3, 0.2, 0}, {0.8, 0.1 + 1e-4, 0}), ball("ball", 0.1, {1.3, 0.6, 0})};
     scene.bodies[0].density = 3;
@@ -344,8 +344,7 @@ TEST(ForceParts, AddUpToTheFluidsForceAndContactCarriesTheRest)
     EXPECT_GT(held.pressure[0], 0);
     EXPECT_TRUE(held.film.isZero(0) && held.contact.isZero(0));
     // The block rests: what the fluid does not carry of its weight the floor does, and friction holds it against the stream.
-    ASSERT_LT(simulation.bodies()[0].twist.norm(), 1e-6) << simulation.bodies()[0].twist.transpose() << " contact "
-                                                         << block.contact.transpose() << " fluid " << block.fluid().transpose();
+    ASSERT_LT(simulation.bodies()[0].twist.norm(), 1e-6);
     const Vec<2> weight(0, -3 * 0.06);
     EXPECT_NEAR((block.fluid() + block.contact).head<2>().dot(Vec<2>::UnitY()), -weight[1], 0.01 * 0.18);
     EXPECT_NEAR(block.fluid()[0] + block.contact[0], 0, 0.01 * 0.18);
