@@ -14,6 +14,7 @@ namespace gapflow {
 struct RunOptions {
     bool quiet = false; ///< no progress, only warnings and errors
     std::string resume; ///< checkpoint to continue from; empty: from the start
+    bool force = false; ///< another run's files in the folder are replaced
 };
 
 /// Runs the scene to its end and writes the files of a run. Collective.

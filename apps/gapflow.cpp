@@ -25,7 +25,7 @@ struct Arguments {
     std::vector<std::string> sets;
     ConvergeOptions converge;
     ReportOptions report;
-    bool quiet = false, json = false, names = false;
+    bool quiet = false, json = false, names = false, force = false;
 };
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
@@ -57,7 +57,7 @@ Scene scene_of(const Arguments& arguments, Purpose purpose, const Overrides& mor
 
 int run(const Arguments& arguments)
 {
-    return run_command(scene_of(arguments, Purpose::run), {arguments.quiet, arguments.resume});
+    return run_command(scene_of(arguments, Purpose::run), {arguments.quiet, arguments.resume, arguments.force});
 }
 
 int converge(Arguments& arguments)
@@ -112,11 +112,14 @@ void add_run(const CommandLine& line)
         ->add_option("--resume", arguments.resume,
                      "Continue from a checkpoint.h5; tables and fields in the output folder are cut back to it first")
         ->type_name("FILE");
+    run_app->add_flag("--force", arguments.force, "Replace the files of another scene's run in the output folder");
     run_app->add_flag("-q,--quiet", arguments.quiet, "Only warnings and errors");
     run_app->footer(
         "Writes checkpoint.h5 at the end, every output.checkpoint_every of simulated time, and when interrupted: Ctrl-C "
         "and SIGTERM end the run after the current step (a second one at once). With --resume only title, time, "
-        "solver and output may differ from the scene that the checkpoint is of.");
+        "solver, output, probe, flux and domain.leaving may differ from the scene that the checkpoint is of. A folder that "
+        "holds the run of another "
+        "scene is refused without --force; a run of the same scene file there is replaced.");
 }
 
 void add_check_and_added_mass(const CommandLine& line)

@@ -1,10 +1,12 @@
 // gapflow report: a page or pictures of a run, from its files.
 #include "commands.hpp"
 
+#include "gapflow/core/logging.hpp"
 #include "gapflow/output/file.hpp"
 #include "gapflow/output/frame_pictures.hpp"
 #include "gapflow/output/progress.hpp"
 #include "gapflow/output/report_page.hpp"
+#include "gapflow/output/run_record.hpp"
 
 #include <fmt/core.h>
 
@@ -39,6 +41,12 @@ int report_command(const ReportOptions& options)
     const Communicator comm;
     on_root(comm, [&] {
         const StoredRun run = read_run(options.directory);
+        const auto recorded = read_recorded_run(run.folder / "run.json");
+        if (recorded && recorded->state == RunState::killed)
+            Logger(comm, options.quiet)
+                .warning(fmt::format(
+                    "{}: the run was killed; its tables end with its last step, the fields with output times until time {:.6g}",
+                    options.directory, recorded->time));
         CountProgress progress(choose_progress_style(comm, options.quiet), options.png ? "pictures" : "output times");
         const CountWatcher watch = [&](std::size_t done, std::size_t of) { progress(done, of); };
         options.png ? write_pictures(run, options, watch) : write_page(run, options, watch);

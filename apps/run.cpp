@@ -6,6 +6,7 @@
 #include "gapflow/core/threads.hpp"
 #include "gapflow/output/progress.hpp"
 #include "gapflow/output/run.hpp"
+#include "gapflow/output/run_folder.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
@@ -51,7 +52,8 @@ void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
     };
     std::vector<Way> ways;
     for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
-        if (const RigidBody<D>& body = simulation.bodies()[b]; body.motion != Motion::fixed)
+        if (const RigidBody<D>& body = simulation.bodies()[b];
+            body.motion != Motion::fixed && !simulation.removed(static_cast<int>(b)))
             ways.push_back({b, (body.pose.position - start_position(body, simulation.scene().bodies[b])).norm()});
     if (ways.size() > most_bodies_told) {
         log.info(fmt::format("{} bodies moved, the furthest {}:", ways.size(), most_bodies_told));
@@ -71,9 +73,12 @@ void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
     for (const auto& [name, stage] : simulation.stages().stages())
         stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, stage.seconds);
     log.info("time: " + stages);
-    log.info(fmt::format("files: {0}/{1}, gaps.csv, steps.csv{2}; open {0}/gapflow.pvd in ParaView", folder,
-                         simulation.scene().writes_csv() ? "bodies.csv" : "bodies.npy",
-                         simulation.scene().crowds.empty() ? "" : ", crowds.csv, crowd_profiles.csv"));
+    const Scene& scene = simulation.scene();
+    log.info(fmt::format("files: {0}/{1}, gaps.csv, steps.csv{2}{3}{4}{5}; open {0}/gapflow.pvd in ParaView", folder,
+                         scene.writes_csv() ? "bodies.csv" : "bodies.npy",
+                         scene.crowds.empty() ? "" : ", crowds.csv, crowd_profiles.csv",
+                         scene.probes.empty() ? "" : ", probes.csv", scene.fluxes.empty() ? "" : ", fluxes.csv",
+                         scene.forces ? ", forces.csv" : ""));
     log.info(fmt::format("look at it: gapflow report {0} writes {0}/report.html for a browser", folder));
 }
 
@@ -82,6 +87,7 @@ int drive(const Scene& scene, const RunOptions& options)
 {
     const Communicator comm;
     Logger log(comm, options.quiet);
+    claim_folder(scene.output_directory, scene, {options.force, !options.resume.empty()}, comm);
     Run<D> run(scene, comm, {scene.output_directory, options.resume, GAPFLOW_VERSION});
     const Simulation<D>& simulation = run.simulation();
     log.info(fmt::format("{}: {} cells, {} film nodes, {} rank(s) of {} thread(s)",
@@ -102,15 +108,16 @@ int drive(const Scene& scene, const RunOptions& options)
     Progress progress(choose_progress_style(comm, options.quiet), simulation.time(), scene.end);
     try {
         run.write_start();
-        while (simulation.time() < scene.end) {
+        while (!run.ended()) {
             const StepReport& report = run.step();
             for (const std::string& note : report.notes)
                 log.warn_once(note);
-            const ProgressState state{report.time, report.dt, report.step, report.iterations};
+            const ProgressState state{report.time, report.dt, report.step, report.iterations,
+                                      scene.until_steady ? std::optional(report.unsteadiness) : std::nullopt};
             progress.step(state);
             if (run.shown())
                 progress.output(state);
-            if (comm.any(stop_signal != 0) && simulation.time() < scene.end) {
+            if (comm.any(stop_signal != 0) && !run.ended()) {
                 const int signal = static_cast<int>(comm.max(static_cast<long>(stop_signal)));
                 progress.clear();
                 run.interrupt();
@@ -127,6 +134,15 @@ int drive(const Scene& scene, const RunOptions& options)
     }
     progress.clear();
     run.finish();
+    if (run.ended_by() == "time.until_steady")
+        log.info(fmt::format("the flow is steady: it changes by less than {:.3g} of itself in the time in which it, or "
+                             "viscosity, crosses the domain",
+                             *scene.until_steady));
+    else if (run.ended_by() == "domain.leaving")
+        log.warning(fmt::format(
+            "ended because a body is on its way out (domain.leaving = \"stop\"); to go on: gapflow run {0} --resume "
+            "{1}/checkpoint.h5 -o {1}, with the same --set",
+            scene.file, scene.output_directory));
     summarise(run, log, scene.output_directory);
     return 0;
 }

@@ -39,12 +39,14 @@ class Domain:
     """The box of fluid and its grid: two numbers in `size` and `cells` make a 2D scene (per unit depth), three a 3D one.
 
     size: edge lengths. cells: along each axis, with the same spacing on all. origin: low corner, default 0.
+    leaving: "warn", "stop" (`gapflow run` ends) or "remove": of bodies on their way out of an open side.
     """
 
     size: Vector
     cells: Sequence[int]
     origin: Vector | None = None
     sides: Sides | Mapping[str, Side] | None = None
+    leaving: Literal["warn", "stop", "remove"] | None = None
 
 
 @dataclass(kw_only=True, slots=True)
@@ -248,12 +250,13 @@ class Crowd:
 @dataclass(kw_only=True, slots=True)
 class Time:
     """end: `Simulation.run()` goes to here. max_step: largest time step. cfl: cells that the fluid may cross in a step.
-    gap_cfl: part of its thickness that a gap may change by in a step."""
+    gap_cfl: part of its thickness that a gap may change by in a step. until_steady: `gapflow run` ends once the flow's unsteadiness is below it."""
 
     end: float
     max_step: float
     cfl: float | None = None
     gap_cfl: float | None = None
+    until_steady: float | None = None
 
 
 @dataclass(kw_only=True, slots=True)
@@ -267,23 +270,29 @@ class Solver:
 @dataclass(kw_only=True, slots=True)
 class Output:
     """For runs that write files (`Simulation(..., output=...)`): directory, every (time between fields), fields, bodies (the table of bodies:
-    "csv", "binary", "both" or "auto")."""
+    "csv", "binary", "both" or "auto"), precision and format of fields, bodies and films, forces: a table of the forces' parts."""
 
     directory: str | Path | None = None
     every: float | None = None
     fields: Sequence[str] | None = None
     checkpoint_every: float | None = None
     bodies: Literal["auto", "csv", "binary", "both"] | None = None
+    precision: Literal["double", "single"] | None = None
+    format: Literal["inline", "appended"] | None = None
+    forces: bool | None = None
 
 
 @dataclass(kw_only=True, slots=True)
 class Scene:
-    """A whole scene; `domain` is always needed, `time` by simulations."""
+    """A whole scene; `domain` is always needed, `time` by simulations. probes, fluxes: dicts with the keys of [[probe]] and [[flux]], for the tables of a
+    run with an output folder."""
 
     domain: Domain | Mapping[str, Any]
     bodies: list[Body] = field(default_factory=list)
     crowds: list[Crowd] = field(default_factory=list)
     pairs: list[Pair] = field(default_factory=list)
+    probes: list[Mapping[str, Any]] = field(default_factory=list)
+    fluxes: list[Mapping[str, Any]] = field(default_factory=list)
     time: Time | Mapping[str, Any] | None = None
     title: str | None = None
     gravity: Vector | None = None
@@ -319,6 +328,8 @@ def _plain(value: Any) -> Any:
             entries["body"] = entries.pop("bodies") or None
             entries["crowd"] = entries.pop("crowds") or None
             entries["pair"] = entries.pop("pairs") or None
+            entries["probe"] = entries.pop("probes") or None
+            entries["flux"] = entries.pop("fluxes") or None
         return _plain(entries)
     if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in value.items() if item is not None}

@@ -38,7 +38,7 @@ class Command(unittest.TestCase):
 
     def run_example(self, name, *more):
         sets = [word for key in [*SHORT.get(name, []), *more] for word in ("--set", key)]
-        done = gapflow("run", EXAMPLES / name / "scene.toml", "-o", self.out, *sets, "--quiet")
+        done = gapflow("run", EXAMPLES / name / "scene.toml", "-o", self.out, *sets, "--quiet", "--force")
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
 

@@ -32,8 +32,9 @@ def array(data, name):
     return vtk_to_numpy(values)
 
 
-def check_image(folder, dim, single):
-    image = read(vtkXMLImageDataReader(), os.path.join(folder, f"fields_{'float_' if single else ''}{dim}d.vti"))
+def check_image(folder, dim, single, appended=False):
+    name = "appended" if appended else "fields"
+    image = read(vtkXMLImageDataReader(), os.path.join(folder, f"{name}_{'float_' if single else ''}{dim}d.vti"))
     cells = [9, 10, 11][:dim]
     count = math.prod(cells)
     assert image.GetNumberOfCells() == count
@@ -52,7 +53,7 @@ def check_image(folder, dim, single):
     assert image.GetCellData().GetVectors().GetName() == "velocity"
 
     time = image.GetFieldData().GetArray("TimeValue")
-    assert time is None if single else time.GetTuple1(0) == 0.125
+    assert time is None if single and not appended else time.GetTuple1(0) == 0.125
 
 
 def cell_points(surface):
@@ -63,8 +64,8 @@ def cell_points(surface):
     return result
 
 
-def check_surface_2d(folder):
-    surface = read(vtkXMLPolyDataReader(), os.path.join(folder, "film_2d.vtp"))
+def check_surface_2d(folder, name="film_2d.vtp"):
+    surface = read(vtkXMLPolyDataReader(), os.path.join(folder, name))
     points = vtk_to_numpy(surface.GetPoints().GetData())
     assert np.array_equal(points, [[0.1, 0, 0], [1, 0.2, 0], [0.5, 1 / 3, 0]])
     assert surface.GetNumberOfLines() == 3 and surface.GetNumberOfPolys() == 0
@@ -74,8 +75,8 @@ def check_surface_2d(folder):
     assert surface.GetFieldData().GetArray("TimeValue").GetTuple1(0) == 0.125
 
 
-def check_surface_3d(folder):
-    surface = read(vtkXMLPolyDataReader(), os.path.join(folder, "film_3d.vtp"))
+def check_surface_3d(folder, name="film_3d.vtp"):
+    surface = read(vtkXMLPolyDataReader(), os.path.join(folder, name))
     points = vtk_to_numpy(surface.GetPoints().GetData())
     assert np.array_equal(points, [[0, 0, 0], [1, 0, 0.1], [0, 1, 0], [0, 0, 1 / 3]])
     assert surface.GetNumberOfLines() == 0 and surface.GetNumberOfPolys() == 2
@@ -105,9 +106,13 @@ def main(folder):
     for dim in (2, 3):
         check_image(folder, dim, single=False)
         check_image(folder, dim, single=True)
+        check_image(folder, dim, single=False, appended=True)
+        check_image(folder, dim, single=True, appended=True)
         check_empty(folder, dim)
     check_surface_2d(folder)
     check_surface_3d(folder)
+    check_surface_2d(folder, "appended_film_2d.vtp")
+    check_surface_3d(folder, "appended_film_3d.vtp")
     check_collection(folder)
     print("all samples read back as written")
 

@@ -55,6 +55,15 @@ long StateArchive::size(const std::string& name, long size)
     return static_cast<long>(number);
 }
 
+bool StateArchive::holds(const std::string& prefix) const
+{
+    const auto any = [&](const auto& arrays) {
+        const auto first = arrays.lower_bound(prefix);
+        return first != arrays.end() && first->first.starts_with(prefix);
+    };
+    return any(from_->numbers) || any(from_->integers);
+}
+
 void StateArchive::expect(const std::string& name, double value)
 {
     double stored = value;

@@ -94,6 +94,13 @@ public:
         list();
         prefix_ = outer;
     }
+    /// The same, of a part that the state need not have: it is stored if `present`, and restored if it was stored.
+    template <class List>
+    void optional(const std::string& name, bool present, List&& list)
+    {
+        if (from_ ? holds(prefix_ + name + "/") : present)
+            group(name, list);
+    }
     /// A property that is not state but must have the value that it had when the state was stored, to round-off.
     void expect(const std::string& name, double value);
 
@@ -109,6 +116,7 @@ private:
     void numbers(const std::string& name, std::span<double> values);
     void integer(const std::string& name, std::int64_t& value);
     long size(const std::string& name, long size);
+    bool holds(const std::string& prefix) const;
 
     StoredState* into_ = nullptr;
     const StoredState* from_ = nullptr;

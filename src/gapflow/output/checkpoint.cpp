@@ -258,8 +258,9 @@ using Json = nlohmann::ordered_json;
 Json essence(const std::string& scene)
 {
     Json json = Json::parse(scene);
-    for (const char* free : {"title", "time", "solver", "output"})
+    for (const char* free : {"title", "time", "solver", "output", "probe", "flux"})
         json.erase(free);
+    json["domain"].erase("leaving");
     const auto bare = [](Json& object, const char* key) {
         if (object.is_object() && object.contains(key) && object[key].is_string())
             object[key] = std::filesystem::path(object[key].get<std::string>()).filename().string();
@@ -303,6 +304,11 @@ std::string difference(const Json& then, const Json& now, const std::string& pat
 }
 
 } // namespace
+
+bool same_scene(const std::string& one, const std::string& other)
+{
+    return essence(one) == essence(other);
+}
 
 void throw_checkpoint_error(const std::filesystem::path& path, const std::string& problem)
 {
@@ -359,7 +365,8 @@ void require_same_scene(const std::filesystem::path& path, const Checkpoint& che
     const std::string found = difference(essence(checkpoint.scene), essence(scene_as_json(scene)), "");
     if (!found.empty())
         throw InputError(path.string() + ": a checkpoint of another scene: " + found +
-                         "; only title, time, solver and output may change: put the scene back or start the run anew");
+                         "; only title, time, solver, output, probe, flux and domain.leaving may change: put the scene back or "
+                         "start the run anew");
 }
 
 } // namespace gapflow

@@ -32,8 +32,11 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
 Checkpoint read_checkpoint(const std::filesystem::path& path, const Communicator& comm);
 
 /// Throws InputError, naming the first key that differs, if a run of `scene` cannot continue from a checkpoint of another scene:
-/// all but title, time, solver and output must be the same. Names of folders of the scene's files are not compared.
+/// all but title, time, solver, output, probe, flux and domain.leaving must be the same. Names of folders of the scene's files are not compared.
 void require_same_scene(const std::filesystem::path& path, const Checkpoint& checkpoint, const Scene& scene);
+
+/// Whether two resolved scenes agree in all that must be the same for a run to continue.
+bool same_scene(const std::string& one, const std::string& other);
 
 /// The InputError for a state that Simulation rejected.
 [[noreturn]] void throw_checkpoint_error(const std::filesystem::path& path, const std::string& problem);

@@ -2,7 +2,7 @@
 
 namespace gapflow {
 
-std::vector<Column<StepReport>> step_columns(int dimension, bool driven)
+std::vector<Column<StepReport>> step_columns(int dimension, bool driven, bool steady)
 {
     using R = StepReport;
     std::vector<Column<R>> columns{
@@ -31,6 +31,8 @@ std::vector<Column<StepReport>> step_columns(int dimension, bool driven)
         columns.insert(columns.end(), gradient, gradient + dimension);
         columns.insert(columns.end(), velocity, velocity + dimension);
     }
+    if (steady)
+        columns.push_back({unsteadiness_column, &R::unsteadiness});
     return columns;
 }
 

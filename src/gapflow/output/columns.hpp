@@ -10,8 +10,11 @@
 
 namespace gapflow {
 
-/// Of steps.csv. `driven`: those of a periodic box that a pressure gradient drives, too.
-std::vector<Column<StepReport>> step_columns(int dimension, bool driven);
+/// The last column of steps.csv in runs with time.until_steady.
+inline constexpr const char* unsteadiness_column = "unsteadiness";
+
+/// Of steps.csv. `driven`: those of a periodic box that a pressure gradient drives, too; `steady`: the unsteadiness.
+std::vector<Column<StepReport>> step_columns(int dimension, bool driven, bool steady = false);
 /// Of gaps.csv, after step and time.
 std::span<const Column<GapState>> gap_columns();
 

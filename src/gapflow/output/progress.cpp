@@ -25,7 +25,12 @@ std::string line_of(const ProgressState& state, double end_time, double remainin
     char text[160];
     std::snprintf(text, sizeof text, "t = %.4g of %.4g  dt = %.2e  step %ld  %d iterations  ETA ", state.time, end_time,
                   state.dt, state.step, state.iterations);
-    return text + duration_text(remaining);
+    std::string line = text + duration_text(remaining);
+    if (state.unsteadiness) {
+        std::snprintf(text, sizeof text, "  unsteadiness %.1e", *state.unsteadiness);
+        line += text;
+    }
+    return line;
 }
 
 } // namespace

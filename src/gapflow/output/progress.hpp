@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace gapflow {
@@ -18,7 +19,8 @@ ProgressStyle choose_progress_style(const Communicator& comm, bool quiet);
 struct ProgressState {
     double time = 0, dt = 0; ///< reached; of the last step
     long step = 0;
-    int iterations = 0; ///< of the last solve
+    int iterations = 0;                      ///< of the last solve
+    std::optional<double> unsteadiness = {}; ///< where the run ends once it is small
 };
 
 class Progress {

@@ -74,8 +74,10 @@ const StepReport& Run<D>::step(double until)
     try {
         report_ = s.step(until);
         note_smallest_gap();
-        if (!files_)
+        if (!files_) {
+            end_if_asked();
             return report_;
+        }
         files_->write_step(s, report_);
         shown_ = schedule_->output_due(s.time());
         if (shown_)
@@ -83,11 +85,38 @@ const StepReport& Run<D>::step(double until)
         stored_ = schedule_->checkpoint_due(s.time());
         if (stored_)
             files_->write_checkpoint(s, smallest_gap_);
+        end_if_asked();
     } catch (const std::exception& error) {
         record_failure(error.what());
         throw;
     }
     return report_;
+}
+
+// Before time.end.
+template <int D>
+void Run<D>::end_if_asked()
+{
+    const Simulation<D>& s = *simulation_;
+    if (s.time() >= end_)
+        return;
+    if (s.settled())
+        ended_by_ = "time.until_steady";
+    else if (report_.leaving && s.scene().leaving == Scene::Leaving::stop)
+        ended_by_ = "domain.leaving";
+    if (files_ && !ended_by_.empty())
+        write_last();
+}
+
+// A checkpoint and the fields of this moment, where they are not there yet: a run that continues from it replaces the fields.
+template <int D>
+void Run<D>::write_last()
+{
+    if (!stored_)
+        files_->write_checkpoint(*simulation_, smallest_gap_);
+    if (!shown_)
+        files_->write_fields(*simulation_);
+    stored_ = shown_ = true;
 }
 
 // Gaps between two solids that stand still are as the scene has them.
@@ -115,10 +144,7 @@ void Run<D>::interrupt()
 {
     if (!files_)
         return;
-    if (!stored_)
-        files_->write_checkpoint(*simulation_, smallest_gap_);
-    if (!shown_) // fields at the stop; a run that continues from the checkpoint replaces them
-        files_->write_fields(*simulation_);
+    write_last();
     files_->finish(*simulation_, "interrupted");
 }
 
@@ -126,7 +152,7 @@ template <int D>
 void Run<D>::finish()
 {
     if (files_)
-        files_->finish(*simulation_, "done");
+        files_->finish(*simulation_, "done", "", ended_by());
 }
 
 template <int D>

@@ -40,6 +40,11 @@ public:
     void interrupt();
     /// Ends the files. Collective.
     void finish();
+    /// Whether the run is over: at time.end, or before it because the flow is steady or a body leaves and the scene asks for that. Files and a
+    /// checkpoint of the moment are written then.
+    bool ended() const { return !ended_by_.empty() || simulation_->time() >= end_; }
+    /// The scene's key that ended it: time.end, time.until_steady or domain.leaving.
+    std::string ended_by() const { return ended_by_.empty() ? "time.end" : ended_by_; }
 
     Simulation<D>& simulation() { return *simulation_; }
     const Simulation<D>& simulation() const { return *simulation_; }
@@ -58,13 +63,15 @@ public:
 private:
     void record_failure(const char* message);
     void note_smallest_gap();
+    void end_if_asked();
+    void write_last();
 
     std::unique_ptr<Simulation<D>> simulation_;
     std::optional<RunFiles<D>> files_;
     std::optional<Schedule> schedule_; ///< with files
     StepReport report_;
-    std::string version_, smallest_gap_place_;
-    std::set<std::string> moving_; ///< bodies that can
+    std::string version_, smallest_gap_place_, ended_by_; ///< the last: a key; empty: time.end, or not yet
+    std::set<std::string> moving_;                        ///< bodies that can
     double end_, smallest_gap_ = std::numeric_limits<double>::infinity();
     bool resumed_ = false, shown_ = false, stored_ = false; ///< the latter: a checkpoint of this moment is in the folder
 };

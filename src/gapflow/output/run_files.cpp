@@ -2,11 +2,14 @@
 
 #include "gapflow/output/columns.hpp"
 #include "gapflow/output/crowd_statistics.hpp"
+#include "gapflow/output/field_arrays.hpp"
 #include "gapflow/output/file.hpp"
+#include "gapflow/output/run_folder.hpp"
 #include "gapflow/output/vtk.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <limits>
 
 namespace gapflow {
@@ -64,35 +67,6 @@ std::string frame_name(const std::string& name, int frame, const char* extension
     return name + number + extension;
 }
 
-// Velocity at cell centres, mean of the two faces.
-template <int D>
-VtkArray velocity_array(const Simulation<D>& simulation)
-{
-    const FaceField<D>& u = simulation.velocity().grid;
-    return cell_array(simulation.grid(), "velocity", D,
-                      [&](const Index<D>& c, int axis) { return 0.5 * (u(axis, c) + u(axis, c + step<D>(axis))); });
-}
-
-// Full pressure; in cells without an unknown, 0.
-template <int D>
-VtkArray pressure_array(const Simulation<D>& simulation)
-{
-    const UnknownVector<D> p = simulation.reduced_pressure();
-    return cell_array(simulation.grid(), "pressure", 1, [&](const Index<D>& c, int) {
-        if (simulation.coupling().system.component(c) < 0)
-            return 0.0;
-        return p.cells(c) + simulation.hydrostatic(simulation.grid().cell_centre(c));
-    });
-}
-
-// 0 solid, 1 bulk, 2 film, 3 mixed.
-template <int D>
-VtkArray kind_array(const Simulation<D>& simulation)
-{
-    return cell_array(simulation.grid(), "kind", 1,
-                      [&](const Index<D>& c, int) { return static_cast<double>(simulation.coupling().kind(c)); });
-}
-
 // Mid-gap meshes of all films with thickness, full pressure and velocity; and the depth of voids, where a scene can have some.
 template <int D>
 VtkSurface<D> film_surface(const Simulation<D>& simulation)
@@ -142,41 +116,67 @@ VtkSurface<D> body_surface(const RigidBody<D>& body, double tolerance)
     return surface;
 }
 
+// The bodies of a crowd that are still there, and the fluid's wrenches on them.
 template <int D>
-std::span<const RigidBody<D>> bodies_of(const Simulation<D>& simulation, const CrowdScene& crowd)
+struct CrowdMembers {
+    std::vector<RigidBody<D>> bodies;
+    std::vector<Twist<D>> wrenches;
+};
+
+template <int D>
+CrowdMembers<D> members_of(const Simulation<D>& simulation, const CrowdScene& crowd)
 {
-    return std::span(simulation.bodies())
-        .subspan(static_cast<std::size_t>(crowd.first), static_cast<std::size_t>(crowd.number));
+    CrowdMembers<D> members;
+    for (int b = crowd.first; b < crowd.first + crowd.number; ++b)
+        if (!simulation.removed(b)) {
+            members.bodies.push_back(simulation.bodies()[b]);
+            members.wrenches.push_back(simulation.fluid_wrenches()[b]);
+        }
+    return members;
 }
+
+// The last name in a table's first line; none if there is no table.
+std::optional<std::string> last_column(const std::filesystem::path& path)
+{
+    std::ifstream in(path);
+    std::string line;
+    if (!std::getline(in, line))
+        return {};
+    return line.substr(line.rfind(',') + 1);
+}
+
+constexpr std::chrono::seconds renewal{30}; // of the record of a run that is running
 
 } // namespace
 
 template <int D>
 RunFiles<D>::RunFiles(const std::filesystem::path& folder, const Simulation<D>& simulation, const std::string& version,
                       const RunPosition* from)
-    : folder_(folder), collection_(folder / "gapflow.pvd"), step_columns_(step_columns(D, simulation.driven()))
+    : folder_(folder), collection_(folder / "gapflow.pvd"), measures_(simulation)
 {
     const Communicator& comm = simulation.grid().comm();
+    record_.version = version;
+    record_.scene_file = path_of_scene(simulation.scene());
+    record_.scene = scene_as_json(simulation.scene());
+    record_.machine = describe_machine(comm);
+    record_.warnings = simulation.scene().warnings;
     on_root(comm, [&] {
+        if (from)
+            keep_notes(warnings_of_record(folder_ / "run.json"));
         for (const char* part : parts)
             prepare_folder(folder_ / part);
         if (from)
             collection_ = PvdCollection::resume(folder_ / "gapflow.pvd", from->frames);
         else
-            std::filesystem::remove(folder_ / "checkpoint.h5");
+            clear_run(folder_);
         remove_leftovers(folder_, from ? from->frames : std::numeric_limits<int>::max());
-        open_tables(simulation.scene(), from);
+        open_tables(simulation, from);
         if (from)
             collection_.write();
+        keep_notes(simulation.initial_report().notes);
     });
     frame_ = from ? from->frames : 0;
-    record_.version = version;
-    record_.scene = scene_as_json(simulation.scene());
-    record_.machine = describe_machine(comm);
-    record_.warnings = simulation.scene().warnings;
-    if (from)
-        keep_notes(warnings_of_record(folder_ / "run.json"));
-    keep_notes(simulation.initial_report().notes);
+    write_record(simulation);
 }
 
 template <int D>
@@ -188,8 +188,9 @@ void RunFiles<D>::keep_notes(const std::vector<std::string>& notes)
 }
 
 template <int D>
-void RunFiles<D>::open_tables(const Scene& scene, const RunPosition* from)
+void RunFiles<D>::open_tables(const Simulation<D>& simulation, const RunPosition* from)
 {
+    const Scene& scene = simulation.scene();
     const auto open = [&](std::optional<Table>& table, const char* name, const std::vector<std::string>& columns) {
         if (from)
             table.emplace(Table::resume(folder_ / name, columns, from->step));
@@ -230,16 +231,24 @@ void RunFiles<D>::open_tables(const Scene& scene, const RunPosition* from)
     of_crowds(crowds_, "crowds.csv", crowd_columns(D));
     of_crowds(profiles_, "crowd_profiles.csv", profile_columns(D));
     open(gaps_, "gaps.csv", names_of(gap_columns(), {"step", "time"}));
+    measures_.open(folder_, scene, from);
+    const bool driven = simulation.driven();
+    const auto last = from ? last_column(folder_ / "steps.csv") : std::nullopt; // a run that goes on keeps the table's columns
+    step_columns_ = step_columns(D, driven, last ? *last == unsteadiness_column : scene.until_steady.has_value());
     open(steps_, "steps.csv", names_of<StepReport>(step_columns_));
 }
 
 template <int D>
 void RunFiles<D>::write_step(const Simulation<D>& simulation, const StepReport& report)
 {
+    const Communicator& comm = simulation.grid().comm();
     keep_notes(report.notes);
+    measures_.write_step(simulation, report);
     const std::vector<GapState> gaps = simulation.gaps();
-    on_root(simulation.grid().comm(), [&] {
+    on_root(comm, [&] {
         for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
+            if (simulation.removed(static_cast<int>(b)))
+                continue;
             const RigidBody<D>& body = simulation.bodies()[b];
             const auto write = [&](auto& table) {
                 if (table)
@@ -260,6 +269,8 @@ void RunFiles<D>::write_step(const Simulation<D>& simulation, const StepReport& 
         gaps_->flush();
         steps_->flush();
     });
+    if (comm.any(comm.root() && std::chrono::steady_clock::now() - recorded_ > renewal))
+        write_record(simulation);
 }
 
 template <int D>
@@ -267,10 +278,8 @@ void RunFiles<D>::write_crowds(const Simulation<D>& simulation, const StepReport
 {
     const Scene& scene = simulation.scene();
     for (const CrowdScene& crowd : scene.crowds) {
-        const std::vector<Twist<D>>& all = simulation.fluid_wrenches();
-        const auto wrenches =
-            std::span(all).subspan(static_cast<std::size_t>(crowd.first), static_cast<std::size_t>(crowd.number));
-        const CrowdStatistics<D> s = crowd_statistics<D>(bodies_of(simulation, crowd), wrenches, height_axis(scene));
+        const CrowdMembers<D> members = members_of(simulation, crowd);
+        const CrowdStatistics<D> s = crowd_statistics<D>(members.bodies, members.wrenches, height_axis(scene));
         crowds_->row(report.step, report.time, crowd.name, s.number, s.position, s.velocity, s.fluctuation, s.spin,
                      Eigen::Vector3d(s.speed.data()), s.largest_speed, Eigen::Vector3d(s.height.data()), s.energy, s.force);
     }
@@ -282,7 +291,7 @@ template <int D>
 void RunFiles<D>::write_profiles(const Simulation<D>& simulation)
 {
     for (const CrowdScene& crowd : simulation.scene().crowds)
-        for (const CrowdLayer<D>& layer : crowd_profile<D>(simulation.scene(), bodies_of(simulation, crowd)))
+        for (const CrowdLayer<D>& layer : crowd_profile<D>(simulation.scene(), members_of(simulation, crowd).bodies))
             profiles_->row(simulation.steps(), simulation.time(), crowd.name, layer.height, layer.number, layer.volume_fraction,
                            layer.velocity);
     if (profiles_)
@@ -292,20 +301,20 @@ void RunFiles<D>::write_profiles(const Simulation<D>& simulation)
 template <int D>
 void RunFiles<D>::write_fields(const Simulation<D>& simulation)
 {
-    const VtkOptions options{VtkPrecision::float64, simulation.time()};
+    const Scene& scene = simulation.scene();
+    const VtkOptions options{scene.precision == Scene::Precision::single ? VtkPrecision::float32 : VtkPrecision::float64,
+                             simulation.time(), scene.format == Scene::Format::appended};
     std::vector<VtkArray> arrays;
-    for (const std::string& field : simulation.scene().fields) {
-        if (field == "velocity")
-            arrays.push_back(velocity_array(simulation));
-        else if (field == "pressure")
-            arrays.push_back(pressure_array(simulation));
-    }
-    arrays.push_back(kind_array(simulation));
+    for (const std::string& field : scene.fields)
+        arrays.push_back(field_array(simulation, field));
+    arrays.push_back(field_array(simulation, "kind"));
     const std::string fields = "fields/" + frame_name("fields", frame_, "vti");
     write_vti<D>(folder_ / fields, simulation.grid(), arrays, options);
     on_root(simulation.grid().comm(), [&] {
         collection_.add(simulation.time(), "fields", fields);
         for (const RigidBody<D>& body : simulation.bodies()) {
+            if (simulation.removed(static_cast<int>(&body - simulation.bodies().data())))
+                continue;
             const VtkSurface<D> surface = body_surface(body, 0.05 * simulation.grid().dx());
             if (surface.elements.empty()) // half-spaces have no end
                 continue;
@@ -332,10 +341,12 @@ void RunFiles<D>::write_checkpoint(const Simulation<D>& simulation, double small
 }
 
 template <int D>
-void RunFiles<D>::finish(const Simulation<D>& simulation, const std::string& status, const std::string& message)
+void RunFiles<D>::finish(const Simulation<D>& simulation, const std::string& status, const std::string& message,
+                         const std::string& ended_by)
 {
     record_.status = status;
     record_.message = message;
+    record_.ended_by = ended_by;
     write_record(simulation);
 }
 
@@ -347,6 +358,7 @@ void RunFiles<D>::write_record(const Simulation<D>& simulation)
     record_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     record_.stages = simulation.stages().stages();
     record_.memory = peak_memory(simulation.grid().comm());
+    recorded_ = std::chrono::steady_clock::now();
     on_root(simulation.grid().comm(), [&] { write_run_record(folder_ / "run.json", record_); });
 }
 

@@ -4,8 +4,10 @@
 #include "gapflow/core/communicator.hpp"
 #include "gapflow/core/timer.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +32,11 @@ PeakMemory peak_memory(const Communicator& comm);
 
 struct RunRecord {
     std::string version;
+    std::string scene_file;            ///< absolute; empty: the scene is in no file
     std::string scene;                 ///< the resolved scene, as text
     std::string status = "running";    ///< then "done", "failed" or "interrupted"
     std::string message;               ///< reason, if failed
+    std::string ended_by;              ///< the key that ended a run that is done
     std::vector<std::string> warnings; ///< given to the user, once each
     Machine machine;
     double time = 0; ///< reached, in the scene's unit
@@ -42,8 +46,35 @@ struct RunRecord {
     PeakMemory memory;
 };
 
-/// Writes the record, replacing an earlier one in one go. Throws ComputationError. Not collective: call it on the root.
+/// Writes the record, of a run that is running with this process, replacing an earlier one in one go. Throws ComputationError. Not collective: call it on the root.
 void write_run_record(const std::filesystem::path& path, const RunRecord& record);
+
+/// A process that runs, or ran: another one with the same id has started at another time.
+struct ProcessMark {
+    long id = 0;
+    std::string host;
+    std::int64_t started = 0;   ///< clock ticks since the host's start; 0: not known
+    std::int64_t heartbeat = 0; ///< when the record was written, in seconds since 1970
+};
+
+/// This process, now.
+ProcessMark current_process();
+
+enum class RunState { running, killed, done, failed, interrupted, unknown };
+
+/// What a record says of its run. A run that is recorded as running has been killed if its process is gone; on another host, if the record has
+/// not been renewed for ten minutes.
+struct RecordedRun {
+    RunState state = RunState::unknown;
+    bool here = false; ///< the process is or was on this host
+    ProcessMark process;
+    std::string title, scene_file, scene;
+    double time = 0;
+    long steps = 0;
+};
+
+/// Of the record at a path; none if there is none or it cannot be read.
+std::optional<RecordedRun> read_recorded_run(const std::filesystem::path& path);
 
 /// The warnings in the record of an earlier part of the run; none if it cannot be read.
 std::vector<std::string> warnings_of_record(const std::filesystem::path& path);

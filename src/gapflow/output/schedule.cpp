@@ -10,7 +10,8 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Number k >= 1 of the first multiple of `every` after `time`; times of multiples are k * every to the bit.
+} // namespace
+
 long next_multiple(double time, double every)
 {
     long k = std::max(1L, std::lround(time / every) - 1);
@@ -18,8 +19,6 @@ long next_multiple(double time, double every)
         ++k;
     return k;
 }
-
-} // namespace
 
 Schedule::Schedule(const Scene& scene, double time)
     : end_(scene.end), every_(scene.output_every), checkpoint_every_(scene.checkpoint_every)

@@ -5,6 +5,9 @@
 
 namespace gapflow {
 
+/// Number k >= 1 of the first multiple of `every` after `time`; times of multiples are k * every to the bit.
+long next_multiple(double time, double every);
+
 /// Output times are the multiples of output.every and time.end; steps land on them. A checkpoint is due after the first step that
 /// reaches a multiple of output.checkpoint_every, and at time.end.
 class Schedule {

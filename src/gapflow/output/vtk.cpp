@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 
 namespace gapflow {
 
@@ -74,35 +75,96 @@ constexpr const char* type_name = std::is_same_v<T, double>  ? "Float64"
                                   : std::is_same_v<T, float> ? "Float32"
                                                              : "Int64";
 
-// One <DataArray>: its length in bytes, then the values value(tuple, component), in one base64 text.
-template <class T, class F>
-void write_array(AtomicFile& file, const std::string& name, std::size_t tuples, int components, F&& value,
-                 const std::string& attributes = {})
-{
-    file.write("<DataArray type=\"" + std::string(type_name<T>) + "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
-               std::to_string(components) + "\"" + attributes + " format=\"binary\">\n");
-    Base64 base64(file);
-    base64.put(static_cast<std::uint64_t>(tuples * static_cast<std::size_t>(components) * sizeof(T)));
-    for (std::size_t tuple = 0; tuple < tuples; ++tuple)
-        for (int component = 0; component < components; ++component)
-            base64.put(static_cast<T>(value(tuple, component)));
-    base64.finish();
-    file.write("\n</DataArray>\n");
-}
+// Bytes of a stream, in pieces.
+class Bytes {
+public:
+    explicit Bytes(AtomicFile& file) : file_(file) { bytes_.reserve(chunk + 8); }
+
+    template <class T>
+    void put(T value)
+    {
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+        if (bytes_.size() >= chunk)
+            finish();
+    }
+    void finish()
+    {
+        file_.write(bytes_);
+        bytes_.clear();
+    }
+
+private:
+    static constexpr std::size_t chunk = 1 << 16;
+
+    AtomicFile& file_;
+    std::string bytes_;
+};
+
+// A VTK file under way, and the arrays that follow its XML.
+class VtkFile {
+public:
+    VtkFile(const std::filesystem::path& path, bool appended) : file_(path), appended_(appended) {}
+
+    void write(std::string_view text) { file_.write(text); }
+    /// One <DataArray>: its length in bytes, then the values value(tuple, component); in one base64 text, or later. What `value` refers to must
+    /// last until commit().
+    template <class T, class F>
+    void write_array(const std::string& name, std::size_t tuples, int components, F value, const std::string& attributes = {})
+    {
+        const std::uint64_t bytes = tuples * static_cast<std::size_t>(components) * sizeof(T);
+        file_.write("<DataArray type=\"" + std::string(type_name<T>) + "\" Name=\"" + escaped(name) +
+                    "\" NumberOfComponents=\"" + std::to_string(components) + "\"" + attributes);
+        const auto write_values = [bytes, tuples, components, value](auto out) {
+            out.put(bytes);
+            for (std::size_t tuple = 0; tuple < tuples; ++tuple)
+                for (int component = 0; component < components; ++component)
+                    out.put(static_cast<T>(value(tuple, component)));
+            out.finish();
+        };
+        if (appended_) {
+            file_.write(" format=\"appended\" offset=\"" + std::to_string(offset_) + "\">");
+            offset_ += sizeof bytes + bytes;
+            later_.push_back([this, write_values] { write_values(Bytes(file_)); });
+        } else {
+            file_.write(" format=\"binary\">\n");
+            write_values(Base64(file_));
+            file_.write("\n");
+        }
+        file_.write("</DataArray>\n");
+    }
+    /// Writes the arrays that follow and the end. The last call.
+    void commit()
+    {
+        if (appended_) {
+            file_.write("<AppendedData encoding=\"raw\">\n_");
+            for (const auto& write : later_)
+                write();
+            file_.write("\n</AppendedData>\n");
+        }
+        file_.write("</VTKFile>\n");
+        file_.commit();
+    }
+
+private:
+    AtomicFile file_;
+    bool appended_;
+    std::uint64_t offset_ = 0;
+    std::vector<std::function<void()>> later_;
+};
 
 template <class T>
-void write_data_array(AtomicFile& file, const VtkArray& array, std::size_t tuples)
+void write_data_array(VtkFile& file, const VtkArray& array, std::size_t tuples)
 {
     assert(array.values.size() == tuples * static_cast<std::size_t>(array.components));
     const int stored = array.components;
     const int components = stored == 2 ? 3 : stored;
-    write_array<T>(file, array.name, tuples, components, [&](std::size_t tuple, int component) {
+    file.write_array<T>(array.name, tuples, components, [&array, stored](std::size_t tuple, int component) {
         return component < stored ? array.values[tuple * static_cast<std::size_t>(stored) + component] : 0.0;
     });
 }
 
 // <PointData> or <CellData>; viewers show its first scalar and first vector.
-void write_data(AtomicFile& file, const std::string& element, const std::vector<VtkArray>& arrays, std::size_t tuples,
+void write_data(VtkFile& file, const std::string& element, const std::vector<VtkArray>& arrays, std::size_t tuples,
                 VtkPrecision precision)
 {
     std::string scalars, vectors;
@@ -122,19 +184,19 @@ void write_data(AtomicFile& file, const std::string& element, const std::vector<
     file.write("</" + element + ">\n");
 }
 
-void write_head(AtomicFile& file, const std::string& type)
+void write_head(VtkFile& file, const std::string& type)
 {
     file.write("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type +
                "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n");
 }
 
-void write_time(AtomicFile& file, const std::optional<double>& time)
+void write_time(VtkFile& file, const std::optional<double>& time)
 {
     if (!time)
         return;
     file.write("<FieldData>\n");
-    write_array<double>(
-        file, "TimeValue", 1, 1, [&](std::size_t, int) { return *time; }, " NumberOfTuples=\"1\"");
+    file.write_array<double>(
+        "TimeValue", 1, 1, [value = *time](std::size_t, int) { return value; }, " NumberOfTuples=\"1\"");
     file.write("</FieldData>\n");
 }
 
@@ -149,25 +211,25 @@ void write_image(const std::filesystem::path& path, const Grid<D>& grid, const s
         origin += space + shortest(axis < D ? grid.origin()[axis] : 0.0);
         spacing += space + shortest(grid.dx());
     }
-    AtomicFile file(path);
+    VtkFile file(path, options.appended);
     write_head(file, "ImageData");
     file.write("<ImageData WholeExtent=\"" + extent + "\" Origin=\"" + origin + "\" Spacing=\"" + spacing + "\">\n");
     write_time(file, options.time);
     file.write("<Piece Extent=\"" + extent + "\">\n<PointData>\n</PointData>\n");
     const auto cells = static_cast<std::size_t>(grid.cells().template cast<long>().prod());
     write_data(file, "CellData", cell_data, cells, options.precision);
-    file.write("</Piece>\n</ImageData>\n</VTKFile>\n");
+    file.write("</Piece>\n</ImageData>\n");
     file.commit();
 }
 
 // <Lines> (2D) or <Polys> (3D).
 template <int D>
-void write_elements(AtomicFile& file, const std::string& name, const std::vector<std::array<int, D>>& elements)
+void write_elements(VtkFile& file, const std::string& name, const std::vector<std::array<int, D>>& elements)
 {
     file.write("<" + name + ">\n");
-    write_array<std::int64_t>(file, "connectivity", elements.size() * D, 1,
-                              [&](std::size_t i, int) { return elements[i / D][i % D]; });
-    write_array<std::int64_t>(file, "offsets", elements.size(), 1, [&](std::size_t i, int) { return (i + 1) * D; });
+    file.write_array<std::int64_t>("connectivity", elements.size() * D, 1,
+                                   [&elements](std::size_t i, int) { return elements[i / D][i % D]; });
+    file.write_array<std::int64_t>("offsets", elements.size(), 1, [](std::size_t i, int) { return (i + 1) * D; });
     file.write("</" + name + ">\n");
 }
 
@@ -194,7 +256,7 @@ void write_vtp(const std::filesystem::path& path, const VtkSurface<D>& surface, 
 {
     const std::size_t points = surface.points.size(), elements = surface.elements.size();
     const std::string lines = std::to_string(D == 2 ? elements : 0), polygons = std::to_string(D == 3 ? elements : 0);
-    AtomicFile file(path);
+    VtkFile file(path, options.appended);
     write_head(file, "PolyData");
     file.write("<PolyData>\n");
     write_time(file, options.time);
@@ -203,11 +265,11 @@ void write_vtp(const std::filesystem::path& path, const VtkSurface<D>& surface, 
     write_data(file, "PointData", surface.point_data, points, options.precision);
     write_data(file, "CellData", surface.cell_data, elements, options.precision);
     file.write("<Points>\n");
-    write_array<double>(file, "Points", points, 3,
-                        [&](std::size_t point, int axis) { return axis < D ? surface.points[point][axis] : 0.0; });
+    file.write_array<double>("Points", points, 3,
+                             [&](std::size_t point, int axis) { return axis < D ? surface.points[point][axis] : 0.0; });
     file.write("</Points>\n");
     write_elements<D>(file, D == 2 ? "Lines" : "Polys", surface.elements);
-    file.write("</Piece>\n</PolyData>\n</VTKFile>\n");
+    file.write("</Piece>\n</PolyData>\n");
     file.commit();
 }
 

@@ -1,6 +1,7 @@
 // Files that ParaView and VTK read: image data (.vti) and surfaces (.vtp) as XML.
 //
-// Arrays are inline base64 (appended data fails in some ParaView builds), little endian, with 64-bit lengths. In 2D
+// Arrays are little endian with 64-bit lengths: inline base64, which every reader of VTK's files reads, or raw bytes behind the XML ("appended"),
+// a quarter smaller and faster to write and read. In 2D
 // everything lies in the plane z = 0, and an array of two components is a vector: it gets a third one, 0.
 #pragma once
 
@@ -21,6 +22,7 @@ enum class VtkPrecision { float64, float32 };
 struct VtkOptions {
     VtkPrecision precision = VtkPrecision::float64; ///< of data arrays; points are always 64 bits
     std::optional<double> time;                     ///< written as VTK's "TimeValue"
+    bool appended = false;                          ///< raw bytes behind the XML
 };
 
 /// A named array: `components` values a point or cell, those of one point or cell together.

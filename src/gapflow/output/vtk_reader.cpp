@@ -1,4 +1,5 @@
-// The files' layout is that of vtk.cpp: one piece, inline base64 with a 64-bit length before the values, little endian.
+// The files' layout is that of vtk.cpp: one piece; arrays as base64 in their elements or as raw bytes behind the XML, with a 64-bit length before
+// the values, little endian.
 #include "gapflow/output/vtk_reader.hpp"
 
 #include "gapflow/core/error.hpp"
@@ -95,12 +96,45 @@ void append_as_double(const std::vector<unsigned char>& bytes, std::vector<doubl
     }
 }
 
-VtkArray array_of(const Element& element, const std::filesystem::path& path)
+// A file's text: the XML, and the bytes behind it.
+struct Parts {
+    const std::filesystem::path& path;
+    std::string_view xml, appended;
+};
+
+Parts parts_of(const std::string& text, const std::filesystem::path& path)
 {
+    Parts parts{path, text, {}};
+    if (const auto at = text.find("<AppendedData"); at != std::string::npos) {
+        parts.xml = parts.xml.substr(0, at);
+        const auto start = text.find('_', at);
+        if (start != std::string::npos)
+            parts.appended = std::string_view(text).substr(start + 1);
+    }
+    return parts;
+}
+
+// An array's bytes with their length before them.
+std::vector<unsigned char> bytes_of(const Element& element, const Parts& file)
+{
+    if (element.attribute("format") != "appended")
+        return decode_base64(element.content);
+    const auto offset = static_cast<std::size_t>(parse_number(element.attribute("offset")).value_or(0));
+    std::uint64_t length = 0;
+    if (file.appended.size() < sizeof length || offset > file.appended.size() - sizeof length)
+        return {};
+    std::memcpy(&length, file.appended.data() + offset, sizeof length);
+    const std::string_view bytes = file.appended.substr(offset, sizeof length + length);
+    return {bytes.begin(), bytes.end()};
+}
+
+VtkArray array_of(const Element& element, const Parts& file)
+{
+    const std::filesystem::path& path = file.path;
     VtkArray array{element.attribute("Name"), 1, {}};
     if (const auto components = parse_number(element.attribute("NumberOfComponents")))
         array.components = static_cast<int>(*components);
-    const std::vector<unsigned char> bytes = decode_base64(element.content);
+    const std::vector<unsigned char> bytes = bytes_of(element, file);
     std::uint64_t length = 0;
     if (bytes.size() >= sizeof length)
         std::memcpy(&length, bytes.data(), sizeof length);
@@ -118,8 +152,7 @@ VtkArray array_of(const Element& element, const std::filesystem::path& path)
     return array;
 }
 
-std::vector<VtkArray> arrays_in(std::string_view text, const std::string& section, std::size_t tuples,
-                                const std::filesystem::path& path)
+std::vector<VtkArray> arrays_in(std::string_view text, const std::string& section, std::size_t tuples, const Parts& file)
 {
     const std::string_view content = find_element(text, section).content;
     std::vector<VtkArray> arrays;
@@ -127,9 +160,9 @@ std::vector<VtkArray> arrays_in(std::string_view text, const std::string& sectio
         const Element element = next_element(content, "DataArray", from);
         if (element.head.empty())
             break;
-        arrays.push_back(array_of(element, path));
+        arrays.push_back(array_of(element, file));
         if (arrays.back().values.size() != tuples * static_cast<std::size_t>(arrays.back().components))
-            refuse(path, "array '" + arrays.back().name + "' has a wrong length");
+            refuse(file.path, "array '" + arrays.back().name + "' has a wrong length");
     }
     return arrays;
 }
@@ -146,19 +179,21 @@ Eigen::VectorXd numbers_of(const std::string& text, Eigen::Index count, const st
     return numbers;
 }
 
-void read_image(const Element& image, VtkContent& content, const std::filesystem::path& path)
+void read_image(const Element& image, VtkContent& content, const Parts& file)
 {
+    const std::filesystem::path& path = file.path;
     const Eigen::VectorXd extent = numbers_of(image.attribute("WholeExtent"), 6, path);
     for (int axis = 0; axis < 3; ++axis)
         content.cells[axis] = static_cast<int>(extent[2 * axis + 1] - extent[2 * axis]);
     content.origin = numbers_of(image.attribute("Origin"), 3, path);
     content.spacing = numbers_of(image.attribute("Spacing"), 3, path);
     const auto cells = static_cast<std::size_t>(content.cells.cwiseMax(1).cast<long>().prod());
-    content.cell_data = arrays_in(image.content, "CellData", cells, path);
+    content.cell_data = arrays_in(image.content, "CellData", cells, file);
 }
 
-void read_surface(const Element& surface, VtkContent& content, const std::filesystem::path& path)
+void read_surface(const Element& surface, VtkContent& content, const Parts& file)
 {
+    const std::filesystem::path& path = file.path;
     const Element piece = find_element(surface.content, "Piece");
     const auto count = [&](const char* what) {
         return static_cast<std::size_t>(parse_number(piece.attribute(what)).value_or(0));
@@ -166,15 +201,15 @@ void read_surface(const Element& surface, VtkContent& content, const std::filesy
     const std::size_t points = count("NumberOfPoints"), lines = count("NumberOfLines"), triangles = count("NumberOfPolys");
     const Element polygons = find_element(piece.content, "Polys");
     content.corners = polygons.head.empty() ? 2 : 3;
-    content.point_data = arrays_in(piece.content, "PointData", points, path);
-    content.cell_data = arrays_in(piece.content, "CellData", lines + triangles, path);
-    const std::vector<VtkArray> places = arrays_in(piece.content, "Points", points, path);
+    content.point_data = arrays_in(piece.content, "PointData", points, file);
+    content.cell_data = arrays_in(piece.content, "CellData", lines + triangles, file);
+    const std::vector<VtkArray> places = arrays_in(piece.content, "Points", points, file);
     if (places.size() != 1 || places[0].components != 3)
         refuse(path, "has no points");
     for (std::size_t i = 0; i < points; ++i)
         content.points.emplace_back(places[0].values.data() + 3 * i);
     const Element list = polygons.head.empty() ? find_element(piece.content, "Lines") : polygons;
-    const VtkArray connectivity = array_of(find_element(list.content, "DataArray"), path);
+    const VtkArray connectivity = array_of(find_element(list.content, "DataArray"), file);
     for (const double point : connectivity.values) {
         if (!(point >= 0 && point < static_cast<double>(points)))
             refuse(path, "an element names a point that is not there");
@@ -207,19 +242,20 @@ VtkContent read_vtk(const std::filesystem::path& path)
     if (!in && text.empty())
         refuse(path, "cannot be read");
     VtkContent content;
-    const Element image = find_element(text, "ImageData"), surface = find_element(text, "PolyData");
+    const Parts file = parts_of(text, path);
+    const Element image = find_element(file.xml, "ImageData"), surface = find_element(file.xml, "PolyData");
     const Element& whole = image.head.empty() ? surface : image;
     if (whole.head.empty())
         refuse(path, "is no VTK image or surface");
     if (const Element field = find_element(whole.content, "FieldData"); !field.head.empty()) {
-        const VtkArray time = array_of(find_element(field.content, "DataArray"), path);
+        const VtkArray time = array_of(find_element(field.content, "DataArray"), file);
         if (time.values.size() == 1)
             content.time = time.values[0];
     }
     if (image.head.empty())
-        read_surface(surface, content, path);
+        read_surface(surface, content, file);
     else
-        read_image(image, content, path);
+        read_image(image, content, file);
     return content;
 }
 

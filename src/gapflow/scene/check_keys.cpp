@@ -22,11 +22,6 @@ bool is_table(const std::vector<KeyInfo>& keys, const std::string& name)
 
 namespace {
 
-bool is_list_table(const std::string& name)
-{
-    return name == "body" || name == "crowd" || name == "pair";
-}
-
 /// Keys and tables directly in a table ("" or "gap.").
 std::vector<std::string> keys_in(const std::string& table, const std::vector<KeyInfo>& keys)
 {

@@ -46,7 +46,8 @@ struct Check {
         if (node.kind != Node::Kind::array)
             fail("not a list of numbers");
         if (static_cast<int>(node.items.size()) != count)
-            fail("has " + std::to_string(node.items.size()) + " numbers, not " + std::to_string(count) + dimension_note());
+            fail("has " + std::to_string(node.items.size()) + " numbers, not " + std::to_string(count) +
+                 (key.type == T::two_counts ? "" : dimension_note()));
         for (const Node& item : node.items)
             number(item);
     }
@@ -78,12 +79,20 @@ struct Check {
             fail(number_text(value.number) + " is not a whole number");
     }
 
-    void counts() const
+    void counts(int count) const
     {
-        numbers(value, dimension);
+        numbers(value, count);
         for (const Node& item : value.items)
             if (item.kind != Node::Kind::integer)
                 fail(number_text(item.number) + " is not a whole number");
+    }
+
+    void vectors() const
+    {
+        if (value.kind != Node::Kind::array || value.items.empty())
+            fail("not a list of points");
+        for (const Node& item : value.items)
+            numbers(item, dimension);
     }
 
     static double length(const Node& list)
@@ -99,6 +108,19 @@ struct Check {
         if (dimension == 2)
             fail("an axis in a 2D scene");
         numbers(value, 3);
+        if (length(value) == 0)
+            fail("a direction of length 0");
+    }
+
+    void normal() const
+    {
+        if (value.kind == Node::Kind::text) {
+            word(value);
+            if (dimension == 2 && value.text == "z")
+                fail("a 2D scene has no z axis");
+            return;
+        }
+        numbers(value, dimension);
         if (length(value) == 0)
             fail("a direction of length 0");
     }
@@ -202,12 +224,18 @@ struct Check {
             return numbers(value, dimension);
         case T::count:
             return count();
+        case T::vectors:
+            return vectors();
         case T::counts:
-            return counts();
+            return counts(dimension);
+        case T::two_counts:
+            return counts(2);
         case T::spin:
             return dimension == 2 ? number(value) : numbers(value, 3);
         case T::direction:
             return direction();
+        case T::normal:
+            return normal();
         case T::rotation:
             return rotation();
         case T::rotation_or_word:

@@ -24,11 +24,6 @@ std::string name_in_table(const KeyInfo& key)
     return table.empty() ? key.name : key.name.substr(table.size() + 1);
 }
 
-bool is_list_table(const std::string& table)
-{
-    return table == "body" || table == "crowd" || table == "pair";
-}
-
 std::string header_of(const std::string& table)
 {
     return is_list_table(table) ? "[[" + table + "]]" : "[" + table + "]";
@@ -58,6 +53,10 @@ std::string meaning_of_table(const std::string& table)
         return "Many bodies of one shape, as often as needed; they become bodies NAME_0001, NAME_0002 ... behind all of "
                "[[body]]. They "
                "lie wholly in the region, in the same places on every machine.";
+    if (table == "probe")
+        return "Values of the flow at points, in probes.csv: point, points, line or plane.";
+    if (table == "flux")
+        return "Volume flux through a side, a plane or a gap, in fluxes.csv.";
     if (table == "time")
         return "Needed by `gapflow run` and `gapflow converge` only.";
     if (table == "solver")

@@ -243,6 +243,71 @@ std::vector<KeyInfo> crowd_keys()
     return keys;
 }
 
+std::vector<KeyInfo> probe_keys()
+{
+    constexpr KeyRange points{2, 1e6};
+    return {
+        {"probe.name", T::text, "", "", any, {}, "name in probes.csv", "always"},
+        {"probe.point", T::vector, "m", "", any, {}, "where the flow is measured: a point, or points, line or plane instead"},
+        {"probe.points", T::vectors, "m", "", any, {}, "several points"},
+        {"probe.line.from", T::vector, "m", "", any, {}, "first point of a line", "for a line"},
+        {"probe.line.to", T::vector, "m", "", any, {}, "last point", "for a line"},
+        {"probe.line.count", T::count, "", "", points, {}, "of points, evenly from the first to the last", "for a line"},
+        {"probe.plane.origin", T::vector, "m", "", any, {}, "corner of a parallelogram", "for a plane"},
+        {"probe.plane.u", T::vector, "m", "", any, {}, "its first edge, from the corner", "for a plane"},
+        {"probe.plane.v", T::vector, "m", "", any, {}, "its second edge", "for a plane"},
+        {"probe.plane.counts",
+         T::two_counts,
+         "",
+         "",
+         points,
+         {},
+         "of points along each edge, those along u first",
+         "for a plane"},
+        {"probe.fields",
+         T::choices,
+         "",
+         "[\"pressure\", \"velocity\"]",
+         any,
+         {"pressure", "velocity", "vorticity"},
+         "what is measured"},
+        {"probe.every", T::number, "s", "0.0", non_negative, {}, "time between rows; 0: every step"},
+    };
+}
+
+std::vector<KeyInfo> flux_keys()
+{
+    return {
+        {"flux.name", T::text, "", "", any, {}, "name in fluxes.csv", "always"},
+        {"flux.side",
+         T::choice,
+         "",
+         "",
+         any,
+         {"x_low", "x_high", "y_low", "y_high", "z_low", "z_high"},
+         "what the volume flux is measured through: a side of the domain (out of it), or plane or gap instead"},
+        {"flux.plane.point", T::vector, "m", "", any, {}, "a point of a plane (2D: a line)", "for a plane"},
+        {"flux.plane.normal",
+         T::normal,
+         "",
+         "",
+         any,
+         {"x", "y", "z"},
+         "of the plane: the flux along it counts as positive",
+         "for a plane"},
+        {"flux.plane.low", T::vector, "m", "", any, {}, "only the part of the plane in a box: its low corner"},
+        {"flux.plane.high", T::vector, "m", "", any, {}, "its high corner"},
+        {"flux.gap",
+         T::names,
+         "",
+         "",
+         any,
+         {},
+         "two bodies, or a body and a wall: through all mouths of the film in their gap"},
+        {"flux.every", T::number, "s", "0.0", non_negative, {}, "time between rows; 0: every step"},
+    };
+}
+
 void append(std::vector<KeyInfo>& keys, const std::vector<KeyInfo>& more)
 {
     keys.insert(keys.end(), more.begin(), more.end());
@@ -266,6 +331,15 @@ std::vector<KeyInfo> scene_keys()
          "always"},
         {"domain.cells", T::counts, "", "", {1, 1e6}, {}, "cells along each axis, with the same spacing on all axes", "always"},
         {"domain.origin", T::vector, "m", "0.0", any, {}, "low corner of the domain"},
+        {"domain.leaving",
+         T::choice,
+         "",
+         "\"warn\"",
+         any,
+         {"warn", "stop", "remove"},
+         "a body on its way out of an open side: the run goes on (warn), ends (stop), or goes on without a free body that is "
+         "wholly outside "
+         "(remove)"},
     };
     for (const std::string axis : {"x", "y", "z"})
         for (const std::string end : {"low", "high"})
@@ -338,46 +412,82 @@ std::vector<KeyInfo> scene_keys()
         }
     append(keys, body_keys());
     append(keys, crowd_keys());
-    append(
-        keys,
-        {
-            {"time.end", T::number, "s", "", positive, {}, "the run goes from 0 to here", "to run"},
-            {"time.max_step", T::number, "s", "", positive, {}, "largest time step", "to run"},
-            {"time.cfl", T::number, "", "1.0", {0, 10, true}, {}, "cells that the fluid may cross in a step"},
-            {"time.gap_cfl",
-             T::number,
-             "",
-             "0.25",
-             {0, 1, true},
-             {},
-             "part of its thickness that a gap may change by in a step"},
-            {"solver.tolerance", T::number, "", "1e-8", {1e-16, 1e-2, true}, {}, "relative residual"},
-            {"solver.backend",
-             T::choice,
-             "",
-             "\"multigrid\"",
-             any,
-             {"multigrid", "petsc"},
-             "own solver, or a cross-check by PETSc"},
-            {"output.directory", T::text, "", "\"out\"", any, {}, "folder of the run's files"},
-            {"output.every", T::number, "s", "0.0", non_negative, {}, "time between fields; 0: the start and the end"},
-            {"output.fields", T::choices, "", "[\"velocity\", \"pressure\"]", any, {"velocity", "pressure"}, "fields to write"},
-            {"output.checkpoint_every",
-             T::number,
-             "s",
-             "0.0",
-             non_negative,
-             {},
-             "time between checkpoints; 0: only at the end and when interrupted"},
-            {"output.bodies",
-             T::choice,
-             "",
-             "\"auto\"",
-             any,
-             {"auto", "csv", "binary", "both"},
-             "table of the bodies: bodies.csv, the binary bodies.npy of NumPy, or both; auto: bodies.csv, or bodies.npy of "
-             "scenes with crowds and more than 50 bodies"},
-        });
+    append(keys, probe_keys());
+    append(keys, flux_keys());
+    append(keys,
+           {
+               {"time.end", T::number, "s", "", positive, {}, "the run goes from 0 to here", "to run"},
+               {"time.max_step", T::number, "s", "", positive, {}, "largest time step", "to run"},
+               {"time.cfl", T::number, "", "1.0", {0, 10, true}, {}, "cells that the fluid may cross in a step"},
+               {"time.gap_cfl",
+                T::number,
+                "",
+                "0.25",
+                {0, 1, true},
+                {},
+                "part of its thickness that a gap may change by in a step"},
+               {"time.until_steady",
+                T::number,
+                "",
+                "",
+                {0, 1, true},
+                {},
+                "the run ends before time.end once the flow changes by less than this part of itself in the time in which the "
+                "fluid, or viscosity, crosses the domain"},
+               {"solver.tolerance", T::number, "", "1e-8", {1e-16, 1e-2, true}, {}, "relative residual"},
+               {"solver.backend",
+                T::choice,
+                "",
+                "\"multigrid\"",
+                any,
+                {"multigrid", "petsc"},
+                "own solver, or a cross-check by PETSc"},
+               {"output.directory", T::text, "", "\"out\"", any, {}, "folder of the run's files"},
+               {"output.every", T::number, "s", "0.0", non_negative, {}, "time between fields; 0: the start and the end"},
+               {"output.fields",
+                T::choices,
+                "",
+                "[\"velocity\", \"pressure\"]",
+                any,
+                {"velocity", "pressure", "vorticity", "divergence", "q"},
+                "fields to write; q (3D): positive in vortices"},
+               {"output.precision",
+                T::choice,
+                "",
+                "\"double\"",
+                any,
+                {"double", "single"},
+                "of numbers in fields, bodies and films"},
+               {"output.format",
+                T::choice,
+                "",
+                "\"inline\"",
+                any,
+                {"inline", "appended"},
+                "of these files: text all through (inline), or binary behind the text (appended), a quarter smaller"},
+               {"output.forces",
+                T::flag,
+                "",
+                "false",
+                any,
+                {},
+                "a table forces.csv: each body's forces by pressure, shear, films, contact and buoyancy"},
+               {"output.checkpoint_every",
+                T::number,
+                "s",
+                "0.0",
+                non_negative,
+                {},
+                "time between checkpoints; 0: only at the end and when interrupted"},
+               {"output.bodies",
+                T::choice,
+                "",
+                "\"auto\"",
+                any,
+                {"auto", "csv", "binary", "both"},
+                "table of the bodies: bodies.csv, the binary bodies.npy of NumPy, or both; auto: bodies.csv, or bodies.npy of "
+                "scenes with crowds and more than 50 bodies"},
+           });
     return keys;
 }
 // clang-format on
@@ -385,6 +495,11 @@ std::vector<KeyInfo> scene_keys()
 bool KeyRange::contains(double value) const
 {
     return (open_low ? value > low : value >= low) && (open_high ? value < high : value <= high);
+}
+
+bool is_list_table(const std::string& table)
+{
+    return table == "body" || table == "crowd" || table == "pair" || table == "probe" || table == "flux";
 }
 
 std::string last_part(const std::string& dotted)
@@ -427,12 +542,18 @@ std::string allowed_values(const KeyInfo& key, int dimension)
         return "a list of " + count + " numbers" + (range.empty() ? "" : ", each" + range);
     case T::count:
         return "a whole number" + range;
+    case T::vectors:
+        return "a list of points, each a list of " + count + " numbers";
     case T::counts:
         return "a list of " + count + " whole numbers" + (range.empty() ? "" : ", each" + range);
+    case T::two_counts:
+        return "a list of 2 whole numbers" + (range.empty() ? "" : ", each" + range);
     case T::spin:
         return dimension == 2 ? "a number (2D)" : dimension == 3 ? "a list of 3 numbers" : "a number in 2D, 3 numbers in 3D";
     case T::direction:
         return dimension == 2 ? "no axis: in 2D all turn in the plane; remove it" : "a list of 3 numbers, not all 0";
+    case T::normal:
+        return choices_text(key.choices) + " or a list of " + count + " numbers, not all 0";
     case T::rotation:
         return dimension == 2   ? "a number of degrees (2D)"
                : dimension == 3 ? "{ axis = [x, y, z], degrees = number } or a quaternion [w, x, y, z], neither of length 0"

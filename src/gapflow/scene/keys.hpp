@@ -11,10 +11,13 @@ enum class KeyType {
     number,
     number_or_word,   ///< a number in the range or one of the choices
     vector,           ///< a number for each axis
+    vectors,          ///< a list of such
     count,            ///< a whole number
     counts,           ///< a whole number for each axis
+    two_counts,       ///< two whole numbers
     spin,             ///< 2D: a number, 3D: three numbers
     direction,        ///< 3D: three numbers, not all 0; not in 2D
+    normal,           ///< a number for each axis, not all 0, or the letter of an axis
     rotation,         ///< 2D: degrees, 3D: { axis, degrees } or a quaternion [w, x, y, z]
     rotation_or_word, ///< the same, or one of the choices
     inertia,          ///< 2D: a number, 3D: three principal moments or a matrix of three rows
@@ -35,7 +38,8 @@ struct KeyRange {
 };
 
 struct KeyInfo {
-    std::string name; ///< dotted; keys of [[body]], [[crowd]] and [[pair]] start with "body.", "crowd." and "pair."
+    std::string
+        name; ///< dotted; keys of [[body]] start with "body.", those of [[crowd]], [[pair]], [[probe]] and [[flux]] likewise
     KeyType type = KeyType::number;
     std::string unit;          ///< in SI (any consistent units do); in 2D masses and forces are per unit depth
     std::string default_value; ///< as TOML; one number for a vector stands for every axis; empty: none
@@ -53,6 +57,9 @@ std::string allowed_values(const KeyInfo& key, int dimension);
 
 /// Names of the keys and tables that a misspelt dotted name may have meant, nearest only; empty if nothing is near.
 std::string nearest_key(const std::string& name, const std::vector<KeyInfo>& keys);
+
+/// Whether a table stands in double brackets, as often as needed.
+bool is_list_table(const std::string& table);
 
 /// The last key of a dotted name.
 std::string last_part(const std::string& dotted);

@@ -60,7 +60,7 @@ void apply(Node& document, const std::string& dotted, const std::string& text, c
         throw InputError(where + ": pairs have no names and cannot be set here; edit [[pair]] in the scene file");
     Node* table = &document;
     std::string name = dotted, rest = dotted;
-    for (const std::string kind : {"body", "crowd"})
+    for (const std::string kind : {"body", "crowd", "probe", "flux"})
         if (dotted.starts_with(kind + ".")) {
             rest = dotted.substr(kind.size() + 1);
             table = &addressed(kind, document, where, rest);
@@ -69,9 +69,10 @@ void apply(Node& document, const std::string& dotted, const std::string& text, c
     const KeyInfo* key = find_key(keys, name);
     if (!key && is_table(keys, name))
         throw InputError(where + ": is a table; set its keys one by one, as " +
-                         (name == "body"    ? "body.NAME.position=..."
-                          : name == "crowd" ? "crowd.NAME.number=..."
-                                            : dotted + ".key=value"));
+                         (name == "body"                      ? "body.NAME.position=..."
+                          : name == "crowd"                   ? "crowd.NAME.number=..."
+                          : name == "probe" || name == "flux" ? name + ".NAME.every=..."
+                                                              : dotted + ".key=value"));
     if (!key)
         refuse_unknown(where, name, dotted, keys);
     Node value = parse_value(text, where);

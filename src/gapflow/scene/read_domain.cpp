@@ -177,6 +177,7 @@ void read_domain(const Values& v, Scene& scene)
         read_side(v, number, scene);
     check_periodic(v, scene);
     check_far(v, scene);
+    scene.leaving = v.choice<Scene::Leaving>("domain.leaving");
 }
 
 } // namespace gapflow

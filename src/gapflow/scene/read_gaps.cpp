@@ -88,25 +88,9 @@ std::vector<std::string> partners(const Scene& scene, bool told = false)
 void read_pair(const Values& v, double automatic, Scene& scene)
 {
     PairScene pair;
-    const std::vector<std::string> names = v.texts("bodies"), known = partners(scene);
-    for (const std::string& name : names) {
-        if (std::find(known.begin(), known.end(), name) != known.end())
-            continue;
-        for (const CrowdScene& crowd : scene.crowds)
-            if (crowd.name == name)
-                v.refuse("bodies", "'" + name + "' is a crowd, and a pair names single bodies",
-                         "name one of " + names_text(scene, crowd) + ", or set [gap] and [contact] for all pairs");
-        const std::string near = nearest_name(name, known);
-        const bool side =
-            name.starts_with("wall:") && std::find(side_names.begin(), side_names.end(), name.substr(5)) != side_names.end();
-        v.refuse("bodies",
-                 side ? "'" + name + "': this side of the domain is not a wall"
-                      : "no body or wall is named '" + name + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?"),
-                 "allowed: " + joined(partners(scene, true)));
-    }
+    check_partners(v, "bodies", "a pair", scene);
+    const std::vector<std::string> names = v.texts("bodies");
     std::copy(names.begin(), names.end(), pair.bodies.begin());
-    if (pair.bodies[0].starts_with("wall:") && pair.bodies[1].starts_with("wall:"))
-        v.refuse("bodies", "two walls have no gap between them", "name at least one body");
     for (const PairScene& other : scene.pairs)
         if (std::is_permutation(pair.bodies.begin(), pair.bodies.end(), other.bodies.begin()))
             v.refuse("bodies", "an earlier [[pair]] has the same two names", "put the keys of both into one [[pair]]");
@@ -126,6 +110,29 @@ void read_gaps(const Values& v, Purpose purpose, Scene& scene)
     check_dry(v, "gap.", scene.gap, scene);
     if (scene.vapour_pressure)
         check_level(v, "fluid.vapour_pressure", scene);
+}
+
+void check_partners(const Values& v, const std::string& key, const std::string& what, const Scene& scene)
+{
+    const std::vector<std::string> names = v.texts(key), known = partners(scene);
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) != known.end())
+            continue;
+        for (const CrowdScene& crowd : scene.crowds)
+            if (crowd.name == name)
+                v.refuse(key, "'" + name + "' is a crowd, and " + what + " names single bodies",
+                         "name one of " + names_text(scene, crowd) +
+                             (key == "bodies" ? ", or set [gap] and [contact] for all pairs" : ""));
+        const std::string near = nearest_name(name, known);
+        const bool side =
+            name.starts_with("wall:") && std::find(side_names.begin(), side_names.end(), name.substr(5)) != side_names.end();
+        v.refuse(key,
+                 side ? "'" + name + "': this side of the domain is not a wall"
+                      : "no body or wall is named '" + name + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?"),
+                 "allowed: " + joined(partners(scene, true)));
+    }
+    if (names[0].starts_with("wall:") && names[1].starts_with("wall:"))
+        v.refuse(key, "two walls have no gap between them", "name at least one body");
 }
 
 void read_pairs(const Values& v, const std::vector<KeyInfo>& keys, Purpose purpose, Scene& scene)

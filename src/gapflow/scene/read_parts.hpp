@@ -27,6 +27,16 @@ void read_gaps(const Values& values, Purpose purpose, Scene& scene);
 /// All [[pair]]; needs [gap], [contact] and all bodies already read.
 void read_pairs(const Values& values, const std::vector<KeyInfo>& keys, Purpose purpose, Scene& scene);
 
+/// Throws InputError if a name in a list of two is not that of a body or a closed side; `what`: who names them, for the message.
+void check_partners(const Values& values, const std::string& key, const std::string& what, const Scene& scene);
+
+/// All [[probe]] and [[flux]]; needs domain, all bodies and time.end already read.
+void read_measures(const Node& document, const std::vector<KeyInfo>& keys, Scene& scene);
+
+/// Throws InputError where a time interval is so short that a run would consist of too many of them.
+void check_count(const Values& values, const char* name, double every, double end, double most, const char* what);
+inline constexpr double most_outputs = 1e6; ///< of files or rows at intervals
+
 /// A path from the scene, relative to the scene's folder.
 std::string resolved_path(const Scene& scene, const std::string& path);
 

@@ -15,9 +15,19 @@ std::string resolved_path(const Scene& scene, const std::string& path)
     return (std::filesystem::path(scene.file).parent_path() / path).lexically_normal().string();
 }
 
+void check_count(const Values& v, const char* name, double every, double end, double most, const char* what)
+{
+    if (!(every > 0) || end / every <= most)
+        return;
+    char problem[96], remedy[96];
+    std::snprintf(problem, sizeof problem, "%.3g %s until time.end = %.6g", end / every, what, end);
+    std::snprintf(remedy, sizeof remedy, "allowed: up to %.3g, so at least %.3g here", most, end / most);
+    v.refuse(name, problem, remedy);
+}
+
 namespace {
 
-constexpr double most_steps = 1e9, most_outputs = 1e6;
+constexpr double most_steps = 1e9;
 
 /// A vector along periodic axes.
 std::optional<Triple> along_periodic_axes(const Values& v, const char* name, const Scene& scene)
@@ -53,17 +63,6 @@ void read_fluid(const Values& v, Scene& scene)
     scene.thin = v.choice<Scene::Thin>("grid.thin");
 }
 
-/// Rejects a time interval so short that the run would consist of too many of them.
-void check_count(const Values& v, const char* name, double every, double end, double most, const char* what)
-{
-    if (!(every > 0) || end / every <= most)
-        return;
-    char problem[96], remedy[96];
-    std::snprintf(problem, sizeof problem, "%.3g %s until time.end = %.6g", end / every, what, end);
-    std::snprintf(remedy, sizeof remedy, "allowed: up to %.3g, so at least %.3g here", most, end / most);
-    v.refuse(name, problem, remedy);
-}
-
 void read_time(const Values& v, Purpose purpose, Scene& scene)
 {
     for (const char* name : {"time.end", "time.max_step"})
@@ -76,6 +75,8 @@ void read_time(const Values& v, Purpose purpose, Scene& scene)
     check_count(v, "time.max_step", scene.max_step, scene.end, most_steps, "steps");
     scene.cfl = v.number("time.cfl");
     scene.gap_cfl = v.number("time.gap_cfl");
+    if (v.given("time.until_steady"))
+        scene.until_steady = v.number("time.until_steady");
 }
 
 void read_output(const Values& v, Scene& scene)
@@ -83,6 +84,13 @@ void read_output(const Values& v, Scene& scene)
     scene.output_directory = v.text("output.directory");
     scene.output_every = v.number("output.every");
     scene.fields = v.texts("output.fields");
+    if (scene.dimension == 2 && std::find(scene.fields.begin(), scene.fields.end(), "q") != scene.fields.end())
+        v.refuse("output.fields",
+                 "a 2D scene has no q: without divergence it follows from the vorticity and the rate of strain of a plane",
+                 "write \"vorticity\" instead");
+    scene.precision = v.choice<Scene::Precision>("output.precision");
+    scene.format = v.choice<Scene::Format>("output.format");
+    scene.forces = v.flag("output.forces");
     scene.checkpoint_every = v.number("output.checkpoint_every");
     scene.bodies_table = v.choice<Scene::BodiesTable>("output.bodies");
     check_count(v, "output.every", scene.output_every, scene.end, most_outputs, "output times");
@@ -135,6 +143,7 @@ Scene scene_of(Node document, const std::string& file, const Overrides& override
     read_crowds(document, keys, moves, scene);
     check_way_out(values, scene);
     read_pairs(values, keys, purpose, scene);
+    read_measures(document, keys, scene);
     scene.tolerance = values.number("solver.tolerance");
     scene.backend = values.choice<Scene::Backend>("solver.backend");
     read_output(values, scene);

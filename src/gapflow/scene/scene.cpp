@@ -73,6 +73,24 @@ bool Scene::writes_binary() const
     return bodies_table == BodiesTable::both || !writes_csv();
 }
 
+std::vector<Triple> ProbeScene::places() const
+{
+    if (kind == Kind::points)
+        return points;
+    std::vector<Triple> places;
+    const Triple& from = points[0];
+    const auto at = [](int i, int count) { return static_cast<double>(i) / (count - 1); };
+    for (int j = 0; j < std::max(counts[1], 1); ++j)
+        for (int i = 0; i < counts[0]; ++i) {
+            Triple place = from;
+            for (int axis = 0; axis < 3; ++axis)
+                place[axis] += kind == Kind::line ? at(i, counts[0]) * (points[1][axis] - from[axis])
+                                                  : at(i, counts[0]) * points[1][axis] + at(j, counts[1]) * points[2][axis];
+            places.push_back(place);
+        }
+    return places;
+}
+
 std::string names_text(const Scene& scene, const CrowdScene& crowd)
 {
     const auto name = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].name; };

@@ -118,6 +118,34 @@ struct CrowdScene {
     double smallest = 1, largest = 1; ///< factors on the shape's lengths
 };
 
+/// A [[probe]]: points at which the flow is measured.
+struct ProbeScene {
+    enum class Kind { points, line, plane };
+
+    std::string name;
+    Kind kind = Kind::points;
+    std::vector<Triple> points;  ///< as given; of a line its ends, of a plane its origin and the edges u and v
+    std::array<int, 2> counts{}; ///< of a line, and of a plane along u and v
+    bool pressure = true, velocity = true, vorticity = false;
+    double every = 0.0; ///< 0: every step
+
+    /// All points in their order: of a plane first those along u.
+    std::vector<Triple> places() const;
+};
+
+/// A [[flux]]: what the volume flux is measured through.
+struct FluxScene {
+    enum class Kind { side, plane, gap };
+
+    std::string name;
+    Kind kind = Kind::side;
+    int side = 0;                      ///< 2 * axis + end
+    Triple point{}, normal{};          ///< of a plane; the latter of unit length
+    std::optional<Triple> low, high;   ///< the part of the plane in a box; both or none
+    std::array<std::string, 2> bodies; ///< of a gap
+    double every = 0.0;                ///< 0: every step
+};
+
 struct Scene {
     enum class BodiesTable { automatic, csv, binary, both };
     enum class Fractions { cut_cell, voxel };
@@ -125,6 +153,9 @@ struct Scene {
     enum class Thin { refuse, allow };
     enum class Initial { rest, potential };
     enum class Backend { multigrid, petsc };
+    enum class Leaving { warn, stop, remove };
+    enum class Precision { double_, single };
+    enum class Format { in_line, appended };
 
     std::string file; ///< as given, for messages
     std::string title;
@@ -135,6 +166,8 @@ struct Scene {
     std::array<int, 3> cells{1, 1, 1};
     Triple origin{};
     std::array<SideScene, 6> sides; ///< x_low x_high y_low y_high z_low z_high
+
+    Leaving leaving = Leaving::warn; ///< bodies on their way out of an open side
 
     double density = 1.0;
     double viscosity = 0.0;
@@ -159,6 +192,7 @@ struct Scene {
     double max_step = 0.0;
     double cfl = 1.0;
     double gap_cfl = 0.25;
+    std::optional<double> until_steady; ///< the run ends once the flow's unsteadiness is below it
 
     double tolerance = 1e-8;
     Backend backend = Backend::multigrid;
@@ -168,6 +202,12 @@ struct Scene {
     std::vector<std::string> fields{"velocity", "pressure"};
     double checkpoint_every = 0.0; ///< 0: only at the end and when interrupted
     BodiesTable bodies_table = BodiesTable::automatic;
+
+    Precision precision = Precision::double_; ///< of files of fields, bodies and films
+    Format format = Format::in_line;          ///< of the same
+    bool forces = false;                      ///< a table of the forces' parts
+    std::vector<ProbeScene> probes;
+    std::vector<FluxScene> fluxes;
 
     std::vector<std::string> warnings; ///< about settings that were accepted but not used, for the caller to print
 

@@ -124,6 +124,53 @@ Json body_json(const BodyScene& body, const Lists& list)
     return json;
 }
 
+Json probe_json(const ProbeScene& probe, const Lists& list)
+{
+    Json json;
+    json["name"] = probe.name;
+    if (probe.kind == ProbeScene::Kind::line) {
+        json["line"] = {
+            {"from", list.vector(probe.points[0])}, {"to", list.vector(probe.points[1])}, {"count", probe.counts[0]}};
+    } else if (probe.kind == ProbeScene::Kind::plane) {
+        json["plane"] = {{"origin", list.vector(probe.points[0])},
+                         {"u", list.vector(probe.points[1])},
+                         {"v", list.vector(probe.points[2])},
+                         {"counts", probe.counts}};
+    } else {
+        json["points"] = Json::array();
+        for (const Triple& point : probe.points)
+            json["points"].push_back(list.vector(point));
+    }
+    json["fields"] = Json::array();
+    if (probe.pressure)
+        json["fields"].push_back("pressure");
+    if (probe.velocity)
+        json["fields"].push_back("velocity");
+    if (probe.vorticity)
+        json["fields"].push_back("vorticity");
+    json["every"] = probe.every;
+    return json;
+}
+
+Json flux_json(const FluxScene& flux, const Lists& list)
+{
+    Json json;
+    json["name"] = flux.name;
+    if (flux.kind == FluxScene::Kind::side) {
+        json["side"] = side_names[flux.side];
+    } else if (flux.kind == FluxScene::Kind::gap) {
+        json["gap"] = flux.bodies;
+    } else {
+        json["plane"] = {{"point", list.vector(flux.point)}, {"normal", list.vector(flux.normal)}};
+        if (flux.low && flux.high) {
+            json["plane"]["low"] = list.vector(*flux.low);
+            json["plane"]["high"] = list.vector(*flux.high);
+        }
+    }
+    json["every"] = flux.every;
+    return json;
+}
+
 } // namespace
 
 std::string scene_as_json(const Scene& scene)
@@ -136,6 +183,7 @@ std::string scene_as_json(const Scene& scene)
         {"size", list.vector(scene.size)}, {"cells", list.vector(scene.cells)}, {"origin", list.vector(scene.origin)}};
     for (int side = 0; side < 2 * scene.dimension; ++side)
         json["domain"]["sides"][side_names[side]] = side_json(scene.sides[side], list);
+    json["domain"]["leaving"] = word({"warn", "stop", "remove"}, scene.leaving);
     json["fluid"] = {{"density", scene.density},
                      {"viscosity", scene.viscosity},
                      {"reference_pressure", scene.reference_pressure},
@@ -171,6 +219,10 @@ std::string scene_as_json(const Scene& scene)
                                  {"region_volume", crowd.region_volume},
                                  {"volume_fraction", crowd.volume_fraction},
                                  {"sizes", {crowd.smallest, crowd.largest}}});
+    for (const ProbeScene& probe : scene.probes)
+        json["probe"].push_back(probe_json(probe, list));
+    for (const FluxScene& flux : scene.fluxes)
+        json["flux"].push_back(flux_json(flux, list));
     json["time"] = Json::object();
     if (scene.end > 0)
         json["time"]["end"] = scene.end;
@@ -178,12 +230,17 @@ std::string scene_as_json(const Scene& scene)
         json["time"]["max_step"] = scene.max_step;
     json["time"]["cfl"] = scene.cfl;
     json["time"]["gap_cfl"] = scene.gap_cfl;
+    if (scene.until_steady)
+        json["time"]["until_steady"] = *scene.until_steady;
     json["solver"] = {{"tolerance", scene.tolerance}, {"backend", word({"multigrid", "petsc"}, scene.backend)}};
     json["output"] = {{"directory", scene.output_directory},
                       {"every", scene.output_every},
                       {"fields", scene.fields},
                       {"checkpoint_every", scene.checkpoint_every},
-                      {"bodies", word({"auto", "csv", "binary", "both"}, scene.bodies_table)}};
+                      {"bodies", word({"auto", "csv", "binary", "both"}, scene.bodies_table)},
+                      {"precision", word({"double", "single"}, scene.precision)},
+                      {"format", word({"inline", "appended"}, scene.format)},
+                      {"forces", scene.forces}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

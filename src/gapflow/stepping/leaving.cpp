@@ -1,6 +1,7 @@
 #include "gapflow/stepping/leaving.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 
 namespace gapflow {
@@ -74,15 +75,20 @@ std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<Rigid
 }
 
 template <int D>
-std::vector<std::string> leaving_notes(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
-                                       const std::vector<Whereabouts>& before, bool first)
+Departures departures(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
+                      bool first)
 {
-    std::vector<std::string> notes;
+    Departures result;
+    std::vector<std::string>& notes = result.notes;
     const std::vector<Whereabouts> now = whereabouts(scene, bodies);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const std::string name = "body '" + bodies[b].name + "' ";
         if (now[b].outside) {
-            if (!before[b].outside)
+            if (before[b].outside)
+                continue;
+            result.left.push_back(static_cast<int>(b));
+            const bool goes = scene.leaving == Scene::Leaving::remove && bodies[b].motion == Motion::free;
+            if (!goes)
                 notes.push_back(
                     name + "has left the domain: no flow acts on it there, only gravity and the pressure of fluid at rest");
             continue;
@@ -90,18 +96,63 @@ std::vector<std::string> leaving_notes(const Scene& scene, const std::vector<Rig
         for (int side : now[b].crossed) {
             const bool known = std::count(before[b].crossed.begin(), before[b].crossed.end(), side) > 0;
             const double outwards = (side % 2 ? 1 : -1) * bodies[b].twist[side / 2];
-            if ((first || !known) && outwards > 0)
+            if ((first || !known) && outwards > 0) {
+                result.starting.push_back(static_cast<int>(b));
                 notes.push_back(name + "is on its way out of the domain through the side " + side_names[side] +
                                 ": beyond it no flow acts on it");
+            }
         }
+    }
+    return result;
+}
+
+template <int D>
+void take_out(RigidBody<D>& body)
+{
+    body.motion = Motion::fixed;
+    body.twist.setZero();
+    body.angular_momentum.setZero();
+    body.acceleration.setZero();
+    body.angular_momentum_rate.setZero();
+    body.force.setZero();
+    body.torque.setZero();
+    body.spring.reset();
+    body.hinge.reset();
+}
+
+template <int D>
+std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<int>& left, State<D>& state)
+{
+    constexpr double far = 1e3; // in sizes of the domain: no gap and no contact reaches there
+    std::vector<std::string> notes;
+    const Vec<D> middle = model.grid.origin() + 0.5 * model.grid.size();
+    const double size = model.grid.size().maxCoeff();
+    for (const int b : left) {
+        RigidBody<D>& body = state.bodies[b];
+        if (body.motion != Motion::free)
+            continue;
+        take_out(body);
+        Vec<D> away = body.pose.position - middle; // along axes that are not periodic
+        for (int axis = 0; axis < D; ++axis)
+            away[axis] = model.grid.periodic(axis) ? 0.0 : away[axis];
+        body.pose.position += far * (b + 1) * size * away.normalized();
+        state.acceleration[b].setZero();
+        state.wrenches[b].setZero();
+        if (model.viscous())
+            state.pressure.force[b].setZero();
+        state.removed.insert(b);
+        char time[32];
+        std::snprintf(time, sizeof time, "%.6g", state.time);
+        notes.push_back("body '" + body.name + "' has left the domain at time " + time + " and is taken out of the scene");
     }
     return notes;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<Whereabouts> whereabouts<D>(const Scene&, const std::vector<RigidBody<D>>&);                          \
-    template std::vector<std::string> leaving_notes<D>(const Scene&, const std::vector<RigidBody<D>>&,                         \
-                                                       const std::vector<Whereabouts>&, bool);
+    template Departures departures<D>(const Scene&, const std::vector<RigidBody<D>>&, const std::vector<Whereabouts>&, bool);  \
+    template void take_out<D>(RigidBody<D>&);                                                                                  \
+    template std::vector<std::string> remove_bodies<D>(const Model<D>&, const std::vector<int>&, State<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -1,7 +1,7 @@
-// Notes for the user about bodies that leave the domain.
+// Bodies that leave the domain: notes for the user, and taking them out.
 #pragma once
 
-#include "gapflow/stepping/setup.hpp"
+#include "gapflow/stepping/state.hpp"
 
 #include <string>
 #include <vector>
@@ -18,12 +18,25 @@ struct Whereabouts {
 template <int D>
 std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<RigidBody<D>>& bodies);
 
-/// Notes about bodies that were at `before` when a step began: one that moves out through an open or inflow side is on its way
-/// out
-/// once it reaches through; one that is wholly outside and was not has left. `first`: of the first step, when bodies that reach
-/// through already count.
+/// What has happened in a step.
+struct Departures {
+    std::vector<std::string> notes;
+    std::vector<int> starting, left; ///< bodies that came to be on their way out, and those that came to be wholly outside
+};
+
+/// Of bodies that were at `before` when a step began: one that moves out through an open or inflow side is on its way out once it reaches
+/// through; one that is wholly outside and was not has left. `first`: of the first step, when bodies that reach through already count.
 template <int D>
-std::vector<std::string> leaving_notes(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
-                                       const std::vector<Whereabouts>& before, bool first);
+Departures departures(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
+                      bool first);
+
+/// Holds a body still and nothing acts on it from then on. For one that lies far outside the domain.
+template <int D>
+void take_out(RigidBody<D>& body);
+
+/// Takes free bodies that are wholly outside out of the state: they are put far away, each to a place of its own, and held there. They have
+/// no part in the flow any more, so that nothing else changes. Returns a note for each.
+template <int D>
+std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<int>& left, State<D>& state);
 
 } // namespace gapflow

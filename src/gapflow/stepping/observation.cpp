@@ -173,31 +173,8 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
 }
 
 template <int D>
-void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
-                  StepReport& report)
+UnknownVector<D> net_outflow(const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V)
 {
-    const Grid<D>& grid = model.grid;
-    report.step = state.steps;
-    report.time = state.time;
-    report.dt = state.dt;
-    for (const Component& component : here.system.components)
-        report.cells += component.unknowns;
-    report.film_nodes = here.network.nodes;
-    report.cells -= report.film_nodes;
-    const Budget<D> sums = budget(model, here, state, V);
-    report.energy_fluid = sums.energy_grid + sums.energy_film;
-    report.energy_bodies = sums.energy_bodies;
-    if (model.driven()) {
-        const Vec<D> flow = mean_velocity(model, here, state, V);
-        double* const gradients[] = {&report.pressure_gradient_x, &report.pressure_gradient_y, &report.pressure_gradient_z};
-        double* const flows[] = {&report.mean_velocity_x, &report.mean_velocity_y, &report.mean_velocity_z};
-        for (int axis = 0; axis < D; ++axis) {
-            *gradients[axis] = state.drive.gradient[axis];
-            *flows[axis] = flow[axis];
-        }
-    }
-    if (state.dt > 0)
-        report.dissipation_film = film_loss(here, V, state.velocity) / state.dt;
     UnknownVector<D> rest;
     const std::vector<char>& shut = state.voids.shut();
     const bool any_shut = std::find(shut.begin(), shut.end(), 1) != shut.end();
@@ -225,6 +202,36 @@ void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>
                 rest.nodes[node] += links[r].conductance * weight * drop;
         }
     }
+    return rest;
+}
+
+template <int D>
+void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
+                  StepReport& report)
+{
+    const Grid<D>& grid = model.grid;
+    report.step = state.steps;
+    report.time = state.time;
+    report.dt = state.dt;
+    for (const Component& component : here.system.components)
+        report.cells += component.unknowns;
+    report.film_nodes = here.network.nodes;
+    report.cells -= report.film_nodes;
+    const Budget<D> sums = budget(model, here, state, V);
+    report.energy_fluid = sums.energy_grid + sums.energy_film;
+    report.energy_bodies = sums.energy_bodies;
+    if (model.driven()) {
+        const Vec<D> flow = mean_velocity(model, here, state, V);
+        double* const gradients[] = {&report.pressure_gradient_x, &report.pressure_gradient_y, &report.pressure_gradient_z};
+        double* const flows[] = {&report.mean_velocity_x, &report.mean_velocity_y, &report.mean_velocity_z};
+        for (int axis = 0; axis < D; ++axis) {
+            *gradients[axis] = state.drive.gradient[axis];
+            *flows[axis] = flow[axis];
+        }
+    }
+    if (state.dt > 0)
+        report.dissipation_film = film_loss(here, V, state.velocity) / state.dt;
+    const UnknownVector<D> rest = net_outflow(here, state, V);
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
     worst = std::max(worst, max_over_planes(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
                          double largest = 0;
@@ -243,6 +250,7 @@ void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>
     template UnknownVector<D> reduced_pressure<D>(const State<D>&);                                                            \
     template std::vector<GapState> gap_states<D>(const Model<D>&, const Coupling<D>&, const State<D>&);                        \
     template Budget<D> budget<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&);          \
+    template UnknownVector<D> net_outflow<D>(const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&);               \
     template void report_state<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&,          \
                                   StepReport&);
 GAPFLOW_INSTANTIATE(2)

@@ -41,6 +41,10 @@ std::vector<GapState> gap_states(const Model<D>& model, const Coupling<D>& here,
 template <int D>
 Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V);
 
+/// Net outflow of every unknown's volume at the end of the step, growth of voids taken off: what the solver's tolerance leaves. Collective.
+template <int D>
+UnknownVector<D> net_outflow(const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V);
+
 /// Fills in the report's data about the state: time, sizes, energies, divergence. Collective.
 template <int D>
 void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,

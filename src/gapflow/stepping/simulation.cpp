@@ -8,6 +8,7 @@
 #include "gapflow/stepping/motion.hpp"
 #include "gapflow/stepping/side_pressure.hpp"
 #include "gapflow/stepping/start.hpp"
+#include "gapflow/stepping/steadiness.hpp"
 #include "gapflow/stepping/steering.hpp"
 #include "gapflow/stepping/step_end.hpp"
 #include "gapflow/stepping/step_size.hpp"
@@ -33,6 +34,11 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : model_
     const Stopwatch watch;
     initial_report_.notes = thickness_warnings<D>(model_.scene, model_.bodies, model_.walls, scene.thin);
     auto [here, V] = start(model_, state_, initial_report_, stages_);
+    if (scene.forces) {
+        force_parts_.resize(state_.bodies.size());
+        for (std::size_t b = 0; b < force_parts_.size(); ++b)
+            force_parts_[b].buoyancy = buoyancy(model_, state_.bodies[b]);
+    }
     here_ = std::move(here);
     beyond_ = timed(stages_, "continuation", [&] { return reconstruct(model_, *here_, state_, V); });
     report(V, initial_report_);
@@ -76,6 +82,9 @@ StepReport Simulation<D>::step(double next_output)
     const Step step = choose_step(model_, state_, *here_, beyond_.histories, next_output);
     state_.drive = next_drive(model_, *here_, state_, step);
     const std::vector<Whereabouts> places = whereabouts(model_.scene, state_.bodies);
+    std::optional<EarlierFlow<D>> earlier;
+    if (model_.scene.until_steady)
+        earlier.emplace(model_, state_);
     LastPressure<D> past = recall_pressure(model_, *here_, step, state_);
     state_.turned = model_.viscous() ? std::set<FilmPair<D>>()
                                      : reversing_films<D>(*here_, model_.twists(state_.bodies), state_.acceleration,
@@ -99,14 +108,30 @@ StepReport Simulation<D>::step(double next_output)
     const std::vector<Twist<D>> V_star = star.twists;
     push_from_beyond(model_, state_.bodies, there, step, star);
     Projected<D> end = project(model_, there, std::move(star), mass, step, state_, report, stages_);
+    if (model_.scene.forces)
+        force_parts_ = gapflow::force_parts(model_, there, end, diffusion, step, state_);
     take_up(model_, there, std::move(end), mass, V_star, std::move(past), diffusion, step, state_);
     here_ = std::move(there);
     beyond_ = timed(stages_, "continuation", [&] { return reconstruct(model_, *here_, state_, model_.twists(state_.bodies)); });
-    for (std::string& note : leaving_notes(model_.scene, state_.bodies, places, step.number == 1))
-        report.notes.push_back(std::move(note));
+    if (earlier)
+        report.unsteadiness = unsteadiness(model_, *here_, *earlier, state_);
+    follow_departures(places, report);
     this->report(model_.twists(state_.bodies), report);
     report.seconds = watch.seconds();
     return report;
+}
+
+template <int D>
+void Simulation<D>::follow_departures(const std::vector<Whereabouts>& before, StepReport& report)
+{
+    Departures departed = departures(model_.scene, state_.bodies, before, state_.steps == 1);
+    report.leaving = !departed.starting.empty();
+    std::vector<std::string> notes = std::move(departed.notes);
+    if (model_.scene.leaving == Scene::Leaving::remove)
+        for (std::string& note : remove_bodies(model_, departed.left, state_))
+            notes.push_back(std::move(note));
+    for (std::string& note : notes)
+        report.notes.push_back(std::move(note));
 }
 
 // The state's sums, and films with blind ends, once each.
@@ -131,6 +156,24 @@ double Simulation<D>::hydrostatic(const Vec<D>& x) const
 }
 
 template <int D>
+std::vector<PointValues<D>> Simulation<D>::sample(std::span<const Vec<D>> points) const
+{
+    return sample_points(model_, *here_, state_, model_.twists(state_.bodies), points);
+}
+
+template <int D>
+VolumeFlux Simulation<D>::volume_flux(const FluxScene& through) const
+{
+    return gapflow::volume_flux(model_, *here_, state_, model_.twists(state_.bodies), through);
+}
+
+template <int D>
+bool Simulation<D>::settled() const
+{
+    return has_settled(model_.scene, state_.steady, state_.time);
+}
+
+template <int D>
 bool Simulation<D>::driven() const
 {
     return model_.driven();
@@ -140,6 +183,12 @@ template <int D>
 std::vector<GapState> Simulation<D>::gaps() const
 {
     return gap_states(model_, *here_, state_);
+}
+
+template <int D>
+CellField<D> Simulation<D>::outflow() const
+{
+    return net_outflow(*here_, state_, model_.twists(state_.bodies)).cells;
 }
 
 template <int D>

@@ -3,11 +3,16 @@
 
 #include "gapflow/core/communicator.hpp"
 #include "gapflow/core/timer.hpp"
+#include "gapflow/stepping/force_parts.hpp"
+#include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/observation.hpp"
 #include "gapflow/stepping/reconstruction.hpp"
+#include "gapflow/stepping/sampling.hpp"
+#include "gapflow/stepping/volume_flux.hpp"
 
 #include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace gapflow {
@@ -44,11 +49,23 @@ public:
     double hydrostatic(const Vec<D>& x) const;
     /// Fluid force and torque on every body about its centre of mass, averaged over the step, buoyancy included.
     const std::vector<Twist<D>>& fluid_wrenches() const { return state_.wrenches; }
+    /// Parts of the forces in the last step, contact too; empty unless the scene asks for them (output.forces), and after restoring a state.
+    const std::vector<ForceParts<D>>& force_parts() const { return force_parts_; }
+    /// Whether a body has left the domain and was taken out (domain.leaving).
+    bool removed(int body) const { return state_.removed.contains(body); }
+    /// Values at points of the domain, as sample_points(). Collective.
+    std::vector<PointValues<D>> sample(std::span<const Vec<D>> points) const;
+    /// As gapflow::volume_flux(). Collective.
+    VolumeFlux volume_flux(const FluxScene& through) const;
+    /// Whether the flow has settled as time.until_steady asks.
+    bool settled() const;
     /// Whether a mean pressure gradient drives the fluid along periodic axes.
     bool driven() const;
     std::vector<GapState> gaps() const;
     /// Voids in the films.
     const VoidSet<D>& voids() const { return state_.voids; }
+    /// Net outflow of this rank's cells, as gapflow::net_outflow(). Collective.
+    CellField<D> outflow() const;
     Budget<D> budget() const;
     /// Report of the state at the start (step 0, or the stored state from which the simulation continues).
     const StepReport& initial_report() const { return initial_report_; }
@@ -59,12 +76,14 @@ public:
 
 private:
     void report(const std::vector<Twist<D>>& V, StepReport& report);
+    void follow_departures(const std::vector<Whereabouts>& before, StepReport& report);
 
     Model<D> model_;
     State<D> state_;
     std::optional<Coupling<D>> here_; ///< follows from the state, as `beyond_` does
     Reconstruction<D> beyond_;
     std::set<FilmPair<D>> blind_told_; ///< pairs whose films' blind ends have been reported
+    std::vector<ForceParts<D>> force_parts_;
     StepReport initial_report_;
     StageTimers stages_;
 };

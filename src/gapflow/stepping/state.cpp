@@ -5,6 +5,7 @@
 #include "gapflow/body/body_state.hpp"
 #include "gapflow/film/film_pair_state.hpp"
 #include "gapflow/grid/whole_field.hpp"
+#include "gapflow/stepping/leaving.hpp"
 
 #include <algorithm>
 
@@ -76,6 +77,15 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         for (Twist<D>& wrench : state.wrenches)
             archive("fluid_wrench", wrench);
     });
+    archive.optional("removed", !state.removed.empty(), [&] {
+        std::vector<int> list(state.removed.begin(), state.removed.end());
+        archive("bodies", list);
+        state.removed = {list.begin(), list.end()};
+    });
+    archive.optional("steady", state.steady.largest_speed > 0, [&] {
+        archive("largest_speed", state.steady.largest_speed);
+        archive("calm_steps", state.steady.calm_steps);
+    });
     archive("acceleration", state.acceleration);
     archive("light_bodies", state.light_bodies);
     state.contacts.list_state(archive);
@@ -114,6 +124,8 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         });
     if (!archive.restoring())
         return;
+    for (const int body : state.removed)
+        take_out(state.bodies.at(static_cast<std::size_t>(body)));
     pressure.lasts = state.steps > 0;
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         pressure.lasts = pressure.lasts && !met_something(state, static_cast<int>(b));

@@ -36,6 +36,12 @@ struct Drive {
     Vec<D> flow = Vec<D>::Zero();     ///< mean velocity of fluid and solids before that step
 };
 
+/// What a run remembers to tell that its flow has settled (stepping/steadiness).
+struct SteadyWatch {
+    double largest_speed = 0; ///< root mean square of the fluid's velocity, the largest so far
+    long calm_steps = 0;      ///< in a row, the last ones, whose unsteadiness was below time.until_steady
+};
+
 template <int D>
 struct State {
     double time = 0;
@@ -54,6 +60,8 @@ struct State {
     FilmDebts<D> film_debts;            ///< energy that films gained in the last step: the next one takes it back
     std::vector<Vec<D>> film_increment; ///< acceleration of the films' elements in the last step, pressure and transport
     Drive<D> drive;
+    SteadyWatch steady;
+    std::set<int> removed;    ///< bodies that left the domain and were taken out: held far outside
     bool light_bodies = true; ///< whether the next solver estimates if bodies are light enough to need a correction
 
     /// At the scene's start, fluid at rest.

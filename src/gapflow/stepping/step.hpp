@@ -1,6 +1,7 @@
 // Data of one time step for all stages, and its report.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct StepReport {
     double dissipation_grid = 0, dissipation_film = 0; ///< power that viscosity dissipates, in the bulk and in films
     double pressure_gradient_x = 0, pressure_gradient_y = 0, pressure_gradient_z = 0; ///< mean, that drives a periodic box
     double mean_velocity_x = 0, mean_velocity_y = 0, mean_velocity_z = 0;             ///< of fluid and solids of such a box
+    double unsteadiness =
+        std::numeric_limits<double>::quiet_NaN(); ///< where time.until_steady asks for it (stepping/steadiness)
+    bool leaving = false;                         ///< a body came to be on its way out of the domain in this step
     double seconds = 0;
     std::vector<std::string> notes; ///< for the user, once each: thin bodies, contacts that do not converge, blind film ends
 };

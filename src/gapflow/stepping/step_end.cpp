@@ -3,6 +3,7 @@
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/flooding.hpp"
+#include "gapflow/stepping/force_parts.hpp"
 #include "gapflow/stepping/motion.hpp"
 #include "gapflow/stepping/side_pressure.hpp"
 
@@ -48,13 +49,11 @@ std::vector<Twist<D>> wrenches(const Model<D>& model, const Coupling<D>& there, 
         for (std::size_t s = 0; s < impulse.size(); ++s)
             impulse[s] += shear[s];
     }
-    const Vec<D> g = model.gravity();
     const std::vector<Twist<D>> from_beyond = wrenches_from_beyond(model, there, step.end());
     std::vector<Twist<D>> result;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const RigidBody<D>& body = bodies[b];
-        const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
-        Twist<D> sum = wrench<D>(-model.scene.density * body.volume * g, arm);
+        Twist<D> sum = buoyancy(model, body);
         if (step.dt > 0 && model.driven())
             sum += driving_wrench(body, drive);
         if (step.dt > 0)

@@ -29,7 +29,7 @@ Grid<D> make_grid(const Communicator& comm)
 }
 
 template <int D>
-void check_image(VtkPrecision precision)
+void check_image(VtkPrecision precision, bool appended)
 {
     const test::TemporaryFolder folder;
     const Communicator comm;
@@ -37,7 +37,7 @@ void check_image(VtkPrecision precision)
     const std::vector<VtkArray> arrays = {
         cell_array(grid, "pressure", 1, [&](const Index<D>& c, int) { return 1.0 / 3 + grid.key(c); }),
         cell_array(grid, "velocity", D, [&](const Index<D>& c, int axis) { return axis - 0.25 * grid.key(c); })};
-    write_vti<D>(folder / "image.vti", grid, arrays, {precision, 0.375});
+    write_vti<D>(folder / "image.vti", grid, arrays, {precision, 0.375, appended});
     const VtkContent content = read_vtk(folder / "image.vti");
     EXPECT_EQ(content.time, 0.375);
     EXPECT_EQ(content.cells, (D == 2 ? Eigen::Vector3i(3, 4, 0) : Eigen::Vector3i(3, 4, 5)));
@@ -70,17 +70,19 @@ std::string message_of(const std::filesystem::path& path)
 
 TEST(VtkReader, ImagesComeBackAsWritten)
 {
-    for (const VtkPrecision precision : {VtkPrecision::float64, VtkPrecision::float32}) {
-        check_image<2>(precision);
-        check_image<3>(precision);
-    }
+    for (const VtkPrecision precision : {VtkPrecision::float64, VtkPrecision::float32})
+        for (const bool appended : {false, true}) {
+            check_image<2>(precision, appended);
+            check_image<3>(precision, appended);
+        }
 }
 
-TEST(VtkReader, SurfacesComeBackAsWritten)
+void check_surfaces(bool appended)
 {
     const test::TemporaryFolder folder;
     write_vtp<2>(folder / "film.vtp",
-                 {{{0.1, 0.0}, {1.0, 0.2}, {0.5, 1.0 / 3}}, {{0, 1}, {1, 2}}, {{"thickness", 1, {1e-7, 0.25, -3}}}, {}});
+                 {{{0.1, 0.0}, {1.0, 0.2}, {0.5, 1.0 / 3}}, {{0, 1}, {1, 2}}, {{"thickness", 1, {1e-7, 0.25, -3}}}, {}},
+                 {{}, {}, appended});
     const VtkContent film = read_vtk(folder / "film.vtp");
     EXPECT_EQ(film.corners, 2);
     EXPECT_THAT(film.elements, ElementsAre(0, 1, 1, 2));
@@ -89,12 +91,18 @@ TEST(VtkReader, SurfacesComeBackAsWritten)
     EXPECT_FALSE(film.time);
 
     write_vtp<3>(folder / "body.vtp", {{{0, 0, 0}, {1, 0, 0.1}, {0, 1, 0}}, {{0, 2, 1}}, {}, {{"a <name>", 1, {7}}}},
-                 {{}, 2.0});
+                 {{}, 2.0, appended});
     const VtkContent body = read_vtk(folder / "body.vtp");
     EXPECT_EQ(body.corners, 3);
     EXPECT_THAT(body.elements, ElementsAre(0, 2, 1));
     EXPECT_THAT(body.cell_array("a <name>")->values, ElementsAre(7));
     EXPECT_EQ(body.time, 2.0);
+}
+
+TEST(VtkReader, SurfacesComeBackAsWritten)
+{
+    check_surfaces(false);
+    check_surfaces(true);
 }
 
 TEST(VtkReader, SurfacesWithoutElements)
@@ -121,4 +129,8 @@ TEST(VtkReader, RefusesWhatIsNotOurs)
     content.erase(content.find('\n', values) + 5, 8);
     const test::TemporaryFile damaged("damaged.vtp", content);
     EXPECT_THAT(message_of(damaged.path()), HasSubstr("damaged.vtp: array 'thickness' is damaged"));
+    write_vtp<2>(folder / "raw.vtp", {{{0, 0}, {1, 0}}, {{0, 1}}, {{"thickness", 1, {1, 2}}}, {}}, {{}, {}, true});
+    content = test::content_of(folder / "raw.vtp");
+    const test::TemporaryFile ends_early("early.vtp", content.substr(0, content.find('_', content.find("<AppendedData")) + 12));
+    EXPECT_THAT(message_of(ends_early.path()), HasSubstr("early.vtp: array 'thickness' is damaged"));
 }

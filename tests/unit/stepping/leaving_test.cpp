@@ -62,6 +62,81 @@ TEST(Leaving, BodiesThatEnterAreNotMentioned)
         EXPECT_TRUE(simulation.step(0.3).notes.empty());
 }
 
+// A light disk rises out of the top, another one stays below.
+Scene disk_that_rises()
+{
+    Scene scene = disk_below_open_top();
+    scene.gravity = {0, -1, 0};
+    scene.bodies[0].motion = BodyScene::Motion::free;
+    scene.bodies[0].density = 0.5;
+    BodyScene other = scene.bodies[0];
+    other.name = "other";
+    other.position = {0.3, 0.3, 0};
+    other.velocity = {0, 0, 0};
+    other.density = 1.5;
+    scene.bodies.push_back(other);
+    return scene;
+}
+
+TEST(Leaving, ARemovedBodyTakesItsMomentumAlongAndChangesNothingElse)
+{
+    Scene scene = disk_that_rises();
+    Simulation<2> kept(scene, Communicator());
+    scene.leaving = Scene::Leaving::remove;
+    Simulation<2> removed(scene, Communicator());
+    std::vector<std::string> notes;
+    bool leaving = false;
+    int after = 0;
+    double energy_then = 0;
+    while (after < 20) {
+        const StepReport report = removed.step(10);
+        kept.step(10);
+        leaving = leaving || report.leaving;
+        notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+        ASSERT_LT(removed.time(), 5);
+        after += removed.removed(0) ? 1 : 0;
+        EXPECT_LT(report.divergence_max, 1e-5);
+        const Budget<2> with = kept.budget(), without = removed.budget();
+        if (after == 0) {
+            ASSERT_EQ(kept.bodies()[1].twist, removed.bodies()[1].twist);
+        } else if (after == 1) { // the step that it left in
+            const RigidBody<2>& disk = kept.bodies()[0];
+            const Vec<2> momentum = disk.mass * disk.twist.head<2>();
+            const double energy =
+                0.5 * disk.mass * disk.twist.head<2>().squaredNorm() + 0.5 * disk.inertia(0) * disk.twist[2] * disk.twist[2];
+            EXPECT_NEAR((without.momentum + momentum - with.momentum).norm(), 0, 1e-14);
+            EXPECT_NEAR(without.energy_bodies + energy, with.energy_bodies, 1e-14);
+            EXPECT_EQ(without.energy_grid, with.energy_grid);
+            energy_then = without.energy_grid + without.energy_bodies;
+        } else {
+            EXPECT_LT(without.energy_grid + without.energy_bodies,
+                      1.01 * energy_then); // the other disk has reached its terminal speed
+        }
+    }
+    EXPECT_TRUE(leaving);
+    EXPECT_EQ(count(notes, "'disk' has left the domain at time"), 1);
+    EXPECT_EQ(count(notes, "is taken out of the scene"), 1);
+    EXPECT_FALSE(removed.removed(1));
+    EXPECT_EQ(removed.bodies()[0].twist.norm(), 0);
+}
+
+TEST(Leaving, ARemovedBodyStaysOutWhenTheRunGoesOn)
+{
+    Scene scene = disk_that_rises();
+    scene.leaving = Scene::Leaving::remove;
+    Simulation<2> whole(scene, Communicator());
+    while (!whole.removed(0))
+        whole.step(10);
+    Simulation<2> second(scene, Communicator(), whole.state());
+    EXPECT_TRUE(second.removed(0));
+    for (int i = 0; i < 5; ++i) {
+        whole.step(10);
+        second.step(10);
+    }
+    EXPECT_EQ(whole.bodies()[1].pose.position, second.bodies()[1].pose.position);
+    EXPECT_EQ(whole.bodies()[0].pose.position, second.bodies()[0].pose.position);
+}
+
 // A stream between two open sides comes from a reservoir that moves with it: nothing holds it up.
 TEST(Leaving, UniformStreamStays)
 {

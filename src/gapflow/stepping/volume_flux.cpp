@@ -1,0 +1,386 @@
+#include "gapflow/stepping/volume_flux.hpp"
+
+#include "gapflow/stepping/flooding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gapflow {
+
+namespace {
+
+/// Sums of one flux. What films carry is the same on every rank, the grid's share is each rank's own.
+struct Sums {
+    double in = 0, out = 0, film = 0, bodies = 0;
+
+    void add_fluid(double flux)
+    {
+        in += std::max(-flux, 0.0);
+        out += std::max(flux, 0.0);
+    }
+    void add_film(double flux)
+    {
+        add_fluid(flux);
+        film += flux;
+    }
+};
+
+VolumeFlux values_of(const Sums& grid, const Sums& films, const Communicator& comm)
+{
+    std::vector<double> sums{grid.in, grid.out, grid.film, grid.bodies};
+    comm.sum(sums);
+    VolumeFlux result;
+    result.inflow = sums[0] + films.in;
+    result.outflow = sums[1] + films.out;
+    result.flux = result.outflow - result.inflow;
+    result.film = sums[2] + films.film;
+    result.bodies = sums[3];
+    return result;
+}
+
+/// What passes single faces, and the film's flows.
+template <int D>
+class Flows {
+public:
+    Flows(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V)
+        : grid_(model.grid), here_(here), state_(state), V_(V), faces_(grid_, *here.clipper, here.solids, *here.fractions)
+    {
+    }
+
+    // Volume of solids that passes a face of this rank along its axis. Wholly solid faces away from surfaces have no parts stored.
+    double of_bodies(int axis, const Index<D>& f)
+    {
+        const FaceFractions<D>& fractions = *here_.fractions;
+        double sum = 0;
+        const auto add = [&](int solid, double area, const Vec<D>& arm) {
+            if (!here_.solids[solid].wall)
+                sum += area * velocity_at<D>(V_[solid], arm)[axis];
+        };
+        if (const int cut = fractions.cut(axis, f); cut >= 0) {
+            for (const SolidPart<D>& part : fractions.faces[cut].solid)
+                add(part.solid, part.fraction * grid_.face_area(), part.arm);
+        } else if (fractions.open(axis, f) <= 0) {
+            const Vec<D> x = grid_.face_centre(axis, f);
+            here_.clipper->near(x, grid_.dx(), near_);
+            const Image<D>* deepest = nullptr;
+            double least = 0;
+            for (const int image : near_) {
+                const Image<D>& candidate = here_.clipper->images()[image];
+                if (const double distance = candidate.shape.distance(x); distance < least) {
+                    least = distance;
+                    deepest = &candidate;
+                }
+            }
+            if (deepest)
+                add(deepest->solid, grid_.face_area(), x - here_.solids[deepest->solid].centre - deepest->shift);
+        }
+        return sum;
+    }
+
+    // Of the grid's own fluid through a face.
+    double of_grid(int axis, const Index<D>& f) const
+    {
+        return here_.open(axis, f) * state_.velocity.grid(axis, f) * grid_.face_area();
+    }
+
+    // A face that a film closes: its fluid moves with the film's master there, and relative to it through the film's elements.
+    double with_master(int axis, const Index<D>& f) const
+    {
+        const FilmNetwork<D>& network = here_.network;
+        if (network.cells.closed.empty())
+            return 0;
+        const int* film = network.cells.closed.find(faces_.key(axis, f));
+        const double open = film ? here_.fractions->open(axis, f) : 0.0;
+        if (open <= 0)
+            return 0;
+        const int master = network.films[*film].mesh.master;
+        const Vec<D> arm = grid_.nearest_image(faces_.open_centroid(axis, f) - here_.solids[master].centre);
+        return open * grid_.face_area() * velocity_at<D>(V_[master], arm)[axis];
+    }
+
+    // Middle of the open part of a face, and half of the width that this part has along the face's own axes.
+    std::pair<Vec<D>, double> open_part(int axis, const Index<D>& f) const
+    {
+        const FaceFractions<D>& fractions = *here_.fractions;
+        const int cut = fractions.cut(axis, f);
+        if (cut < 0)
+            return {grid_.face_centre(axis, f), 0.5 * grid_.dx()};
+        return {fractions.faces[cut].open_centroid, 0.5 * grid_.dx() * std::pow(fractions.open(axis, f), 1.0 / (D - 1))};
+    }
+
+    double of_joint(const Link& link) const
+    {
+        double drop = 0;
+        for (const auto& [node, weight] : link.nodes)
+            drop += weight * state_.pressure.impulse.nodes[node];
+        return link.conductance * drop;
+    }
+
+    const Grid<D>& grid() const { return grid_; }
+    const Coupling<D>& here() const { return here_; }
+    const State<D>& state() const { return state_; }
+    const std::vector<Twist<D>>& twists() const { return V_; }
+
+private:
+    const Grid<D>& grid_;
+    const Coupling<D>& here_;
+    const State<D>& state_;
+    const std::vector<Twist<D>>& V_;
+    FaceCache<D> faces_;
+    std::vector<int> near_;
+};
+
+// Faces of the side, and the films that end on it.
+template <int D>
+VolumeFlux through_side(Flows<D>& flows, int side)
+{
+    const Grid<D>& grid = flows.grid();
+    const int axis = side / 2, end = side % 2, sign = 2 * end - 1;
+    Index<D> low = grid.low(), high = grid.high();
+    Sums own, films;
+    if (end ? high[axis] == grid.cells()[axis] : low[axis] == 0) {
+        low[axis] = end * grid.cells()[axis];
+        high[axis] = low[axis] + 1;
+        for_each_index<D>(low, high, [&](const Index<D>& f) {
+            const Index<D> inner = end ? Index<D>(f - step<D>(axis)) : f;
+            if (static_cast<CellKind>(flows.here().kind(inner)) != CellKind::film)
+                own.add_fluid(sign * flows.of_grid(axis, f));
+            own.bodies += sign * flows.of_bodies(axis, f);
+        });
+    }
+    const std::vector<Mouth<D>>& mouths = flows.here().network.rim.mouths;
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
+        const double distance = std::abs(mouths[r].x[axis] - grid.origin()[axis] - end * grid.size()[axis]);
+        if (mouths[r].cells.empty() && distance < 0.5 * grid.dx() && sign * mouths[r].outward[axis] > 0)
+            films.add_film(flows.state().velocity.mouth[r]);
+    }
+    return values_of(own, films, grid.comm());
+}
+
+/// A plane, or the part of it in a box.
+template <int D>
+class PlanePart {
+public:
+    PlanePart(const Grid<D>& grid, const FluxScene& scene)
+        : grid_(grid), point_(scene.point.data()), normal_(scene.normal.data()),
+          width_(grid.dx() * normal_.template lpNorm<1>())
+    {
+        low_.setConstant(-std::numeric_limits<double>::infinity());
+        high_ = -low_;
+        for (int axis = 0; axis < D; ++axis) {
+            if (std::abs(normal_[axis]) > 1 - 1e-12)
+                axis_ = axis;
+            else if (scene.low && scene.high) {
+                low_[axis] = (*scene.low)[axis];
+                high_[axis] = (*scene.high)[axis];
+            }
+        }
+    }
+
+    double reach() const { return width_; }
+    const Vec<D>& normal() const { return normal_; }
+    /// From the plane's point to x; of a plane normal to a periodic axis to the nearest image of x.
+    Vec<D> way(const Vec<D>& x) const
+    {
+        Vec<D> way = x - point_;
+        if (axis_ >= 0 && grid_.periodic(axis_))
+            way[axis_] = grid_.nearest_image(way)[axis_];
+        return way;
+    }
+    double height(const Vec<D>& way) const { return normal_.dot(way); }
+    double ramp(double height) const { return std::clamp(height / width_ + 0.5, 0.0, 1.0); }
+    /// Change of the ramp from one side of a face at a place to the other.
+    double across(int axis, const Vec<D>& way) const
+    {
+        const double middle = height(way), half = 0.5 * grid_.dx() * normal_[axis];
+        return ramp(middle + half) - ramp(middle - half);
+    }
+    /// The share in the box of a part of a face, so wide around its middle.
+    double share(int face_axis, const Vec<D>& way, double half) const
+    {
+        const Vec<D> x = point_ + way;
+        double share = 1;
+        for (int axis = 0; axis < D; ++axis)
+            if (axis == face_axis || half <= 0)
+                share *= x[axis] >= low_[axis] && x[axis] <= high_[axis] ? 1.0 : 0.0;
+            else
+                share *=
+                    std::max(std::min(x[axis] + half, high_[axis]) - std::max(x[axis] - half, low_[axis]), 0.0) / (2 * half);
+        return share;
+    }
+    bool holds(const Vec<D>& way) const
+    {
+        const Vec<D> x = point_ + way;
+        return (x.array() >= low_.array()).all() && (x.array() <= high_.array()).all();
+    }
+
+private:
+    const Grid<D>& grid_;
+    Vec<D> point_, normal_, low_, high_;
+    double width_;
+    int axis_ = -1; ///< that it is normal to
+};
+
+// Flows of films through a plane; the same on every rank.
+template <int D>
+Sums films_through(const Flows<D>& flows, const PlanePart<D>& plane)
+{
+    const Coupling<D>& here = flows.here();
+    const FilmNetwork<D>& network = here.network;
+    const std::vector<Twist<D>>& V = flows.twists();
+    Sums sums;
+    const auto ramp_at = [&](const Vec<D>& way) { return plane.ramp(plane.height(way)); };
+    for (const Film<D>& film : network.films) {
+        const FilmMesh<D>& mesh = film.mesh;
+        for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = mesh.elements[e];
+            const Vec<D> middle = plane.way(element.centroid);
+            if (std::abs(plane.height(middle)) > plane.reach() + 2 * flows.grid().dx() || !plane.holds(middle))
+                continue;
+            const Vec<D> u = flows.state().velocity.film[film.first_element + e] -
+                             velocity_at<D>(V[mesh.master], element.centroid - here.solids[mesh.master].centre);
+            double flux = 0;
+            for (int i = 0; i < D; ++i)
+                flux += element.volume * u.dot(element.gradient[i]) *
+                        ramp_at(middle + mesh.mid[element.nodes[i]] - element.centroid);
+            sums.add_film(flux);
+        }
+    }
+    const std::vector<Mouth<D>>& mouths = network.rim.mouths;
+    const auto place_of = [&](int node) { // among all film nodes
+        const auto film = std::upper_bound(network.films.begin(), network.films.end(), node,
+                                           [](int n, const Film<D>& f) { return n < f.first_node; }) -
+                          1;
+        return film->mesh.mid[node - film->first_node];
+    };
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
+        const Mouth<D>& mouth = mouths[r];
+        const Vec<D> middle = plane.way(mouth.x);
+        if (std::abs(plane.height(middle)) > plane.reach() + 4 * flows.grid().dx() || !plane.holds(middle))
+            continue;
+        double beyond = mouth.cells.empty() ? ramp_at(middle + 0.5 * flows.grid().dx() * mouth.outward) : 0.0, within = 0;
+        for (const auto& [key, weight] : mouth.cells)
+            beyond +=
+                weight *
+                ramp_at(middle + flows.grid().nearest_image(flows.grid().cell_centre(flows.grid().cell_of_key(key)) - mouth.x));
+        for (int i = 0; i < D - 1; ++i)
+            within += mouth.shape[i] * ramp_at(middle + place_of(mouth.nodes[i]) - mouth.x);
+        sums.add_film((flows.state().velocity.mouth[r] - carried_flux<D>(here, mouth, V)) * (beyond - within));
+    }
+    for (std::size_t r = mouths.size(); r < here.system.links.size(); ++r) {
+        const Link& link = here.system.links[r];
+        const Vec<D> first = place_of(link.nodes.front().first), middle = plane.way(first);
+        if (std::abs(plane.height(middle)) > plane.reach() + 4 * flows.grid().dx() || !plane.holds(middle))
+            continue;
+        double change = 0;
+        for (const auto& [node, weight] : link.nodes)
+            change -= weight * ramp_at(middle + flows.grid().nearest_image(place_of(node) - first));
+        sums.add_film(flows.of_joint(link) * change);
+    }
+    return sums;
+}
+
+template <int D>
+VolumeFlux through_plane(Flows<D>& flows, const PlanePart<D>& plane)
+{
+    const Grid<D>& grid = flows.grid();
+    Sums own;
+    for (int axis = 0; axis < D; ++axis) {
+        if (plane.normal()[axis] == 0)
+            continue;
+        const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
+        for_each_row<D>(low, end, [&](const Index<D>& row) {
+            // Heights are linear along a row, but for a jump to the next image.
+            const double slope = grid.dx() * std::abs(plane.normal()[0]);
+            Index<D> f = row;
+            while (f[0] < end[0]) {
+                const Vec<D> way = plane.way(grid.face_centre(axis, f));
+                const double beyond = std::abs(plane.height(way)) - plane.reach();
+                if (beyond > 0) {
+                    f[0] = slope > 0 ? f[0] + std::max(1, static_cast<int>(std::min(beyond / slope, 1e9))) : end[0];
+                    continue;
+                }
+                if (const double change = plane.across(axis, way); change != 0) {
+                    const auto [middle, half] = flows.open_part(axis, f);
+                    const double open_share = change * plane.share(axis, plane.way(middle), half);
+                    own.add_fluid(open_share * flows.of_grid(axis, f));
+                    own.add_film(open_share * flows.with_master(axis, f));
+                    own.bodies += change * plane.share(axis, way, 0.5 * grid.dx()) * flows.of_bodies(axis, f);
+                }
+                ++f[0];
+            }
+        });
+    }
+    return values_of(own, films_through(flows, plane), grid.comm());
+}
+
+// All mouths of a pair's films, and the joints that lead to films of other pairs.
+template <int D>
+VolumeFlux through_gap(const Flows<D>& flows, const std::array<std::string, 2>& bodies)
+{
+    const Coupling<D>& here = flows.here();
+    const FilmNetwork<D>& network = here.network;
+    std::vector<char> of_pair; // nodes
+    bool any = false;
+    for (const Film<D>& film : network.films) {
+        const std::string &a = here.solids[film.mesh.master].name, &b = here.solids[film.mesh.other].name;
+        const bool own = (a == bodies[0] && b == bodies[1]) || (a == bodies[1] && b == bodies[0]);
+        any = any || own;
+        of_pair.insert(of_pair.end(), film.mesh.mid.size(), own);
+    }
+    VolumeFlux result;
+    if (!any) {
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        return {none, none, none, none, none};
+    }
+    Sums sums;
+    const std::vector<Mouth<D>>& mouths = network.rim.mouths;
+    for (std::size_t r = 0; r < mouths.size(); ++r)
+        if (of_pair[mouths[r].nodes[0]])
+            sums.add_fluid(flows.state().velocity.mouth[r]);
+    for (std::size_t r = mouths.size(); r < here.system.links.size(); ++r) {
+        const Link& link = here.system.links[r]; // its flow leaves the nodes of positive weight
+        int inside = 0, count = 0;
+        double sign = 0;
+        for (const auto& [node, weight] : link.nodes) {
+            ++count;
+            inside += of_pair[node];
+            sign += of_pair[node] ? weight : 0.0;
+        }
+        if (inside > 0 && inside < count)
+            sums.add_fluid((sign > 0 ? 1 : -1) * flows.of_joint(link));
+    }
+    result.inflow = sums.in;
+    result.outflow = sums.out;
+    result.flux = result.film = 0.5 * (sums.in + sums.out);
+    return result;
+}
+
+} // namespace
+
+template <int D>
+VolumeFlux volume_flux(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
+                       const FluxScene& through)
+{
+    Flows<D> flows(model, here, state, V);
+    switch (through.kind) {
+    case FluxScene::Kind::side:
+        return through_side(flows, through.side);
+    case FluxScene::Kind::plane:
+        return through_plane(flows, PlanePart<D>(model.grid, through));
+    case FluxScene::Kind::gap:
+        break;
+    }
+    return through_gap(flows, through.bodies);
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template VolumeFlux volume_flux<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&,     \
+                                       const FluxScene&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,30 @@
+// Volume flux through a side of the domain, a plane or the mouths of a gap. Reads the state, never changes it.
+//
+// A plane is taken as the ramp psi = H((x - p) . n), from 0 to 1 over a cell, and the flux through it as
+//
+//     Q = sum over all flows from a to b of q (psi_b - psi_a)
+//
+// over the grid's faces (a, b: cells), film elements (nodes), mouths and joints. Where no unknown's volume changes, the sum by parts gives the
+// same Q for every plane between two others without a source: the flux of fluid and bodies together does not depend on where between
+// the grid's faces the plane lies. For planes normal to an axis this is the flux through the grid's planes of faces, linear between them.
+#pragma once
+
+#include "gapflow/stepping/state.hpp"
+
+namespace gapflow {
+
+struct VolumeFlux {
+    double flux =
+        0; ///< of fluid: out of the domain, along the plane's normal, or through a gap: half of what enters and leaves
+    double film = 0;    ///< the part of it in films
+    double bodies = 0;  ///< volume of bodies that passes the side or plane
+    double inflow = 0;  ///< of fluid against that direction, or into a gap
+    double outflow = 0; ///< along it, or out of a gap; of a side or plane `flux` is outflow - inflow
+};
+
+/// At the end of the last step. NaN for a gap that has no film. `V`: twists of all solids. Collective.
+template <int D>
+VolumeFlux volume_flux(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
+                       const FluxScene& through);
+
+} // namespace gapflow
