@@ -35,6 +35,22 @@ using SceneReader = std::function<Scene(const std::vector<std::pair<std::string,
 /// folder; prints errors and observed orders and writes converge.csv and converge.json there. Collective.
 int converge_command(const SceneReader& read, const ConvergeOptions& options);
 
+struct SweepOptions {
+    std::string scene;                   ///< file
+    std::vector<std::string> sets;       ///< "key=value" for all runs
+    std::vector<std::string> vary;       ///< "key=VALUES" (variation.hpp)
+    bool zip = false;                    ///< the first values of all keys together, then the second ones ...
+    int jobs = 0;                        ///< processes at once; 0: the machine's cores
+    std::vector<std::string> quantities; ///< as ConvergeOptions; empty: key_quantities()
+    std::string window;                  ///< "from,to" of means and extremes; empty: the whole run
+    bool quiet = false;
+    std::vector<std::string> environment; ///< of the runs' processes, "NAME=value"
+};
+
+/// Runs the scene with every combination of values, each in a process and a folder run_NNN of the output folder; writes sweep.csv there and
+/// prints a summary. Runs that are done there already are kept. Not on several ranks.
+int sweep_command(const SceneReader& read, const SweepOptions& options);
+
 /// Prints a summary of a valid scene and its cost. Collective.
 int check_command(const Scene& scene);
 

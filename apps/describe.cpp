@@ -145,7 +145,7 @@ std::string value_kind(const CLI::Option& option)
         return "folder";
     if (type.starts_with("FILE"))
         return "file";
-    return type == "key=value" ? "key" : "";
+    return type.starts_with("key=") ? "key" : "";
 }
 
 std::string bash(const CLI::App& app)
