@@ -58,13 +58,13 @@ int check_command(const Scene& scene);
 int added_mass_command(const Scene& scene, bool json);
 
 struct ReportOptions {
-    std::string directory; ///< of the run
-    std::string page;      ///< empty: report.html in the run's folder
-    bool png = false;      ///< key frames as PNG in the run's folder frames/ instead of a page
+    std::vector<std::string> folders; ///< of runs, or of a sweep
+    std::string page; ///< empty: report.html in the run's or the sweep's folder, comparison.html here for several runs
+    bool png = false; ///< key frames as PNG in the run's folder frames/ instead of a page
     bool quiet = false;
 };
 
-/// Writes a page or pictures of a run from its files. Only the root works. Collective.
+/// Writes a page or pictures of a run, or a page of several runs, from their files. Only the root works. Collective.
 int report_command(const ReportOptions& options);
 
 } // namespace gapflow

@@ -58,7 +58,7 @@ std::string synopsis_of(const CLI::App& command)
     for (const CLI::Option* option : options_of(command)) {
         const std::string value = option->get_type_name();
         if (option->get_positional()) {
-            text += " " + value;
+            text += " " + value + (option->get_expected_max() > 1 ? "..." : "");
             continue;
         }
         const std::string word = words_of(*option).back() + (takes_value(*option) ? " " + value : "");

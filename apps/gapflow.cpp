@@ -247,10 +247,17 @@ void add_keys_and_generate(const CommandLine& line)
 void add_report(const CommandLine& line)
 {
     Arguments& arguments = line.arguments;
-    CLI::App* report = line.add("report", "One HTML page of a run, with plots and a view to play; or pictures of it",
-                                [&arguments] { return report_command(arguments.report); });
-    report->add_option("directory", arguments.report.directory, "Folder of the run")->required()->type_name("DIR");
-    CLI::Option* page = report->add_option("-o,--output", arguments.report.page, "The page, instead of DIR/report.html")
+    CLI::App* report = line.add(
+        "report", "One HTML page of a run, or of several beside each other, with plots and a view to play; or pictures",
+        [&arguments] { return report_command(arguments.report); });
+    report
+        ->add_option("directory", arguments.report.folders,
+                     "Folder of a run or of a sweep; several runs: one page to compare them")
+        ->required()
+        ->type_name("DIR");
+    CLI::Option* page = report
+                            ->add_option("-o,--output", arguments.report.page,
+                                         "The page, instead of DIR/report.html, or comparison.html of several runs")
                             ->type_name("FILE.html");
     report->add_flag("-q,--quiet", arguments.report.quiet, "Only warnings and errors");
     report->add_flag("--png", arguments.report.png, "Key frames as pictures DIR/frames/*.png instead of a page")
