@@ -36,6 +36,22 @@ using SceneReader = std::function<Scene(const std::vector<std::pair<std::string,
 /// folder; prints errors and observed orders and writes converge.csv and converge.json there. Collective.
 int converge_command(const SceneReader& read, const ConvergeOptions& options);
 
+struct SweepOptions {
+    std::string scene;                   ///< file
+    std::vector<std::string> sets;       ///< "key=value" for all runs
+    std::vector<std::string> vary;       ///< "key=VALUES" (variation.hpp)
+    bool zip = false;                    ///< the first values of all keys together, then the second ones ...
+    int jobs = 0;                        ///< processes at once; 0: the machine's cores
+    std::vector<std::string> quantities; ///< as ConvergeOptions; empty: key_quantities()
+    std::string window;                  ///< "from,to" of means and extremes; empty: the whole run
+    bool quiet = false;
+    std::vector<std::string> environment; ///< of the runs' processes, "NAME=value"
+};
+
+/// Runs the scene with every combination of values, each in a process and a folder run_NNN of the output folder; writes sweep.csv there and
+/// prints a summary. Runs that are done there already are kept. Not on several ranks.
+int sweep_command(const SceneReader& read, const SweepOptions& options);
+
 /// Prints a summary of a valid scene and its cost. Collective.
 int check_command(const Scene& scene);
 
@@ -43,13 +59,13 @@ int check_command(const Scene& scene);
 int added_mass_command(const Scene& scene, bool json);
 
 struct ReportOptions {
-    std::string directory; ///< of the run
-    std::string page;      ///< empty: report.html in the run's folder
-    bool png = false;      ///< key frames as PNG in the run's folder frames/ instead of a page
+    std::vector<std::string> folders; ///< of runs, or of a sweep
+    std::string page; ///< empty: report.html in the run's or the sweep's folder, comparison.html here for several runs
+    bool png = false; ///< key frames as PNG in the run's folder frames/ instead of a page
     bool quiet = false;
 };
 
-/// Writes a page or pictures of a run from its files. Only the root works. Collective.
+/// Writes a page or pictures of a run, or a page of several runs, from their files. Only the root works. Collective.
 int report_command(const ReportOptions& options);
 
 } // namespace gapflow

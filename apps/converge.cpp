@@ -7,6 +7,7 @@
 #include "gapflow/output/columns.hpp"
 #include "gapflow/output/convergence.hpp"
 #include "gapflow/output/file.hpp"
+#include "gapflow/output/quantity.hpp"
 #include "gapflow/stepping/setup.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
 
@@ -20,22 +21,11 @@ namespace gapflow {
 
 namespace {
 
-/// Of a run, "body.column" of bodies.csv or "a-b.column" of gaps.csv.
-struct Quantity {
-    std::string name, column;
-    std::string body, other; ///< other: of a gap, else empty
-    std::string reference;   ///< column of the reference file, empty: the finest run
+/// A quantity and the reference's column that it is compared with.
+struct Compared {
+    Quantity quantity;
+    std::string reference; ///< empty: the finest run
 };
-
-/// The columns of gaps.csv that are real numbers.
-std::vector<std::string> real_gap_columns()
-{
-    std::vector<std::string> names;
-    for (const Column<GapState>& column : gap_columns())
-        if (std::holds_alternative<double GapState::*>(column.member))
-            names.emplace_back(column.name);
-    return names;
-}
 
 std::vector<int> grids_of(const std::string& list, const Scene& scene)
 {
@@ -59,60 +49,10 @@ std::vector<int> grids_of(const std::string& list, const Scene& scene)
     return grids;
 }
 
-TimeWindow window_of(const std::string& text, const Scene& scene)
-{
-    if (text.empty())
-        return {0, scene.end};
-    const auto parts = split(text, ',');
-    const auto from = parse_number(parts[0]), to = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
-    if (!from || !to || !(*from >= 0 && *from < *to && *to <= scene.end))
-        throw InputError("--window " + text +
-                         ": two times FROM,TO are needed, 0 <= FROM < TO <= time.end = " + number_text(scene.end));
-    return {*from, *to};
-}
-
-/// The quantity of a name; throws InputError that lists the available ones.
-Quantity quantity_of(const std::string& name, const Scene& scene)
-{
-    std::vector<std::string> bodies;
-    for (const BodyScene& body : scene.bodies)
-        bodies.push_back(body.name);
-    std::vector<std::string> solids = bodies;
-    for (int side = 0; side < 2 * scene.dimension; ++side)
-        solids.push_back("wall:" + side_names[side]);
-    const auto dot = name.rfind('.');
-    const std::string owner = name.substr(0, dot), column = dot == std::string::npos ? "" : name.substr(dot + 1);
-    const auto has = [](const std::vector<std::string>& list, const std::string& text) {
-        return std::find(list.begin(), list.end(), text) != list.end();
-    };
-    const auto check_column = [&](const std::vector<std::string>& columns) {
-        if (has(columns, column))
-            return;
-        const std::string near = nearest_name(column, columns);
-        throw InputError("quantity " + name + ": there is no '" + column + "'" +
-                         (near.empty() ? "" : ", did you mean '" + near + "'?") + "; choose from " + joined(columns));
-    };
-    if (dot != std::string::npos && has(bodies, owner)) {
-        check_column(body_columns(scene.dimension).all());
-        return {name, column, owner, "", ""};
-    }
-    for (const std::string& a : solids)
-        for (const std::string& b : solids)
-            if (a != b && owner == a + "-" + b) {
-                check_column(real_gap_columns());
-                return {name, column, a, b, ""};
-            }
-    const std::string near = nearest_name(owner, bodies);
-    throw InputError(
-        "quantity " + name + ": no body and no gap is named '" + owner + "'" +
-        (near.empty() ? "" : ", did you mean '" + near + "." + column + "'?") +
-        "; write BODY.COLUMN, as upper.y, or BODY-BODY.COLUMN, as lower-upper.thickness; the bodies are: " + joined(bodies));
-}
-
 /// Positions and velocities of the free bodies.
-std::vector<Quantity> default_quantities(const Scene& scene)
+std::vector<Compared> default_quantities(const Scene& scene)
 {
-    std::vector<Quantity> all;
+    std::vector<Compared> all;
     const BodyColumns of_body = body_columns(scene.dimension);
     std::vector<std::string> columns = of_body.position;
     if (scene.dimension == 2)
@@ -121,7 +61,7 @@ std::vector<Quantity> default_quantities(const Scene& scene)
     for (const BodyScene& body : scene.bodies)
         if (body.motion == BodyScene::Motion::free)
             for (const std::string& column : columns)
-                all.push_back(quantity_of(body.name + "." + column, scene));
+                all.push_back({quantity_of(body.name + "." + column, scene), ""});
     if (all.empty())
         throw InputError(scene.file + ": no body is free; choose what to compare with --quantity BODY.COLUMN");
     return all;
@@ -136,11 +76,11 @@ std::string time_column(const CsvTable& table)
 }
 
 /// Quantities to compare, with the reference's columns: those of --column; else columns that have the quantities' names.
-std::vector<Quantity> choose_quantities(const Scene& scene, const ConvergeOptions& options, const CsvTable* reference)
+std::vector<Compared> choose_quantities(const Scene& scene, const ConvergeOptions& options, const CsvTable* reference)
 {
-    std::vector<Quantity> chosen;
+    std::vector<Compared> chosen;
     for (const std::string& name : options.quantities)
-        chosen.push_back(quantity_of(name, scene));
+        chosen.push_back({quantity_of(name, scene), ""});
     for (const std::string& mapping : options.columns) {
         const auto equals = mapping.find('=');
         if (equals == std::string::npos || equals == 0 || equals + 1 == mapping.size())
@@ -149,9 +89,9 @@ std::vector<Quantity> choose_quantities(const Scene& scene, const ConvergeOption
             throw InputError("--column " + mapping + ": columns are those of a reference file; add --reference FILE.csv");
         const std::string name = mapping.substr(0, equals), column = mapping.substr(equals + 1);
         reference->column(column); // throws where there is none
-        auto known = std::find_if(chosen.begin(), chosen.end(), [&](const Quantity& q) { return q.name == name; });
+        auto known = std::find_if(chosen.begin(), chosen.end(), [&](const Compared& q) { return q.quantity.name == name; });
         if (known == chosen.end())
-            known = chosen.insert(chosen.end(), quantity_of(name, scene));
+            known = chosen.insert(chosen.end(), {quantity_of(name, scene), ""});
         known->reference = column;
     }
     const bool asked = !chosen.empty();
@@ -159,20 +99,22 @@ std::vector<Quantity> choose_quantities(const Scene& scene, const ConvergeOption
         chosen = default_quantities(scene);
     if (!reference)
         return chosen;
-    std::vector<Quantity> found;
-    for (Quantity& q : chosen) {
-        const bool there = std::find(reference->names.begin(), reference->names.end(), q.name) != reference->names.end();
+    std::vector<Compared> found;
+    for (Compared& q : chosen) {
+        const bool there =
+            std::find(reference->names.begin(), reference->names.end(), q.quantity.name) != reference->names.end();
         if (q.reference.empty() && there)
-            q.reference = q.name;
+            q.reference = q.quantity.name;
         if (!q.reference.empty())
             found.push_back(q);
         else if (asked)
-            throw InputError(reference->file + ": has no column '" + q.name + "'; name one with --column " + q.name +
-                             "=NAME; its columns are: " + joined(reference->names));
+            throw InputError(reference->file + ": has no column '" + q.quantity.name + "'; name one with --column " +
+                             q.quantity.name + "=NAME; its columns are: " + joined(reference->names));
     }
     if (found.empty())
-        throw InputError(reference->file + ": no column is named like a quantity of the scene (as " + chosen[0].name +
-                         "); name one with --column " + chosen[0].name + "=NAME; its columns are: " + joined(reference->names));
+        throw InputError(reference->file + ": no column is named like a quantity of the scene (as " + chosen[0].quantity.name +
+                         "); name one with --column " + chosen[0].quantity.name +
+                         "=NAME; its columns are: " + joined(reference->names));
     return found;
 }
 
@@ -194,18 +136,47 @@ Series series_of(const Quantity& q, const CsvTable& bodies, const CsvTable& gaps
     return series;
 }
 
-void read_run(const std::vector<Quantity>& quantities, Run& run)
+void read_run(const std::vector<Compared>& quantities, Run& run)
 {
     const CsvTable bodies = read_csv(run.folder + "/bodies.csv"), steps = read_csv(run.folder + "/steps.csv");
     run.steps = static_cast<long>(steps.rows.size()) - 1;
-    const bool any_gap = std::any_of(quantities.begin(), quantities.end(), [](const Quantity& q) { return !q.other.empty(); });
+    const bool any_gap =
+        std::any_of(quantities.begin(), quantities.end(), [](const Compared& q) { return !q.quantity.other.empty(); });
     const CsvTable gaps = any_gap ? read_csv(run.folder + "/gaps.csv") : CsvTable{};
-    for (const Quantity& q : quantities)
-        run.series.push_back(series_of(q, bodies, gaps));
+    for (const Compared& q : quantities)
+        run.series.push_back(series_of(q.quantity, bodies, gaps));
+}
+
+/// What a quantity's end, mean, smallest and largest value approach. Those that are the same number on every grid as one before, as the end of
+/// a quantity that only grows, are told of once.
+void add_limits(std::size_t number, const std::vector<Run>& runs, ConvergenceOf& result)
+{
+    std::vector<double> spacings;
+    std::vector<std::pair<std::string, std::vector<double>>> all;
+    for (const Run& run : runs) {
+        result.grids.push_back(run.cells);
+        spacings.push_back(run.spacing);
+        const auto of_run = numbers_of(run.series[number], result.window);
+        for (std::size_t k = 0; k < of_run.size(); ++k) {
+            if (all.size() <= k)
+                all.emplace_back(of_run[k].first, std::vector<double>());
+            all[k].second.push_back(of_run[k].second);
+        }
+    }
+    const double least = 1e-9 * result.range; // solver tolerance
+    for (const auto& [of, values] : all) {
+        const bool told =
+            std::any_of(result.limits.begin(), result.limits.end(), [&](const Limit& l) { return l.values == values; });
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        if (told || *high - *low <= least)
+            continue;
+        result.limits.push_back(limit_of(spacings, values, least));
+        result.limits.back().of = of;
+    }
 }
 
 /// Errors of one quantity. An empty result: it does not change, so that there is nothing to divide by.
-std::optional<ConvergenceOf> compare(std::size_t number, const Quantity& q, const std::vector<Run>& runs,
+std::optional<ConvergenceOf> compare(std::size_t number, const Compared& q, const std::vector<Run>& runs,
                                      const CsvTable* reference_file, TimeWindow window)
 {
     const bool finest = !reference_file;
@@ -222,12 +193,12 @@ std::optional<ConvergenceOf> compare(std::size_t number, const Quantity& q, cons
         const auto inside = std::count_if(series->time.begin(), series->time.end(),
                                           [&](double t) { return t >= window.from && t <= window.to; });
         if (inside < 2 && series != &reference)
-            throw InputError("quantity " + q.name + ": a run and its reference share no two times within " +
+            throw InputError("quantity " + q.quantity.name + ": a run and its reference share no two times within " +
                              number_text(window.from) + " ... " + number_text(window.to) +
                              "; choose another quantity, or another --window FROM,TO");
     }
     ConvergenceOf result;
-    result.quantity = q.name;
+    result.quantity = q.quantity.name;
     result.reference =
         finest ? fmt::format("the run with {} cells", runs.back().cells) : reference_file->file + ", column " + q.reference;
     result.window = window;
@@ -245,6 +216,7 @@ std::optional<ConvergenceOf> compare(std::size_t number, const Quantity& q, cons
         result.rows.push_back({runs[r].cells, runs[r].spacing, runs[r].steps, error, {}, {}});
     }
     find_orders(result, finest ? runs.back().spacing : 0.0);
+    add_limits(number, runs, result);
     return result;
 }
 
@@ -256,14 +228,14 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
     const Logger log(comm, options.quiet);
     const Scene scene = read({});
     const std::vector<int> grids = grids_of(options.cells, scene);
-    const TimeWindow window = window_of(options.window, scene);
+    const TimeWindow window = options.window.empty() ? TimeWindow{0, scene.end} : window_of(options.window, scene.end);
     std::optional<CsvTable> reference;
     if (!options.reference.empty()) {
         reference = read_csv(options.reference);
         time_column(*reference);
     }
     const CsvTable* reference_file = reference ? &*reference : nullptr;
-    const std::vector<Quantity> quantities = choose_quantities(scene, options, reference_file);
+    const std::vector<Compared> quantities = choose_quantities(scene, options, reference_file);
 
     // All scenes first: a value out of range is reported before anything runs.
     std::vector<Scene> scenes;
@@ -298,7 +270,7 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
             if (result)
                 all.push_back(std::move(*result));
             else
-                still.push_back(quantities[i].name);
+                still.push_back(quantities[i].quantity.name);
         }
         if (!still.empty())
             log.info("left out, as the reference does not change: " + joined(still));
@@ -306,10 +278,11 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
             throw InputError("nothing to compare: none of the quantities changes within the window; choose others with "
                              "--quantity, or another --window FROM,TO");
         write_atomically(scene.output_directory + "/converge.csv", convergence_csv(all));
+        write_atomically(scene.output_directory + "/converge_limits.csv", limits_csv(all));
         write_atomically(scene.output_directory + "/converge.json", convergence_json(all));
         std::fputs(convergence_text(all).c_str(), stdout);
         std::fflush(stdout); // before what goes to the log, where both go to one file
-        log.info(fmt::format("files: {0}/converge.csv, {0}/converge.json", scene.output_directory));
+        log.info(fmt::format("files: {0}/converge.csv, {0}/converge_limits.csv, {0}/converge.json", scene.output_directory));
     });
     return 0;
 }

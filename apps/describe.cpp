@@ -58,7 +58,7 @@ std::string synopsis_of(const CLI::App& command)
     for (const CLI::Option* option : options_of(command)) {
         const std::string value = option->get_type_name();
         if (option->get_positional()) {
-            text += " " + value;
+            text += " " + value + (option->get_expected_max() > 1 ? "..." : "");
             continue;
         }
         const std::string word = words_of(*option).back() + (takes_value(*option) ? " " + value : "");
@@ -145,7 +145,7 @@ std::string value_kind(const CLI::Option& option)
         return "folder";
     if (type.starts_with("FILE"))
         return "file";
-    return type == "key=value" ? "key" : "";
+    return type.starts_with("key=") ? "key" : "";
 }
 
 std::string bash(const CLI::App& app)

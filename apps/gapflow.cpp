@@ -1,4 +1,5 @@
 // The command `gapflow`: reads the command line, maps errors to exit statuses (0 done, 1 failed, 2 bad usage or scene).
+#include "child_process.hpp"
 #include "commands.hpp"
 #include "describe.hpp"
 
@@ -24,6 +25,7 @@ struct Arguments {
     std::string scene, directory, resume, table, kind;
     std::vector<std::string> sets;
     ConvergeOptions converge;
+    SweepOptions sweep;
     ReportOptions report;
     bool quiet = false, json = false, names = false, force = false;
 };
@@ -64,6 +66,15 @@ int converge(Arguments& arguments)
 {
     arguments.converge.quiet = arguments.quiet;
     return converge_command([&](const Overrides& more) { return scene_of(arguments, Purpose::run, more); }, arguments.converge);
+}
+
+int sweep(Arguments& arguments)
+{
+    SweepOptions& options = arguments.sweep;
+    options.scene = arguments.scene;
+    options.sets = arguments.sets;
+    options.quiet = arguments.quiet;
+    return sweep_command([&](const Overrides& more) { return scene_of(arguments, Purpose::run, more); }, options);
 }
 
 int keys(const Arguments& arguments)
@@ -168,6 +179,47 @@ void add_converge(const CommandLine& line)
         "folders cells_N; writes converge.csv and converge.json. Errors are divided by the reference's range.");
 }
 
+void add_sweep(const CommandLine& line)
+{
+    Arguments& arguments = line.arguments;
+    CLI::App* sweep_app =
+        line.add_of_scene("sweep", "Run a scene with many values of some keys, several runs at once, into one table",
+                          [&arguments] { return sweep(arguments); });
+    SweepOptions& options = arguments.sweep;
+    sweep_app
+        ->add_option(
+            "--vary", options.vary,
+            "Values of a key: FROM:TO:COUNT evenly spaced, FROM:TO:COUNT:log in equal ratios, or a list, as "
+            "body.ball.density=1:10:5, fluid.viscosity=1e-3:1:4:log, gap.model=film,none; may be repeated: every combination")
+        ->required()
+        ->allow_extra_args(false)
+        ->type_name("key=VALUES");
+    sweep_app->add_flag("--zip", options.zip,
+                        "The first values of all keys in one run, the second ones in the next, and so on");
+    sweep_app->add_option("-j,--jobs", options.jobs, "Runs at once, instead of as many as the machine has cores and memory for")
+        ->check(CLI::Range(1, 4096))
+        ->type_name("N");
+    sweep_app
+        ->add_option("--quantity", options.quantities,
+                     "What the table holds: BODY.COLUMN of bodies.csv, as ball.y, or BODY-BODY.COLUMN of gaps.csv, as "
+                     "ball-wall:y_low.force; may be repeated; without it motion of and forces on bodies, thickness of and "
+                     "forces in gaps")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    sweep_app
+        ->add_option("--window", options.window,
+                     "Times of last, mean, smallest and largest values, as 0.5,1; the whole run without it")
+        ->type_name("FROM,TO");
+    sweep_app->add_option("-o,--output", arguments.directory, "Folder for the runs and the table, instead of output.directory")
+        ->type_name("DIR");
+    sweep_app->add_flag("-q,--quiet", arguments.quiet, "No progress, only the table, warnings and errors");
+    sweep_app->footer(
+        "Each run is a process, with its files in run_001, run_002, ... and what it prints in run_001.log, ...; sweep.csv has "
+        "a "
+        "row a run. Ctrl-C ends the runs after their current step. The same command again goes on: runs that are done "
+        "are kept, others continue from their checkpoints. Exit status 1 if a run failed; the others are done all the same.");
+}
+
 void add_keys_and_generate(const CommandLine& line)
 {
     Arguments& arguments = line.arguments;
@@ -198,10 +250,17 @@ void add_keys_and_generate(const CommandLine& line)
 void add_report(const CommandLine& line)
 {
     Arguments& arguments = line.arguments;
-    CLI::App* report = line.add("report", "One HTML page of a run, with plots and a view to play; or pictures of it",
-                                [&arguments] { return report_command(arguments.report); });
-    report->add_option("directory", arguments.report.directory, "Folder of the run")->required()->type_name("DIR");
-    CLI::Option* page = report->add_option("-o,--output", arguments.report.page, "The page, instead of DIR/report.html")
+    CLI::App* report = line.add(
+        "report", "One HTML page of a run, or of several beside each other, with plots and a view to play; or pictures",
+        [&arguments] { return report_command(arguments.report); });
+    report
+        ->add_option("directory", arguments.report.folders,
+                     "Folder of a run or of a sweep; several runs: one page to compare them")
+        ->required()
+        ->type_name("DIR");
+    CLI::Option* page = report
+                            ->add_option("-o,--output", arguments.report.page,
+                                         "The page, instead of DIR/report.html, or comparison.html of several runs")
                             ->type_name("FILE.html");
     report->add_flag("-q,--quiet", arguments.report.quiet, "Only warnings and errors");
     report->add_flag("--png", arguments.report.png, "Key frames as pictures DIR/frames/*.png instead of a page")
@@ -229,18 +288,20 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error)
     return "unknown command '" + app.remaining().front() + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?");
 }
 
-int command(int argc, char** argv)
+int command(int argc, char** argv, std::vector<std::string> environment)
 {
     CLI::App app("Gapflow: rigid bodies in incompressible flow, two-way coupled through thin gaps", "gapflow");
     app.set_version_flag("--version", "gapflow " GAPFLOW_VERSION);
     app.require_subcommand(1);
     app.footer("Exit status: 0 done, 1 the computation failed, 2 bad usage or bad scene, 130 or 143 interrupted.");
     Arguments arguments;
+    arguments.sweep.environment = std::move(environment);
     std::function<int()> action;
     const CommandLine line{app, arguments, action};
     add_run(line);
     add_check_and_added_mass(line);
     add_converge(line);
+    add_sweep(line);
     add_keys_and_generate(line);
     add_report(line);
     try {
@@ -261,10 +322,11 @@ int command(int argc, char** argv)
 int main(int argc, char** argv)
 {
     using namespace gapflow;
-    std::signal(SIGXFSZ, SIG_IGN); // a file beyond its size limit is an error of the write
+    std::signal(SIGXFSZ, SIG_IGN);                                // a file beyond its size limit is an error of the write
+    std::vector<std::string> variables = environment_variables(); // before MPI adds to them
     const Environment environment;
     try {
-        return command(argc, argv);
+        return command(argc, argv, std::move(variables));
     } catch (const InputError& e) {
         return report_error(e.what(), bad_input);
     } catch (const ComputationError& e) {

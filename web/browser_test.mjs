@@ -1,13 +1,13 @@
 // The pages of gapflow report in a real browser, without a network: they load without an error, the slider, the keys and the play
 // button change the picture, hovering tells values, zoom works, light and dark.
 //
-//   node browser_test.mjs PAGE_2D.html PAGE_3D.html [OTHER.html ...]     others need only load
+//   node browser_test.mjs PAGE_2D.html PAGE_3D.html COMPARISON_2D.html CROWD.html [OTHER.html ...]     others need only load
 //
 // GAPFLOW_SCREENSHOTS=FOLDER leaves screenshots there.
 //
 // Exit status 77: playwright-core or the browser is not there, skipped.
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
@@ -17,7 +17,7 @@ function skip(why) {
 }
 const playwright = await import("playwright-core").catch(() => skip("no playwright-core in web/node_modules"));
 const executablePath = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find(existsSync) ?? skip("no chromium-headless-shell");
-const [page2d, page3d, ...others] = process.argv.slice(2), shots = process.env.GAPFLOW_SCREENSHOTS;
+const [page2d, page3d, comparison, crowd, ...others] = process.argv.slice(2), shots = process.env.GAPFLOW_SCREENSHOTS;
 
 const browser = await playwright.chromium.launch({ executablePath, args: ["--no-sandbox", "--enable-unsafe-swiftshader"] });
 
@@ -49,7 +49,7 @@ async function hoverUntil(page, wanted) {
   for (let j = 1; j < 24; ++j)
     for (let i = 1; i < 16; ++i) {
       await page.mouse.move(box.x + (i / 16) * box.width, box.y + (j / 24) * box.height);
-      const tip = await page.locator("#tip").evaluate((element) => (element.hidden ? "" : element.textContent));
+      const tip = await page.locator(".tip").evaluate((element) => (element.hidden ? "" : element.textContent));
       if (wanted.test(tip)) return tip;
       if (tip) seen.push(tip);
     }
@@ -117,6 +117,55 @@ async function checkPlots(page) {
   assert.equal(await frame(page), await page.locator("#slider").getAttribute("max"));
 }
 
+// The file that an action makes the page offer.
+async function saved(page, action) {
+  const [file] = await Promise.all([page.waitForEvent("download"), action()]);
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
+}
+
+async function checkFiles(page) {
+  const frames = Number(await page.locator("#slider").getAttribute("max")) + 1, at = await frame(page);
+  const picture = await saved(page, () => page.getByRole("button", { name: "PNG", exact: true }).click());
+  assert.ok(picture.name.endsWith(".png") && picture.bytes.subarray(1, 4).toString() === "PNG", picture.name);
+  const film = await saved(page, () => page.getByRole("button", { name: "Animation", exact: true }).click());
+  const control = film.bytes.indexOf("acTL");
+  assert.ok(control > 0 && film.bytes.readUInt32BE(control + 4) === frames, "an animated PNG with all output times");
+  assert.equal(film.bytes.toString("latin1").split("fcTL").length - 1, frames);
+  if (shots) {
+    const shown = await page.context().newPage(); // a browser that can read it shows its size
+    await shown.setContent(`<img src="data:image/png;base64,${film.bytes.toString("base64")}">`);
+    const size = await shown.locator("img").evaluate((image) => image.decode().then(() => [image.naturalWidth, image.naturalHeight]));
+    assert.ok(size[0] > 200 && size[1] > 200, size);
+    await shown.close();
+  }
+  assert.equal(await frame(page), at, "and back to the time");
+  const card = page.locator(".plot", { has: page.getByRole("heading", { name: /^Kinetic energy/ }) }).first();
+  const table = await saved(page, () => card.getByRole("button", { name: "CSV" }).click());
+  const rows = table.bytes.toString().trim().split("\n");
+  assert.match(rows[0], /^time,/);
+  assert.ok(rows.length > 4 && rows.slice(1).every((row) => /^[\d.e-]+(,[\d.e-]*)+$/.test(row)), rows[1]);
+  const lines = await saved(page, () => card.getByRole("button", { name: "SVG" }).click());
+  assert.match(lines.bytes.toString(), /<svg[\s\S]*Kinetic energy[\s\S]*>time<[\s\S]*energy \/ length|<svg[\s\S]*Kinetic energy[\s\S]*>time<[\s\S]*>energy</);
+  const svg = await page.evaluate((text) => new DOMParser().parseFromString(text, "image/svg+xml").querySelectorAll("path[stroke-width]").length, lines.bytes.toString());
+  assert.ok(svg > 0, "which is valid XML with curves");
+  const before = await card.locator("canvas").first().evaluate((c) => c.toDataURL());
+  await card.getByRole("button", { name: "log", exact: true }).click();
+  assert.match(await card.locator("h3").innerText(), /logarithmic/);
+  assert.notEqual(await card.locator("canvas").first().evaluate((c) => c.toDataURL()), before);
+  await card.getByRole("button", { name: "log", exact: true }).click();
+  await card.getByRole("button", { name: "clip" }).click();
+  await card.getByRole("button", { name: "clip" }).click();
+  // The ends of a colour scale
+  const coloured = await pixels(page), scale = page.locator(".scale").first();
+  await scale.locator("summary").click();
+  await scale.getByLabel("High end").fill(String(Number(await scale.getByLabel("High end").inputValue()) * 3));
+  await scale.getByLabel("High end").blur();
+  assert.notEqual(await pixels(page), coloured, "another range, other colours");
+  await scale.getByLabel("logarithmic").check();
+  await scale.getByRole("button", { name: "as at first" }).click();
+  assert.equal(await pixels(page), coloured, "and back");
+}
+
 async function checkPage(file, name, more) {
   for (const colorScheme of ["light", "dark"]) {
     const page = await open(file, { colorScheme });
@@ -127,6 +176,7 @@ async function checkPage(file, name, more) {
       await checkPlayer(page);
       await more(page);
       await checkPlots(page);
+      await checkFiles(page);
       const before = await pixels(page);
       await page.getByRole("button", { name: "Speed", exact: true }).click();
       assert.notEqual(await pixels(page), before, "speed looks different from pressure");
@@ -170,7 +220,55 @@ try {
     await page.getByRole("button", { name: "none", exact: true }).click();
     assert.notEqual(await pixels(page), before, "the slice can be hidden");
     await page.getByRole("button", { name: "y", exact: true }).click();
+    const own = await pixels(page);
+    const drag = (name, value) => page.getByLabel(name).evaluate((input, to) => { input.value = to; input.dispatchEvent(new Event("input")); }, value);
+    await drag("Opacity of the slice", "30");
+    const faint = await pixels(page);
+    assert.notEqual(faint, own, "the slice can be made transparent");
+    await drag("Place of the slice", "200");
+    assert.notEqual(await pixels(page), faint, "and moved");
+    await drag("Opacity of the slice", "100");
+    await page.getByRole("button", { name: "Reset view" }).click();
+    assert.equal(await pixels(page), own, "and put back");
   });
+  {
+    const page = await open(comparison);
+    const panes = page.locator(".pane"), count = await panes.count();
+    assert.ok(count >= 2, "views beside each other");
+    assert.match(await text(page, ".runs"), /body\.upper\.density = 2[\s\S]*done/);
+    const seen = () => page.locator(".pane canvas").evaluateAll((all) => all.map((c) => c.toDataURL()));
+    await slide(page, 0);
+    const first = await seen();
+    await slide(page, Number(await page.locator("#slider").getAttribute("max")));
+    const end = await seen();
+    assert.ok(first.every((picture, i) => picture !== end[i]), "one slider moves all");
+    const titles = await page.locator(".plot h3").allInnerTexts();
+    assert.ok(titles.includes("Velocity: upper vy") && !titles.includes("Velocity: upper vx"), `no round-off: ${titles}`);
+    const legend = await page.locator(".plot", { has: page.getByText("Velocity: upper vy", { exact: true }) }).locator(".u-legend").innerText();
+    assert.match(legend, /body\.upper\.density = 2:? ?0\.\d+[\s\S]*body\.upper\.density = 8:? ?0\.\d+/);
+    await page.locator("#runs button").first().click();
+    assert.equal(await panes.count(), count - 1, "a run can be left out");
+    await page.locator("#runs button").first().click();
+    const picture = await saved(page, () => page.getByRole("button", { name: "PNG", exact: true }).click());
+    assert.ok(picture.bytes.length > 1000);
+    if (shots) await page.screenshot({ path: join(shots, "comparison.png"), fullPage: true });
+    assert.deepEqual(page.problems, []);
+    await page.context().close();
+  }
+  {
+    const page = await open(crowd);
+    assert.ok(await page.locator("#chips button").count() < 20, "no button for each of many bodies");
+    assert.match(await text(page, "#chips"), /sand: mean of 60/);
+    await page.getByLabel("Bodies that moved furthest").selectOption("5");
+    assert.equal(await page.locator("#chips .chooser").first().locator("button").count(), 5);
+    await page.getByLabel("Add to Bodies").fill("sand_0007");
+    await page.getByLabel("Add to Bodies").press("Enter");
+    await page.getByLabel("Add to Bodies").blur();
+    assert.match(await text(page, "#chips"), /sand_0007/);
+    if (shots) await page.screenshot({ path: join(shots, "crowd.png"), fullPage: true });
+    assert.deepEqual(page.problems, []);
+    await page.context().close();
+  }
   for (const file of others) {
     const page = await open(file);
     assert.match(await text(page, "#plots"), /\S/);
@@ -180,7 +278,7 @@ try {
     assert.deepEqual(page.problems, [], file);
     await page.context().close();
   }
-  console.log(`pages in 2D and 3D and ${others.length} others: ok`);
+  console.log(`pages in 2D and 3D, of several runs, of a crowd and ${others.length} others: ok`);
 } finally {
   await browser.close();
 }

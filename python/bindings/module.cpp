@@ -3,6 +3,8 @@
 #include "session.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
+#include "gapflow/output/checkpoint.hpp"
 #include "gapflow/scene/parse_scene.hpp"
 #include "gapflow/stepping/added_mass.hpp"
 
@@ -52,6 +54,16 @@ std::vector<std::pair<std::string, std::string>> bodies(const Scene& scene)
     return result;
 }
 
+// A body's quaternion as a checkpoint has it: read again it would be normalised again, which changes its last bits. Others stay.
+void put_back_quaternion(Scene& scene, std::size_t body, const std::array<double, 4>& quaternion)
+{
+    double apart = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+        apart = std::max(apart, std::abs(quaternion[k] - scene.bodies.at(body).quaternion[k]));
+    if (apart < 1e-12)
+        scene.bodies[body].quaternion = quaternion;
+}
+
 void close_session(Session& session)
 {
     if (session.views() > 0)
@@ -76,6 +88,7 @@ PYBIND11_MODULE(_core, m)
         .def_readonly("output_directory", &Scene::output_directory)
         .def_readonly("warnings", &Scene::warnings)
         .def_property_readonly("bodies", &bodies)
+        .def("put_back_quaternion", &put_back_quaternion)
         .def("json", &scene_as_json);
     m.def("parse_scene", [](const std::string& text, const std::string& name, const Overrides& overrides,
                             const std::string& purpose) { return parse_scene(text, name, overrides, purpose_of(purpose)); });
@@ -83,6 +96,12 @@ PYBIND11_MODULE(_core, m)
         return read_scene(file, overrides, purpose_of(purpose));
     });
     m.def("gap_columns", &gap_column_types);
+    m.def("nearest_name", &nearest_name);
+    m.def("checkpoint_scene", [](const std::string& file) {
+        runtime().start();
+        const Computing computing;
+        return read_checkpoint(file, Communicator()).scene;
+    });
     m.def("added_mass", &added_mass_dict);
 
     py::class_<Session, std::shared_ptr<Session>>(m, "Session")
@@ -94,9 +113,13 @@ PYBIND11_MODULE(_core, m)
         .def("step", &Session::step)
         .def("set_force", &Session::set_force)
         .def("set_velocity", &Session::set_velocity)
+        .def("copy", &Session::copy)
+        .def("change", &Session::change)
+        .def("demand_changeable", &Session::demand_changeable)
         .def("grid", &Session::grid)
         .def("bodies", &Session::bodies)
         .def("velocity", &Session::velocity)
+        .def("vorticity", &Session::vorticity)
         .def("pressure", &Session::pressure)
         .def("kind", &Session::kind)
         .def("films", &Session::films)

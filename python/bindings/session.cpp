@@ -3,6 +3,7 @@
 #include "runtime.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
 #include "gapflow/output/columns.hpp"
 #include "gapflow/output/run.hpp"
 
@@ -79,6 +80,22 @@ py::dict report_dict(const StepReport& report, int dimension, bool driven)
     return out;
 }
 
+/// What a simulation cannot change although a scene can have it: which sides are walls, open or inflow, and whether there is viscosity.
+void require_changeable(const Scene& from, const Scene& to)
+{
+    for (int side = 0; side < 2 * from.dimension; ++side)
+        if (from.sides[side].kind != to.sides[side].kind)
+            throw InputError(
+                "domain.sides." + side_names[side] +
+                ": a side stays a wall, open, periodic or inflow during a run; give another velocity of the same kind");
+    if ((from.viscosity > 0) != (to.viscosity > 0))
+        throw InputError("fluid.viscosity = " + number_text(to.viscosity) + ": cannot be " +
+                         (to.viscosity > 0 ? "switched on" : "0") + " during a run " +
+                         (to.viscosity > 0 ? "that started without; start with a small one"
+                                           : "that started with it; "
+                                             "give a small one"));
+}
+
 template <int D>
 class SessionOf : public Session {
 public:
@@ -88,6 +105,8 @@ public:
         run_ = std::make_unique<Run<D>>(scene_, Communicator(), RunPlace{folder, resume, GAPFLOW_VERSION});
         run_->write_start();
     }
+
+    SessionOf(const Scene& scene, std::unique_ptr<Run<D>> run) : scene_(scene), run_(std::move(run)) {}
 
     ~SessionOf() override { end_or_print(); }
 
@@ -100,9 +119,7 @@ public:
     py::dict step(double until) override
     {
         state();
-        if (views_ > 0)
-            throw py::buffer_error(std::to_string(views_) + " view(s) of faces are alive, and a step would change what they "
-                                                            "show; delete them first, or keep copies (numpy.array(view))");
+        demand_no_views("a step would change what they show");
         if (!(until > state().time()))
             throw InputError("until = " + std::to_string(until) + ": the time is " + std::to_string(state().time()) +
                              " already; give a later one");
@@ -130,6 +147,35 @@ public:
         const int b = number_of(body);
         run_->simulation().set_velocity(b, vec("velocity", velocity), spin("angular_velocity", angular_velocity));
     }
+
+    std::shared_ptr<Session> copy() const override
+    {
+        state();
+        const Busy busy(busy_);
+        std::unique_ptr<Run<D>> run;
+        {
+            const Computing computing;
+            run = run_->copy();
+        }
+        return std::make_shared<SessionOf>(scene_, std::move(run));
+    }
+
+    void change(const Scene& scene) override
+    {
+        state();
+        demand_no_views("a change would free what they show");
+        try {
+            const Busy busy(busy_);
+            const Computing computing;
+            run_->change(scene);
+        } catch (const StateError& error) {
+            throw InputError(std::string("cannot change that during a run: ") + error.what() +
+                             "; start another simulation with the new scene");
+        }
+        scene_ = scene;
+    }
+
+    void demand_changeable(const Scene& scene) const override { require_changeable(scene_, scene); }
 
     py::dict grid() const override
     {
@@ -183,6 +229,24 @@ public:
         return cells<double>(D, [&](const Index<D>& c, double* out) {
             for (int axis = 0; axis < D; ++axis)
                 out[axis] = 0.5 * (u(axis, c) + u(axis, c + gapflow::step<D>(axis)));
+        });
+    }
+
+    // Means of central differences over the cell: velocities at the centres of neighbours, which beyond sides are the ghosts'.
+    py::array vorticity() const override
+    {
+        const FaceField<D>& u = state().velocity().grid;
+        const double dx = state().grid().dx();
+        const auto slope = [&](const Index<D>& c, int of, int along) { // d u_of / d x_along
+            const auto centre = [&](const Index<D>& at) { return 0.5 * (u(of, at) + u(of, at + gapflow::step<D>(of))); };
+            return (centre(c + gapflow::step<D>(along)) - centre(c - gapflow::step<D>(along))) / (2 * dx);
+        };
+        return cells<double>(D == 2 ? 0 : 3, [&](const Index<D>& c, double* out) {
+            if constexpr (D == 2)
+                *out = slope(c, 1, 0) - slope(c, 0, 1);
+            else
+                for (int axis = 0; axis < 3; ++axis)
+                    out[axis] = slope(c, (axis + 2) % 3, (axis + 1) % 3) - slope(c, (axis + 1) % 3, (axis + 2) % 3);
         });
     }
 
@@ -343,6 +407,13 @@ private:
         return run_->simulation();
     }
 
+    void demand_no_views(const char* why) const
+    {
+        if (views_ > 0)
+            throw py::buffer_error(std::to_string(views_) + " view(s) of faces are alive, and " + why +
+                                   "; delete them first, or keep copies (numpy.array(view))");
+    }
+
     void handle_signals() const
     {
         const bool raised = PyErr_CheckSignals() != 0;
@@ -414,9 +485,9 @@ private:
         return view;
     }
 
-    const Scene scene_;
+    Scene scene_;
     std::unique_ptr<Run<D>> run_;
-    bool busy_ = false; ///< a thread computes; changed and read with the GIL held
+    mutable bool busy_ = false; ///< a thread computes; changed and read with the GIL held
     std::string failure_;
 };
 

@@ -39,10 +39,20 @@ public:
     virtual void set_velocity(const std::string& body, const std::vector<double>& velocity,
                               const std::vector<double>& angular_velocity) = 0;
 
+    /// A session without files in the same state. Throws ComputationError.
+    virtual std::shared_ptr<Session> copy() const = 0;
+    /// Goes on with values of another scene that the state does not hold. Throws InputError where the state is none of that scene; nothing
+    /// has changed then. BufferError while views exist.
+    virtual void change(const Scene& scene) = 0;
+    /// Throws InputError where no run can change to a scene: other kinds of sides, viscosity or none.
+    virtual void demand_changeable(const Scene& scene) const = 0;
+
     virtual pybind11::dict grid() const = 0;
     /// One row for each body, in the scene's order.
     virtual pybind11::dict bodies() const = 0;
     virtual pybind11::array velocity() const = 0; ///< at cell centres, mean of two faces
+    /// Curl of the velocity at cell centres: one component in 2D, three in 3D.
+    virtual pybind11::array vorticity() const = 0;
     virtual pybind11::array pressure() const = 0; ///< full; NaN in cells without an unknown of the grid
     virtual pybind11::array kind() const = 0;     ///< 0 solid, 1 bulk, 2 film, 3 mixed
     virtual pybind11::dict films() const = 0;

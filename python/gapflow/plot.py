@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
+from .names import checked_arguments
 from .simulation import Simulation
 
 if TYPE_CHECKING:
@@ -19,16 +20,20 @@ if TYPE_CHECKING:
     from matplotlib.collections import LineCollection, PolyCollection
     from matplotlib.image import AxesImage
 
-Quantity = Literal["pressure", "speed"]
+Quantity = Literal["pressure", "speed", "vorticity", "velocity_x", "velocity_y", "velocity_z", "kind"]
 
 
+@checked_arguments
 def state(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes | None = None, normal: int = 1,
           position: float | None = None) -> Axes:
-    """The field with a colour bar; in 2D with bodies and films on it. Returns the matplotlib axes. Raises ValueError for a
-    quantity other than "pressure" and "speed"."""
+    """The field with a colour bar; in 2D with bodies and films on it. Returns the matplotlib axes.
+
+    quantity: "pressure", "speed", "vorticity" (3D: its size), "velocity_x", "velocity_y", "velocity_z", "kind" (0 solid, 1 bulk, 2 film, 3
+    both). Raises ValueError, with a list, for one that there is not.
+    """
     import matplotlib.pyplot as plt
 
-    _demand_quantity(quantity)
+    _demand_quantity(sim, quantity)
     if axes is None:
         axes = plt.subplots(constrained_layout=True)[1]
     image = field(sim, quantity, axes=axes, normal=normal, position=position)
@@ -43,21 +48,25 @@ def state(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes | None
 def field(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes, normal: int = 1, position: float | None = None,
           **options: Any) -> AxesImage:
     """The field in cells that hold fluid of the grid. 3D: on the plane across axis `normal` at `position` (default: the
-    middle). `options` go to imshow; colours span 99 % of the values, symmetric about 0 for pressures of both signs. Raises
-    ValueError as `state`."""
-    _demand_quantity(quantity)
-    values = sim.pressure if quantity == "pressure" else np.linalg.norm(sim.velocity, axis=-1)
-    values = np.where(np.isin(sim.kind, (1, 3)), values, np.nan)
+    middle). `options` go to imshow; colours span 99 % of the values, symmetric about 0 where a quantity other than the speed has both signs.
+    Raises ValueError as `state`."""
+    _demand_quantity(sim, quantity)
+    values = _values(sim, quantity)
+    if quantity != "kind":
+        values = np.where(np.isin(sim.kind, (1, 3)), values, np.nan)
     shown = [axis for axis in range(sim.dimension) if sim.dimension == 2 or axis != normal]
     if sim.dimension == 3:
         centres = sim.grid.centres(normal)
         values = values.take(len(centres) // 2 if position is None else int(np.abs(centres - position).argmin()), axis=normal)
     extent = [end for axis in shown for end in sim.grid.faces(axis)[[0, -1]]]
     low, high = np.nanpercentile(values, (0.5, 99.5)) if np.isfinite(values).any() else (0.0, 1.0)
-    if quantity == "pressure" and low < 0 < high:
+    signed = quantity not in ("speed", "kind") and low < 0 < high
+    if signed:
         high = max(-low, high)
         low = -high
-    options = {"cmap": "RdBu_r" if quantity == "pressure" else "viridis", "vmin": low, "vmax": high} | options
+    if quantity == "kind":
+        low, high = 0, 3
+    options = {"cmap": "RdBu_r" if signed or quantity == "pressure" else "viridis", "vmin": low, "vmax": high} | options
     axes.set_xlabel("xyz"[shown[0]])
     axes.set_ylabel("xyz"[shown[1]])
     return axes.imshow(values.T, origin="lower", extent=extent, **options)
@@ -113,9 +122,21 @@ def to_vtk(sim: Simulation) -> dict[str, Any]:
     return out
 
 
-def _demand_quantity(quantity: str) -> None:
-    if quantity not in get_args(Quantity):
-        raise ValueError(f"cannot draw {quantity!r}; the quantities are: {', '.join(map(repr, get_args(Quantity)))}")
+def _demand_quantity(sim: Simulation, quantity: str) -> None:
+    there = [name for name in get_args(Quantity) if sim.dimension == 3 or name != "velocity_z"]
+    if quantity not in there:
+        raise ValueError(f"cannot draw {quantity!r}; the quantities are: {', '.join(map(repr, there))}")
+
+
+def _values(sim: Simulation, quantity: str) -> np.ndarray:
+    """(*cells,)"""
+    if quantity in ("pressure", "kind"):
+        return getattr(sim, quantity)
+    if quantity == "speed":
+        return np.linalg.norm(sim.velocity, axis=-1)
+    if quantity == "vorticity":
+        return sim.vorticity if sim.dimension == 2 else np.linalg.norm(sim.vorticity, axis=-1)
+    return sim.velocity[..., "xyz".index(quantity[-1])]
 
 
 def _demand_2d(sim: Simulation) -> None:

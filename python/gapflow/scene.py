@@ -14,6 +14,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, Mapping, Sequence, Union
 
+from .names import checked_names
+
 Vector = Sequence[float]
 """Two numbers in 2D, three in 3D; NumPy arrays will do."""
 Spin = Union[float, Vector]
@@ -22,6 +24,7 @@ Side = Union[str, Mapping[str, Any]]
 """`"wall"`, `"open"`, `"periodic"`, `"far"`, `{"inflow": [u, v]}`, `{"inflow": "file.csv"}`, `{"pressure": value}`, `{"pressure": "file.csv"}` or `{"wall": [u, v]}`."""
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Sides:
     """Boundary conditions at the domain's sides. `"wall"` by default."""
@@ -34,6 +37,7 @@ class Sides:
     z_high: Side | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Domain:
     """The box of fluid and its grid: two numbers in `size` and `cells` make a 2D scene (per unit depth), three a 3D one.
@@ -49,6 +53,7 @@ class Domain:
     leaving: Literal["warn", "stop", "remove"] | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Fluid:
     """density (default 1), viscosity (dynamic), reference_pressure (absolute, at open sides), vapour_pressure (absolute, or
@@ -65,6 +70,7 @@ class Fluid:
     mean_velocity: Vector | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class GridOptions:
     """[grid]: fractions ("cut-cell" or "voxel"), advection ("maccormack" or "semi-lagrangian"), thin ("refuse" or "allow": bodies
@@ -75,6 +81,7 @@ class GridOptions:
     thin: Literal["refuse", "allow"] | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Gap:
     """Defaults for the gaps of all pairs: model ("film" or "none"), threshold (cells, or "auto"), contact ("wet" or "dry"),
@@ -88,6 +95,7 @@ class Gap:
     exit: Literal["auto", "reversible", "jet"] | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Contact:
     """Defaults for the contacts of all pairs: restitution, friction, thickness (surfaces are held this far apart)."""
@@ -97,6 +105,7 @@ class Contact:
     thickness: float | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Pair:
     """Keys of Gap and Contact for one pair; `bodies`: two names, of bodies or one of a wall ("wall:x_low" ... "wall:z_high")."""
@@ -113,6 +122,7 @@ class Pair:
     thickness: float | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Spring:
     """Pulls a body's position towards `anchor`: stiffness (force per length), damping (force per velocity)."""
@@ -122,6 +132,7 @@ class Spring:
     damping: float | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Hinge:
     """The body only turns about `point`; in 3D about `axis` through it."""
@@ -130,6 +141,7 @@ class Hinge:
     axis: Vector | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Body:
     """Keys of bodies of all shapes.
@@ -159,6 +171,7 @@ class Body:
     inside_out: bool | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Box(Body):
     """A box (2D: a rectangle) with edge lengths `size`."""
@@ -167,6 +180,7 @@ class Box(Body):
     shape: Literal["box"] = field(default="box", init=False)
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Ball(Body):
     """A ball; in 2D a disk."""
@@ -175,6 +189,7 @@ class Ball(Body):
     shape: Literal["ball"] = field(default="ball", init=False)
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Capsule(Body):
     """All points within `radius` of a segment of `length` along body x."""
@@ -184,6 +199,7 @@ class Capsule(Body):
     shape: Literal["capsule"] = field(default="capsule", init=False)
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Cylinder(Body):
     """A cylinder of `length` along body x; 3D only (in 2D take a Ball)."""
@@ -193,6 +209,7 @@ class Cylinder(Body):
     shape: Literal["cylinder"] = field(default="cylinder", init=False)
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class HalfSpace(Body):
     """All points on one side of a plane through `position`; `normal` points out of the solid. Cannot be free."""
@@ -201,6 +218,7 @@ class HalfSpace(Body):
     shape: Literal["half-space"] = field(default="half-space", init=False)
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Mesh(Body):
     """A closed surface from `file` (OBJ or STL; 2D: a polygon), its coordinates times `scale`."""
@@ -210,6 +228,7 @@ class Mesh(Body):
     shape: Literal["mesh"] = field(default="mesh", init=False)
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Crowd:
     """Many bodies of one shape, called NAME_0001, NAME_0002 ...: either `number` or `volume_fraction` (of the region).
@@ -247,6 +266,7 @@ class Crowd:
     torque: Spin | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Time:
     """end: `Simulation.run()` goes to here. max_step: largest time step. cfl: cells that the fluid may cross in a step.
@@ -259,6 +279,7 @@ class Time:
     until_steady: float | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Solver:
     """tolerance: relative residual. backend: "multigrid" or "petsc"."""
@@ -267,6 +288,7 @@ class Solver:
     backend: Literal["multigrid", "petsc"] | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Output:
     """For runs that write files (`Simulation(..., output=...)`): directory, every (time between fields), fields, bodies (the table of bodies:
@@ -282,6 +304,7 @@ class Output:
     forces: bool | None = None
 
 
+@checked_names
 @dataclass(kw_only=True, slots=True)
 class Scene:
     """A whole scene; `domain` is always needed, `time` by simulations. probes, fluxes: dicts with the keys of [[probe]] and [[flux]], for the tables of a

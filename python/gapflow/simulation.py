@@ -10,26 +10,32 @@ are `Simulation.face_velocity` and `Simulation.face_fraction`.
 """
 from __future__ import annotations
 
+import copy
 import json
 import math
 import os
 import warnings
+from dataclasses import dataclass, replace
 from typing import Any, Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from .names import Named, checked_arguments
 from .records import AddedMass, Budget, Films, Floats, Grid, SealedPocket, StepReport
-from .scene import Scene, SceneLike, Toml, to_toml, toml_value
+from .scene import Scene, SceneLike, Side, Spin, Spring, Toml, Vector, to_toml, toml_value
 
 
 class SceneWarning(UserWarning):
     """A setting of a scene that has no effect, or that makes its results doubtful."""
 
 
-class BodyState:
-    """A body of a simulation as it is now. World axes; linear quantities are those of the centre of mass."""
+class BodyState(Named):
+    """A body of a simulation as it is now. World axes; linear quantities are those of the centre of mass.
+
+    force, torque, velocity, angular_velocity and spring can be set, from the next step on; what else there is can be read.
+    """
 
     __slots__ = ("_simulation", "_index", "name", "motion")
 
@@ -81,13 +87,21 @@ class BodyState:
 
     @property
     def velocity(self) -> Floats:
-        """(D,)"""
+        """(D,); of a prescribed body it can be set, as by `set_velocity`."""
         return self._row("velocity")
+
+    @velocity.setter
+    def velocity(self, value: ArrayLike) -> None:
+        self.set_velocity(value)
 
     @property
     def angular_velocity(self) -> Any:
-        """A float in 2D, (3,) in 3D; radians per time."""
+        """A float in 2D, (3,) in 3D; radians per time. Of a prescribed body it can be set, as by `set_velocity`."""
         return self._row("angular_velocity")
+
+    @angular_velocity.setter
+    def angular_velocity(self, value: ArrayLike) -> None:
+        self.set_velocity(angular_velocity=value)
 
     @property
     def fluid_force(self) -> Floats:
@@ -101,13 +115,38 @@ class BodyState:
 
     @property
     def force(self) -> Floats:
-        """(D,): external force in effect."""
+        """(D,): external force in effect; of a free body it can be set, as by `set_force`."""
         return self._row("force")
+
+    @force.setter
+    def force(self, value: ArrayLike) -> None:
+        self.set_force(value)
 
     @property
     def torque(self) -> Any:
-        """A float in 2D, (3,) in 3D: external torque in effect."""
+        """A float in 2D, (3,) in 3D: external torque in effect; of a free body it can be set, as by `set_force`."""
         return self._row("torque")
+
+    @torque.setter
+    def torque(self, value: ArrayLike) -> None:
+        self.set_force(torque=value)
+
+    @property
+    def spring(self) -> Spring | None:
+        """The spring that pulls the body's position towards its anchor; None: none. It can be set, to a `Spring`, a dict with its
+        keys, or None, which takes it away."""
+        spring = self._entry().get("spring")
+        return Spring(**spring) if spring else None
+
+    @spring.setter
+    def spring(self, value: Spring | Mapping[str, Any] | None) -> None:
+        if value is None:
+            value = {"anchor": list(self.position), "stiffness": 0.0, "damping": 0.0} if self.spring else {}
+        keys = {name: getattr(value, name) for name in ("anchor", "stiffness", "damping")} if isinstance(value, Spring) else value
+        self._simulation.change({f"body.{self.name}.spring.{key}": entry for key, entry in keys.items() if entry is not None})
+
+    def _entry(self) -> dict[str, Any]:
+        return self._simulation.resolved_scene["body"][self._index]
 
     @property
     def mass(self) -> float:
@@ -174,7 +213,44 @@ Control = Callable[["Simulation"], Any]
 Callback = Callable[["Simulation", StepReport], Any]
 
 
-class Simulation:
+class SideValues(Mapping[str, Side]):
+    """What the sides of the domain are now, by name: "x_low" ... "z_high". An inflow and a wall that slides can be given another velocity,
+    from the next step on: sim.sides["x_low"] = {"inflow": [1, 0]}. A side stays what it is."""
+
+    def __init__(self, simulation: Simulation) -> None:
+        self._simulation = simulation
+
+    def _now(self) -> dict[str, Side]:
+        return self._simulation.resolved_scene["domain"]["sides"]
+
+    def __getitem__(self, name: str) -> Side:
+        return self._now()[name]
+
+    def __setitem__(self, name: str, side: Side) -> None:
+        self._simulation.change({f"domain.sides.{name}": side})
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._now())
+
+    def __len__(self) -> int:
+        return len(self._now())
+
+    def __repr__(self) -> str:
+        return f"<sides {self._now()}>"
+
+
+CHANGEABLE = ("gravity", "fluid.viscosity", "fluid.pressure_gradient", "fluid.mean_velocity", "domain.sides.SIDE", "body.NAME.spring.KEY",
+              "contact.restitution", "contact.friction", "time.max_step", "time.cfl", "time.gap_cfl", "solver.tolerance")
+"""Keys of the scene that `Simulation.change` can change."""
+
+
+def _changeable(key: str) -> bool:
+    if key.startswith("body."):
+        return ".spring." in key
+    return key in CHANGEABLE or key.startswith("domain.sides.")
+
+
+class Simulation(Named):
     """A scene in time, at its start (time 0) once built.
 
     scene: a `Scene`, a nested dict with the keys of the TOML, a `Toml` text, or the path of a TOML file.
@@ -191,19 +267,114 @@ class Simulation:
     busy (RuntimeError). After a ComputationError the simulation has no state to read any more.
     """
 
+    __slots__ = ("_source", "_scene", "_changed", "_resolved", "_folder", "_session", "_cache", "_bodies", "_grid", "__weakref__")
+
+    @checked_arguments
     def __init__(self, scene: SceneLike, *, set: Mapping[str, Any] | None = None,
                  output: str | os.PathLike[str] | bool | None = None, resume: str | os.PathLike[str] | None = None) -> None:
-        self._scene = _read(scene, set, "run")
+        self._source = _source_of(scene, set)
+        self._scene = self._source.read("run")
+        _warn(self._scene, 3)
         folder = "" if output is None or output is False else self._scene.output_directory if output is True else os.fspath(output)
         self._folder = folder
         self._session = _core.Session(self._scene, folder, "" if resume is None else os.fspath(resume))
         for note in self._session.report()["notes"]:
-            warnings.warn(note, SceneWarning, stacklevel=2)
+            warnings.warn(note, SceneWarning, stacklevel=3)
+        self._start()
+
+    def _start(self) -> None:
+        self._changed: Any = None  # a scene to go on with from the next step on
+        self._resolved: dict[str, Any] | None = None
         self._cache: dict[str, Any] = {}
         states = [BodyState(self, i, name, motion) for i, (name, motion) in enumerate(self._scene.bodies)]
-        self.bodies: Bodies = Bodies({body.name: body for body in states})
+        self._bodies = Bodies({body.name: body for body in states})
+        self._grid = Grid(**self._session.grid())
+
+    @property
+    def bodies(self) -> Bodies:
         """Bodies by name."""
-        self.grid: Grid = Grid(**self._session.grid())
+        return self._bodies
+
+    @property
+    def grid(self) -> Grid:
+        """The grid, and this rank's part of it."""
+        return self._grid
+
+    # States that are put back
+
+    @classmethod
+    @checked_arguments
+    def restore(cls, path: str | os.PathLike[str], *, scene: SceneLike | None = None, set: Mapping[str, Any] | None = None,
+                output: str | os.PathLike[str] | bool | None = None) -> Simulation:
+        """The simulation of a checkpoint, of `save`, of a run's files or of the command's, as it was: it goes on with the same bits.
+
+        scene: None takes the scene from the checkpoint, which has it resolved, with files by their names from where the run was started;
+        crowds have to be given. set, output: as of a new simulation. Raises InputError for a file that is none, or of another scene.
+        """
+        return cls(_scene_of_checkpoint(os.fspath(path)) if scene is None else scene, set=set, output=output, resume=path)
+
+    def copy(self) -> Simulation:
+        """Another simulation in the same state, without files: both go on with the same bits, and neither knows of the other. Collective."""
+        self._apply()
+        other = object.__new__(type(self))
+        other._source, other._scene, other._folder = self._source, self._scene, ""
+        other._session = self._session.copy()
+        other._start()
+        return other
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """The state of this moment as a checkpoint, for `restore`, or for the command's --resume. Collective. Raises ComputationError."""
+        self._apply()
+        self._session.write_checkpoint(os.fspath(path))
+
+    # What a loop may change
+
+    def change(self, values: Mapping[str, Any]) -> None:
+        """Other values for keys of the scene, from the next step on: {"gravity": [0, -2], "fluid.viscosity": 0.1}.
+
+        Checked like a scene at once. The keys: gravity, fluid.viscosity (not to or from 0), fluid.pressure_gradient and mean_velocity (where
+        the scene has them), domain.sides.SIDE (the velocity of an inflow or a wall), body.NAME.spring.KEY, contact.restitution and
+        friction, time.max_step, cfl and gap_cfl, solver.tolerance. Forces and prescribed velocities: `BodyState`. A change costs about half a
+        step's time. Raises InputError for a bad value or another key.
+        """
+        for key in values:
+            if not _changeable(key):
+                near = _core.nearest_name(key, list(CHANGEABLE))
+                raise _core.InputError(f"{key}: does not change during a run{f'; did you mean {near!r}?' if near else ''} (what does: "
+                                       f"{', '.join(CHANGEABLE)}); start another simulation with the new value")
+        source = self._source.with_values(values)
+        scene = source.read("run")
+        self._session.demand_changeable(scene)
+        self._source, self._changed, self._resolved = source, scene, None
+
+    def _apply(self) -> None:
+        if self._changed is None:
+            return
+        self._session.change(self._changed)
+        self._scene, self._changed = self._changed, None
+
+    @property
+    def gravity(self) -> Floats:
+        """(D,); it can be set, from the next step on."""
+        return np.array(self.resolved_scene["gravity"], dtype=float)
+
+    @gravity.setter
+    def gravity(self, value: Vector) -> None:
+        self.change({"gravity": value})
+
+    @property
+    def viscosity(self) -> float:
+        """Dynamic; it can be set, from the next step on, but not to or from 0."""
+        return float(self.resolved_scene["fluid"]["viscosity"])
+
+    @viscosity.setter
+    def viscosity(self, value: float) -> None:
+        self.change({"fluid.viscosity": value})
+
+    @property
+    def sides(self) -> SideValues:
+        """The sides of the domain: sim.sides["x_low"] = {"inflow": [1, 0]} changes an inflow from the next step on."""
+        return SideValues(self)
 
     # Time
 
@@ -239,9 +410,11 @@ class Simulation:
         ranks): the state is that of a whole step, and one can go on. Raises InputError if `until` is not later than the time;
         BufferError while face views are alive; ComputationError.
         """
+        self._apply()
         self._cache.clear()
         return self._cached("report", lambda: StepReport(**self._session.step(until)))
 
+    @checked_arguments
     def run(self, until: float | None = None, *, control: Control | None = None, callback: Callback | None = None) -> StepReport:
         """Steps until a time (default: time.end), exactly. Returns the last report.
 
@@ -268,6 +441,12 @@ class Simulation:
     def velocity(self) -> Floats:
         """(*cells, D): fluid velocity at cell centres, the mean of two faces. In solids: extrapolated from the fluid."""
         return self._cached("velocity", lambda: _frozen(self._session.velocity()))
+
+    @property
+    def vorticity(self) -> Floats:
+        """(*cells,) in 2D, (*cells, 3) in 3D: curl of the velocity at cell centres, by central differences of second order; next to and in
+        solids, of the velocity that is extrapolated into them."""
+        return self._cached("vorticity", lambda: _frozen(self._session.vorticity()))
 
     @property
     def pressure(self) -> Floats:
@@ -316,8 +495,10 @@ class Simulation:
 
     @property
     def resolved_scene(self) -> dict[str, Any]:
-        """The scene with all defaults filled in, as in `run.json`."""
-        return json.loads(self._scene.json())
+        """The scene with all defaults filled in, as in `run.json`; with what was changed since."""
+        if self._resolved is None:
+            self._resolved = json.loads((self._scene if self._changed is None else self._changed).json())
+        return copy.deepcopy(self._resolved)
 
     def face_velocity(self, axis: int) -> Floats:
         """The solver's own normal velocities on the faces normal to an axis, without a copy: entry [i, j(, k)] is the face on
@@ -343,6 +524,7 @@ class Simulation:
         output.checkpoint_every also puts it. Collective. Raises InputError if there is no such folder, ComputationError."""
         if file is None and not self._folder:
             raise _core.InputError("write_checkpoint: the simulation has no output folder; give a file")
+        self._apply()
         self._session.write_checkpoint(os.path.join(self._folder, "checkpoint.h5") if file is None else os.fspath(file))
 
     def close(self) -> None:
@@ -362,6 +544,7 @@ class Simulation:
         return f"<gapflow.Simulation {self.dimension}D, {cells} cells, {len(self.bodies)} bodies>"
 
 
+@checked_arguments
 def added_mass(scene: SceneLike, *, set: Mapping[str, Any] | None = None) -> AddedMass:
     """The added-mass matrix at the scene's poses, as `gapflow added-mass`. Needs no [time]. Collective.
 
@@ -369,11 +552,12 @@ def added_mass(scene: SceneLike, *, set: Mapping[str, Any] | None = None) -> Add
     """
     result = _core.added_mass(_read(scene, set, "added_mass"))
     for warning in result["warnings"]:
-        warnings.warn(warning, SceneWarning, stacklevel=2)
+        warnings.warn(warning, SceneWarning, stacklevel=3)
     sealed = [SealedPocket(**pocket) for pocket in result.pop("sealed")]
     return AddedMass(**{key: _frozen(value) for key, value in result.items()}, sealed=sealed)
 
 
+@checked_arguments
 def check(scene: SceneLike, *, set: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """Validates a scene, computing nothing, and returns it with all defaults filled in. Raises InputError."""
     return json.loads(_read(scene, set, "check").json())
@@ -384,18 +568,89 @@ def rank() -> tuple[int, int]:
     return _core.rank()
 
 
-def _read(scene: SceneLike, overrides: Mapping[str, Any] | None, purpose: str) -> Any:
-    sets = [(key, toml_value(value)) for key, value in (overrides or {}).items()]
+@dataclass(frozen=True)
+class _Source:
+    """A scene as it came: text, the name that stands for its file, and values set besides."""
+
+    text: str | None  # None: a file that cannot be read as text, of which the reader of scenes tells
+    name: str
+    sets: tuple[tuple[str, str], ...]
+    quaternions: tuple[Sequence[float], ...] = ()  # of the bodies of a checkpoint in 3D
+
+    def read(self, purpose: str) -> Any:
+        if self.text is None:
+            return _core.read_scene(self.name, list(self.sets), purpose)
+        scene = _core.parse_scene(self.text, self.name, list(self.sets), purpose)
+        for body, quaternion in enumerate(self.quaternions):
+            scene.put_back_quaternion(body, quaternion)
+        return scene
+
+    def with_values(self, values: Mapping[str, Any]) -> _Source:
+        more = tuple((key, toml_value(value)) for key, value in values.items())
+        kept = tuple(entry for entry in self.sets if entry[0] not in values)
+        return replace(self, sets=kept + more)
+
+
+def _text_of(file: str) -> str | None:
+    try:
+        with open(file, encoding="utf-8", newline="") as content:
+            return content.read()
+    except (OSError, UnicodeDecodeError):
+        return None
+
+
+def _source_of(scene: SceneLike | _Source, overrides: Mapping[str, Any] | None) -> _Source:
+    if isinstance(scene, _Source):
+        return scene.with_values(overrides or {})
     if isinstance(scene, (Scene, Mapping)):
         scene = Toml(to_toml(scene))
     if isinstance(scene, Toml):
         name = os.path.normpath(os.path.join(scene.folder, "scene"))  # stands for the file in messages
-        read = _core.parse_scene(scene.text, name, sets, purpose)
+        text = scene.text
     else:
-        read = _core.read_scene(os.fspath(scene), sets, purpose)
+        name = os.fspath(scene)
+        text = _text_of(name)
+    return _Source(text, name, ()).with_values(overrides or {})
+
+
+def _warn(read: Any, level: int) -> None:
     for warning in read.warnings:
-        warnings.warn(warning, SceneWarning, stacklevel=3)
+        warnings.warn(warning, SceneWarning, stacklevel=level + 1)
+
+
+def _read(scene: SceneLike, overrides: Mapping[str, Any] | None, purpose: str) -> Any:
+    read = _source_of(scene, overrides).read(purpose)
+    _warn(read, 4)
     return read
+
+
+def _scene_of_checkpoint(path: str) -> _Source:
+    """The scene that a checkpoint holds, resolved, as one that reads to the same resolved scene."""
+    stored = json.loads(_core.checkpoint_scene(path))
+    if stored.get("crowd"):
+        raise _core.InputError(f"{path}: its scene has crowds, and a checkpoint has only what they became; give the scene, "
+                               "restore(path, scene=...)")
+    scene = {key: value for key, value in stored.items() if key != "crowd"}
+    flat = len(stored["domain"]["size"]) == 2
+    for body in scene["body"] if flat else ():  # degrees as they were typed: 30, not 30.000000000000004
+        body["rotation"] = float(f"{body['rotation']:.15g}")
+    quaternions = () if flat else tuple(body["rotation"] for body in scene["body"])
+
+    def source() -> _Source:
+        return replace(_source_of(scene, None), quaternions=quaternions)
+
+    for table in (scene["gap"], *scene["pair"]):  # the number that "auto" became
+        roughness, table["roughness"] = table["roughness"], "auto"
+        if _resolved_of(source(), path) != stored:
+            table["roughness"] = roughness
+    return source()
+
+
+def _resolved_of(source: _Source, path: str) -> Any:
+    try:
+        return json.loads(source.read("run").json())
+    except _core.InputError as error:
+        raise _core.InputError(f"{path}: its scene cannot be built again ({error}); give it, restore(path, scene=...)") from None
 
 
 def _numbers(values: ArrayLike) -> Sequence[float]:

@@ -13,6 +13,41 @@ runs = {"01_plates_pulled_apart": ["domain.cells=[64,64]", "time.end=0.2", "outp
         "04_sphere_leaving_wall": ["domain.cells=[24,24,24]", "time.end=0.2", "output.every=0.05"]}
 
 
+# Enough disks that a button each would be too many.
+CROWD = """
+gravity = [0, -1]
+[domain]
+size = [2, 2]
+cells = [32, 32]
+[[crowd]]
+name = "sand"
+shape = "ball"
+radius = 0.08
+number = 60
+density = 2
+[time]
+end = 0.04
+max_step = 0.02
+[output]
+every = 0.02
+"""
+
+
+def comparison(folder):
+    """The page of a sweep."""
+    words = ["sweep", project / "examples/01_plates_pulled_apart/scene.toml", "-o", folder / "sweep", "--quiet", "--vary", "body.upper.density=2,8"]
+    subprocess.run([gapflow, *words, *(word for s in runs["01_plates_pulled_apart"] for word in ("--set", s))], check=True)
+    subprocess.run([gapflow, "report", folder / "sweep"], check=True)
+    return folder / "sweep" / "report.html"
+
+
+def crowd(folder):
+    (folder / "crowd.toml").write_text(CROWD)
+    subprocess.run([gapflow, "run", folder / "crowd.toml", "-o", folder / "crowd", "--quiet"], check=True)
+    subprocess.run([gapflow, "report", folder / "crowd"], check=True)
+    return folder / "crowd" / "report.html"
+
+
 def others(folder, pages):
     """Pages of runs that have less: one row, no row and no frames, no fields, no gaps."""
     less = []
@@ -46,5 +81,5 @@ with tempfile.TemporaryDirectory() as folder:
         subprocess.run([gapflow, "run", project / "examples" / name / "scene.toml", "-o", out, "--quiet", *sets], check=True)
         subprocess.run([gapflow, "report", out], check=True)
         pages.append(out / "report.html")
-    pages += others(Path(folder), pages)
+    pages += [comparison(Path(folder)), crowd(Path(folder)), *others(Path(folder), pages)]
     sys.exit(subprocess.run([node, project / "web" / "browser_test.mjs", *pages]).returncode)

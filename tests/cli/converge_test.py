@@ -77,6 +77,22 @@ class Converge(unittest.TestCase):
             self.assertAlmostEqual(scene["time"]["max_step"], 0.05 / factor, places=14)
             self.assertAlmostEqual(scene["time"]["gap_cfl"], 0.25 / factor, places=14)
 
+    def test_limit_of_a_monotone_sequence_and_reason_where_there_is_none(self):
+        done = self.converge("--cells", "16,32,64", "--quantity", "ball.x", "--quantity", "ball.vx")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        table = rows(self.out / "converge_limits.csv")
+        self.assertIn("finest off", done.stdout)
+        at_end = [row for row in table if (row["quantity"], row["of"]) == ("ball.x", "end")]
+        self.assertEqual(len(at_end), 1)
+        exact = list(self.exact())[-1][1]
+        values = [float(at_end[0][f"cells_{n}"]) for n in (16, 32, 64)]
+        self.assertGreater((values[0] - values[1]) * (values[1] - values[2]), 0, values)
+        self.assertLess(abs(float(at_end[0]["limit"]) - exact), 0.5 * abs(values[2] - exact), (table, exact))
+        for row in table:
+            self.assertEqual(row["limit"] == "", row["reason"] != "", row)
+        self.assertEqual(self.converge("--cells", "16,32", "--quantity", "ball.x").returncode, 0)
+        self.assertEqual({row["reason"] for row in rows(self.out / "converge_limits.csv")}, {"takes three grids"})
+
     def test_errors_in_the_table_are_those_of_the_runs(self):
         self.assertEqual(self.converge("--cells", "16,32", "--quantity", "ball.vx", "--reference", self.reference(),
                                        "--window", "0.1,0.6").returncode, 0)

@@ -257,6 +257,51 @@ class Report(unittest.TestCase):
         for a, b in zip(*pressure, strict=True):
             self.assertTrue(math.isnan(a) == math.isnan(b) and not abs(a - b) > 1e-3 * scale)
 
+    def test_several_runs_in_one_page(self):
+        heavy = self.out.parent / "heavy"
+        run(PLATES, heavy, "domain.cells=[48,48]", "time.end=0.1", "output.every=0.05", f"title='{TITLE}'", "body.upper.density=8")
+        path = self.out.parent / "both.html"
+        done = gapflow("report", self.flat, heavy, "-o", path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2 runs, 6 of 6 output times", done.stdout)
+        page, alone = Page(path), self.page(heavy)
+        self.assertEqual([r["label"] for r in page.json["runs"]], ["body.upper.density = 2", "body.upper.density = 8"])
+        second = page.json["runs"][1]
+        self.assertEqual(page.numbers(second["tables"]["bodies"][0]["columns"]["vy"]),
+                         alone.numbers(alone.json["tables"]["bodies"][0]["columns"]["vy"]))
+        frame, same = second["frames"][2], alone.json["frames"][2]
+        self.assertEqual(page.numbers(frame["film"]["thickness"], frame["base"]), alone.numbers(same["film"]["thickness"], same["base"]))
+        # one scale of colours for all
+        ends = [Page(p).json["colours"]["film"] for p in (self.flat / "report.html", heavy / "report.html") if p.exists()]
+        self.assertLessEqual(page.json["colours"]["film"]["low"], max(e["low"] for e in ends))
+        for words, text in [([self.flat, self.solid], "3D beside one in 2D"), ([self.flat, heavy, "--png"], "pictures are of one run"),
+                            ([self.flat, self.out.parent / "nowhere"], "no such folder")]:
+            done = gapflow("report", *words)
+            self.assertEqual(done.returncode, 2, words)
+            self.assertIn(text, done.stderr)
+
+    def test_a_page_of_a_sweep(self):
+        out = self.out.parent / "sweep"
+        done = gapflow("sweep", PLATES, "-o", out, "--quiet", "--set", "domain.cells=[32,32]", "--set", "time.end=0.02", "--vary",
+                       "body.upper.density=2,3", "--vary", "gap.model=film,none", "--jobs", "2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(gapflow("report", out).returncode, 0)
+        self.assertEqual([r["label"] for r in Page(out / "report.html").json["runs"]],
+                         [f"body.upper.density = {d}, gap.model = {m}" for d in (2, 3) for m in ("film", "none")])
+
+    def test_3d_has_values_of_the_whole_domain_for_slices_that_move(self):
+        page = self.page(self.solid)
+        frame = page.json["frames"][1]
+        volume = frame["volume"]
+        self.assertEqual((volume["cells"], volume["low"], volume["spacing"]), ([16] * 3, [0] * 3, 6 / 16))
+        pressure = vtk_array(self.solid / "fields/fields_00001.vti", "pressure")
+        shown = page.numbers(volume["pressure"], frame["base"])
+        there = [(a, b) for a, b in zip(shown, pressure, strict=True) if not math.isnan(a)]
+        self.assertGreater(len(there), 3000)
+        self.assertLess(len(there), len(shown))  # the ball has none
+        width = max(b for _, b in there) - min(b for _, b in there)
+        self.assertLess(max(abs(a - b) for a, b in there), 1e-4 * width)
+
     def test_pictures(self):
         for folder, frames in ((self.flat, 3), (self.solid, 3)):
             done = gapflow("report", folder, "--png")

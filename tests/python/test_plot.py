@@ -36,8 +36,22 @@ def test_a_quantity_that_there_is_not_is_refused(axes):
     plot.state(sim, "speed", axes=axes)
     assert axes.get_title().startswith("speed")
     for draw in (plot.state, plot.field):
-        with pytest.raises(ValueError, match="'vorticity'.*'pressure', 'speed'"):
-            draw(sim, "vorticity", axes=axes)
+        with pytest.raises(ValueError, match="'swirl'.*'pressure', 'speed', 'vorticity', 'velocity_x', 'velocity_y', 'kind'"):
+            draw(sim, "swirl", axes=axes)
+        with pytest.raises(ValueError, match="'velocity_z'"):
+            draw(sim, "velocity_z", axes=axes)
+    with pytest.raises(TypeError, match="plot.*|state: axis: unknown argument; did you mean 'axes'"):
+        plot.state(sim, axis=axes)
+
+
+def test_vorticity_and_components_are_drawn(axes):
+    sim = gapflow.Simulation(plates_scene())
+    sim.run(0.02)
+    fluid = np.isin(sim.kind, (1, 3)).T
+    for quantity, values in (("vorticity", sim.vorticity), ("velocity_y", sim.velocity[..., 1])):
+        image = plot.field(sim, quantity, axes=axes)
+        assert np.array_equal(image.get_array().compressed(), values.T[fluid]) and image.get_clim()[0] == -image.get_clim()[1]
+    assert np.array_equal(plot.field(sim, "kind", axes=axes).get_array(), sim.kind.T)
 
 
 def test_a_picture_in_3d_is_a_slice(axes):

@@ -88,10 +88,14 @@ def test_a_bad_scene_is_a_value_error_with_the_readers_text():
 def test_values_without_a_form_in_toml_and_misspelt_names_are_refused():
     with pytest.raises(gapflow.InputError, match="has no form in a scene"):
         gapflow.check({"domain": {"size": [1, 1], "cells": {8, 8}}})
-    with pytest.raises(TypeError, match="radiuss"):
+    with pytest.raises(TypeError, match="Ball: radiuss: unknown key; did you mean 'radius'?"):
         gapflow.Ball(name="b", radiuss=1)
-    with pytest.raises(AttributeError):
+    with pytest.raises(AttributeError, match="Fluid: viscosty: unknown attribute; did you mean 'viscosity'?"):
         gapflow.Fluid().viscosty = 1
+    with pytest.raises(TypeError, match="Simulation: outptu: unknown argument; did you mean 'output'?"):
+        gapflow.Simulation(ball_scene(), outptu="here")
+    with pytest.raises(TypeError, match="check: sett: unknown argument; did you mean 'set'?"):
+        gapflow.check(ball_scene(), sett={})
 
 
 def test_what_the_reader_does_not_follow_is_a_warning():

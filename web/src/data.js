@@ -2,7 +2,7 @@
 
 const kinds = { f32: Float32Array, f64: Float64Array, i32: Int32Array, u8: Uint8Array };
 
-/** The run: the page's JSON, with numbers(reference, base) to look arrays up. */
+/** The page's JSON, with numbers(reference, base) to look arrays up; of several runs, `runs` have it too. */
 export async function load() {
   const run = JSON.parse(document.getElementById("gapflow-data").textContent);
   const text = atob(document.getElementById("gapflow-numbers").textContent);
@@ -13,6 +13,7 @@ export async function load() {
   run.numbers = ([type, offset, count, low, high], base = 0) =>
     type === "q16" ? field(new Uint8Array(bytes, base + offset, 2 * count), count, low, high)
       : new kinds[type](bytes, base + offset, count);
+  for (const each of run.runs ?? []) Object.assign(each, { numbers: run.numbers, colours: run.colours });
   return run;
 }
 
@@ -45,6 +46,10 @@ export function frameReader(run, keep = 6) {
     if (stored.film.elements) film.elements = get(stored.film.elements);
     if (stored.film.chains) film.chains = chains(stored.film.chains, get);
     const frame = { ...stored, planes, film, placements: get(stored.placements) };
+    if (stored.volume) {
+      frame.volume = { ...stored.volume };
+      for (const name of ["pressure", "speed"]) if (stored.volume[name]) frame.volume[name] = get(stored.volume[name]);
+    }
     cache.set(index, frame);
     if (cache.size > keep) cache.delete(cache.keys().next().value);
     return frame;

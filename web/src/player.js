@@ -1,19 +1,20 @@
 // Time slider, play button and keys.
 
-/** show(index) is called for every new frame. Returns { go(index), goToTime(time), index() }. */
-export function player(run, show) {
+/** Plays the times of frames; show(index) is called for every new one. Returns { go(index), goToTime(time), index(), text(), count, wait }. */
+export function player(times, show) {
   const slider = document.getElementById("slider"), play = document.getElementById("play"), now = document.getElementById("now");
-  const last = run.frames.length - 1;
+  const last = times.length - 1;
   let index = -1, timer = null;
+  const wait = Math.round(Math.min(250, Math.max(50, 6000 / (last + 1))));
   slider.max = String(last);
-  const apart = Math.max((run.frames[last].time - run.frames[0].time) / Math.max(last, 1), 1e-9);
+  const apart = Math.max((times[last] - times[0]) / Math.max(last, 1), 1e-9);
   const digits = Math.min(6, Math.max(2, Math.ceil(-Math.log10(apart)) + 1));
   function go(to) {
     const wanted = Math.max(0, Math.min(last, to));
     if (wanted === index) return;
     index = wanted;
     slider.value = String(index);
-    now.textContent = `t = ${run.frames[index].time.toFixed(digits)} · ${index + 1} of ${last + 1}`;
+    now.textContent = `t = ${times[index].toFixed(digits)} · ${index + 1} of ${last + 1}`;
     show(index);
   }
   function stop() {
@@ -32,7 +33,7 @@ export function player(run, show) {
       go(index + 1);
       if (index === last) stop();
     };
-    timer = setInterval(advance, Math.min(250, Math.max(50, 6000 / (last + 1))));
+    timer = setInterval(advance, wait);
   }
   slider.addEventListener("input", () => { stop(); go(Number(slider.value)); });
   play.addEventListener("click", toggle);
@@ -47,10 +48,15 @@ export function player(run, show) {
     keys[event.key]();
   });
   play.disabled = slider.disabled = last < 1;
-  return { go, index: () => index, goToTime: (time) => {
+  return { go, index: () => index, count: last + 1, wait, text: () => `t = ${times[index].toFixed(digits)}`, goToTime: (time) => {
     stop();
-    let nearest = 0;
-    run.frames.forEach((frame, i) => { if (Math.abs(frame.time - time) < Math.abs(run.frames[nearest].time - time)) nearest = i; });
-    go(nearest);
+    go(nearest(times, time));
   } };
+}
+
+/** Number of the time nearest to one. */
+export function nearest(times, time) {
+  let best = 0;
+  times.forEach((t, i) => { if (Math.abs(t - time) < Math.abs(times[best] - time)) best = i; });
+  return best;
 }

@@ -56,7 +56,7 @@ export function drawScene(run) {
   const { scene } = run;
   const place = document.getElementById("scene");
   const head = ["body", "shape", "position", "density or mass", "motion", ""];
-  const most = 60;
+  const most = 20;
   const bodies = element("table", { class: "data" },
     element("thead", {}, element("tr", {}, ...head.map((name) => element("th", { scope: "col" }, name)))),
     element("tbody", {}, ...scene.body.slice(0, most).map((body) => {

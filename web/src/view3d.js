@@ -1,28 +1,36 @@
-// The run in 3D: body surfaces, films coloured by their pressure, a slice of the field. Drag turns, wheel zooms, right drag moves.
+// The run in 3D: body surfaces, films coloured by their pressure, a slice of the field that moves. Drag turns, wheel zooms, right drag moves.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, CanvasTexture, DataTexture, DirectionalLight, DoubleSide, EdgesGeometry, BoxGeometry,
-  GreaterDepth, HemisphereLight, LinearFilter, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, NearestFilter,
-  PerspectiveCamera, PlaneGeometry, Raycaster, Scene, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
+  GreaterDepth, HemisphereLight, LinearFilter, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, NearestFilter,
+  PerspectiveCamera, PlaneGeometry, Raycaster, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { css, element, short } from "./data.js";
 import { checkbox, colours, drawScales, segments, tip } from "./controls.js";
+import { units } from "./units.js";
 
 const axisNames = ["x", "y", "z"];
 
-export function view3d(run) {
-  const place = document.getElementById("picture"), choices = document.getElementById("choices");
+/** As view2d; without gapNames. */
+export function view3d(run, host) {
+  const { place } = host;
   const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   const canvas = renderer.domElement;
   canvas.setAttribute("role", "img");
   canvas.setAttribute("aria-label", "Bodies, films and a slice of the field at the chosen time");
   place.append(canvas);
   const say = tip(place);
-  const maps = { pressure: colours(run, "pressure"), speed: colours(run, "speed"), film: colours(run, "film") };
-  const fields = ["pressure", "speed"].filter((name) => run.frames.some((frame) => frame.planes.some((plane) => plane[name])));
+  const first = !host.shared.maps;
+  if (first) {
+    const fields = ["pressure", "speed"].filter((name) => run.frames.some((frame) => frame.planes.some((plane) => plane[name])));
+    Object.assign(host.shared, { maps: { pressure: colours(run, "pressure"), speed: colours(run, "speed"), film: colours(run, "film") }, fields,
+      state: { field: fields[0] ?? null, axis: 1, opacity: 1, at: [null, null, null], through: true }, draws: [], cameras: [] });
+  }
+  const { maps, fields, state, draws, cameras } = host.shared; // at: where the slices across each axis are; null: where the run's own are
+  const changed = () => { for (const each of draws) each(); };
   const films = run.frames.some((frame) => frame.film.thickness[2] > 0);
-  const state = { field: fields[0] ?? null, axis: 1, through: true, frame: null };
+  let frame = null;
   const origin = new Vector3(...run.domain.origin), size = new Vector3(...run.domain.size), middle = origin.clone().addScaledVector(size, 0.5);
 
   // ---- things to see
@@ -40,11 +48,24 @@ export function view3d(run) {
     at[axis === 0 ? "y" : "x"] -= 0.05 * size.length() / 1.7;
     if (axis === 1) at.x = origin.x + size.x + 0.05 * size.length() / 1.7;
     sprite.position.copy(at);
-    sprite.scale.setScalar(0.055 * size.length());
+    sprite.scale.set(0.24 * size.length(), 0.06 * size.length(), 1);
     scene.add(sprite);
-    return { name, sprite };
+    const ends = [origin.getComponent(axis), origin.getComponent(axis) + size.getComponent(axis)].map((v) => short(Number(v.toPrecision(4))));
+    return { name: `${name}: ${ends[0]} … ${ends[1]} (length)`, sprite };
   });
-  const bodies = run.bodies.map((body) => {
+  const sphere = new SphereGeometry(1, run.bodies.length > 100 ? 32 : 64, run.bodies.length > 100 ? 16 : 32);
+  const bodies = run.bodies.map((body, b) => {
+    const of = run.scene.body[b];
+    if (of?.shape === "ball" && !of.inside_out && body.points[2] > 0) { // round at any distance
+      const points = run.numbers(body.points), middle = [0, 0, 0], n = points.length / 3;
+      points.forEach((v, i) => (middle[i % 3] += v / n));
+      const mesh = new Mesh(sphere, new MeshLambertMaterial({ color: 0xc4ccd6 }));
+      mesh.matrixAutoUpdate = false;
+      mesh.name = body.name;
+      mesh.userData.own = new Matrix4().makeTranslation(...middle).multiply(new Matrix4().makeScale(of.radius, of.radius, of.radius));
+      scene.add(mesh);
+      return mesh;
+    }
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(run.numbers(body.points).slice(), 3));
     geometry.setIndex(new BufferAttribute(new Uint32Array(run.numbers(body.elements)), 1));
@@ -68,28 +89,67 @@ export function view3d(run) {
   scene.add(slice);
 
   // ---- choices
-  const scales = () => drawScales([...(state.field ? [[`${state.field} on the slice`, maps[state.field]]] : []),
-    ...(films ? [["film pressure", maps.film]] : [])]);
-  if (fields.length > 1) choices.append(segments(fields.map((f) => [f, f[0].toUpperCase() + f.slice(1)]), state.field, (field) => {
-    state.field = field;
-    scales();
-    update();
-  }));
-  if (fields.length) choices.append("Slice", segments([...axisNames.map((name, axis) => [axis, name]), [-1, "none"]], state.axis, (axis) => {
-    state.axis = axis;
-    update();
-  }));
-  if (films) choices.append(checkbox("Films through bodies", state.through, (on) => { state.through = on; update(); }));
-  const reset = element("button", { type: "button" }, "Reset view");
-  reset.onclick = () => { lookFromStart(); render(); };
-  choices.append(reset);
-  scales();
+  const scales = () => [...(state.field ? [[`${state.field} on the slice (${units(3)[state.field === "speed" ? "velocity" : "pressure"]})`, maps[state.field]]] : []),
+    ...(films ? [[`film pressure (${units(3).pressure})`, maps.film]] : [])];
+  if (first) drawChoices();
+  function drawChoices() {
+    const { choices } = host, drawAll = () => drawScales(host.scales, scales(), changed);
+    if (fields.length > 1) choices.append(segments(fields.map((f) => [f, f[0].toUpperCase() + f.slice(1)]), state.field, (field) => {
+      state.field = field;
+      drawAll();
+      changed();
+    }));
+    if (fields.length) {
+      const place = element("input", { type: "range", min: "0", max: "1000", "aria-label": "Place of the slice" });
+      const at = element("output", {}), box = element("label", { class: "slice" }, "at", place, at);
+      const opacity = element("input", { type: "range", min: "5", max: "100", value: "100", "aria-label": "Opacity of the slice" });
+      const own = () => run.frames[0].planes.find((p) => p.axis === state.axis)?.position ?? middle.getComponent(state.axis);
+      const tell = () => {
+        box.hidden = state.axis < 0;
+        if (state.axis < 0) return;
+        const where = state.at[state.axis] ?? own();
+        place.value = String(Math.round((1000 * (where - origin.getComponent(state.axis))) / size.getComponent(state.axis)));
+        at.textContent = short(Number(where.toPrecision(4)));
+      };
+      place.oninput = () => {
+        state.at[state.axis] = origin.getComponent(state.axis) + (Number(place.value) / 1000) * size.getComponent(state.axis);
+        tell();
+        changed();
+      };
+      opacity.oninput = () => { state.opacity = Number(opacity.value) / 100; changed(); };
+      choices.append("Slice", segments([...axisNames.map((name, axis) => [axis, name]), [-1, "none"]], state.axis, (axis) => {
+        state.axis = axis;
+        tell();
+        changed();
+      }), box, element("label", {}, "opacity", opacity));
+      tell();
+    }
+    if (films) choices.append(checkbox("Films through bodies", state.through, (on) => { state.through = on; changed(); }));
+    const reset = element("button", { type: "button" }, "Reset view");
+    reset.onclick = () => { state.at = [null, null, null]; lookFromStart(); changed(); };
+    choices.append(reset);
+    drawAll();
+  }
 
   // ---- camera
   const camera = new PerspectiveCamera(32, 1, 0.01 * size.length(), 20 * size.length());
   camera.up.set(0, 0, 1);
   const controls = new OrbitControls(camera, canvas);
-  controls.addEventListener("change", () => render());
+  let follows = false; // another view's camera
+  controls.addEventListener("change", () => {
+    render();
+    if (follows) return;
+    for (const other of cameras) if (other !== follow) other(camera.position, controls.target);
+  });
+  function follow(position, target) {
+    follows = true;
+    camera.position.copy(position);
+    controls.target.copy(target);
+    controls.update();
+    follows = false;
+    render();
+  }
+  cameras.push(follow);
   function lookFromStart() {
     const direction = new Vector3(0.62, -1.35, 0.62).normalize();
     const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => origin.clone().add(new Vector3(k & 1, (k >> 1) & 1, k >> 2).multiply(size)));
@@ -118,8 +178,22 @@ export function view3d(run) {
   }
 
   // ---- a frame
+  // The run's own slice, or, elsewhere, one of the coarser values of the whole domain.
+  function planeNow() {
+    const own = frame.planes.find((p) => p.axis === state.axis), at = state.at[state.axis];
+    if (at === null || at === undefined || !frame.volume || (own && Math.abs(at - own.position) < 0.5 * run.domain.spacing)) return own;
+    const { cells, low, spacing } = frame.volume, axis = state.axis, in_plane = [0, 1, 2].filter((a) => a !== axis);
+    const layer = Math.max(0, Math.min(cells[axis] - 1, Math.floor((at - low[axis]) / spacing))), steps = [1, cells[0], cells[0] * cells[1]];
+    const [nx, ny] = in_plane.map((a) => cells[a]);
+    const cut = (values) => values && Float32Array.from({ length: nx * ny }, (_, c) =>
+      values[layer * steps[axis] + (c % nx) * steps[in_plane[0]] + Math.floor(c / nx) * steps[in_plane[1]]]);
+    const plane = { axis, position: at, in_plane, cells: [nx, ny], low: in_plane.map((a) => low[a]), spacing,
+      pressure: cut(frame.volume.pressure), speed: cut(frame.volume.speed) };
+    plane.fluid = (plane.pressure ?? plane.speed).map((v) => (Number.isNaN(v) ? 0 : 1));
+    return plane;
+  }
   function placeSlice() {
-    const plane = state.frame.planes.find((p) => p.axis === state.axis), values = plane?.[state.field];
+    const plane = state.axis < 0 ? undefined : planeNow(), values = plane?.[state.field];
     slice.visible = Boolean(values);
     if (!values) return;
     const [nx, ny] = plane.cells, map = maps[state.field], pixels = new Uint8Array(4 * nx * ny);
@@ -138,6 +212,9 @@ export function view3d(run) {
     texture.minFilter = NearestFilter;
     texture.needsUpdate = true;
     slice.material.map = texture;
+    slice.material.opacity = state.opacity;
+    slice.material.alphaTest = 0.5 * state.opacity;
+    slice.material.depthWrite = state.opacity > 0.95;
     slice.material.needsUpdate = true;
     const ex = new Vector3(), ey = new Vector3(), at = new Vector3();
     ex.setComponent(plane.in_plane[0], nx * plane.spacing);
@@ -150,7 +227,7 @@ export function view3d(run) {
     slice.userData.plane = plane;
   }
   function placeFilm() {
-    const { points, pressure, elements } = state.frame.film;
+    const { points, pressure, elements } = frame.film;
     const geometry = new BufferGeometry(), shades = new Uint8Array(3 * pressure.length);
     pressure.forEach((p, i) => { const from = maps.film.index(p); shades.set(maps.film.table.subarray(from, from + 3), 3 * i); });
     geometry.setAttribute("position", new BufferAttribute(points.slice(), 3));
@@ -165,12 +242,13 @@ export function view3d(run) {
     hidden.visible = film.visible && state.through;
   }
   function update() {
-    if (!state.frame) return;
+    if (!frame) return;
     placeSlice();
     placeFilm();
     bodies.forEach((mesh, b) => {
-      const p = state.frame.placements.subarray(12 * b, 12 * b + 12);
+      const p = frame.placements.subarray(12 * b, 12 * b + 12);
       mesh.matrix.set(p[0], p[1], p[2], p[9], p[3], p[4], p[5], p[10], p[6], p[7], p[8], p[11], 0, 0, 0, 1);
+      if (mesh.userData.own) mesh.matrix.multiply(mesh.userData.own);
       mesh.matrixWorldNeedsUpdate = true;
     });
     render();
@@ -179,13 +257,14 @@ export function view3d(run) {
     frameLines.material.color.set(css("--soft"));
     for (const { name, sprite } of labels) {
       const board = document.createElement("canvas");
-      board.width = board.height = 64;
+      board.width = 512;
+      board.height = 128;
       const brush = board.getContext("2d");
       brush.font = "600 40px system-ui, sans-serif";
       brush.textAlign = "center";
       brush.textBaseline = "middle";
       brush.fillStyle = css("--soft");
-      brush.fillText(name, 32, 32);
+      brush.fillText(name, 256, 64);
       sprite.material.map?.dispose();
       sprite.material.map = new CanvasTexture(board);
       sprite.material.map.colorSpace = SRGBColorSpace;
@@ -201,7 +280,7 @@ export function view3d(run) {
   // ---- values under the pointer
   const ray = new Raycaster();
   canvas.addEventListener("pointermove", (event) => {
-    if (!state.frame || event.buttons) return say(null);
+    if (!frame || event.buttons) return say(null);
     const x = (event.offsetX / canvas.clientWidth) * 2 - 1, y = 1 - (event.offsetY / canvas.clientHeight) * 2;
     ray.setFromCamera(new Vector2(x, y), camera);
     const hits = ray.intersectObjects([film, slice, ...bodies].filter((mesh) => mesh.visible && mesh.geometry.attributes.position?.count > 0), false);
@@ -213,7 +292,7 @@ export function view3d(run) {
   function describe(hit) {
     const where = `x ${short(hit.point.x)}   y ${short(hit.point.y)}   z ${short(hit.point.z)}`;
     if (hit.object === film) {
-      const { pressure, thickness } = state.frame.film, node = hit.face.a;
+      const { pressure, thickness } = frame.film, node = hit.face.a;
       return `${where}\nfilm pressure ${short(pressure[node])}\nthickness ${short(thickness[node])}`;
     }
     if (hit.object === slice) {
@@ -234,5 +313,12 @@ export function view3d(run) {
   resize();
   paintLabels();
   lookFromStart();
-  return { show: (frame) => { state.frame = frame; update(); }, redraw: () => { paintLabels(); render(); } };
+  draws.push(update);
+  return { show: (next) => { frame = next; update(); }, redraw: () => { paintLabels(); render(); }, canvas, scales,
+    remove: () => {
+      draws.splice(draws.indexOf(update), 1);
+      cameras.splice(cameras.indexOf(follow), 1);
+      renderer.dispose();
+      renderer.forceContextLoss();
+    } };
 }

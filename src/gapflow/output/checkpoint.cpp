@@ -4,10 +4,10 @@
 #include "gapflow/output/checkpoint.hpp"
 
 #include "gapflow/output/file.hpp"
+#include "gapflow/output/scene_difference.hpp"
 
 #define H5_USE_110_API // the same calls in all later releases
 #include <hdf5.h>
-#include <nlohmann/json.hpp>
 #include <zlib.h>
 
 #include <cerrno>
@@ -252,62 +252,14 @@ void broadcast(std::map<std::string, std::vector<T>>& arrays, const Communicator
     }
 }
 
-using Json = nlohmann::ordered_json;
-
-// The part that must be the same in both scenes.
-Json essence(const std::string& scene)
-{
-    Json json = Json::parse(scene);
-    for (const char* free : {"title", "time", "solver", "output", "probe", "flux"})
-        json.erase(free);
-    json["domain"].erase("leaving");
-    const auto bare = [](Json& object, const char* key) {
-        if (object.is_object() && object.contains(key) && object[key].is_string())
-            object[key] = std::filesystem::path(object[key].get<std::string>()).filename().string();
-    };
-    for (Json& body : json["body"]) {
-        bare(body, "file");
-        bare(body, "motion_file");
-    }
-    for (Json& side : json["domain"]["sides"]) {
-        bare(side, "inflow");
-        bare(side, "pressure");
-    }
-    return json;
-}
-
-// Dotted path of the first difference and both values; empty: none.
-std::string difference(const Json& then, const Json& now, const std::string& path)
-{
-    if (then == now)
-        return {};
-    const auto below = [&](const std::string& key) { return path.empty() ? key : path + "." + key; };
-    if (then.is_object() && now.is_object()) {
-        for (const auto& [key, value] : then.items())
-            if (const std::string found = difference(value, now.value(key, Json()), below(key)); !found.empty())
-                return found;
-        for (const auto& [key, value] : now.items())
-            if (!then.contains(key))
-                return difference(Json(), value, below(key));
-    }
-    if (then.is_array() && now.is_array() && !then.empty() && then[0].is_object()) {
-        if (then.size() != now.size())
-            return "number of [[" + path + "]]: was " + std::to_string(then.size()) + ", is " + std::to_string(now.size());
-        for (std::size_t i = 0; i < then.size(); ++i) {
-            const std::string name = then[i].contains("name") ? then[i]["name"].get<std::string>() : std::to_string(i + 1);
-            if (const std::string found = difference(then[i], now[i], below(name)); !found.empty())
-                return found;
-        }
-    }
-    const auto text = [](const Json& value) { return value.is_null() ? std::string("not given") : value.dump(); };
-    return path + ": was " + text(then) + ", is " + text(now);
-}
+// What may differ between a run and its continuation.
+const std::vector<std::string> free_keys{"title", "time", "solver", "output", "probe", "flux", "domain.leaving"};
 
 } // namespace
 
 bool same_scene(const std::string& one, const std::string& other)
 {
-    return essence(one) == essence(other);
+    return scene_difference(one, other, free_keys).empty();
 }
 
 void throw_checkpoint_error(const std::filesystem::path& path, const std::string& problem)
@@ -362,7 +314,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const Communicator
 
 void require_same_scene(const std::filesystem::path& path, const Checkpoint& checkpoint, const Scene& scene)
 {
-    const std::string found = difference(essence(checkpoint.scene), essence(scene_as_json(scene)), "");
+    const std::string found = scene_difference(checkpoint.scene, scene_as_json(scene), free_keys);
     if (!found.empty())
         throw InputError(path.string() + ": a checkpoint of another scene: " + found +
                          "; only title, time, solver, output, probe, flux and domain.leaving may change: put the scene back or "

@@ -232,6 +232,65 @@ void find_orders(ConvergenceOf& convergence, double reference_spacing)
     convergence.slope_l2 = observed_order(h, l2, reference_spacing);
 }
 
+Limit limit_of(const std::vector<double>& spacings, const std::vector<double>& values, double least)
+{
+    Limit limit;
+    limit.values = values;
+    const std::size_t n = values.size();
+    if (n < 3) {
+        limit.reason = "takes three grids";
+        return limit;
+    }
+    const double h1 = spacings[n - 3], h2 = spacings[n - 2], h3 = spacings[n - 1];
+    const double before = values[n - 3] - values[n - 2], last = values[n - 2] - values[n - 1];
+    if (std::abs(before) <= least || std::abs(last) <= least) {
+        limit.reason = "changes no more than by round-off";
+        return limit;
+    }
+    if (before * last < 0) {
+        limit.reason = "not monotone";
+        return limit;
+    }
+    // log of (h1^p - h2^p) / (h2^p - h3^p), which increases with p, less that of the changes
+    const auto rest = [&](double p) {
+        return log_error_law(h1 / h2, 1, p) - (log_error_law(1, h3 / h2, p)) - std::log(before / last);
+    };
+    double low = 0, high = highest_order;
+    if (rest(low) >= 0 || rest(high) < 0) {
+        limit.reason = rest(low) >= 0 ? "its changes do not fall" : "no order below 20";
+        return limit;
+    }
+    for (int i = 0; i < 100; ++i) {
+        const double middle = 0.5 * (low + high);
+        (rest(middle) < 0 ? low : high) = middle;
+    }
+    limit.order = 0.5 * (low + high);
+    limit.value = values[n - 1] - last / std::expm1(*limit.order * std::log(h2 / h3));
+    return limit;
+}
+
+std::vector<std::pair<std::string, double>> numbers_of(const Series& series, const TimeWindow& window)
+{
+    Series inside;
+    const auto add = [&](double time, double value) {
+        inside.time.push_back(time);
+        inside.value.push_back(value);
+    };
+    add(window.from, interpolated(series, window.from));
+    for (std::size_t i = 0; i < series.time.size(); ++i)
+        if (series.time[i] > window.from && series.time[i] < window.to)
+            add(series.time[i], series.value[i]);
+    add(window.to, interpolated(series, window.to));
+    double sum = 0;
+    for (std::size_t i = 1; i < inside.time.size(); ++i)
+        sum += 0.5 * (inside.time[i] - inside.time[i - 1]) * (inside.value[i] + inside.value[i - 1]);
+    const auto [smallest, largest] = std::minmax_element(inside.value.begin(), inside.value.end());
+    return {{"end", inside.value.back()},
+            {"mean", sum / (window.to - window.from)},
+            {"smallest", *smallest},
+            {"largest", *largest}};
+}
+
 std::string convergence_text(const std::vector<ConvergenceOf>& all)
 {
     std::string text;
@@ -243,8 +302,23 @@ std::string convergence_text(const std::vector<ConvergenceOf>& all)
         for (const ConvergenceRow& row : c.rows)
             text += fmt::format("{:>8} {:>12.5g} {:>8} {:>12.4e} {:>7} {:>12.4e} {:>7}\n", row.cells, row.spacing, row.steps,
                                 row.error.max, order_text(row.order_max), row.error.l2, order_text(row.order_l2));
-        text += fmt::format("{:>8} {:>12} {:>8} {:>12} {:>7} {:>12} {:>7}\n\n", "slope", "", "", "", order_text(c.slope_max),
-                            "", order_text(c.slope_l2));
+        text += fmt::format("{:>8} {:>12} {:>8} {:>12} {:>7} {:>12} {:>7}\n", "slope", "", "", "", order_text(c.slope_max), "",
+                            order_text(c.slope_l2));
+        if (!c.limits.empty()) {
+            text += fmt::format("{:>8}", "limits");
+            for (const int cells : c.grids)
+                text += fmt::format(" {:>12}", cells);
+            text += fmt::format(" {:>7} {:>12} {:>12}\n", "order", "limit", "finest off");
+        }
+        for (const Limit& limit : c.limits) {
+            text += fmt::format("{:>8}", limit.of);
+            for (const double value : limit.values)
+                text += fmt::format(" {:>12.6g}", value);
+            text += limit.value ? fmt::format(" {:>7} {:>12.6g} {:>12.2e}\n", order_text(limit.order), *limit.value,
+                                              limit.values.back() - *limit.value)
+                                : "    " + limit.reason + "\n";
+        }
+        text += "\n";
     }
     return text;
 }
@@ -257,6 +331,27 @@ std::string convergence_csv(const std::vector<ConvergenceOf>& all)
         for (const ConvergenceRow& row : c.rows)
             csv += fmt::format("{},{},{},{},{},{},{},{}\n", c.quantity, row.cells, number_text(row.spacing), row.steps,
                                number_text(row.error.max), text(row.order_max), number_text(row.error.l2), text(row.order_l2));
+    return csv;
+}
+
+std::string limits_csv(const std::vector<ConvergenceOf>& all)
+{
+    const auto text = [](const std::optional<double>& number) { return number ? number_text(*number) : std::string(); };
+    std::string csv;
+    for (const ConvergenceOf& c : all) {
+        if (csv.empty()) {
+            csv = "quantity,of";
+            for (const int cells : c.grids)
+                csv += fmt::format(",cells_{}", cells);
+            csv += ",order,limit,reason\n";
+        }
+        for (const Limit& limit : c.limits) {
+            csv += c.quantity + "," + limit.of;
+            for (const double value : limit.values)
+                csv += "," + number_text(value);
+            csv += "," + text(limit.order) + "," + text(limit.value) + "," + limit.reason + "\n";
+        }
+    }
     return csv;
 }
 
@@ -277,6 +372,14 @@ std::string convergence_json(const std::vector<ConvergenceOf>& all)
                                      {"order_max", number(row.order_max)},
                                      {"error_l2", row.error.l2},
                                      {"order_l2", number(row.order_l2)}});
+        entry["limits"] = Json::array();
+        for (const Limit& limit : c.limits) {
+            Json of = {
+                {"of", limit.of}, {"values", limit.values}, {"order", number(limit.order)}, {"limit", number(limit.value)}};
+            if (!limit.reason.empty())
+                of["reason"] = limit.reason;
+            entry["limits"].push_back(of);
+        }
         list.push_back(entry);
     }
     return Json{{"convergence", list}}.dump(2) + "\n";

@@ -5,11 +5,13 @@
 #include "gapflow/output/report_page.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
 #include "gapflow/output/assets.hpp"
 #include "gapflow/output/base64.hpp"
 #include "gapflow/output/colour_map.hpp"
 #include "gapflow/output/file.hpp"
 #include "gapflow/output/run_view.hpp"
+#include "gapflow/output/scene_difference.hpp"
 #include "gapflow/output/xml.hpp"
 
 #include <nlohmann/json.hpp>
@@ -20,6 +22,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace gapflow {
 
@@ -259,6 +262,13 @@ EncodedFrame encode(const FrameView& frame, int dimension)
         }
         json["planes"].push_back(std::move(entry));
     }
+    if (const FieldVolume& volume = frame.volume; volume.cells[0] > 0) {
+        json["volume"] = {{"cells", volume.cells}, {"low", volume.low}, {"spacing", volume.spacing}};
+        if (!volume.pressure.empty())
+            json["volume"]["pressure"] = numbers.field(volume.pressure);
+        if (!volume.speed.empty())
+            json["volume"]["speed"] = numbers.field(volume.speed);
+    }
     const FilmView& film = frame.film;
     json["film"] = {{"points", numbers.points(film.points, dimension)},
                     {"thickness", numbers.floats(film.thickness)},
@@ -284,7 +294,7 @@ std::vector<EncodedFrame> encode_frames(const StoredRun& run, const RunView& vie
     std::vector<EncodedFrame> kept;
     std::size_t stride = 1, bytes = 0;
     const auto add = [&](std::size_t index) {
-        const FrameView frame = view_frame(run, view, run.frames[index], limits.plane_cells);
+        const FrameView frame = view_frame(run, view, run.frames[index], limits.plane_cells, limits.volume_cells);
         sampler.add(frame);
         kept.push_back(encode(frame, view.dimension));
         bytes += kept.back().numbers.content().size();
@@ -369,14 +379,11 @@ std::string warnings_html(const Json& record)
                                items + "</ul></section>";
 }
 
-} // namespace
-
-PageSummary write_report_page(const StoredRun& run, const std::filesystem::path& page, const PageLimits& limits,
-                              const CountWatcher& watch)
+/// A run as a page holds it, but for colours: its numbers go to the others.
+Json run_json(const StoredRun& run, const PageLimits& limits, const CountWatcher& watch, RangeSampler& sampler,
+              Numbers& numbers, PageSummary& summary)
 {
-    PageSummary summary;
     const RunView view = view_run(run);
-    Numbers numbers;
     Json json;
     json["dimension"] = view.dimension;
     json["title"] = title_of(run);
@@ -387,9 +394,7 @@ PageSummary write_report_page(const StoredRun& run, const std::filesystem::path&
                       {"spacing", view.spacing}};
     json["bodies"] = bodies_json(view, numbers);
     json["tables"] = tables_json(run, view, limits, numbers, summary);
-    RangeSampler sampler;
     std::vector<EncodedFrame> frames = encode_frames(run, view, limits, sampler, watch);
-    json["colours"] = colours_json(sampler.ranges(run.scene->at("fluid").value("reference_pressure", 0.0)), numbers);
     json["frames_of_run"] = run.frames.size();
     json["frames"] = Json::array();
     for (EncodedFrame& frame : frames) {
@@ -397,20 +402,104 @@ PageSummary write_report_page(const StoredRun& run, const std::filesystem::path&
         numbers.append(frame.numbers);
         json["frames"].push_back(std::move(frame.json));
     }
-    const std::string packed = compressed(numbers.content());
-    const std::string content =
-        filled(assets::page_html(),
-               {{"title", escaped(title_of(run))},
-                {"warnings", warnings_html(*run.record)},
-                {"style", code_for_page(assets::page_style())},
-                {"data", json_for_script(json)},
-                {"numbers", base64(packed)},
-                {"script", code_for_page(view.dimension == 2 ? assets::page_script_2d() : assets::page_script_3d())}});
-    write_atomically(page, content);
     summary.frames = frames.size();
     summary.frames_of_run = run.frames.size();
-    summary.bytes = content.size();
+    return json;
+}
+
+/// Fills the template and writes it; returns its size.
+std::size_t write_page(const std::filesystem::path& page, const std::string& title, const std::string& warnings, int dimension,
+                       const Json& json, const Numbers& numbers)
+{
+    const std::string packed = compressed(numbers.content());
+    const std::string content = filled(
+        assets::page_html(), {{"title", escaped(title)},
+                              {"warnings", warnings},
+                              {"style", code_for_page(assets::page_style())},
+                              {"data", json_for_script(json)},
+                              {"numbers", base64(packed)},
+                              {"script", code_for_page(dimension == 2 ? assets::page_script_2d() : assets::page_script_3d())}});
+    write_atomically(page, content);
+    return content.size();
+}
+
+double reference_pressure(const StoredRun& run)
+{
+    return run.scene->at("fluid").value("reference_pressure", 0.0);
+}
+
+} // namespace
+
+PageSummary write_report_page(const StoredRun& run, const std::filesystem::path& page, const PageLimits& limits,
+                              const CountWatcher& watch)
+{
+    PageSummary summary;
+    Numbers numbers;
+    RangeSampler sampler;
+    Json json = run_json(run, limits, watch, sampler, numbers, summary);
+    json["colours"] = colours_json(sampler.ranges(reference_pressure(run)), numbers);
+    summary.bytes = write_page(page, title_of(run), warnings_html(*run.record), run.dimension, json, numbers);
     return summary;
+}
+
+PageSummary write_comparison_page(const std::vector<LabelledRun>& runs, const std::filesystem::path& page,
+                                  const PageLimits& limits, const CountWatcher& watch)
+{
+    const int dimension = runs.at(0).run.dimension;
+    PageLimits each = limits;
+    each.frame_bytes /= runs.size();
+    each.table_values /= runs.size();
+    std::size_t frames = 0, before = 0;
+    for (const LabelledRun& labelled : runs) {
+        if (labelled.run.dimension != dimension)
+            throw InputError(labelled.run.folder.string() + ": a run in " + std::to_string(labelled.run.dimension) +
+                             "D beside one in " + std::to_string(dimension) + "D (" + runs[0].run.folder.string() +
+                             "); compare runs of the same dimension");
+        frames += labelled.run.frames.size();
+    }
+    PageSummary summary;
+    Numbers numbers;
+    RangeSampler sampler;
+    Json json;
+    json["dimension"] = dimension;
+    json["title"] = title_of(runs[0].run);
+    json["runs"] = Json::array();
+    for (const LabelledRun& labelled : runs) {
+        PageSummary of_run;
+        const CountWatcher watch_all =
+            watch ? CountWatcher([&](std::size_t done, std::size_t) { watch(before + done, frames); }) : CountWatcher();
+        Json run = run_json(labelled.run, each, watch_all, sampler, numbers, of_run);
+        run["label"] = labelled.label;
+        run["folder"] = labelled.run.folder.string();
+        json["runs"].push_back(std::move(run));
+        before += labelled.run.frames.size();
+        summary.frames += of_run.frames;
+        summary.frames_of_run += of_run.frames_of_run;
+        summary.steps += of_run.steps;
+        summary.steps_of_run += of_run.steps_of_run;
+    }
+    json["colours"] = colours_json(sampler.ranges(reference_pressure(runs[0].run)), numbers);
+    summary.bytes = write_page(page, title_of(runs[0].run), "", dimension, json, numbers);
+    return summary;
+}
+
+std::vector<std::string> labels_of(const std::vector<StoredRun>& runs)
+{
+    std::vector<std::string> scenes, labels(runs.size());
+    for (const StoredRun& run : runs)
+        scenes.push_back(run.scene->dump());
+    const auto differing = differing_values(scenes);
+    for (std::size_t i = 0; i < runs.size() && differing.size() <= 3; ++i) {
+        std::vector<std::string> parts;
+        for (const auto& [key, values] : differing)
+            parts.push_back(key + " = " + values[i]);
+        labels[i] = joined(parts);
+    }
+    if (std::set<std::string>(labels.begin(), labels.end()).size() == runs.size())
+        return labels;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        labels[i] = runs[i].folder.lexically_normal().string();
+    return labels;
 }
 
 } // namespace gapflow

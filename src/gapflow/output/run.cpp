@@ -140,6 +140,27 @@ void Run<D>::write_checkpoint(const std::filesystem::path& path) const
 }
 
 template <int D>
+Run<D>::Run(Copy, const Run& from)
+    : simulation_(std::make_unique<Simulation<D>>(from.simulation().scene(), from.simulation().grid().comm(),
+                                                  from.simulation().state())),
+      report_(from.report_), version_(from.version_), smallest_gap_place_(from.smallest_gap_place_), moving_(from.moving_),
+      end_(from.end_), smallest_gap_(from.smallest_gap_), resumed_(from.resumed_)
+{
+}
+
+template <int D>
+std::unique_ptr<Run<D>> Run<D>::copy() const
+{
+    return std::unique_ptr<Run<D>>(new Run(Copy{}, *this));
+}
+
+template <int D>
+void Run<D>::change(const Scene& scene)
+{
+    simulation_ = std::make_unique<Simulation<D>>(scene, simulation_->grid().comm(), simulation_->state());
+}
+
+template <int D>
 void Run<D>::interrupt()
 {
     if (!files_)

@@ -36,6 +36,11 @@ public:
     const StepReport& step(double until = std::numeric_limits<double>::infinity());
     /// A checkpoint of this moment into a file. Throws ComputationError. Collective.
     void write_checkpoint(const std::filesystem::path& path) const;
+    /// A run without files of a simulation in the same state: it goes on with the same bits. Collective.
+    std::unique_ptr<Run> copy() const;
+    /// Goes on with values of another scene that the state does not hold: gravity, viscosity, sides, springs, laws of contact, lengths of steps.
+    /// Throws InputError if the state is not one of such a scene; the run then is as before. Collective.
+    void change(const Scene& scene);
     /// Ends the files before time.end: a checkpoint to continue from, fields of this moment, the record. Collective.
     void interrupt();
     /// Ends the files. Collective.
@@ -61,6 +66,9 @@ public:
     const std::string& smallest_gap_place() const { return smallest_gap_place_; }
 
 private:
+    struct Copy {}; ///< tag
+    Run(Copy, const Run& from);
+
     void record_failure(const char* message);
     void note_smallest_gap();
     void end_if_asked();

@@ -124,6 +124,51 @@ FieldPlane plane_of(const VtkContent& image, int axis, double position)
     return plane;
 }
 
+FieldVolume volume_of(const VtkContent& image, long most_cells)
+{
+    FieldVolume volume;
+    int factor = 1;
+    const auto shrunk = [&](int axis) { return (image.cells[axis] + factor - 1) / factor; };
+    while (static_cast<long>(shrunk(0)) * shrunk(1) * shrunk(2) > most_cells)
+        ++factor;
+    volume.spacing = factor * image.spacing[0];
+    for (int axis = 0; axis < 3; ++axis) {
+        volume.cells[axis] = shrunk(axis);
+        volume.low[axis] = image.origin[axis];
+    }
+    const VtkArray* kind = image.cell_array("kind");
+    const auto means = [&](const VtkArray* array, bool size) {
+        std::vector<double> sum(static_cast<std::size_t>(shrunk(0)) * shrunk(1) * shrunk(2), 0);
+        std::vector<int> count(sum.size(), 0);
+        for (int k = 0; k < image.cells[2]; ++k)
+            for (int j = 0; j < image.cells[1]; ++j)
+                for (int i = 0; i < image.cells[0]; ++i) {
+                    const auto at = static_cast<std::size_t>(i + image.cells[0] * (j + static_cast<long>(image.cells[1]) * k));
+                    const int of = kind ? static_cast<int>(kind->values[at]) : bulk;
+                    if (of != bulk && of != mixed)
+                        continue;
+                    const double value = size ? Eigen::Map<const Eigen::Vector3d>(array->values.data() + 3 * at).norm()
+                                              : static_cast<double>(array->values[at]);
+                    if (!std::isfinite(value))
+                        continue;
+                    const auto to = static_cast<std::size_t>(
+                        i / factor + volume.cells[0] * (j / factor + static_cast<long>(volume.cells[1]) * (k / factor)));
+                    sum[to] += value;
+                    ++count[to];
+                }
+        std::vector<float> mean(sum.size(), none);
+        for (std::size_t c = 0; c < sum.size(); ++c)
+            if (count[c] > 0)
+                mean[c] = static_cast<float>(sum[c] / count[c]);
+        return mean;
+    };
+    if (const VtkArray* pressure = image.cell_array("pressure"))
+        volume.pressure = means(pressure, false);
+    if (const VtkArray* velocity = image.cell_array("velocity"))
+        volume.speed = means(velocity, true);
+    return volume;
+}
+
 FilmView film_of(const VtkContent& surface, int dimension)
 {
     FilmView film;
@@ -260,7 +305,7 @@ RunView view_run(const StoredRun& run)
     return view;
 }
 
-FrameView view_frame(const StoredRun& run, const RunView& view, const RunFrame& frame, long most_cells)
+FrameView view_frame(const StoredRun& run, const RunView& view, const RunFrame& frame, long most_cells, long most_volume_cells)
 {
     FrameView result;
     result.number = frame.number;
@@ -273,6 +318,8 @@ FrameView view_frame(const StoredRun& run, const RunView& view, const RunFrame& 
             result.planes.push_back(plane_of(image, axis, view.slices[axis]));
         for (FieldPlane& plane : result.planes)
             coarsen(plane, most_cells);
+        if (view.dimension == 3 && most_volume_cells > 0)
+            result.volume = volume_of(image, most_volume_cells);
     }
     if (!frame.films.empty())
         result.film = film_of(read_vtk(run.folder / frame.films), view.dimension);

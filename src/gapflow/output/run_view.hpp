@@ -26,6 +26,14 @@ struct FieldPlane {
     std::vector<float> fluid;                 ///< 1 where there is fluid (bulk, film or mixed cells), 0 in solids
 };
 
+/// 3D: values of the whole domain, coarsened, for slices anywhere. Cell (i, j, k) is values[i + cells[0] (j + cells[1] k)]. NaN: no fluid.
+struct FieldVolume {
+    std::array<int, 3> cells{0, 0, 0};
+    std::array<double, 3> low{0, 0, 0};
+    double spacing = 0;
+    std::vector<float> pressure, speed; ///< empty where the run did not write them
+};
+
 /// A body's surface as it lies in the first frame that has it. 2D: closed outlines, a container's with a rim around the domain.
 struct BodyView {
     std::string name, motion, shape;
@@ -53,6 +61,7 @@ struct FrameView {
     int number = 0;
     double time = 0;
     std::vector<FieldPlane> planes; ///< 2D: one; 3D: across x, y, z; none without field files
+    FieldVolume volume;             ///< 3D, with field files
     FilmView film;
     std::vector<Placement> placements; ///< a body each
 };
@@ -69,9 +78,10 @@ struct RunView {
 /// through the middle.
 RunView view_run(const StoredRun& run);
 
-/// One frame. Planes of more than `most_cells` cells are coarsened by a whole factor (means of blocks).
+/// One frame. Planes of more than `most_cells` cells, and volumes of more than `most_volume_cells`, are coarsened by a whole factor (means of
+/// blocks). 0 volume cells: no volume.
 FrameView view_frame(const StoredRun& run, const RunView& view, const RunFrame& frame,
-                     long most_cells = std::numeric_limits<long>::max());
+                     long most_cells = std::numeric_limits<long>::max(), long most_volume_cells = 0);
 
 /// Points of elements (pairs) in a row, closed ones with the first point again at the end.
 std::vector<std::vector<int>> chains_of(const std::vector<int>& pairs);

@@ -36,6 +36,16 @@ long step_of(std::string_view row)
 
 } // namespace
 
+std::string csv_cell(std::string_view text)
+{
+    if (text.find_first_of(",\"\n\r") == std::string_view::npos)
+        return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
 Table::Table(Open, const std::filesystem::path& path, std::size_t columns) : path_(path), columns_(columns)
 {
     descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
@@ -117,12 +127,7 @@ void Table::put(double value)
 
 void Table::put(std::string_view text)
 {
-    if (text.find_first_of(",\"\n\r") == std::string_view::npos)
-        return put_raw(text);
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    put_raw(quoted + '"');
+    put_raw(csv_cell(text));
 }
 
 void Table::put_raw(std::string_view text)

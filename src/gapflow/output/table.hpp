@@ -36,6 +36,9 @@ struct Cells {
     const Row& row;
 };
 
+/// Text as a cell of a CSV file: in quotes where it holds commas, quotes or line ends.
+std::string csv_cell(std::string_view text);
+
 /// A CSV file that grows by whole steps. Numbers are the shortest text that reads back the same; names with commas, quotes
 /// or line ends are quoted. Errors throw ComputationError; the file then ends after the last complete step. Used on the root.
 class Table {

@@ -57,7 +57,10 @@ TEST(Convergence, OrdersAreThoseOfTheErrorsLaw)
 
 TEST(Convergence, TableCsvAndJson)
 {
-    ConvergenceOf c{"ball.y", "a file", {0, 2}, 0.5, {}, {}, {}};
+    ConvergenceOf c{"ball.y", "a file", {0, 2}, 0.5, {}, {}, {}, {8, 16, 32}, {}};
+    c.limits = {limit_of({0.4, 0.2, 0.1}, {1, 1.5, 1.75}, 1e-9), limit_of({0.4, 0.2, 0.1}, {1, 2, 1}, 1e-9)};
+    c.limits[0].of = "end";
+    c.limits[1].of = "mean";
     for (int n : {8, 16, 32})
         c.rows.push_back({n, 1.0 / n, 10 * n, {1.0 / n / n, 0.5 / n}, {}, {}});
     find_orders(c, 0);
@@ -72,7 +75,55 @@ TEST(Convergence, TableCsvAndJson)
     const auto json = nlohmann::json::parse(convergence_json({c}))["convergence"][0];
     EXPECT_EQ(json["rows"][1]["cells"], 16);
     EXPECT_TRUE(json["rows"][0]["order_max"].is_null());
+    EXPECT_NEAR(json["limits"][0]["limit"].get<double>(), 2, 1e-9);
+    EXPECT_EQ(json["limits"][1]["reason"], "not monotone");
+    EXPECT_THAT(limits_csv({c}),
+                testing::StartsWith("quantity,of,cells_8,cells_16,cells_32,order,limit,reason\nball.y,end,1,1.5,1.75,"));
+    EXPECT_THAT(limits_csv({c}), testing::EndsWith("ball.y,mean,1,2,1,,,not monotone\n"));
+    EXPECT_THAT(text, testing::HasSubstr("mean            1            2            1    not monotone\n"));
     EXPECT_NEAR(json["slope_max"].get<double>(), 2, 1e-12);
+}
+
+TEST(Convergence, LimitOfAMonotoneSequenceIsExact)
+{
+    for (const double p : {0.5, 1.0, 2.0, 3.3})
+        for (const std::vector<double>& h : {std::vector<double>{0.4, 0.2, 0.1}, {1.0, 0.3, 0.15, 0.06}}) {
+            std::vector<double> values;
+            for (const double spacing : h)
+                values.push_back(5 - 7 * std::pow(spacing, p));
+            const Limit limit = limit_of(h, values, 1e-12);
+            ASSERT_TRUE(limit.value);
+            EXPECT_NEAR(*limit.order, p, 1e-9);
+            EXPECT_NEAR(*limit.value, 5, 1e-9);
+        }
+}
+
+TEST(Convergence, WithoutALimitItSaysWhy)
+{
+    const std::vector<double> h{0.4, 0.2, 0.1};
+    const auto reason = [&](const std::vector<double>& values) {
+        const Limit limit = limit_of(std::vector<double>(h.end() - static_cast<long>(values.size()), h.end()), values, 1e-9);
+        EXPECT_FALSE(limit.value || limit.order);
+        return limit.reason;
+    };
+    EXPECT_EQ(reason({1, 2}), "takes three grids");
+    EXPECT_EQ(reason({1, 2, 1.5}), "not monotone");
+    EXPECT_EQ(reason({1, 2, 3}), "its changes do not fall"); // those of log h
+    EXPECT_EQ(reason({1, 2, 4}), "its changes do not fall");
+    EXPECT_EQ(reason({1, 2, 2 + 1e-10}), "changes no more than by round-off");
+}
+
+TEST(Convergence, NumbersOfASeriesInAWindow)
+{
+    const Series series = sampled(4, 2, [](double t) { return t * t; }); // linear between 0, 0.25, 1, 2.25, 4
+    const auto numbers = numbers_of(series, {0.25, 1.5});
+    ASSERT_EQ(numbers.size(), 4u);
+    EXPECT_EQ(numbers[0], (std::pair<std::string, double>("end", 2.25)));
+    EXPECT_EQ(numbers[1].first, "mean");
+    EXPECT_NEAR(numbers[1].second, (0.25 * 0.5 * (0.125 + 0.25) + 0.5 * 0.5 * (0.25 + 1) + 0.5 * 0.5 * (1 + 2.25)) / 1.25,
+                1e-14);
+    EXPECT_EQ(numbers[2], (std::pair<std::string, double>("smallest", 0.125)));
+    EXPECT_EQ(numbers[3], (std::pair<std::string, double>("largest", 2.25)));
 }
 
 TEST(Convergence, ReadsNamedColumns)
