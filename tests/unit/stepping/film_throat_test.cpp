@@ -47,11 +47,11 @@ public:
         std::vector<Vec<D>> acceleration, increment;
         FilmDebts<D> debts;
         for (int step = 0; step < 400; ++step) {
-            const FilmHistories<D> histories = remember_films<D>(this->coupling.network, this->coupling.solids, this->rest, u_, flux_,
-                                                                 dx, {}, acceleration, increment);
+            const FilmHistories<D> histories = remember_films<D>(this->coupling.network, this->coupling.solids, this->rest, u_,
+                                                                 flux_, dx, {}, acceleration, increment);
             FilmFlow<D> flow = advect_films<D>(
-                this->coupling.network, this->coupling.solids, histories, [&](const std::vector<Vec<D>>& x) { return around(x); },
-                [](int, int) { return MouthLaw{}; }, debts, dt);
+                this->coupling.network, this->coupling.solids, histories,
+                [&](const std::vector<Vec<D>>& x) { return around(x); }, [](int, int) { return MouthLaw{}; }, debts, dt);
             damp_vorticity(this->coupling.network, dx, flow.velocity);
             u_ = flow.account.transported = flow.velocity;
             project();
