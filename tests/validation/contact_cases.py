@@ -71,10 +71,11 @@ def head_on(quick):
 
 
 def plates_approach(cells, h0, exit_law, **changes):
-    """[(h, ḣ over its law)] of the reference's rectangles from h0 with ḣ = -1 down to h = 0.002, and the whole run."""
+    """[(h, ḣ over its law)] of the reference's rectangles from h0 with ḣ = -1 down to h = 0.002, and the whole run. They may not turn: a tilt grows as h falls (the added mass
+    has its least at parallel faces), and while h falls 4000-fold the solver's residual becomes a tilt of the gap's size."""
     scene = {"domain": {"size": [4.0, 4.0], "cells": [cells, cells]}, "fluid": {"initial": "potential"}, "gap": {"exit": exit_law},
              "body": [{"name": name, "shape": "box", "size": [1.0, 0.5], "position": [2.0, 2.0 + side * (0.25 + h0 / 2)], "velocity": [0.0, -0.5 * side],
-                       "density": 2.0} for name, side in (("upper", 1), ("lower", -1))],
+                       "density": 2.0, "free": ["y"]} for name, side in (("upper", 1), ("lower", -1))],
              "time": {"end": 5 * h0 if h0 < 0.1 else 0.5, "max_step": 0.32 / cells, "cfl": 0.5, "gap_cfl": 8.0 / cells}, "output": {"every": 1.0}}
     for table, keys in changes.items():
         scene[table] = scene.get(table, {}) | keys
@@ -108,22 +109,22 @@ def plates_approach(cells, h0, exit_law, **changes):
 
 
 def plates_meet(quick):
-    for cells, reversible, jet in () if quick else ((64, 0.06, 0.10), (128, 0.04, 0.05)):
+    for cells, reversible, jet in () if quick else ((64, 0.01, 0.02), (128, 0.005, 0.01)):
         closing, states, result = plates_approach(cells, 0.02, "reversible")
         error = max(abs(ratio - 1) for _, ratio in closing)
         yield Row(SECTION, f"rectangles approach from h = 0.02, reversible mouths, {cells}²: ḣ(h) down to {closing[-1][0]:.2g}",
-                  f"≤ {100 * reversible:.0f} %", f"{100 * error:.1f} %", error <= reversible)
+                  f"≤ {100 * reversible:g} %", f"{100 * error:.1f} %", error <= reversible)
         back = [v for (h, v), (h1, _) in zip(states, states[1:]) if v > 0 and h <= 0.02 <= h1]
         impulse = sum(row["contact_impulse"] for row in result["gaps"] if row["body_a"] in ("upper", "lower"))
         regained = f"{back[0]:.3f}" if back else f"never (smallest gap {min(h for h, _ in states):.2g}, last {states[-1][0]:.2g} at {states[-1][1]:.2g})"
-        yield Row(SECTION, f"the same goes on: speed regained at h = 0.02; contact impulse over the momentum, {cells}²", "0.9 … 1.1; ≤ 1 %",
-                  f"{regained}; {100 * impulse / 0.5:.2g} %", bool(back) and abs(back[0] - 1) <= 0.1 and impulse <= 0.005)
+        yield Row(SECTION, f"the same goes on: speed regained at h = 0.02; contact impulse over the momentum, {cells}²", "0.97 … 1.03; ≤ 1 %",
+                  f"{regained}; {100 * impulse / 0.5:.2g} %", bool(back) and abs(back[0] - 1) <= 0.03 and impulse <= 0.005)
         _, states, _ = plates_approach(cells, 0.02, "reversible", gap={"roughness": 0.002}, contact={"restitution": 1.0}, time={"end": 0.06})
         speed = next(v + (0.02 - h) / (h1 - h) * (v1 - v) for (h, v), (h1, v1) in zip(states, states[1:]) if h <= 0.02 < h1 and v > 0)
         yield Row(SECTION, f"the same with roughness 0.002 and restitution 1, {cells}²: speed at h = 0.02 on the way back", "0.9 … 1.005", f"{speed:.3f}", 0.9 <= speed <= 1.005)
         closing, _, _ = plates_approach(cells, 0.02, "jet")
         error = max(abs(ratio - 1) for _, ratio in closing)
-        yield Row(SECTION, f"the same with jets at the mouths, {cells}²: ḣ(h) down to {closing[-1][0]:.2g}", f"≤ {100 * jet:.0f} %",
+        yield Row(SECTION, f"the same with jets at the mouths, {cells}²: ḣ(h) down to {closing[-1][0]:.2g}", f"≤ {100 * jet:g} %",
                   f"{100 * error:.1f} %", error <= jet)
     if not quick:
         for cells in (64, 128):
@@ -348,16 +349,17 @@ def random_scene(number):
     return scene, dimension
 
 
-def energy_rise(scene, dimension, steps, bodies):
-    """Largest rise of the whole energy, potential energy included, over the peak of the kinetic: of a closed tank (through an open side some comes in)."""
-    weight = {body["name"]: (body["density"] - 1) * harness.volume(body, dimension) for body in scene["body"]}
-    height = {}
+def energy_rise(pulls, steps, bodies):
+    """Largest rise of the whole energy over the peak of the kinetic, in a closed tank (through an open side some comes in). `pulls`: {body: constant force on it}, reduced weight
+    included."""
+    potential = {}
     for row in bodies:
-        height.setdefault(row["step"], {})[row["body"]] = row["z" if dimension == 3 else "y"]
+        pull = pulls.get(row["body"], ())
+        potential[row["step"]] = potential.get(row["step"], 0.0) - sum(f * row[axis] for f, axis in zip(pull, "xyz"))
     lowest, rise, peak = math.inf, 0.0, 0.0
     for row in steps:
         kinetic = row["energy_fluid"] + row["energy_bodies"]
-        energy = kinetic + sum(weight[name] * y for name, y in height[row["step"]].items())
+        energy = kinetic + potential[row["step"]]
         lowest = min(lowest, energy)
         rise, peak = max(rise, energy - lowest), max(peak, kinetic)
     return rise / peak
@@ -388,7 +390,8 @@ def random_scenes(quick):
             masses = sum(b.get("density") * 0.15 for b in scene["body"])
             grown = max(grown, max(values) / (values[0] + masses))
             if not scene["domain"]["sides"]:
-                rises.append(energy_rise(scene, dimension, rows, harness.read_table(out / "bodies.csv")))
+                pulls = {b["name"]: [0.0] * (dimension - 1) + [(1 - b["density"]) * harness.volume(b, dimension)] for b in scene["body"]}
+                rises.append(energy_rise(pulls, rows, harness.read_table(out / "bodies.csv")))
     yield Row(SECTION, f"{count} random scenes of 3 to 12 bodies in 2D and 3D, t = {0.01 * steps:g}: failures; contacts unsettled; largest kinetic energy over a bound",
               "0; –; ≤ 1", f"{len(bad)}{' (' + '; '.join(bad[:3]) + ')' if bad else ''}; {unsettled}; {grown:.2f}", not bad and grown <= 1)
     rises = rises or [math.inf]

@@ -1,7 +1,8 @@
-"""Runs the validation: python3 main.py [--quick] [--write FILE.md] [--rows FILE.json] [--only case,...] [module ...]
+"""Runs the validation: python3 main.py [--quick] [--write FILE.md | --into FILE.md] [--rows FILE.json] [--only case,...] [module ...]
 
 Modules (default: all of MODULES, in their order) have ALL, a list of case functions: each takes `quick` and
-generates harness.Row. Every row is printed as it comes; --write puts them all into a Markdown file, a table a section. --rows keeps the
+generates harness.Row. Every row is printed as it comes; --write puts them all into a Markdown file, a table a section; --into puts the sections that
+were run in place of those of the same name in such a file, or at its end (a section is replaced as a whole: run all of its cases). --rows keeps the
 rows of finished cases until all are done: a run that was stopped goes on after the last of them (as long as command and cases are the
 same). Exit status 1 if any row misses its target.
 """
@@ -11,6 +12,7 @@ import datetime
 import hashlib
 import importlib
 import json
+import re
 import sys
 import time
 from pathlib import Path
@@ -18,7 +20,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import harness    # noqa: E402
 
-MODULES = ["added_mass_cases", "pressure_cases", "motion_cases", "contact_cases", "viscous_cases", "viscous_flow_cases", "viscous_body_cases", "driven_cases", "unit_cases", "robustness_cases", "random_scenes"]
+MODULES = ["added_mass_cases", "pressure_cases", "motion_cases", "contact_cases", "viscous_cases", "viscous_flow_cases", "viscous_body_cases", "driven_cases", "film_cases", "unit_cases", "robustness_cases", "random_scenes"]
 
 
 def chosen_cases(names, only):
@@ -69,21 +71,37 @@ class KeptRows:
             self.file.unlink(missing_ok=True)
 
 
+def section_lines(section, rows):
+    lines = [f"## {section}", ""]
+    if section in harness.PICTURES:
+        lines += [harness.PICTURES[section], ""]
+    lines += ["| case | target | measured | |", "|---|---|---|---|"]
+    for row in rows:
+        if row.section == section:
+            mark = ("met" if row.ok else "**MISSED**") if row.target else "reported"
+            lines.append("| " + " | ".join(text.replace("|", "\\|") for text in (row.case, row.target, row.measured, mark)) + " |")
+    return lines + [""]
+
+
+def with_sections(text, rows):
+    """The Markdown of an earlier run with the rows' sections in place of its own of these names; new ones at its end. The head keeps its words, its counts are made anew."""
+    head, *old = re.split(r"^(?=## )", text, flags=re.MULTILINE)
+    parts = {part.split("\n", 1)[0].removeprefix("## "): part for part in old}
+    for section in dict.fromkeys(row.section for row in rows):
+        parts[section] = "\n".join(section_lines(section, rows)) + "\n"
+    body = "".join(part.rstrip("\n") + "\n\n" for part in parts.values()).rstrip("\n") + "\n"
+    marks = re.findall(r"\| (met|\*\*missed\*\*|reported) \|$", (head + body).replace("MISSED", "missed"), flags=re.MULTILINE)
+    head = re.sub(r"\d+ rows, \*\*\d+ miss their target\*\*", f"{len(marks)} rows, **{marks.count('**missed**')} miss their target**", head)
+    return head + body
+
+
 def markdown(rows, version, seconds):
     failed = sum(not row.ok for row in rows)
     lines = ["# Validation", "", f"Written by `tools/validate`: {version}, {datetime.date.today().isoformat()}, {seconds / 60:.0f} minutes; {len(rows)} rows, "
              + (f"**{failed} miss their target**." if failed else "all meet their targets."),
              "Exact data: `tests/data/reference`. Ranges are lowest … highest error over the placements named.", ""]
     for section in dict.fromkeys(row.section for row in rows):
-        lines += [f"## {section}", ""]
-        if section in harness.PICTURES:
-            lines += [harness.PICTURES[section], ""]
-        lines += ["| case | target | measured | |", "|---|---|---|---|"]
-        for row in rows:
-            if row.section == section:
-                mark = ("met" if row.ok else "**MISSED**") if row.target else "reported"
-                lines.append("| " + " | ".join(text.replace("|", "\\|") for text in (row.case, row.target, row.measured, mark)) + " |")
-        lines.append("")
+        lines += section_lines(section, rows)
     return "\n".join(lines)
 
 
@@ -91,13 +109,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="the subset that every change must pass")
     parser.add_argument("--write", metavar="FILE", type=Path, help="Markdown table")
+    parser.add_argument("--into", metavar="FILE", type=Path, help="Markdown table of an earlier run, whose sections are replaced")
     parser.add_argument("--rows", metavar="FILE", type=Path, help="keeps the rows of finished cases of a run that is stopped")
     parser.add_argument("--only", metavar="CASE,...", help="names of case functions of the modules")
     parser.add_argument("module", nargs="*", choices=[[], *MODULES], help=", ".join(MODULES))
     options = parser.parse_args()
     cases = chosen_cases(options.module or MODULES, options.only.split(",") if options.only else None)
-    if options.write:
-        harness.PICTURE_FOLDER = options.write.parent / "images"
+    if target := options.write or options.into:
+        harness.PICTURE_FOLDER = target.parent / "images"
         harness.PICTURE_FOLDER.mkdir(parents=True, exist_ok=True)
 
     version = harness.command(["--version"]).stdout.strip()
@@ -125,6 +144,8 @@ def main():
     if options.write:
         options.write.parent.mkdir(parents=True, exist_ok=True)
         options.write.write_text(markdown(rows, version, seconds))
+    if options.into:
+        options.into.write_text(with_sections(options.into.read_text(), rows))
     kept.done()
     if not rows:
         print("no rows", file=sys.stderr)

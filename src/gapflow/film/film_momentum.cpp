@@ -193,8 +193,8 @@ public:
             const double beyond =
                 mouth.kind == MouthKind::open_side ? 0.0 : square(mouth.outward.dot(bulk_at_mouth_[r] - carried_[r]));
             Sum& sum = sums[history_[mouth.film]];
-            // R a q_p^2 with a = dt u^2 / (2 R |q|), u and q of the step's mean
-            const double head = mean_flux_[r] != 0 ? 0.5 * dt_ * square(predicted_flux_[r]) / std::abs(mean_flux_[r]) : 0.0;
+            // R a q_p^2 with a = dt u^2 / (2 R |q_p|), u of the step's mean
+            const double head = 0.5 * dt_ * std::abs(predicted_flux_[r]);
             if (u < 0) {
                 const double brought = smooth ? std::min(square(u), beyond) : 0.0;
                 sum.bulk += head * brought;
@@ -292,24 +292,26 @@ private:
             const Vec<D> x = master.to_body(mouth.x);
             const Vec<D> U = moving_with(*history, x, master.rotation());
             const int at = film.first_element + mouth.element;
-            // The film's flux at its end, relative to the master: what was put in place, and expected.
+            // The film's speed at its end, relative to the master: what was put in place, and expected.
             const double before = mouth.outward.dot(reference_[at]), after = mouth.outward.dot(expected[at]);
-            const Vec<D>& n = film.mesh.elements[mouth.element].normal;
-            const Vec<D> across = n.dot(place_[at].world - U) * n; // what the walls carry it with
+            const FilmElement<D>& end = film.mesh.elements[mouth.element];
+            const FluidInPlace<D>& place = place_[at];
+            const Vec<D> across = end.normal.dot(place.world - U) * end.normal; // what the walls carry it with
             const auto* old = history->nearest_mouth(x, mouth.outward);
-            double q, h = mouth.h;
+            // The mouth's flux at the start, and with the energy that it had; volume times speed of the film's end at the start and expected.
+            double flux = section * before, q = flux, h = mouth.h, start = before, expects = after;
             if (old) {
-                q = mouth.length * std::sqrt(old->resistance / mouth.resistance) *
-                    (old->flux - old->h * old->outward.dot(old->master_velocity));
+                flux = mouth.length * (old->flux - old->h * old->outward.dot(old->master_velocity));
+                q = std::sqrt(old->resistance / mouth.resistance) * flux;
                 h = 0.5 * (h + old->h);
-            } else {
-                q = section * before;
+                start = (place.volume + place.covered) * mouth.outward.dot(master.rotation() * place.velocity);
+                expects = end.volume * after;
             }
-            double predicted = before != 0 && after * before > 0 ? q * after / before : q;
+            const double predicted = start != 0 && expects * start > 0 ? flux * expects / start : flux;
             carried_.push_back(U);
             start_flux_.push_back(q);
             predicted_flux_[r] = predicted;
-            mean_flux_.push_back(0.5 * (q + predicted));
+            mean_flux_.push_back(0.5 * (flux + predicted));
             // Through mouths much thinner than their film the speed q/h has no meaning: no more than the film's own at its end.
             const double through = std::abs(mean_flux_.back()) / (mouth.length * h),
                          in_film = 2 * 0.5 * std::abs(before + after);
