@@ -98,9 +98,9 @@ int report_command(const ReportOptions& options)
             const auto recorded = read_recorded_run(run.folder / "run.json");
             if (recorded && recorded->state == RunState::killed)
                 Logger(comm, options.quiet)
-                    .warning(fmt::format(
-                        "{}: the run was killed; its tables end with its last step, the fields with output times until time {:.6g}",
-                        folder.string(), recorded->time));
+                    .warning(fmt::format("{}: the run was killed; its tables end with its last step, the fields with output "
+                                         "times until time {:.6g}",
+                                         folder.string(), recorded->time));
             options.png ? write_pictures(run, options, watch) : write_page(run, options, watch);
         }
     });

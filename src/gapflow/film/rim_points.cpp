@@ -7,8 +7,9 @@ namespace gapflow {
 
 namespace {
 
-constexpr double rim_spacing = 0.125;      // of points along a rim, in dx
-constexpr double smooth_rim_spacing = 1.3; // the same where the film goes out between curved surfaces, whose rim has edges of a cell: one an edge
+constexpr double rim_spacing = 0.125; // of points along a rim, in dx
+constexpr double smooth_rim_spacing =
+    1.3; // the same where the film goes out between curved surfaces, whose rim has edges of a cell: one an edge
 
 } // namespace
 

@@ -49,14 +49,14 @@ private:
     const CoupledSystem<D>& system_;
     const CoupledOperator<D>& matrix_;
     const FilmBand<D>& band_;
-    int columns_ = 0;                  ///< 0 if all of them are null vectors
+    int columns_ = 0; ///< 0 if all of them are null vectors
     int all_columns_ = 0;
-    int full_ = 0;                     ///< columns with a full energy matrix, the first ones
-    CellField<D, int> part_;           ///< column of each cell's constant, -1: none
-    std::vector<int> node_part_;       ///< column of each node's constant, -1: none
-    Eigen::MatrixXd extension_;        ///< band unknowns x full_: harmonic extension minus the constants
-    Eigen::MatrixXd extension_rows_;   ///< its transpose: the columns' values at one unknown lie side by side
-    Eigen::MatrixXd energy_, flux_;    ///< Z^T L Z and K^T Z of the full columns
+    int full_ = 0;                   ///< columns with a full energy matrix, the first ones
+    CellField<D, int> part_;         ///< column of each cell's constant, -1: none
+    std::vector<int> node_part_;     ///< column of each node's constant, -1: none
+    Eigen::MatrixXd extension_;      ///< band unknowns x full_: harmonic extension minus the constants
+    Eigen::MatrixXd extension_rows_; ///< its transpose: the columns' values at one unknown lie side by side
+    Eigen::MatrixXd energy_, flux_;  ///< Z^T L Z and K^T Z of the full columns
     Magnitudes magnitudes_;
     Eigen::MatrixXd inverse_energy_;   ///< full_ x full_
     Eigen::VectorXd inverse_diagonal_; ///< of the others

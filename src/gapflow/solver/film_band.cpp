@@ -120,8 +120,7 @@ void FilmBand<D>::find_cells()
             Index<D> other = c;
             other[side / 2] += side % 2 ? 1 : -1;
             other = grid.wrapped(other);
-            if (faces_[i][side] > 0 && grid.in_domain(other) && grid.owns(other) &&
-                !rows_.contains(grid.key(other)))
+            if (faces_[i][side] > 0 && grid.in_domain(other) && grid.owns(other) && !rows_.contains(grid.key(other)))
                 outside_.push_back({level.offset(other), row, faces_[i][side]});
         }
     }
