@@ -16,7 +16,7 @@ from pathlib import Path
 from harness import GAPFLOW, gapflow
 
 ROOT = Path(sys.argv.pop(1)).resolve()
-PAGES = {"tutorial.md": [], **{f"how-to/{name}.md": [] for name in ("added-mass", "valve", "many-particles", "cad-mesh", "convergence", "viscous", "measuring", "choosing")},
+PAGES = {"tutorial.md": [], **{f"how-to/{name}.md": [] for name in ("added-mass", "valve", "many-particles", "cad-mesh", "convergence", "viscous", "measuring", "choosing", "unbounded-water")},
          "how-to/cluster.md": ["tutorial.md"]}  # page: those whose files it uses
 FENCE = re.compile(r"^```(\S+)([^\n]*)\n(.*?)^```$", re.M | re.S)
 

@@ -48,6 +48,12 @@ def test_every_part_of_a_scene_reaches_the_reader(tmp_path):
     assert gapflow.check(three)["body"][0]["length"] == 1
 
 
+def test_far_and_pressure_sides_reach_the_reader():
+    for sides in (gapflow.Sides(x_low={"pressure": 3.5}, x_high={"pressure": 0}, y_high="far"), {"x_low": {"pressure": 3.5}, "x_high": {"pressure": 0}, "y_high": "far"}):
+        resolved = gapflow.check(gapflow.Scene(domain=gapflow.Domain(size=[4, 4], cells=[32, 32], sides=sides)))["domain"]["sides"]
+        assert resolved == {"x_low": {"pressure": 3.5}, "x_high": {"pressure": 0}, "y_low": "wall", "y_high": "far"}
+
+
 def test_objects_dict_text_and_file_are_the_same_scene(tmp_path):
     scene = ball_scene()
     as_dict = {"gravity": [0, -1], "domain": {"size": [4, 4], "cells": [32, 32]}, "time": {"end": 0.1, "max_step": 0.01},
