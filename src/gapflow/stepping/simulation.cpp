@@ -93,8 +93,9 @@ StepReport Simulation<D>::step(double next_output)
         forced_twists(model_, state_.bodies, state_.drive, star.pressure_change, *left.fractions, *there.fractions, step);
     Diffusion<D> diffusion;
     if (model_.viscous())
-        diffusion =
-            timed(stages_, "viscosity", [&] { return diffuse(model_, state_.bodies, mass, past, there, step, star, report); });
+        diffusion = timed(stages_, "viscosity", [&] {
+            return diffuse(model_, state_.bodies, state_.contacts, mass, past, there, step, star, report);
+        });
     const std::vector<Twist<D>> V_star = star.twists;
     Projected<D> end = project(model_, there, std::move(star), mass, step, state_, report, stages_);
     take_up(model_, there, std::move(end), mass, V_star, std::move(past), diffusion, step, state_);
