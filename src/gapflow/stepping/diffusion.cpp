@@ -3,6 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/stepping/contact_stop.hpp"
 #include "gapflow/stepping/extrapolation_share.hpp"
 #include "gapflow/viscosity/viscous_solver.hpp"
 
@@ -12,9 +13,9 @@
 namespace gapflow {
 
 template <int D>
-Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
-                     const LastPressure<D>& past, const Coupling<D>& there, const Step& step, Intermediate<D>& star,
-                     StepReport& report)
+Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const ContactSet<D>& contacts,
+                     const std::vector<TwistMatrix<D>>& mass, const LastPressure<D>& past, const Coupling<D>& there,
+                     const Step& step, Intermediate<D>& star, StepReport& report)
 {
     const Grid<D>& grid = model.grid;
     FluidVelocity<D>& u_star = star.velocity;
@@ -22,6 +23,8 @@ Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bod
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (bodies[b].motion == Motion::free)
             moving.twists[b] += impulse_response(bodies[b], Twist<D>(step.dt * past.force[b]), step.dt);
+    if (!contacts.empty())
+        moving.twists = stopped_by_contacts(contacts, bodies, moving.twists, step.dt);
     FluidVelocity<D> u = u_star;
     SidePressures<D> beyond = model.pressure_beyond(step.start);
     for (double& pressure : beyond) // as recall_pressure() does with the bulk's
@@ -86,8 +89,9 @@ Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bod
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template Diffusion<D> diffuse<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const std::vector<TwistMatrix<D>>&,    \
-                                     const LastPressure<D>&, const Coupling<D>&, const Step&, Intermediate<D>&, StepReport&);
+    template Diffusion<D> diffuse<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const ContactSet<D>&,                  \
+                                     const std::vector<TwistMatrix<D>>&, const LastPressure<D>&, const Coupling<D>&,           \
+                                     const Step&, Intermediate<D>&, StepReport&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -22,10 +22,10 @@ struct Diffusion {
     CellField<D> divergence;        ///< outflow of the cells that the grid's own faces drain, after the viscous step
 };
 
-/// Changes velocity and twists of `star`. Throws ComputationError where the viscous solve does not converge. Collective.
+/// Changes velocity and twists of `star`. The bodies' velocities that drag the fluid are those that `contacts` leave. Throws ComputationError where the viscous solve does not converge. Collective.
 template <int D>
-Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
-                     const LastPressure<D>& past, const Coupling<D>& there, const Step& step, Intermediate<D>& star,
-                     StepReport& report);
+Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const ContactSet<D>& contacts,
+                     const std::vector<TwistMatrix<D>>& mass, const LastPressure<D>& past, const Coupling<D>& there,
+                     const Step& step, Intermediate<D>& star, StepReport& report);
 
 } // namespace gapflow

@@ -103,8 +103,9 @@ StepReport Simulation<D>::step(double next_output)
         forced_twists(model_, state_.bodies, state_.drive, star.pressure_change, *left.fractions, *there.fractions, step);
     Diffusion<D> diffusion;
     if (model_.viscous())
-        diffusion =
-            timed(stages_, "viscosity", [&] { return diffuse(model_, state_.bodies, mass, past, there, step, star, report); });
+        diffusion = timed(stages_, "viscosity", [&] {
+            return diffuse(model_, state_.bodies, state_.contacts, mass, past, there, step, star, report);
+        });
     const std::vector<Twist<D>> V_star = star.twists;
     push_from_beyond(model_, state_.bodies, there, step, star);
     Projected<D> end = project(model_, there, std::move(star), mass, step, state_, report, stages_);

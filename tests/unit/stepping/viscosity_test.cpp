@@ -286,6 +286,27 @@ TEST(Viscosity, AShortFirstStepGivesNoEnergy)
     EXPECT_GT(steps[1], 10 * steps[0]); // or the test says nothing
 }
 
+// Nothing moves, and what contact stops drags no fluid before it is stopped. (With the velocity before contact the fluid gets 1.3e-5 in three steps.)
+TEST(Viscosity, ALightBodyThatRestsBelowACeilingDragsNothing)
+{
+    Scene scene = closed_box(2, 1.0, 32);
+    scene.viscosity = 0.01;
+    scene.gravity = {0, -1, 0};
+    scene.gap.roughness = 1e-3;
+    scene.max_step = 0.02;
+    scene.bodies = {ball("ball", 0.15, {0.52, 0.849, 0})};
+    scene.bodies[0].density = 0.05;
+    Simulation<2> simulation(scene, Communicator());
+    double impulse = 0;
+    for (int i = 0; i < 8; ++i) {
+        const StepReport report = simulation.step(1e9);
+        EXPECT_LT(report.energy_fluid + report.energy_bodies, 1e-12) << "step " << i + 1;
+        for (const GapState& gap : simulation.gaps())
+            impulse += gap.contact_impulse;
+    }
+    EXPECT_GT(impulse, 0);
+}
+
 // Going on from a stored state is the same to the last bit.
 TEST(Viscosity, StoredAndRestored)
 {
