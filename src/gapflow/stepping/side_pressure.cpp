@@ -103,9 +103,6 @@ void push_from_beyond(const Model<D>& model, const std::vector<RigidBody<D>>& bo
     }
     if (!any)
         return;
-    const std::vector<double> at_mouths = pressure_beyond_mouths(model, there.network.rim.mouths, step.end());
-    for (std::size_t r = 0; r < at_mouths.size(); ++r)
-        star.velocity.mouth[r] -= star.mouth_factor[r] * there.system.links[r].conductance * step.dt * at_mouths[r];
     const std::vector<Twist<D>> wrenches = wrenches_from_beyond(model, there, step.end());
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (bodies[b].motion == Motion::free)

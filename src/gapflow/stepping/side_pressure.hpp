@@ -18,7 +18,8 @@ std::vector<double> pressure_beyond_mouths(const Model<D>& model, const std::vec
 template <int D>
 std::vector<Twist<D>> wrenches_from_beyond(const Model<D>& model, const Coupling<D>& there, double time);
 
-/// Adds a step's impulse of the pressures beyond to u*, the mouths' fluxes and V* of free bodies. Collective.
+/// Adds a step's impulse of the pressures beyond to u* of the bulk and V* of free bodies; to the fluxes of mouths project() adds it, after
+/// their drag. Collective.
 template <int D>
 void push_from_beyond(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Coupling<D>& there,
                       const Step& step, Intermediate<D>& star);

@@ -97,7 +97,7 @@ bool hold_back(const Model<D>& model, const Coupling<D>& there, const std::vecto
 
 // Films whose velocities turn out so different from those expected that transport gives them energy: without it. False if there are none.
 template <int D>
-bool take_back(Coupling<D>& there, Projected<D>& end)
+bool take_back(Coupling<D>& there, const std::vector<double>& beyond_mouths, double dt, Projected<D>& end)
 {
     if (end.account.planned.empty())
         return false;
@@ -110,6 +110,10 @@ bool take_back(Coupling<D>& there, Projected<D>& end)
     take_back_transport(there.network, pairs, end.account, end.velocity.film, end.velocity.mouth, factor);
     for (std::size_t r = 0; r < factor.size(); ++r)
         there.system.links[r].conductance *= factor[r];
+    const std::vector<Mouth<D>>& mouths = there.network.rim.mouths;
+    for (std::size_t r = 0; r < mouths.size(); ++r)
+        if (pairs.contains(there.network.films[mouths[r].film].pair))
+            end.velocity.mouth[r] -= there.system.links[r].conductance * dt * beyond_mouths[r];
     return true;
 }
 
@@ -133,6 +137,9 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
         there.system.links[r].conductance *= star.mouth_factor[r];
     if (step.dt > 0)
         start_drag(there, star.velocity);
+    const std::vector<double> beyond_mouths = pressure_beyond_mouths(model, there.network.rim.mouths, step.end());
+    for (std::size_t r = 0; r < beyond_mouths.size(); ++r)
+        star.velocity.mouth[r] -= there.system.links[r].conductance * step.dt * beyond_mouths[r];
     Projected<D> end{std::move(star.velocity), std::move(state.pressure.impulse), {}, std::move(star.film_account), {}};
     ContactSet<D>* contacts = step.dt > 0 && !state.contacts.empty() ? &state.contacts : nullptr;
     VoidSet<D>* voids = step.dt > 0 && state.voids.any() ? &state.voids : nullptr;
@@ -145,7 +152,6 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
     if (voids)
         end.was_empty = voids->empty_elements(there.network);
     const SolverOptions options = solver_options(model.scene, state.light_bodies);
-    const std::vector<double> beyond_mouths = pressure_beyond_mouths(model, there.network.rim.mouths, step.end());
     Projection<D> projection({there, state.bodies, mass, star.twists, contacts, voids, beyond_mouths, step.dt, step.number},
                              end.velocity, end.impulse, options, timers);
     bool links_changed = false;
@@ -179,7 +185,7 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
         settle();
     if (contacts)
         end.account.rebounding = rebounding_pairs(there, *contacts);
-    if (step.dt > 0 && !voids && !model.viscous() && take_back(there, end)) {
+    if (step.dt > 0 && !voids && !model.viscous() && take_back(there, beyond_mouths, step.dt, end)) {
         links_changed = true;
         settle();
     }

@@ -122,6 +122,29 @@ TEST(SidePressure, DrivesPoiseuilleFlow)
     EXPECT_NEAR(flow, gradient / 12, 1e-3);
 }
 
+// The same through the film of a narrow gap between a wall and a block that reaches through both sides, h^3 / (12 mu length) times the difference.
+TEST(SidePressure, DrivesTheFilmOfAGap)
+{
+    Scene scene = channel(2, 101, 100);
+    scene.viscosity = 1;
+    scene.density = 1e-3;
+    scene.max_step = 2e-4;
+    BodyScene block;
+    block.name = "block";
+    block.shape = BodyScene::ShapeKind::box;
+    block.size = {4, 0.4, 0};
+    block.position = {1, 0.22, 0};
+    block.motion = BodyScene::Motion::fixed;
+    scene.bodies = {block};
+    Simulation<2> simulation(scene, Communicator());
+    for (int k = 0; k < 5; ++k)
+        simulation.step(1);
+    ASSERT_FALSE(simulation.velocity().film.empty());
+    const double expected = std::pow(0.02, 2) / 12 * (1.0 / 2);
+    for (const Vec<2>& u : simulation.velocity().film)
+        EXPECT_NEAR(u[0], expected, 0.01 * expected);
+}
+
 // A ball half out of one of two sides whose pressures rise together: pressure all around it, and no force.
 template <int D>
 void expect_no_force()
