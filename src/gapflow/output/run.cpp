@@ -98,7 +98,7 @@ template <int D>
 void Run<D>::end_if_asked()
 {
     const Simulation<D>& s = *simulation_;
-    if (s.time() >= end_)
+    if (s.time() >= end_ || !ended_by_.empty()) // whoever steps on has been told
         return;
     if (s.settled())
         ended_by_ = "time.until_steady";
