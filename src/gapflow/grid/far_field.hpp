@@ -1,4 +1,4 @@
-// Sides beyond which the fluid goes on without end (method, "Far sides").
+// Sides beyond which the fluid goes on without end (method, "Sides of the domain").
 //
 // A disturbance of fluid at rest fades with the distance r from its centre like r^-m: m = d - 1 for the pressure around moving bodies (a
 // dipole), d the number of axes along which the fluid goes on. Its derivative along a side's normal n then is
