@@ -230,33 +230,50 @@ struct Classifier {
             add_film_cell(key, touch);
     }
 
-    // Closed cells with a body flux that no film touches (contact surfaces on a grid plane), up to two cells from one.
+    // Closed cells with a body flux that no film touches (contact surfaces on a grid plane), up to two cells from one. Each goes to the film of the
+    // first cell that reaches it.
     void take_orphans()
     {
+        KeyMap<char> around;
+        around.reserve(4 * result.cells.size());
+        for (const auto& [key, cell] : result.cells)
+            if (cell.touches[0].points > 0)
+                around.insert(key);
+        for (int axis = 0; axis < D; ++axis) // two cells along one axis after the other
+            for (int i = 0, n = static_cast<int>(around.size()); i < n; ++i) {
+                const Index<D> cell = grid.cell_of_key(around.item(i).first);
+                for (int distance : {-2, -1, 1, 2})
+                    if (const Index<D> w = grid.wrapped(Index<D>(cell + distance * step<D>(axis))); grid.in_domain(w))
+                        around.insert(grid.key(w));
+            }
         std::vector<std::pair<long, Touch<D>>> taken;
-        KeyMap<char> closed; // of the cells looked at: most are looked at from many others
-        closed.reserve(8 * result.cells.size());
-        for (const auto& [key, cell] : result.cells) {
-            if (cell.touches[0].points == 0)
-                continue;
-            const Index<D> from = grid.cell_of_key(key);
-            for_each_index<D>(Index<D>::Constant(-2), Index<D>::Constant(3), [&](const Index<D>& d) {
-                const Index<D> place = grid.wrapped(Index<D>(from + d));
-                if (!grid.in_domain(place))
-                    return;
-                const auto [is_closed, is_new] = closed.insert(grid.key(place));
-                if (is_new)
-                    is_closed = is_closed_surface(place);
-                if (!is_closed)
-                    return;
-                seen_from(from, cell, cell.touches[0].film, d, [&](const Index<D>& beyond, const Touch<D>& touch) {
-                    if (is_orphan(beyond, gaps.films()[touch.film].pair) && !result.cells.contains(grid.key(beyond)))
-                        taken.emplace_back(grid.key(beyond), touch);
-                });
-            });
-        }
+        for (const auto& entry : around)
+            if (const Index<D> cell = grid.cell_of_key(entry.first);
+                is_closed_surface(cell) && !result.cells.contains(entry.first))
+                if (const std::optional<Touch<D>> touch = first_taker(cell))
+                    taken.emplace_back(entry.first, *touch);
         for (const auto& [key, touch] : taken)
             add_film_cell(key, touch);
+    }
+
+    // The touch, seen from a closed cell, of the first cell within two steps whose film's solids both meet in it.
+    std::optional<Touch<D>> first_taker(const Index<D>& closed) const
+    {
+        int first = -1;
+        std::optional<Touch<D>> taker;
+        for_each_index<D>(Index<D>::Constant(-2), Index<D>::Constant(3), [&](const Index<D>& d) {
+            const Index<D> from = grid.wrapped(Index<D>(closed - d));
+            const int i = grid.in_domain(from) ? result.cells.index(grid.key(from)) : -1;
+            if (i < 0 || (first >= 0 && i >= first))
+                return;
+            const FilmCell<D>& cell = result.cells.item(i).second;
+            const int film = cell.touches[0].film;
+            if (cell.touches[0].points == 0 || !is_orphan(closed, gaps.films()[film].pair))
+                return;
+            first = i;
+            seen_from(from, cell, film, d, [&](const Index<D>&, const Touch<D>& touch) { taker = touch; });
+        });
+        return taker;
     }
 };
 

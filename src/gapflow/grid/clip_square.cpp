@@ -209,26 +209,27 @@ private:
             u[k] = c[k].a / double(nodes);
             v[k] = c[k].b / double(nodes);
         }
-        int owner = -1;
-        bool whole = !flat; // outside all, or inside one
-        for (std::size_t i = 0; i < cutters_.size() && whole; ++i) {
+        int owner = -1, near = 0;
+        bool whole = true; // outside all, or inside one
+        for (std::size_t i = 0; i < cutters_.size() && !flat && near < 2; ++i) {
             const double f[3] = {value(i, c[0]), value(i, c[1]), value(i, c[2])};
             if (std::min({f[0], f[1], f[2]}) > tolerance_)
                 continue;
-            whole = std::max({f[0], f[1], f[2]}) < -tolerance_ && owner < 0;
+            ++near;
+            whole = std::max({f[0], f[1], f[2]}) < -tolerance_;
             owner = static_cast<int>(i);
         }
         Polygon triangle;
         for (int k = 0; k < 3; ++k)
             triangle.add(u[k], v[k]);
-        if (whole)
+        if (!flat && whole && near < 2)
             return add_area(triangle, owner < 0 ? sums_->open : sums_->solid[owner]);
-        if (cutters_.size() == 1) { // most faces
-            const Affine f = through(u, v, {value(0, c[0]), value(0, c[1]), value(0, c[2])});
+        if (near == 1) { // most triangles
+            const Affine f = through(u, v, {value(owner, c[0]), value(owner, c[1]), value(owner, c[2])});
             Polygon low, high;
             split(
                 triangle, [&](int i) { return f(triangle.u[i], triangle.v[i]); }, tolerance_, false, low, high);
-            add_area(low, sums_->solid[0]);
+            add_area(low, sums_->solid[owner]);
             return add_area(high, sums_->open);
         }
         linear_.resize(cutters_.size());
