@@ -40,7 +40,7 @@ public:
         FacetPoint<D> point;
     };
 
-    /// Facets with group[i] give the subset of closest(q, group).
+    /// At least one facet. Facets with group[i] give the subset of closest(q, group).
     FacetTree(const std::vector<Facet<D>>& facets, const std::vector<int>& group);
 
     /// Closest facet and its point; of one group if group >= 0 (then facet -1 if that has no facets). Thread-safe.

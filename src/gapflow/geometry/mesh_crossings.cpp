@@ -125,7 +125,8 @@ double depth_in_plane(const Plate<D>& a, const Plate<D>& b, double tolerance, do
     return least;
 }
 
-/// Middle of what the edges of each have in common with the other; where none passes through, a point nearly in both.
+/// Middle of what the edges of each have in common with the other; where none passes through, a point between those nearest to
+/// their middles.
 template <int D>
 Vec<D> common_point(const Plate<D>& a, const Plate<D>& b, double tolerance)
 {
@@ -149,11 +150,16 @@ Vec<D> common_point(const Plate<D>& a, const Plate<D>& b, double tolerance)
     add(b, facet_a);
     if (count > 0)
         return sum / count;
-    for (int i = 0; i < D; ++i)
-        sum += (a.corner[i] + b.corner[i]) / (2 * D);
-    for (int k = 0; k < 100; ++k) // alternating projections on convex sets end in both
-        sum = closest_on(facet_b, closest_on(facet_a, sum).x).x;
-    return sum;
+    Vec<D> middle_a = Vec<D>::Zero(), middle_b = middle_a;
+    for (int i = 0; i < D; ++i) {
+        middle_a += a.corner[i] / D;
+        middle_b += b.corner[i] / D;
+    }
+    // Alternating projections on convex sets end in both; from the middles of both they end at two places of what they share.
+    for (Vec<D>* x : {&middle_a, &middle_b})
+        for (int k = 0; k < 100; ++k)
+            *x = closest_on(facet_b, closest_on(facet_a, *x).x).x;
+    return (middle_a + middle_b) / 2;
 }
 
 template <int D>
@@ -195,6 +201,8 @@ template <int D>
 Crossings<D> find_crossings(const SurfaceMesh<D>& mesh, double tolerance)
 {
     Crossings<D> found;
+    if (mesh.elements.empty()) // all have collapsed
+        return found;
     const std::vector<Plate<D>> plates = plates_of(mesh);
     double largest_coordinate = 0;
     for (const Vec<D>& x : mesh.vertices)
@@ -219,6 +227,8 @@ Crossings<D> find_crossings(const SurfaceMesh<D>& mesh, double tolerance)
 template <int D>
 std::vector<Crossing<D>> find_crossings_along_ridges(const SurfaceMesh<D>& mesh, double tolerance)
 {
+    if (mesh.elements.empty())
+        return {};
     const std::vector<Plate<D>> plates = plates_of(mesh);
     const FacetTree<D> tree = tree_of(plates);
     Vec<D> ray, weight; // of no direction and at no place that a mesh prefers

@@ -278,6 +278,13 @@ TEST(Crossings, FoldsOverASharedEdge)
     EXPECT_THAT(verdict(over), HasSubstr("cross at"));
 }
 
+TEST(Crossings, OfNothingAreNone)
+{
+    const TemporaryFile needle("x.stl", "solid\nvertex 1 0 0\nvertex 0 0 0\nvertex 0 0 0\nendfacet\n");
+    EXPECT_THAT(error_of([&] { make_mesh<3>(needle.path(), 1); }), HasSubstr("encloses no volume"));
+    EXPECT_TRUE(find_crossings_along_ridges(SurfaceMesh<3>{}, 1e-6).empty());
+}
+
 TEST(Crossings, ValidMeshesAreAccepted)
 {
     std::vector<SurfaceMesh<3>> meshes{torus(1, 0.3, 64, 32),
