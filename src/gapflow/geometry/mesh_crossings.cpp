@@ -101,7 +101,8 @@ double depth(const Plate<D>& a, const Plate<D>& b, double enough)
     return least;
 }
 
-/// Depth within the plane (2D: along the line) that both lie in; -infinity if they do not to round-off.
+/// Depth within the plane (2D: along the line) that both lie in, or a depth of no more than the tolerance as soon as that is known;
+/// -infinity if they lie in none, to round-off.
 template <int D>
 double depth_in_plane(const Plate<D>& a, const Plate<D>& b, double tolerance, double largest_coordinate)
 {
@@ -119,9 +120,12 @@ double depth_in_plane(const Plate<D>& a, const Plate<D>& b, double tolerance, do
         least = overlap(a, b, flat.edge[0]);
     else
         for (const Plate<3>* plate : {&a, &b})
-            for (const Vec<3>& e : plate->edge)
+            for (const Vec<3>& e : plate->edge) {
                 if (const Vec<3> axis = flat.normal.cross(e); axis.norm() > 0.5)
                     least = std::min(least, overlap(a, b, Vec<3>(axis.normalized())));
+                if (least <= tolerance)
+                    return least;
+            }
     return least;
 }
 
