@@ -41,6 +41,26 @@ FacetPoint<3> on_edge(const Facet<3>& facet, int ridge, const Vec<3>& q)
     return {x, (q - x).squaredNorm(), ridge, -1};
 }
 
+/// Whether the ray from `start` meets the facet: the volumes (areas) that the direction spans with its ridges have one sign.
+template <int D>
+bool meets(const Facet<D>& facet, const Vec<D>& start, const Vec<D>& direction)
+{
+    const double ahead = (facet.corner[0] - start).dot(facet.normal) * direction.dot(facet.normal);
+    if (!(ahead > 0))
+        return false;
+    bool positive = false, negative = false;
+    for (int i = 0; i < D; ++i) {
+        const Vec<D> a = facet.corner[i] - start;
+        double side;
+        if constexpr (D == 2)
+            side = (i == 0 ? 1 : -1) * (a[0] * direction[1] - a[1] * direction[0]);
+        else
+            side = a.cross(facet.corner[(i + 1) % 3] - start).dot(direction);
+        (side > 0 ? positive : negative) = true;
+    }
+    return positive != negative;
+}
+
 } // namespace
 
 template <int D>
@@ -155,6 +175,77 @@ typename FacetTree<D>::Hit FacetTree<D>::closest(const Vec<D>& q, int group) con
         stack[top++] = left_first ? left : right;
     }
     return best;
+}
+
+template <int D>
+bool FacetTree<D>::near(int node, int other, double margin) const
+{
+    const Node &a = nodes_[node], &b = nodes_[other];
+    return ((a.low - b.high).array() <= margin).all() && ((b.low - a.high).array() <= margin).all();
+}
+
+template <int D>
+void FacetTree<D>::for_near_pairs(double margin, const std::function<bool(int, int)>& visit) const
+{
+    const auto near_boxes = [&](const Facet<D>& f, const Facet<D>& g) {
+        for (int i = 0; i < D; ++i) {
+            const auto along = [i](const Facet<D>& facet) {
+                double low = facet.corner[0][i], high = low;
+                for (int k = 1; k < D; ++k) {
+                    low = std::min(low, facet.corner[k][i]);
+                    high = std::max(high, facet.corner[k][i]);
+                }
+                return std::pair(low, high);
+            };
+            const auto [f_low, f_high] = along(f);
+            const auto [g_low, g_high] = along(g);
+            if (f_low - g_high > margin || g_low - f_high > margin)
+                return false;
+        }
+        return true;
+    };
+    std::vector<std::pair<int, int>> stack{{0, 0}};
+    while (!stack.empty()) {
+        const auto [a, b] = stack.back();
+        stack.pop_back();
+        const Node &m = nodes_[a], &n = nodes_[b];
+        if (a != b && !near(a, b, margin))
+            continue;
+        if (m.count > 0 && n.count > 0) {
+            for (int i = m.first; i < m.first + m.count; ++i)
+                for (int k = a == b ? i + 1 : n.first; k < n.first + n.count; ++k)
+                    if (near_boxes(facets_[i], facets_[k]) && !visit(id_[i], id_[k]))
+                        return;
+        } else if (a == b)
+            stack.insert(stack.end(), {{a + 1, a + 1}, {m.first, m.first}, {a + 1, m.first}});
+        else if (n.count > 0 || (m.count == 0 && (m.high - m.low).norm() >= (n.high - n.low).norm()))
+            stack.insert(stack.end(), {{a + 1, b}, {m.first, b}});
+        else
+            stack.insert(stack.end(), {{a, b + 1}, {a, n.first}});
+    }
+}
+
+template <int D>
+int FacetTree<D>::crossings(const Vec<D>& start, const Vec<D>& direction) const
+{
+    int sum = 0, top = 0;
+    std::array<int, 64> stack;
+    stack[top++] = 0;
+    while (top > 0) {
+        const int index = stack[--top];
+        const Node& node = nodes_[index];
+        const Vec<D> low = (node.low - start).cwiseQuotient(direction), high = (node.high - start).cwiseQuotient(direction);
+        if (std::max(0., low.cwiseMin(high).maxCoeff()) > low.cwiseMax(high).minCoeff() * (1 + 1e-12))
+            continue;
+        for (int k = node.first; k < node.first + node.count; ++k)
+            if (meets(facets_[k], start, direction))
+                sum += direction.dot(facets_[k].normal) > 0 ? 1 : -1;
+        if (node.count == 0) {
+            stack[top++] = index + 1;
+            stack[top++] = node.first;
+        }
+    }
+    return sum;
 }
 
 template FacetPoint<2> closest_on<2>(const Facet<2>&, const Vec<2>&);

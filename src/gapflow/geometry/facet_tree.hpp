@@ -1,9 +1,10 @@
-// Closest point on a set of facets (3D: triangles, 2D: segments), by a tree of boxes.
+// Closest point on a set of facets (3D: triangles, 2D: segments), facets near each other and along a ray, by a tree of boxes.
 #pragma once
 
 #include "gapflow/core/types.hpp"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace gapflow {
@@ -39,11 +40,19 @@ public:
         FacetPoint<D> point;
     };
 
-    /// Facets with group[i] give the subset of closest(q, group).
+    /// At least one facet. Facets with group[i] give the subset of closest(q, group).
     FacetTree(const std::vector<Facet<D>>& facets, const std::vector<int>& group);
 
     /// Closest facet and its point; of one group if group >= 0 (then facet -1 if that has no facets). Thread-safe.
     Hit closest(const Vec<D>& q, int group = -1) const;
+
+    /// Calls visit(f, g) once for each pair of different facets whose boxes come within `margin` on every axis, in no order that
+    /// matters, until it returns false.
+    void for_near_pairs(double margin, const std::function<bool(int, int)>& visit) const;
+
+    /// Facets that the ray from `start` leaves through (along their normals) less those it enters through: of a closed outward
+    /// surface the winding number around `start`, unless the ray meets a ridge. No component of `direction` may be 0.
+    int crossings(const Vec<D>& start, const Vec<D>& direction) const;
 
 private:
     struct Node {
@@ -54,6 +63,7 @@ private:
 
     void build(std::vector<int>& order, const std::vector<Facet<D>>& facets, int begin, int end);
     double distance2(int node, const Vec<D>& q) const;
+    bool near(int node, int other, double margin) const;
 
     std::vector<Node> nodes_;
     std::vector<Facet<D>> facets_; ///< in tree order

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace gapflow {
 namespace {
@@ -188,7 +189,9 @@ template <int D>
 std::unique_ptr<Shape<D>> make_mesh(const std::string& file, double scale)
 {
     require_positive("mesh " + file, "scale", scale);
-    return make_mesh<D>(read_surface_file<D>(file, scale), file);
+    std::vector<int> lines;
+    SurfaceMesh<D> surface = read_surface_file<D>(file, scale, &lines);
+    return std::make_unique<Mesh<D>>(closed_surface(std::move(surface), file, lines));
 }
 
 template <int D>

@@ -1,13 +1,15 @@
-// Welding, closedness and orientation of surfaces.
+// Welding, closedness, crossings and orientation of surfaces.
 #include "gapflow/geometry/mesh_check.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/geometry/mesh_crossings.hpp"
 #include "gapflow/geometry/mesh_mass.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <sstream>
 #include <unordered_map>
 
@@ -43,11 +45,12 @@ struct CellHash {
 };
 
 /// Merges vertices no further apart than `tolerance` (each with the first such vertex), drops unused vertices and facets
-/// with fewer than D different vertices.
+/// with fewer than D different vertices, also from `source`.
 template <int D>
-SurfaceMesh<D> welded(const SurfaceMesh<D>& mesh, double tolerance)
+SurfaceMesh<D> welded(const SurfaceMesh<D>& mesh, double tolerance, std::vector<int>& source)
 {
     SurfaceMesh<D> result;
+    std::size_t kept = 0;
     const double width = std::max(3 * tolerance, 1e-12 * extent(mesh)), reach = 1.001 * tolerance;
     std::unordered_map<Cell<D>, std::vector<int>, CellHash<D>> cells;
     const Vec<D> origin = mesh.vertices.front(); // a small mesh far away keeps small numbers of cells
@@ -69,15 +72,19 @@ SurfaceMesh<D> welded(const SurfaceMesh<D>& mesh, double tolerance)
         return int(result.vertices.size()) - 1;
     };
     std::vector<int> target(mesh.vertices.size(), -1);
-    for (std::array<int, D> facet : mesh.elements) {
+    for (std::size_t f = 0; f < mesh.elements.size(); ++f) {
+        std::array<int, D> facet = mesh.elements[f];
         for (int& v : facet) {
             if (target[v] < 0)
                 target[v] = merged(mesh.vertices[v]);
             v = target[v];
         }
-        if (facet[0] != facet[1] && (D == 2 || (facet[1] != facet[D - 1] && facet[D - 1] != facet[0])))
+        if (facet[0] != facet[1] && (D == 2 || (facet[1] != facet[D - 1] && facet[D - 1] != facet[0]))) {
             result.elements.push_back(facet);
+            source[kept++] = source[f];
+        }
     }
+    source.resize(kept);
     return result;
 }
 
@@ -198,6 +205,38 @@ void turn_over(ClosedSurface<D>& surface)
         std::swap(across[0], across[1]);
 }
 
+/// Names of facets in messages: `source` is the number of each in the file, `lines` the file's line of each of those.
+struct FacetNames {
+    const std::vector<int>& source;
+    const std::vector<int>& lines;
+};
+
+template <int D>
+[[noreturn]] void refuse(const std::vector<Crossing<D>>& crossings, bool more, const char* how, const FacetNames& names,
+                         const std::string& name)
+{
+    const Crossing<D>& worst = crossings.front();
+    const int f = names.source[worst.first], g = names.source[worst.second];
+    const bool by_line = !names.lines.empty();
+    std::ostringstream text;
+    text << name << ": the surface cuts itself: " << (D == 2 ? "segments" : "triangles");
+    if (by_line)
+        text << " of lines " << names.lines[f] << " and " << names.lines[g];
+    else
+        text << ' ' << f << " and " << g << " (from 0)";
+    const Eigen::IOFormat row(6, Eigen::DontAlignCols, " ", " ");
+    text << ' ' << how << " at (" << worst.place.transpose().format(row) << ')';
+    if (const std::size_t others = crossings.size() - 1; others > 0)
+        text << ", and " << (more ? "at least " : "") << others << " more pair" << (others > 1 ? "s" : "");
+    if (D == 3 && by_line && names.lines[f] == names.lines[g])
+        text << "; export faces of more than three corners as triangles";
+    else if (D == 3)
+        text << "; unite parts that overlap (Boolean union), and repair folds, in the program that made the mesh";
+    else
+        text << "; put the vertices in the order of the boundary, and make one loop of loops that overlap";
+    throw InputError(text.str());
+}
+
 /// Parts inside an odd number of others must be cavities, the rest solids.
 template <int D>
 void check_nesting(const ClosedSurface<D>& surface, const std::string& name)
@@ -247,34 +286,44 @@ double winding_number(const SurfaceMesh<D>& mesh, const Vec<D>& x)
 }
 
 template <int D>
-ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name)
+ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name, const std::vector<int>& lines)
 {
     ClosedSurface<D> surface{compacted<D>(mesh.vertices, std::move(mesh.elements)), {}};
     std::string defect;
-    const double size = extent(surface.mesh);
+    const double size = extent(surface.mesh), tolerance = 1e-6 * size;
     if (size == 0)
         throw InputError(name + ": the surface encloses no volume: all of its vertices are at one place; check its scale");
-    // Tolerance -1: only vertices shared by index. Polygons close themselves and are never welded.
-    for (double tolerance : {-1., 0., 1e-6 * size}) {
-        if (tolerance >= 0)
-            surface.mesh = welded(surface.mesh, tolerance);
+    std::vector<int> source(surface.mesh.elements.size()); // number of each facet in the file
+    std::iota(source.begin(), source.end(), 0);
+    // Apart by -1: only vertices shared by index. Polygons close themselves and are never welded.
+    for (double apart : {-1., 0., tolerance}) {
+        if (apart >= 0)
+            surface.mesh = welded(surface.mesh, apart, source);
         defect = connect<D>(surface.mesh, surface.neighbours);
         if (defect.empty() || D == 2)
             break;
     }
     if (!defect.empty())
         throw InputError(name + ": " + defect);
+    const FacetNames names{source, lines};
+    const Crossings<D> crossings = find_crossings(surface.mesh, tolerance);
+    if (!crossings.through.empty())
+        refuse(crossings.through, crossings.more, "cross", names, name);
     const double volume = mass_properties_of(surface.mesh).volume;
     if (!(std::abs(volume) > 1e-14 * std::pow(size, D)))
         throw InputError(name + ": the surface encloses no volume; give the part a thickness, and a polygon no crossings");
+    if (!crossings.flat.empty())
+        refuse(crossings.flat, crossings.more, "lie on each other", names, name);
     if (volume < 0)
         turn_over(surface);
+    if (const auto along = find_crossings_along_ridges(surface.mesh, tolerance); !along.empty())
+        refuse(along, false, "meet where parts overlap,", names, name);
     check_nesting(surface, name);
     return surface;
 }
 
-template ClosedSurface<2> closed_surface<2>(SurfaceMesh<2>, const std::string&);
-template ClosedSurface<3> closed_surface<3>(SurfaceMesh<3>, const std::string&);
+template ClosedSurface<2> closed_surface<2>(SurfaceMesh<2>, const std::string&, const std::vector<int>&);
+template ClosedSurface<3> closed_surface<3>(SurfaceMesh<3>, const std::string&, const std::vector<int>&);
 template double winding_number<2>(const SurfaceMesh<2>&, const Vec<2>&);
 template double winding_number<3>(const SurfaceMesh<3>&, const Vec<3>&);
 

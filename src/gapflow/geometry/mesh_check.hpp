@@ -22,11 +22,12 @@ struct ClosedSurface {
 };
 
 /// Welds vertices where the facets need it (first identical ones, then those within 1e-6 of the size), drops facets that
-/// collapse, checks that every ridge has two facets of consistent orientation, and turns the surface over if its volume is
-/// negative. Then every connected part must be outward, or inward where it is a cavity inside another part. Surfaces that
-/// cut themselves are not detected. Throws InputError that starts with `name` and names the first bad ridge.
+/// collapse, checks that every ridge has two facets of consistent orientation, and that the surface does not cut itself by more
+/// than 1e-6 of the size, and turns it over if its volume is negative. Then every connected part must be outward, or inward where
+/// it is a cavity inside another part. Throws InputError that starts with `name` and names the first bad ridge, or the first pair
+/// of facets that cross: by the `lines` of the file on which they are (one for each facet, or empty), else by their numbers from 0.
 template <int D>
-ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name);
+ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name, const std::vector<int>& lines = {});
 
 /// Generalised winding number of the surface around x: 1 inside a simple outward surface, 0 outside
 /// (Jacobson et al. 2013; solid angles by Van Oosterom & Strackee 1983).

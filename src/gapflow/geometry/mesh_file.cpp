@@ -15,6 +15,7 @@
 #include <iterator>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace gapflow {
 namespace {
@@ -113,7 +114,7 @@ int obj_index(std::string_view word, int vertices, const std::string& file, int 
     return from_zero;
 }
 
-SurfaceMesh<3> read_obj(const std::string& text, const std::string& file, double scale)
+SurfaceMesh<3> read_obj(const std::string& text, const std::string& file, double scale, std::vector<int>& lines)
 {
     SurfaceMesh<3> mesh;
     for_each_line(text, [&](const auto& words, int line, bool) {
@@ -126,21 +127,25 @@ SurfaceMesh<3> read_obj(const std::string& text, const std::string& file, double
         if (words.size() < 4)
             fail(file, line, "a face needs at least 3 corners; write f 1 2 3");
         const auto corner = [&](std::size_t k) { return obj_index(words[k], int(mesh.vertices.size()), file, line); };
-        for (std::size_t k = 3; k < words.size(); ++k)
+        for (std::size_t k = 3; k < words.size(); ++k) {
             mesh.elements.push_back({corner(1), corner(k - 1), corner(k)});
+            lines.push_back(line);
+        }
     });
     return mesh;
 }
 
-SurfaceMesh<3> read_ascii_stl(const std::string& text, const std::string& file, double scale)
+SurfaceMesh<3> read_ascii_stl(const std::string& text, const std::string& file, double scale, std::vector<int>& lines)
 {
     SurfaceMesh<3> mesh;
-    int in_facet = 0, last_line = 0;
+    int in_facet = 0, last_line = 0, first_line = 0;
     for_each_line(text, [&](const auto& words, int line, bool) {
         last_line = line;
         if (words.empty())
             return;
-        if (words[0] == "vertex") {
+        if (words[0] == "facet")
+            first_line = line;
+        else if (words[0] == "vertex") {
             mesh.vertices.push_back(point_of<3>(words, 1, scale, file, line));
             ++in_facet;
         } else if (words[0] == "endfacet") {
@@ -148,7 +153,8 @@ SurfaceMesh<3> read_ascii_stl(const std::string& text, const std::string& file, 
                 fail(file, line, "a facet has ", in_facet, " vertices; STL facets are triangles: export again");
             const int n = int(mesh.vertices.size());
             mesh.elements.push_back({n - 3, n - 2, n - 1});
-            in_facet = 0;
+            lines.push_back(first_line > 0 ? first_line : line);
+            in_facet = first_line = 0;
         }
     });
     if (in_facet != 0)
@@ -187,14 +193,16 @@ SurfaceMesh<3> read_binary_stl(const std::string& text, std::int64_t count, cons
     return mesh;
 }
 
-SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, double scale)
+SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, double scale, std::vector<int>& lines)
 {
     SurfaceMesh<2> mesh;
     std::size_t first = 0; // vertex of the loop being read
     int last_line = 0;
     const auto close = [&](int line) {
-        if (mesh.vertices.size() - first > 1 && mesh.vertices.back() == mesh.vertices[first])
+        if (mesh.vertices.size() - first > 1 && mesh.vertices.back() == mesh.vertices[first]) {
             mesh.vertices.pop_back(); // the loop repeats its first vertex
+            lines.pop_back();
+        }
         const std::size_t n = mesh.vertices.size() - first;
         if (n == 0)
             return;
@@ -208,8 +216,10 @@ SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, do
         last_line = line;
         if (words.size() == 2) {
             const Vec<2> x = point_of<2>(words, 0, scale, file, line);
-            if (mesh.vertices.size() == first || mesh.vertices.back() != x)
+            if (mesh.vertices.size() == first || mesh.vertices.back() != x) {
                 mesh.vertices.push_back(x);
+                lines.push_back(line); // of the segment that starts here
+            }
         } else if (!words.empty())
             fail(file, line, "expected \"x y\", found ", words.size(), " words; write two numbers a line");
         else if (!comment)
@@ -222,39 +232,42 @@ SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, do
 } // namespace
 
 template <int D>
-SurfaceMesh<D> read_surface_file(const std::string& file, double scale)
+SurfaceMesh<D> read_surface_file(const std::string& file, double scale, std::vector<int>* lines)
 {
-    return parse_surface<D>(whole_file(file), file, scale);
+    return parse_surface<D>(whole_file(file), file, scale, lines);
 }
 
 template <int D>
-SurfaceMesh<D> parse_surface(const std::string& text, const std::string& file, double scale)
+SurfaceMesh<D> parse_surface(const std::string& text, const std::string& file, double scale, std::vector<int>* lines)
 {
+    std::vector<int> line_of_facet;
     std::string extension = file.substr(std::min(file.rfind('.'), file.size()));
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     SurfaceMesh<D> mesh;
     if constexpr (D == 2)
-        mesh = read_polygon(text, file, scale);
+        mesh = read_polygon(text, file, scale, line_of_facet);
     else if (extension == ".obj")
-        mesh = read_obj(text, file, scale);
+        mesh = read_obj(text, file, scale, line_of_facet);
     else if (extension == ".stl") {
         const std::int64_t count = binary_stl_count(text);
         if (count < 0 && !std::string_view(text).starts_with("solid"))
             fail(file, 0,
                  "neither ASCII STL (starts with \"solid\") nor binary STL of the length its header tells; it was cut off: "
                  "export again");
-        mesh = count >= 0 ? read_binary_stl(text, count, file, scale) : read_ascii_stl(text, file, scale);
+        mesh = count >= 0 ? read_binary_stl(text, count, file, scale) : read_ascii_stl(text, file, scale, line_of_facet);
     } else
         fail(file, 0, "unknown kind of mesh file \"", extension, "\"; use .obj or .stl");
     if (mesh.elements.empty())
         fail(file, 0, "holds no facets; export the surface as triangles");
+    if (lines)
+        *lines = std::move(line_of_facet);
     return mesh;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template SurfaceMesh<D> read_surface_file<D>(const std::string&, double);                                                  \
-    template SurfaceMesh<D> parse_surface<D>(const std::string&, const std::string&, double);
+    template SurfaceMesh<D> read_surface_file<D>(const std::string&, double, std::vector<int>*);                               \
+    template SurfaceMesh<D> parse_surface<D>(const std::string&, const std::string&, double, std::vector<int>*);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE
