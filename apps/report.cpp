@@ -46,6 +46,7 @@ void write_pictures(const StoredRun& run, const ReportOptions& options, const Co
 std::vector<LabelledRun> runs_of_sweep(const fs::path& folder, const SweepRecord& sweep)
 {
     std::vector<LabelledRun> runs;
+    std::vector<std::string> labels;
     for (const SweepRecord::Run& run : sweep.runs) {
         std::error_code error;
         if (!fs::exists(folder / run.folder / "run.json", error))
@@ -54,9 +55,13 @@ std::vector<LabelledRun> runs_of_sweep(const fs::path& folder, const SweepRecord
         for (const auto& [key, value] : run.values)
             label += (label.empty() ? "" : ", ") + key + " = " + value;
         runs.push_back({read_run(folder / run.folder), label});
+        labels.push_back(label);
     }
     if (runs.empty())
         throw InputError(folder.string() + ": a sweep of which no run has begun");
+    labels = short_labels(labels);
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        runs[i].label = labels[i];
     return runs;
 }
 

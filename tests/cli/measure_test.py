@@ -262,12 +262,14 @@ class Folders(Case):
             for more in ([], ["--force"]):
                 self.assertIn(f"process {process.pid} writes a run there", self.run_scene(CHANNEL, *more, status=2))
             self.assertNotIn("was killed", gapflow("report", self.out).stderr)
+            self.assertIn('"status":"running"', (self.out / "report.html").read_text())
         finally:
             process.send_signal(signal.SIGKILL)
         time.sleep(0.2)  # not waited for: a zombie counts as gone
         report = gapflow("report", self.out)
         self.assertEqual(report.returncode, 0, report.stderr)
         self.assertIn("the run was killed", report.stderr)
+        self.assertIn('"status":"killed"', (self.out / "report.html").read_text())
         process.wait()
         self.run_scene(CHANNEL, "--quiet", "--set", "time.end=0.1")
         self.assertNotIn("process", self.record())

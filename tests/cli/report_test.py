@@ -214,7 +214,7 @@ class Report(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("cannot create the file", done.stderr)
 
-    def test_a_run_that_is_going_on(self):
+    def test_a_run_that_was_killed(self):
         out = self.copy(self.flat)
         for name in ("steps.csv", "bodies.csv", "gaps.csv"):
             lines = (out / name).read_text().splitlines(keepends=True)
@@ -224,7 +224,7 @@ class Report(unittest.TestCase):
         (out / "run.json").write_text(json.dumps({**record, "status": "running"}))
         page = self.page(out)
         self.assertEqual(page.json["tables"]["of"], 7)
-        self.assertEqual(page.json["record"]["status"], "running")
+        self.assertEqual(page.json["record"]["status"], "killed")  # no process is recorded
         self.assertEqual([len(frame["planes"]) for frame in page.json["frames"]], [1, 1, 0])
 
     def test_one_row_and_no_row(self):
@@ -288,6 +288,15 @@ class Report(unittest.TestCase):
         self.assertEqual(gapflow("report", out).returncode, 0)
         self.assertEqual([r["label"] for r in Page(out / "report.html").json["runs"]],
                          [f"body.upper.density = {d}, gap.model = {m}" for d in (2, 3) for m in ("film", "none")])
+
+    def test_long_decimals_of_labels_are_cut_where_the_runs_still_differ(self):
+        out = self.out.parent / "decimals"
+        for values, labels in [("2.0000001,3.00000001", ["2", "3"]), ("2.0000001,2.0000002", ["2.0000001", "2.0000002"])]:
+            done = gapflow("sweep", PLATES, "-o", out / labels[0], "--quiet", "--set", "domain.cells=[32,32]", "--set", "time.end=0.01", "--vary",
+                           f"body.upper.density={values}", "--jobs", "2")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(gapflow("report", out / labels[0]).returncode, 0)
+            self.assertEqual([r["label"] for r in Page(out / labels[0] / "report.html").json["runs"]], [f"body.upper.density = {v}" for v in labels])
 
     def test_3d_has_values_of_the_whole_domain_for_slices_that_move(self):
         page = self.page(self.solid)

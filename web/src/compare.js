@@ -1,7 +1,7 @@
 // A page of several runs: plots with a curve a run, views beside each other with one slider.
 import uPlot from "uplot";
 import { chooser, foremost } from "./chooser.js";
-import { colour, curves, lively, spansMuch } from "./curves.js";
+import { colour, curves, lineStyle, lively, spansMuch } from "./curves.js";
 import { element, frameReader, short } from "./data.js";
 import { pictureButtons } from "./export.js";
 import { nearest, player } from "./player.js";
@@ -13,7 +13,11 @@ export function compare(page, makeView, redraws) {
   const runs = page.runs.map((run, number) => ({ ...run, number }));
   const dot = (run) => {
     const mark = element("i", {});
-    const paint = () => (mark.style.background = colour(run.number));
+    const paint = () => {
+      const line = lineStyle(run.number);
+      mark.style.background = line === "solid" ? colour(run.number) : "none";
+      mark.style.border = `2px ${line} ${colour(run.number)}`;
+    };
     paint();
     redraws.push(paint);
     return mark;
@@ -113,7 +117,8 @@ function drawCurves(runs, choose) {
     for (const { run, column, bodies: all, own, gaps: of, time } of each.filter((e) => e.time.length > 1))
       for (const entry of plotsOf(run, column, all.filter((b) => shown.bodies.has(b.name)), of.filter((g) => shown.gaps.has(gapName(g))), own))
         for (const series of entry.series) {
-          const title = `${entry.title.replace(/ \(.*/, "")}: ${series.label}`;
+          const [what, more] = entry.title.split(/(?= \()/);
+          const title = `${what}: ${series.label}${more ?? ""}`;
           if (lively(entry.series, { least: entry.least })?.drawn.includes(series)) alive.add(title);
           if (!found.has(title)) found.set(title, { entry, list: [] });
           found.get(title).list.push({ label: run.label, values: series.values, time, look: run.number });

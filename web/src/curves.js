@@ -13,6 +13,7 @@ const colours = 8;
 export const colour = (i) => palettes[document.documentElement.dataset.theme === "dark" ? "dark" : "light"][i % colours];
 const dashes = [undefined, [7, 4], [2, 3]];
 export const dash = (i) => dashes[Math.floor(i / colours) % dashes.length];
+export const lineStyle = (i) => ["solid", "dashed", "dotted"][Math.floor(i / colours) % dashes.length]; // the same of a border
 export const rangeOf = (values) => {
   let low = Infinity, high = -Infinity;
   for (const v of values) if (Number.isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v); }
@@ -89,10 +90,10 @@ export function curves(place, title, time, series, options, choose) {
     plot = new uPlot({
       width: card.clientWidth - 34, height,
       scales: { x: { time: false }, y },
-      axes: [{ ...axis, size: 32, label: "time" }, { ...axis, size: 62, label: options.unit, values: (u, ticks) => ticks.map(state.log && positive ? logTick : short),
+      axes: [{ ...axis, size: 32, label: "time", values: (u, ticks) => ticks.map(short) }, { ...axis, size: 62, label: options.unit, values: (u, ticks) => ticks.map(state.log && positive ? logTick : short),
         ...(state.log && !positive ? { splits: () => bothSides(least, largest) } : {}) }],
       cursor: { sync: { key: "gapflow" }, drag: { x: true, y: false }, points: { size: 7 } },
-      legend: { live: true },
+      legend: { live: true, markers: { dash: (u, i) => lineStyle(looks[i - 1] ?? 0) } },
       series: [{ label: "time", value: (u, v) => short(v) }, ...series.map((s, i) => ({
         label: s.label, stroke: () => colour(looks[i]), width: 1.6, dash: dash(looks[i]), spanGaps: false,
         points: { show: time.length < 40 ? undefined : false },

@@ -75,11 +75,12 @@ export function drawProfile(run, card) {
     brush.fillStyle = axisStyle().stroke();
     brush.textAlign = "center";
     let free = -Infinity;
-    captions.forEach(([at, text], i) => {
-      const x = u.valToPos(at, "x", true), half = 0.5 * brush.measureText(text).width;
+    captions.forEach(([at, text]) => {
+      const half = 0.5 * brush.measureText(text).width;
+      const x = Math.min(Math.max(u.valToPos(at, "x", true), u.bbox.left + half), u.bbox.left + u.bbox.width - half);
       if (x - half < free || captions.length < 2) return;
       free = x + half + 6 * dots;
-      brush.fillText(text, Math.min(Math.max(x, u.bbox.left + half), u.bbox.left + u.bbox.width - half), u.bbox.top + 12 * dots);
+      brush.fillText(text, x, u.bbox.top + 12 * dots);
     });
     brush.restore();
   };
@@ -88,7 +89,7 @@ export function drawProfile(run, card) {
     plot = new uPlot({
       width: card.clientWidth - 34, height: 240,
       scales: { x: { time: false }, h: { range: (u, low, high) => [0, high > 0 ? 1.1 * high : 1] } },
-      axes: [{ ...axis, size: 32, label: "distance along the films (length)" }, { ...axis, size: 56, label: `film pressure (${unit.pressure})`, values: (u, t) => t.map(short) },
+      axes: [{ ...axis, size: 32, label: "distance along the films (length)", values: (u, t) => t.map(short) }, { ...axis, size: 56, label: `film pressure (${unit.pressure})`, values: (u, t) => t.map(short) },
         { ...axis, scale: "h", side: 1, size: 56, label: "thickness (length)", grid: { show: false }, values: (u, t) => t.map(short) }],
       cursor: { drag: { x: true, y: false }, points: { size: 7 } },
       series: [{ label: "distance", value: (u, v) => short(v) },

@@ -12,7 +12,7 @@ function table(rows, kind = "data") {
 export function drawFacts(run) {
   const { record, scene } = run;
   const facts = document.getElementById("facts");
-  facts.append(element("span", { class: `status ${record.status}` }, record.status === "running" ? "running, or stopped midway" : record.status));
+  facts.append(element("span", { class: `status ${record.status}` }, record.status));
   const end = scene.time?.end;
   for (const text of [
     `${run.dimension}D, ${list(scene.domain.cells)} cells`,

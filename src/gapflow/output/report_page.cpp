@@ -10,10 +10,12 @@
 #include "gapflow/output/base64.hpp"
 #include "gapflow/output/colour_map.hpp"
 #include "gapflow/output/file.hpp"
+#include "gapflow/output/run_record.hpp"
 #include "gapflow/output/run_view.hpp"
 #include "gapflow/output/scene_difference.hpp"
 #include "gapflow/output/xml.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
@@ -22,6 +24,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <regex>
 #include <set>
 
 namespace gapflow {
@@ -379,6 +382,11 @@ std::string warnings_html(const Json& record)
                                items + "</ul></section>";
 }
 
+bool all_differ(const std::vector<std::string>& texts)
+{
+    return std::set<std::string>(texts.begin(), texts.end()).size() == texts.size();
+}
+
 /// A run as a page holds it, but for colours: its numbers go to the others.
 Json run_json(const StoredRun& run, const PageLimits& limits, const CountWatcher& watch, RangeSampler& sampler,
               Numbers& numbers, PageSummary& summary)
@@ -388,6 +396,8 @@ Json run_json(const StoredRun& run, const PageLimits& limits, const CountWatcher
     json["dimension"] = view.dimension;
     json["title"] = title_of(run);
     json["record"] = *run.record;
+    if (const auto recorded = read_recorded_run(run.folder / "run.json"); recorded && recorded->state == RunState::killed)
+        json["record"]["status"] = "killed";
     json["scene"] = *run.scene;
     json["domain"] = {{"origin", std::vector(view.origin.begin(), view.origin.end())},
                       {"size", std::vector(view.size.begin(), view.size.end())},
@@ -495,11 +505,29 @@ std::vector<std::string> labels_of(const std::vector<StoredRun>& runs)
             parts.push_back(key + " = " + values[i]);
         labels[i] = joined(parts);
     }
-    if (std::set<std::string>(labels.begin(), labels.end()).size() == runs.size())
-        return labels;
+    if (all_differ(labels))
+        return short_labels(labels);
     for (std::size_t i = 0; i < runs.size(); ++i)
         labels[i] = runs[i].folder.lexically_normal().string();
     return labels;
+}
+
+std::vector<std::string> short_labels(const std::vector<std::string>& labels)
+{
+    static const std::regex decimal(R"((^|[\s,\[])([-+]?[0-9]*\.[0-9]+(?:[eE][-+]?[0-9]+)?)(?=$|[\s,\]]))");
+    std::vector<std::string> all;
+    for (const std::string& label : labels) {
+        std::string text;
+        auto rest = label.begin();
+        for (std::sregex_iterator match(label.begin(), label.end(), decimal), end; match != end; ++match) {
+            text.append(rest, (*match)[2].first);
+            const auto value = parse_number((*match)[2].str());
+            text += value ? fmt::format("{:.5g}", *value) : (*match)[2].str();
+            rest = (*match)[2].second;
+        }
+        all.push_back(text.append(rest, label.end()));
+    }
+    return all_differ(all) ? all : labels;
 }
 
 } // namespace gapflow

@@ -44,4 +44,7 @@ PageSummary write_comparison_page(const std::vector<LabelledRun>& runs, const st
 /// by their folders.
 std::vector<std::string> labels_of(const std::vector<StoredRun>& runs);
 
+/// Labels with their decimals cut to five digits, as 0.718877777777778 to 0.71888, where they still differ; else as they are.
+std::vector<std::string> short_labels(const std::vector<std::string>& labels);
+
 } // namespace gapflow
