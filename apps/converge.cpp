@@ -126,8 +126,10 @@ struct Run {
     std::vector<Series> series; ///< of each quantity
 };
 
-Series series_of(const Quantity& q, const CsvTable& bodies, const CsvTable& gaps)
+Series series_of(const Quantity& q, const CsvTable& bodies, const CsvTable& gaps, const CsvTable& fluxes)
 {
+    if (q.flux)
+        return read_series(fluxes, "time", q.column, {{"name", q.body}});
     if (q.other.empty())
         return read_series(bodies, "time", q.column, {{"body", q.body}});
     Series series = read_series(gaps, "time", q.column, {{"body_a", q.body}, {"body_b", q.other}});
@@ -143,8 +145,10 @@ void read_run(const std::vector<Compared>& quantities, Run& run)
     const bool any_gap =
         std::any_of(quantities.begin(), quantities.end(), [](const Compared& q) { return !q.quantity.other.empty(); });
     const CsvTable gaps = any_gap ? read_csv(run.folder + "/gaps.csv") : CsvTable{};
+    const bool any_flux = std::any_of(quantities.begin(), quantities.end(), [](const Compared& q) { return q.quantity.flux; });
+    const CsvTable fluxes = any_flux ? read_csv(run.folder + "/fluxes.csv") : CsvTable{};
     for (const Compared& q : quantities)
-        run.series.push_back(series_of(q.quantity, bodies, gaps));
+        run.series.push_back(series_of(q.quantity, bodies, gaps, fluxes));
 }
 
 /// What a quantity's end, mean, smallest and largest value approach. Those that are the same number on every grid as one before, as the end of

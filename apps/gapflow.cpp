@@ -161,7 +161,8 @@ void add_converge(const CommandLine& line)
         ->type_name("FILE.csv");
     converge_app
         ->add_option("--quantity", options.quantities,
-                     "What to compare: BODY.COLUMN of bodies.csv, as upper.y, or BODY-BODY.COLUMN of gaps.csv, as "
+                     "What to compare: BODY.COLUMN of bodies.csv, as upper.y, FLUX.COLUMN of fluxes.csv, as port.flux, or "
+                     "BODY-BODY.COLUMN of gaps.csv, as "
                      "lower-upper.thickness; may be repeated; without it, positions and velocities of all free bodies")
         ->allow_extra_args(false)
         ->type_name("NAME");
@@ -201,9 +202,10 @@ void add_sweep(const CommandLine& line)
         ->type_name("N");
     sweep_app
         ->add_option("--quantity", options.quantities,
-                     "What the table holds: BODY.COLUMN of bodies.csv, as ball.y, or BODY-BODY.COLUMN of gaps.csv, as "
+                     "What the table holds: BODY.COLUMN of bodies.csv, as ball.y, FLUX.COLUMN of fluxes.csv, as port.flux, or "
+                     "BODY-BODY.COLUMN of gaps.csv, as "
                      "ball-wall:y_low.force; may be repeated; without it motion of and forces on bodies, thickness of and "
-                     "forces in gaps")
+                     "forces in gaps, fluxes")
         ->allow_extra_args(false)
         ->type_name("NAME");
     sweep_app

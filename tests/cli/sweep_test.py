@@ -56,6 +56,21 @@ class Sweep(unittest.TestCase):
     def scene_of(self, folder):
         return json.loads(json.loads((self.out / folder / "run.json").read_text())["scene"])
 
+    def test_fluxes_are_quantities(self):
+        self.scene.write_text(SCENE + '[[flux]]\nname = "top"\nside = "y_high"\n')
+        done = self.sweep("--vary", "body.ball.density=2,4", "--set", "time.end=0.06", "--jobs", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for row in self.table():
+            last = rows(self.out / row["folder"] / "fluxes.csv")[-1]
+            self.assertEqual(float(row["top.flux.last"]), float(last["flux"]))
+        done = self.sweep("--vary", "body.ball.density=2,4", "--set", "time.end=0.06", "--jobs", "1", "--quantity", "top.inflow")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("top.inflow.last", self.table()[0])
+        for name, text in [("top.fluxx", "did you mean 'flux'"), ("tup.flux", "did you mean 'top.flux'?")]:
+            done = self.sweep("--vary", "body.ball.density=2", "--quantity", name)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(text, done.stderr)
+
     def test_every_combination_in_folders_and_one_table(self):
         done = self.sweep("--vary", "body.ball.density=1:4:3:log", "--vary", "gap.model=film,none", "--quantity", "ball.y", "--jobs", "2")
         self.assertEqual(done.returncode, 0, done.stderr)

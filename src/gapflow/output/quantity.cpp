@@ -25,6 +25,9 @@ std::vector<std::string> real_gap_columns()
     return names;
 }
 
+/// The numbers of fluxes.csv.
+const std::vector<std::string> flux_columns{"flux", "inflow", "outflow", "film", "bodies"};
+
 bool has(const std::vector<std::string>& list, const std::string& text)
 {
     return std::find(list.begin(), list.end(), text) != list.end();
@@ -76,11 +79,21 @@ Quantity quantity_of(const std::string& name, const Scene& scene)
                 check_column(real_gap_columns());
                 return {name, column, a, b};
             }
-    const std::string near = nearest_name(owner, bodies);
+    std::vector<std::string> fluxes;
+    for (const FluxScene& flux : scene.fluxes)
+        fluxes.push_back(flux.name);
+    if (dot != std::string::npos && has(fluxes, owner)) {
+        check_column(flux_columns);
+        return {name, column, owner, "", true};
+    }
+    std::vector<std::string> owners = bodies;
+    owners.insert(owners.end(), fluxes.begin(), fluxes.end());
+    const std::string near = nearest_name(owner, owners);
     throw InputError(
         "quantity " + name + ": no body and no gap is named '" + owner + "'" +
         (near.empty() ? "" : ", did you mean '" + near + "." + column + "'?") +
-        "; write BODY.COLUMN, as upper.y, or BODY-BODY.COLUMN, as lower-upper.thickness; the bodies are: " + joined(bodies));
+        "; write BODY.COLUMN, as upper.y, or BODY-BODY.COLUMN, as lower-upper.thickness; the bodies are: " + joined(bodies) +
+        (fluxes.empty() ? "" : "; or FLUX.COLUMN, as " + fluxes[0] + ".flux; the fluxes are: " + joined(fluxes)));
 }
 
 std::vector<Quantity> key_quantities(const StoredRun& run, std::size_t most_gaps)
@@ -114,6 +127,10 @@ std::vector<Quantity> key_quantities(const StoredRun& run, std::size_t most_gaps
     for (const auto& [first, second] : pairs)
         for (const char* column : {"thickness", "force", "contact_force"})
             all.push_back({first + "-" + second + "." + column, column, first, second});
+    if (const auto fluxes = run.scene->find("flux"); fluxes != run.scene->end())
+        for (const auto& flux : *fluxes)
+            if (const auto name = flux.at("name").get<std::string>(); !motions.contains(name))
+                all.push_back({name + ".flux", "flux", name, "", true});
     return all;
 }
 
@@ -130,10 +147,13 @@ TimeWindow window_of(const std::string& text, double end)
 std::optional<Statistics> statistics_of(const StoredRun& run, const Quantity& quantity, const TimeWindow& window)
 {
     const bool of_gap = !quantity.other.empty();
-    const RunTable& table = of_gap ? run.gaps : run.bodies;
+    const RunTable& table = quantity.flux ? run.fluxes : of_gap ? run.gaps : run.bodies;
     const std::vector<double>&values = table.number(quantity.column), &times = table.number("time"),
           &steps = table.number("step");
-    const std::vector<std::string>&first = table.text(of_gap ? "body_a" : "body"), &second = table.text("body_b");
+    const std::vector<std::string>&first = table.text(quantity.flux ? "name"
+                                                      : of_gap      ? "body_a"
+                                                                    : "body"),
+          &second = table.text("body_b");
     const std::vector<double>&numbers = run.steps.number("step"), &lengths = run.steps.number("dt");
     if (values.size() != table.rows || times.size() != table.rows || first.size() != table.rows)
         return std::nullopt;

@@ -11,17 +11,18 @@
 
 namespace gapflow {
 
-/// "body.column" of bodies.csv or "a-b.column" of gaps.csv.
+/// "body.column" of bodies.csv, "a-b.column" of gaps.csv or "name.column" of fluxes.csv.
 struct Quantity {
     std::string name, column;
     std::string body, other; ///< other: of a gap, else empty
+    bool flux = false;       ///< body is the name of a flux
 };
 
 /// The quantity of a name. Throws InputError that lists the available ones.
 Quantity quantity_of(const std::string& name, const Scene& scene);
 
 /// What a reader of a run looks at first: position, velocity and force of bodies that move, force on fixed ones; thickness, film force and
-/// contact force of gaps at bodies that move. Bodies of crowds and gaps between them are left out, and gaps beyond `most_gaps`.
+/// contact force of gaps at bodies that move; fluxes. Bodies of crowds and gaps between them are left out, and gaps beyond `most_gaps`.
 std::vector<Quantity> key_quantities(const StoredRun& run, std::size_t most_gaps = 20);
 
 /// The window of --window FROM,TO, for runs that end at `end`. Throws InputError.

@@ -67,7 +67,7 @@ RunTable read_table(const std::filesystem::path& path)
         return table;
     const std::vector<std::string> names = cells_of(header);
     for (const std::string& name : names)
-        if (name.starts_with("body") || name == "crowd")
+        if (name.starts_with("body") || name == "crowd" || name == "name")
             table.texts[name];
         else
             table.numbers[name];
@@ -160,6 +160,7 @@ StoredRun read_run(const std::filesystem::path& folder)
     run.profiles = read_table(folder / "crowd_profiles.csv");
     run.gaps = read_table(folder / "gaps.csv");
     run.steps = read_table(folder / "steps.csv");
+    run.fluxes = read_table(folder / "fluxes.csv");
     run.frames = read_frames(folder);
     return run;
 }

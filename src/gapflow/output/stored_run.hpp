@@ -38,6 +38,7 @@ struct StoredRun {
     int dimension = 2;
     RunTable bodies; ///< of bodies.csv, or of bodies.npy where there is no bodies.csv
     RunTable gaps, steps;
+    RunTable fluxes;              ///< without rows where the scene has none
     RunTable crowds, profiles;    ///< without rows where the scene has no crowds
     std::vector<RunFrame> frames; ///< those whose field or body files are there
 };
