@@ -128,8 +128,8 @@ std::unique_ptr<Shape<D>> make_half_space(const Vec<D>& normal);
 /// Closed triangle mesh, OBJ or STL (3D), or polygon file (2D: one "x y" per line, closed on itself, blank line between loops,
 /// '#' comments; holes run the other way round). Coordinates times `scale`; the frame is the file's, the centre of volume
 /// anywhere. Vertices that the file repeats are welded (3D). Checks that it is watertight and consistently oriented (turns
-/// it if wholly inside out; a part inside another must be a cavity); a surface that cuts itself is not detected. Throws
-/// InputError naming the file and the first bad edge.
+/// it if wholly inside out; a part inside another must be a cavity) and does not cut itself. Throws InputError naming the
+/// file and the first bad edge or pair of facets.
 template <int D>
 std::unique_ptr<Shape<D>> make_mesh(const std::string& file, double scale);
 /// The same of a surface in memory; `name` is its name in messages.
