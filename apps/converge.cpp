@@ -27,6 +27,32 @@ struct Compared {
     std::string reference; ///< empty: the finest run
 };
 
+/// Cells along an axis, of a graded grid those of its core.
+int core_cells(const Scene& scene, int axis)
+{
+    return scene.cells[axis] - (scene.core ? static_cast<int>(scene.core->below[axis].size() + scene.core->above[axis].size()) : 0);
+}
+
+/// Settings that give the scene n cells along x. A graded grid is refined as a whole: twice as many cells grow by the square root.
+std::vector<std::pair<std::string, std::string>> refined(const Scene& scene, int n)
+{
+    const double ratio = static_cast<double>(core_cells(scene, 0)) / n;
+    const auto text = [](double value) { return fmt::format("{:.17g}", value); };
+    std::vector<std::pair<std::string, std::string>> settings;
+    if (scene.core) {
+        settings = {{"domain.spacing", text(scene.core->spacing * ratio)},
+                    {"domain.growth", text(std::min(std::pow(scene.core->growth, ratio), 1.5))}};
+    } else {
+        std::vector<std::string> cells;
+        for (int axis = 0; axis < scene.dimension; ++axis)
+            cells.push_back(std::to_string(static_cast<long>(n) * scene.cells[axis] / scene.cells[0]));
+        settings = {{"domain.cells", "[" + joined(cells, ",") + "]"}};
+    }
+    settings.emplace_back("time.max_step", text(scene.max_step * ratio));
+    settings.emplace_back("time.gap_cfl", text(scene.gap_cfl * ratio));
+    return settings;
+}
+
 std::vector<int> grids_of(const std::string& list, const Scene& scene)
 {
     std::vector<int> grids;
@@ -37,9 +63,9 @@ std::vector<int> grids_of(const std::string& list, const Scene& scene)
             throw InputError(at + "'" + std::string(part) + "' is not a number of cells; write for example --cells 32,64,128");
         const int n = static_cast<int>(*number);
         for (int axis = 1; axis < scene.dimension; ++axis)
-            if (static_cast<long>(n) * scene.cells[axis] % scene.cells[0] != 0)
+            if (static_cast<long>(n) * core_cells(scene, axis) % core_cells(scene, 0) != 0)
                 throw InputError(at + std::to_string(n) + " cells along x make no whole number of cells along " + "xyz"[axis] +
-                                 "; choose numbers that keep the proportions of domain.cells");
+                                 "; choose numbers that keep the proportions of " + (scene.core ? "domain.core" : "domain.cells"));
         grids.push_back(n);
     }
     std::sort(grids.begin(), grids.end());
@@ -244,13 +270,7 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
     // All scenes first: a value out of range is reported before anything runs.
     std::vector<Scene> scenes;
     for (int n : grids) {
-        const double ratio = static_cast<double>(scene.cells[0]) / n;
-        std::vector<std::string> cells;
-        for (int axis = 0; axis < scene.dimension; ++axis)
-            cells.push_back(std::to_string(static_cast<long>(n) * scene.cells[axis] / scene.cells[0]));
-        scenes.push_back(read({{"domain.cells", "[" + joined(cells, ",") + "]"},
-                               {"time.max_step", fmt::format("{:.17g}", scene.max_step * ratio)},
-                               {"time.gap_cfl", fmt::format("{:.17g}", scene.gap_cfl * ratio)}}));
+        scenes.push_back(read(refined(scene, n)));
         require_memory(scenes.back(), comm);
         require_thickness(scenes.back());
         scenes.back().bodies_table = Scene::BodiesTable::csv; // what is compared
@@ -259,10 +279,10 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
     std::vector<Run> runs;
     for (const Scene& each : scenes) {
         log.info(fmt::format("run {} of {}: {} cells along x, max_step {:.4g}, gap_cfl {:.4g}, into {}", runs.size() + 1,
-                             grids.size(), each.cells[0], each.max_step, each.gap_cfl, each.output_directory));
+                             grids.size(), core_cells(each, 0), each.max_step, each.gap_cfl, each.output_directory));
         if (const int status = run_command(each, {options.quiet, {}}))
             return status;
-        runs.push_back({each.cells[0], each.size[0] / each.cells[0], 0, each.output_directory, {}});
+        runs.push_back({core_cells(each, 0), each.spacing(), 0, each.output_directory, {}});
     }
     on_root(comm, [&] {
         for (Run& run : runs)

@@ -184,7 +184,18 @@ public:
         std::vector<bool> periodic;
         for (int axis = 0; axis < D; ++axis)
             periodic.push_back(g.periodic(axis));
-        return py::dict("origin"_a = vector_array<D>(g.origin()), "spacing"_a = g.dx(),
+        py::object places = py::none();
+        if (g.graded()) {
+            py::list of_axes;
+            for (int axis = 0; axis < D; ++axis) {
+                py::array_t<double> x(g.cells()[axis] + 1);
+                for (int i = 0; i <= g.cells()[axis]; ++i)
+                    x.mutable_at(i) = g.face_place(axis, i);
+                of_axes.append(std::move(x));
+            }
+            places = py::tuple(of_axes);
+        }
+        return py::dict("origin"_a = vector_array<D>(g.origin()), "spacing"_a = g.dx(), "places"_a = places,
                         "cells"_a = py::tuple(py::cast(indices<D>(g.cells()))),
                         "low"_a = py::tuple(py::cast(indices<D>(g.low()))),
                         "high"_a = py::tuple(py::cast(indices<D>(g.high()))), "periodic"_a = py::tuple(py::cast(periodic)));
@@ -236,10 +247,11 @@ public:
     py::array vorticity() const override
     {
         const FaceField<D>& u = state().velocity().grid;
-        const double dx = state().grid().dx();
+        const Grid<D>& grid = state().grid();
         const auto slope = [&](const Index<D>& c, int of, int along) { // d u_of / d x_along
+            const double between = grid.spread(along, c[along]) + grid.spread(along, c[along] + 1);
             const auto centre = [&](const Index<D>& at) { return 0.5 * (u(of, at) + u(of, at + gapflow::step<D>(of))); };
-            return (centre(c + gapflow::step<D>(along)) - centre(c - gapflow::step<D>(along))) / (2 * dx);
+            return (centre(c + gapflow::step<D>(along)) - centre(c - gapflow::step<D>(along))) / (between * grid.dx());
         };
         return cells<double>(D == 2 ? 0 : 3, [&](const Index<D>& c, double* out) {
             if constexpr (D == 2)

@@ -46,9 +46,9 @@ def state(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes | None
 
 
 def field(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes, normal: int = 1, position: float | None = None,
-          **options: Any) -> AxesImage:
+          **options: Any) -> AxesImage | QuadMesh:
     """The field in cells that hold fluid of the grid. 3D: on the plane across axis `normal` at `position` (default: the
-    middle). `options` go to imshow; colours span 99 % of the values, symmetric about 0 where a quantity other than the speed has both signs.
+    middle). `options` go to imshow (of a graded grid: pcolormesh); colours span 99 % of the values, symmetric about 0 where a quantity other than the speed has both signs.
     Raises ValueError as `state`."""
     _demand_quantity(sim, quantity)
     values = _values(sim, quantity)
@@ -58,7 +58,6 @@ def field(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes, norma
     if sim.dimension == 3:
         centres = sim.grid.centres(normal)
         values = values.take(len(centres) // 2 if position is None else int(np.abs(centres - position).argmin()), axis=normal)
-    extent = [end for axis in shown for end in sim.grid.faces(axis)[[0, -1]]]
     low, high = np.nanpercentile(values, (0.5, 99.5)) if np.isfinite(values).any() else (0.0, 1.0)
     signed = quantity not in ("speed", "kind") and low < 0 < high
     if signed:
@@ -69,7 +68,12 @@ def field(sim: Simulation, quantity: Quantity = "pressure", *, axes: Axes, norma
     options = {"cmap": "RdBu_r" if signed or quantity == "pressure" else "viridis", "vmin": low, "vmax": high} | options
     axes.set_xlabel("xyz"[shown[0]])
     axes.set_ylabel("xyz"[shown[1]])
-    return axes.imshow(values.T, origin="lower", extent=extent, **options)
+    if sim.grid.places is None:
+        extent = [end for axis in shown for end in sim.grid.faces(axis)[[0, -1]]]
+        return axes.imshow(values.T, origin="lower", extent=extent, **options)
+    x, y = (sim.grid.corners(axis) for axis in shown)
+    axes.set_aspect("equal")
+    return axes.pcolormesh(x, y, values.T, **options)
 
 
 def bodies(sim: Simulation, *, axes: Axes, **options: Any) -> PolyCollection:
@@ -92,10 +96,10 @@ def films(sim: Simulation, *, axes: Axes, **options: Any) -> LineCollection:
 
 
 def to_vtk(sim: Simulation) -> dict[str, Any]:
-    """The state as VTK objects: "fields" (vtkImageData with velocity, pressure and kind in its cells), "films" (vtkPolyData)
+    """The state as VTK objects: "fields" (vtkImageData, of a graded grid vtkRectilinearGrid, with velocity, pressure and kind in its cells), "films" (vtkPolyData)
     and "body NAME" each. PyVista takes them by `pyvista.wrap`. On several ranks the fields are this rank's."""
     from vtkmodules.util.numpy_support import numpy_to_vtk
-    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 
     def attach(data: Any, **arrays: np.ndarray) -> None:
         for name, values in arrays.items():
@@ -108,10 +112,15 @@ def to_vtk(sim: Simulation) -> dict[str, Any]:
         return values.transpose(*reversed(range(len(cells))), *range(len(cells), values.ndim)).reshape(np.prod(cells), -1)
 
     grid = sim.grid
-    image = vtkImageData()
+    image = vtkImageData() if grid.places is None else vtkRectilinearGrid()
     image.SetDimensions(*_three(np.subtract(grid.high, grid.low) + 1, 1).tolist())
-    image.SetSpacing(*[grid.spacing] * 3)
-    image.SetOrigin(*_three(grid.origin + grid.spacing * np.array(grid.low)))
+    if grid.places is None:
+        image.SetSpacing(*[grid.spacing] * 3)
+        image.SetOrigin(*_three(grid.origin + grid.spacing * np.array(grid.low)))
+    else:
+        for axis, name in enumerate("XYZ"):
+            x = grid.corners(axis) if axis < sim.dimension else np.zeros(1)
+            getattr(image, f"Set{name}Coordinates")(numpy_to_vtk(np.ascontiguousarray(x), deep=True))
     attach(image.GetCellData(), velocity=_three(along_x_first(sim.velocity)), pressure=along_x_first(sim.pressure)[:, 0],
            kind=along_x_first(sim.kind)[:, 0])
     out = {"fields": image, "films": _poly_data(sim.films.nodes, sim.films.elements)}

@@ -60,22 +60,35 @@ class Grid:
     origin: Floats
     """(D,): low corner of the domain."""
     spacing: float
-    """Edge of a cell."""
+    """Edge of a cell; of a graded grid in its core."""
     cells: tuple[int, ...]
     """Of the whole domain."""
     low: tuple[int, ...]
     """This rank's cells are low <= index < high."""
     high: tuple[int, ...]
     periodic: tuple[bool, ...]
+    places: tuple[Floats, ...] | None = None
+    """Of a graded grid, the coordinates of all faces along each axis; None if all cells are equal."""
 
     def centres(self, axis: int) -> Floats:
         """Coordinates along an axis of the centres of this rank's cells."""
+        if self.places is not None:
+            x = self.places[axis][self.low[axis]:self.high[axis] + 1]
+            return 0.5 * (x[:-1] + x[1:])
         return self.origin[axis] + self.spacing * (np.arange(self.low[axis], self.high[axis]) + 0.5)
 
     def faces(self, axis: int) -> Floats:
         """Coordinates along an axis of the faces normal to it, as `Simulation.face_velocity(axis)` has them."""
         last = not self.periodic[axis] and self.high[axis] == self.cells[axis]
+        if self.places is not None:
+            return self.places[axis][self.low[axis]:self.high[axis] + last]
         return self.origin[axis] + self.spacing * np.arange(self.low[axis], self.high[axis] + last)
+
+    def corners(self, axis: int) -> Floats:
+        """Coordinates along an axis of the low ends of this rank's cells, and of the last one's high end."""
+        if self.places is not None:
+            return self.places[axis][self.low[axis]:self.high[axis] + 1]
+        return self.origin[axis] + self.spacing * np.arange(self.low[axis], self.high[axis] + 1)
 
 
 @dataclass(frozen=True, slots=True)

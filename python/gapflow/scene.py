@@ -44,12 +44,18 @@ class Domain:
     """The box of fluid and its grid: two numbers in `size` and `cells` make a 2D scene (per unit depth), three a 3D one.
 
     size: edge lengths. cells: along each axis, with the same spacing on all. origin: low corner, default 0.
+    Instead of cells: spacing, the edge of a cell; outside a core, a box { low, high }, cells may be wider: each at most growth (default 1.1)
+    times as wide as its neighbour nearer to the core, and no wider than largest.
     leaving: "warn", "stop" (`gapflow run` ends) or "remove": of bodies on their way out of an open side.
     """
 
     size: Vector
-    cells: Sequence[int]
+    cells: Sequence[int] | None = None
     origin: Vector | None = None
+    spacing: float | None = None
+    core: Mapping[str, Vector] | None = None
+    growth: float | None = None
+    largest: float | None = None
     sides: Sides | Mapping[str, Side] | None = None
     leaving: Literal["warn", "stop", "remove"] | None = None
 

@@ -67,7 +67,7 @@ void fill_grid(Coupling<D>& coupling)
                         (f.array() >= low.array()).all() && (f.array() < (high + step<D>(side.axis)).array()).all();
                     if (mine && open > 1e-12)
                         coupling.system.film_faces.push_back(
-                            {side.axis, f, open * unit_conductance, {has_unknown(f - step<D>(side.axis)), has_unknown(f)}});
+                            {side.axis, f, open * unit_conductance / grid.spread(side.axis, f[side.axis]), {has_unknown(f - step<D>(side.axis)), has_unknown(f)}});
                     open = 0;
                 });
             }
@@ -83,6 +83,11 @@ void fill_grid(Coupling<D>& coupling)
             double* to = &system.conductance(axis, row);
             for (int i = 0; i < end[0] - low[0]; ++i)
                 to[i] = a[i] > 1e-12 ? a[i] * unit_conductance : 0.0;
+            if (grid.graded()) {
+                const SpreadRow<D> spread(grid, axis, row);
+                for (int i = 0; i < end[0] - low[0]; ++i)
+                    to[i] /= spread[i];
+            }
         });
         for (int side = 0; side < 2;
              ++side) { // the domain's sides: to the pressure beyond an open one, half a cell away, or further

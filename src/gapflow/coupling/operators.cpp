@@ -118,11 +118,17 @@ void subtract_gradient(const Coupling<D>& coupling, UnknownVector<D>& p, FluidVe
                                  const double *a = &system.conductance(axis, first), *from = &p.cells(first);
                                  double* to = &u.grid(axis, first);
                                  const double up = above * (2 - below), down = below * (2 - above);
+                                 if (grid.graded()) {
+                                     const SpreadRow<D> spread(grid, axis, first);
+                                     for (int i = 0; i < n; ++i)
+                                         to[i] -= a[i] > 0 ? scale / spread[i] * (up * from[i] - down * from[i - back]) : 0.0;
+                                     return;
+                                 }
                                  for (int i = 0; i < n; ++i)
                                      to[i] -= a[i] > 0 ? scale * (up * from[i] - down * from[i - back]) : 0.0;
                              });
         for_each_far_face(grid, axis, [&](const Index<D>& f, int end) { // the pressure 0 is further away
-            const double much = 2 * scale * (1 - 1 / far_distance(grid, far, axis, f));
+            const double much = 2 * scale / grid.spread(axis, f[axis]) * (1 - 1 / far_distance(grid, far, axis, f));
             if (system.conductance(axis, f) > 0)
                 u.grid(axis, f) += end ? -much * p.cells(f - step<D>(axis)) : much * p.cells(f);
         });

@@ -62,7 +62,7 @@ void cells_on_segment(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& y, std
     crossings.assign({0.0, 1.0});
     for (int axis = 0; axis < D; ++axis)
         for (int k = std::min(first[axis], last[axis]) + 1; k <= std::max(first[axis], last[axis]); ++k) {
-            const double plane = grid.origin()[axis] + k * grid.dx();
+            const double plane = grid.face_place(axis, k);
             crossings.push_back(std::clamp((plane - x[axis]) / (y[axis] - x[axis]), 0.0, 1.0));
         }
     std::sort(crossings.begin(), crossings.end());

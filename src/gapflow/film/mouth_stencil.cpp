@@ -59,7 +59,7 @@ std::vector<std::pair<long, double>> mouth_stencil(CellStates<D>& states, const 
 {
     const Grid<D>& grid = states.grid();
     constexpr int count = 1 << D;
-    const Vec<D> place = (y - grid.origin()) / grid.dx() - Vec<D>::Constant(0.5);
+    const Vec<D> place = (y - grid.anchor()) / grid.dx() - Vec<D>::Constant(0.5);
     const Index<D> base = place.array().floor().template cast<int>();
     std::array<Index<D>, count> cell;
     std::array<double, count> weights;

@@ -1,4 +1,4 @@
-// A face in 2D is a segment x(t) = corner + t dx e, 0 <= t <= 1. It is cut exactly where it crosses the solids:
+// A face in 2D is a segment x(t) = corner + t edge e, 0 <= t <= 1. It is cut exactly where it crosses the solids:
 //
 //     planes:        t = f(0) / (f(0) - f(1)),   f = normal . x - offset;
 //     other shapes:  root of phi(x(t)) in each of 8 pieces at whose ends phi changes sign (Illinois' regula falsi).
@@ -18,9 +18,9 @@ constexpr int samples = 8; // pieces in which a change of sign is looked for
 
 class SegmentClipper {
 public:
-    SegmentClipper(const Vec<2>& corner, double dx, int tangent, std::span<const Cutter<2>> cutters, double tolerance,
+    SegmentClipper(const Vec<2>& corner, double edge, int tangent, std::span<const Cutter<2>> cutters, double tolerance,
                    FaceSums<2>& sums)
-        : corner_(corner), dx_(dx), tangent_(tangent), cutters_(cutters), tolerance_(tolerance), sums_(sums)
+        : corner_(corner), edge_(edge), tangent_(tangent), cutters_(cutters), tolerance_(tolerance), sums_(sums)
     {
     }
 
@@ -45,7 +45,7 @@ private:
     Vec<2> at(double t) const
     {
         Vec<2> x = corner_;
-        x[tangent_] += t * dx_;
+        x[tangent_] += t * edge_;
         return x;
     }
     double phi(const Cutter<2>& cutter, double t) const { return snapped(cutter.shape->distance(at(t))); }
@@ -163,7 +163,7 @@ private:
     }
 
     Vec<2> corner_;
-    double dx_;
+    double edge_;
     int tangent_;
     std::span<const Cutter<2>> cutters_;
     double tolerance_;
@@ -172,11 +172,11 @@ private:
 
 } // namespace
 
-void clip_face(const Vec<2>& corner, double dx, const std::array<int, 1>& tangents, std::span<const Cutter<2>> cutters,
+void clip_face(const Vec<2>& corner, const std::array<double, 1>& edges, const std::array<int, 1>& tangents, std::span<const Cutter<2>> cutters,
                double tolerance, FaceSums<2>& sums)
 {
     sums.reset(cutters.size());
-    SegmentClipper(corner, dx, tangents[0], cutters, tolerance, sums).clip();
+    SegmentClipper(corner, edges[0], tangents[0], cutters, tolerance, sums).clip();
 }
 
 } // namespace gapflow

@@ -101,14 +101,15 @@ void add_area(const Polygon& p, PartSum<3>& sum)
 
 class SquareClipper {
 public:
-    void clip(const Vec<3>& corner, double dx, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters,
+    void clip(const Vec<3>& corner, const std::array<double, 2>& edges, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters,
               double tolerance, FaceSums<3>& sums)
     {
         corner_ = corner;
-        dx_ = dx;
+        edges_ = edges;
+        unit_ = std::max(edges[0], edges[1]);
         tangents_ = tangents;
         cutters_ = cutters.first(std::min<std::size_t>(cutters.size(), 64));
-        tolerance_ = tolerance / dx;
+        tolerance_ = tolerance / unit_;
         sums_ = &sums;
         planes_.resize(std::max(planes_.size(), cutters_.size()));
         values_.resize(std::max(values_.size(), cutters_.size()));
@@ -131,9 +132,9 @@ private:
     double phi(int cutter, double u, double v) const
     {
         Vec<3> x = corner_;
-        x[tangents_[0]] += u * dx_;
-        x[tangents_[1]] += v * dx_;
-        return cutters_[cutter].shape->distance(x) / dx_;
+        x[tangents_[0]] += u * edges_[0];
+        x[tangents_[1]] += v * edges_[1];
+        return cutters_[cutter].shape->distance(x) / unit_;
     }
 
     void take_planes(int cutter)
@@ -141,7 +142,8 @@ private:
         planes_[cutter].clear();
         for (const Plane<3>& plane : cutters_[cutter].planes)
             planes_[cutter].push_back(
-                {(plane.normal.dot(corner_) - plane.offset) / dx_, plane.normal[tangents_[0]], plane.normal[tangents_[1]]});
+                {(plane.normal.dot(corner_) - plane.offset) / unit_, plane.normal[tangents_[0]] * (edges_[0] / unit_),
+                 plane.normal[tangents_[1]] * (edges_[1] / unit_)});
     }
 
     void clip_square()
@@ -329,7 +331,8 @@ private:
     }
 
     Vec<3> corner_;
-    double dx_, tolerance_;
+    std::array<double, 2> edges_;
+    double unit_, tolerance_; ///< length in which distances are measured; tolerance in it
     std::array<int, 2> tangents_;
     std::span<const Cutter<3>> cutters_;
     FaceSums<3>* sums_;
@@ -343,12 +346,12 @@ private:
 
 } // namespace
 
-void clip_face(const Vec<3>& corner, double dx, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters,
+void clip_face(const Vec<3>& corner, const std::array<double, 2>& edges, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters,
                double tolerance, FaceSums<3>& sums)
 {
     static thread_local SquareClipper clipper;
     sums.reset(cutters.size());
-    clipper.clip(corner, dx, tangents, cutters, tolerance, sums);
+    clipper.clip(corner, edges, tangents, cutters, tolerance, sums);
 }
 
 } // namespace gapflow

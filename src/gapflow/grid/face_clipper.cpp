@@ -136,11 +136,16 @@ int FaceClipper<D>::Data::clip(int axis, const Index<D>& face, ClippedFace<D>& r
         for (SolidPart<D>& part : result.solid)
             part.centroid += shift;
     }
+    if (const double area = grid.relative_area(axis, wrapped); area != 1) {
+        result.open *= area;
+        for (SolidPart<D>& part : result.solid)
+            part.fraction *= area;
+    }
 #ifndef NDEBUG
     double sum = result.open;
     for (const SolidPart<D>& part : result.solid)
         sum += part.fraction;
-    assert(std::abs(sum - 1) < 1e-12);
+    assert(std::abs(sum / grid.relative_area(axis, wrapped) - 1) < 1e-12);
 #endif
     return whole;
 }
@@ -157,7 +162,13 @@ int FaceClipper<D>::Data::clip_cut_cell(int axis, const Index<D>& face, ClippedF
     static thread_local FaceSums<D> sums;
 
     const Vec<D> centre = result.open_centroid;
-    const double r = 0.5 * grid.dx() * std::sqrt(D - 1.0) + 2 * tolerance;
+    const std::array<int, D - 1> tangents = tangents_of<D>(axis);
+    std::array<double, D - 1> edges;
+    for (int i = 0; i < D - 1; ++i)
+        edges[i] = grid.dx() * grid.width(tangents[i], face[tangents[i]]);
+    const double diagonal = grid.graded() ? Eigen::Map<const Eigen::Matrix<double, D - 1, 1>>(edges.data()).norm()
+                                          : grid.dx() * std::sqrt(D - 1.0);
+    const double r = 0.5 * diagonal + 2 * tolerance;
     near.clear();
     double smallest = r;
     for (int image : images_at(face))
@@ -181,16 +192,15 @@ int FaceClipper<D>::Data::clip_cut_cell(int axis, const Index<D>& face, ClippedF
     cutters.clear();
     for (const Candidate& c : near)
         cutters.push_back({&images[c.image].shape, planes[c.image], images[c.image].shape.shape().complement()});
-    const std::array<int, D - 1> tangents = tangents_of<D>(axis);
     Vec<D> corner = centre;
-    for (int t : tangents)
-        corner[t] -= 0.5 * grid.dx();
-    clip_face(corner, grid.dx(), tangents, std::span<const Cutter<D>>(cutters), tolerance, sums);
+    for (int i = 0; i < D - 1; ++i)
+        corner[tangents[i]] -= 0.5 * edges[i];
+    clip_face(corner, edges, tangents, std::span<const Cutter<D>>(cutters), tolerance, sums);
 
     auto place = [&](const typename PartSum<D>::Local& local) {
         Vec<D> x = corner;
         for (int i = 0; i < D - 1; ++i)
-            x[tangents[i]] += grid.dx() * local[i];
+            x[tangents[i]] += edges[i] * local[i];
         return x;
     };
     double total = 0;
@@ -252,6 +262,7 @@ int FaceClipper<D>::Data::crossed_between(int axis, const Index<D>& face) const
 {
     static thread_local std::vector<int> near;
     const Vec<D> begin = grid.cell_centre(face - step<D>(axis));
+    const double distance = grid.dx() * grid.spread(axis, face[axis]);
     near.clear();
     for (const Index<D>& cell : {face, Index<D>(face - step<D>(axis))})
         for (int image : images_at(cell))
@@ -264,7 +275,7 @@ int FaceClipper<D>::Data::crossed_between(int axis, const Index<D>& face) const
         if (wall[image])
             continue;
         double lowest = std::numeric_limits<double>::infinity();
-        for (double t = 0; t < grid.dx();) {
+        for (double t = 0; t < distance;) {
             const double phi = images[image].shape.distance(begin + t * unit<D>(axis));
             lowest = std::min(lowest, phi);
             t += std::max(std::abs(phi), grid.dx() / 64);
@@ -373,7 +384,7 @@ Vec<D> FaceClipper<D>::deepest_open_centroid(int axis, const Index<D>& face) con
         const int place[2] = {k % n, k / n};
         x[k] = centre;
         for (int i = 0; i < D - 1; ++i)
-            x[k][tangents[i]] += grid.dx() * ((place[i] + 0.5) / n - 0.5);
+            x[k][tangents[i]] += grid.dx() * grid.width(tangents[i], wrapped[tangents[i]]) * ((place[i] + 0.5) / n - 0.5);
         phi[k] = std::numeric_limits<double>::infinity();
         for (int image : images)
             phi[k] = std::min(phi[k], data_->images[image].shape.distance(x[k]));

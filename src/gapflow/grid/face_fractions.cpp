@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace gapflow {
 
@@ -38,7 +39,7 @@ public:
             faces_end_[axis][axis] = std::min(high_[axis] + 1, result_.open[axis].block().high[axis]);
         }
         // A voxel face depends on the centres of both its cells.
-        padding_ = (data.mode == FractionMode::voxel ? 1.0 : 0.0) * grid.dx() + 1e-6 * grid.dx();
+        padding_ = (data.mode == FractionMode::voxel ? grid.largest_width() : 0.0) * grid.dx() + 1e-6 * grid.dx();
     }
 
     FaceFractions<D> run()
@@ -120,9 +121,8 @@ private:
             return;
         if (work.candidates.size() == begin)
             return fill(low, high, 1, -1);
-        const Vec<D> extent = (high - low).template cast<double>();
-        const Vec<D> centre = grid_.origin() + grid_.dx() * (low.template cast<double>() + 0.5 * extent);
-        const double radius = 0.5 * grid_.dx() * extent.norm() + padding_;
+        const auto [centre, half_diagonal] = middle_of(low, high);
+        const double radius = half_diagonal + padding_;
         const std::size_t end = work.candidates.size();
         double smallest = radius;
         work.phi.resize(end);
@@ -148,6 +148,17 @@ private:
         work.candidates.resize(end);
     }
 
+    // Centre of a block of cells, and the distance from it to a corner.
+    std::pair<Vec<D>, double> middle_of(const Index<D>& low, const Index<D>& high) const
+    {
+        if (grid_.graded()) {
+            const Vec<D> from = grid_.corner(low), to = grid_.corner(high);
+            return {0.5 * (from + to), 0.5 * (to - from).norm()};
+        }
+        const Vec<D> extent = (high - low).template cast<double>();
+        return {grid_.origin() + grid_.dx() * (low.template cast<double>() + 0.5 * extent), 0.5 * grid_.dx() * extent.norm()};
+    }
+
     void halve(const Index<D>& low, const Index<D>& high, std::size_t begin, Work& work)
     {
         const Index<D> middle = (low + high + Index<D>::Ones()).unaryExpr([](int i) { return i >> 1; });
@@ -162,6 +173,7 @@ private:
         }
     }
 
+    // open: 1 or 0.
     void fill(const Index<D>& low, const Index<D>& high, double open, int cut)
     {
         for (int axis = 0; axis < D; ++axis)
@@ -169,7 +181,12 @@ private:
                 const int n = std::min(high[0], faces_end_[axis][0]) - low[0];
                 if (n <= 0)
                     return;
-                std::fill_n(&result_.open(axis, row), n, open);
+                double* to = &result_.open(axis, row);
+                if (grid_.graded() && open > 0)
+                    for (int i = 0; i < n; ++i)
+                        to[i] = grid_.relative_area(axis, row + i * step<D>(0));
+                else
+                    std::fill_n(to, n, open);
                 std::fill_n(&result_.cut(axis, row), n, cut);
             });
     }

@@ -25,13 +25,13 @@ enum class FractionMode { cut_cell, voxel };
 template <int D>
 struct SolidPart {
     int solid;       ///< index into the list of solids
-    double fraction; ///< of the face's area
+    double fraction; ///< its area over that of a face of the core: in the core, the part of the face's area
     Vec<D> centroid; ///< in the world, on the face
     Vec<D> arm;      ///< centroid minus the centre of the solid's image that lies here: lever of its wrench
 };
 
-/// One face cut into its parts. Postcondition: open + sum of fractions = 1 to round-off, open is exactly 0 below 1e-12 (1e-6 beside a
-/// single solid).
+/// One face cut into its parts, in areas of a face of the core. Postcondition: open + sum of fractions = 1 (outside the core the face's
+/// relative area) to round-off, open is exactly 0 below 1e-12 of the face (1e-6 beside a single solid).
 template <int D>
 struct ClippedFace {
     double open = 1.0;
@@ -74,7 +74,7 @@ private:
 /// Fractions of all faces of this rank's cells and of one ghost layer of cells around them.
 template <int D>
 struct FaceFractions {
-    FaceField<D> open;     ///< a_f; 0 on closed sides of the domain and beyond the faces that are filled
+    FaceField<D> open;     ///< a_f, open area over that of a face of the core; 0 on closed sides of the domain and beyond the faces that are filled
     FaceField<D, int> cut; ///< index into `faces`, or -1: wholly open, or solid with only its solid around
     std::vector<ClippedFace<D>> faces;
     std::vector<Index<D>> surface_cells; ///< this rank's cells that a solid other than a wall touches, first axis fastest

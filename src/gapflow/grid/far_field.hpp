@@ -38,7 +38,7 @@ struct FarField {
     double pressure_length(int axis, const Vec<D>& x) const { return 1 / ((dimensions() - 1) * fading(axis, x)); }
 };
 
-/// The far field of a grid. Disturbances fade away from the domain's middle, along an axis with a wall opposite a far side from the wall:
+/// The far field of a grid. Disturbances fade away from the middle of the grid's core (of the domain, if its spacing is uniform), along an axis with a wall opposite a far side from the wall:
 /// the body's mirror image lies beyond it.
 template <int D>
 FarField<D> far_field(const Grid<D>& grid)
@@ -48,7 +48,10 @@ FarField<D> far_field(const Grid<D>& grid)
         const bool low = grid.side(axis, 0) == SideKind::wall, high = grid.side(axis, 1) == SideKind::wall;
         far.endless[axis] = !grid.periodic(axis) && !(low && high);
         const bool mirrored = grid.side(axis, low ? 1 : 0) == SideKind::far && (low || high);
-        far.centre[axis] = grid.origin()[axis] + (mirrored ? (low ? 0.0 : 1.0) : 0.5) * grid.size()[axis];
+        if (grid.graded() && !mirrored)
+            far.centre[axis] = grid.anchor()[axis] + 0.5 * grid.dx() * (grid.core_low()[axis] + grid.core_high()[axis]);
+        else
+            far.centre[axis] = grid.origin()[axis] + (mirrored ? (low ? 0.0 : 1.0) : 0.5) * grid.size()[axis];
     }
     return far;
 }
@@ -66,7 +69,7 @@ void for_each_far_face(const Grid<D>& grid, int axis, F&& f)
 template <int D>
 double far_distance(const Grid<D>& grid, const FarField<D>& far, int axis, const Index<D>& face)
 {
-    return 1 + 2 * far.pressure_length(axis, grid.face_centre(axis, face)) / grid.dx();
+    return 1 + 2 * far.pressure_length(axis, grid.face_centre(axis, face)) / (grid.dx() * grid.spread(axis, face[axis]));
 }
 
 } // namespace gapflow

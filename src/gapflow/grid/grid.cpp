@@ -3,6 +3,7 @@
 #include "gapflow/core/error.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace gapflow {
@@ -66,9 +67,11 @@ Index<D> rank_layout(int ranks, const Index<D>& cells)
 
 template <int D>
 Grid<D>::Grid(const Vec<D>& origin, double dx, const Index<D>& cells, const std::array<SideKind, 2 * D>& sides, int ghost,
-              const Communicator& comm)
-    : origin_(origin), dx_(dx), cells_(cells), sides_(sides), ghost_(ghost), comm_(comm)
+              const Communicator& comm, const Grading<D>& grading)
+    : origin_(origin), anchor_(origin), dx_(dx), graded_(!grading.empty()), margin_(ghost + 2), cells_(cells), sides_(sides),
+      ghost_(ghost), comm_(comm)
 {
+    set_axes(grading);
     const Index<D> layout = rank_layout<D>(comm.size(), cells);
     std::array<std::vector<PetscInt>, D> counts;
     for (int axis = 0; axis < D; ++axis) {
@@ -115,6 +118,92 @@ Grid<D>::Grid(const Vec<D>& origin, double dx, const Index<D>& cells, const std:
             }
             neighbours_[2 * axis + end] = rank;
         }
+}
+
+template <int D>
+void Grid<D>::set_axes(const Grading<D>& grading)
+{
+    auto axes = std::make_shared<Axes>();
+    for (int axis = 0; axis < D; ++axis) {
+        const std::vector<double>&below = grading.below[axis], &above = grading.above[axis];
+        const int n = cells_[axis], low = static_cast<int>(below.size()), high = n - static_cast<int>(above.size());
+        core_low_[axis] = graded_ ? low : std::numeric_limits<int>::min();
+        core_high_[axis] = graded_ ? high : std::numeric_limits<int>::max();
+        std::vector<double>&width = axes->width[axis], &spread = axes->spread[axis], &place = axes->place[axis];
+        width.assign(n + 2 * margin_ + 1, 1.0);
+        spread = place = width;
+        for (int i = -margin_; i <= n + margin_; ++i) {
+            const int inside = std::clamp(i, 0, n - 1);
+            width[i + margin_] = inside < low     ? below[low - 1 - inside]
+                                 : inside >= high ? above[inside - high]
+                                                  : 1.0;
+        }
+        for (std::size_t i = 1; i < width.size(); ++i)
+            spread[i] = 0.5 * (width[i - 1] + width[i]);
+        spread[0] = width[0];
+        for (int i = 0; i < low; ++i)
+            anchor_[axis] += dx_ * (width[i + margin_] - 1);
+        const auto core_place = [&](int i) { return anchor_[axis] + dx_ * i; };
+        for (int i = low; i <= high; ++i)
+            place[i + margin_] = core_place(i);
+        for (int i = low - 1; i >= -margin_; --i)
+            place[i + margin_] = place[i + 1 + margin_] - dx_ * width[i + margin_];
+        for (int i = high + 1; i <= n + margin_; ++i)
+            place[i + margin_] = place[i - 1 + margin_] + dx_ * width[i - 1 + margin_];
+        size_[axis] = place[n + margin_] - place[margin_];
+    }
+    for (const std::vector<double>& width : axes->width)
+        largest_width_ = std::max(largest_width_, *std::max_element(width.begin(), width.end()));
+    axes_ = std::move(axes);
+}
+
+template <int D>
+double Grid<D>::outer_place(int axis, int i) const
+{
+    const std::vector<double>& place = axes_->place[axis];
+    const int n = cells_[axis];
+    if (i < -margin_)
+        return place.front() + dx_ * width(axis, 0) * (i + margin_);
+    if (i > n + margin_)
+        return place.back() + dx_ * width(axis, n - 1) * (i - n - margin_);
+    return place[i + margin_];
+}
+
+template <int D>
+int Grid<D>::outer_cell(int axis, double x) const
+{
+    const std::vector<double>& place = axes_->place[axis];
+    const int n = cells_[axis];
+    if (x < place[margin_])
+        return static_cast<int>(std::floor((x - place[margin_]) / (dx_ * width(axis, 0))));
+    if (x >= place[n + margin_])
+        return n + static_cast<int>(std::floor((x - place[n + margin_]) / (dx_ * width(axis, n - 1))));
+    const auto begin = place.begin() + margin_;
+    return static_cast<int>(std::upper_bound(begin, begin + n + 1, x) - begin) - 1;
+}
+
+template <int D>
+Vec<D> Grid<D>::lattice_place(unsigned faces, const Vec<D>& x) const
+{
+    const Index<D> c = cell_of(x);
+    Vec<D> at;
+    for (int k = 0; k < D; ++k) {
+        const auto place = [&](int i) { return faces >> k & 1 ? face_place(k, i) : centre_place(k, i); };
+        const int i = x[k] < place(c[k]) ? c[k] - 1 : c[k];
+        at[k] = i + (x[k] - place(i)) / (place(i + 1) - place(i));
+    }
+    return at;
+}
+
+template <int D>
+double Grid<D>::largest_aspect() const
+{
+    double widest = 0, narrowest = std::numeric_limits<double>::infinity(); // of different axes: the core has cells along all of them
+    for (const std::vector<double>& width : axes_->width) {
+        widest = std::max(widest, *std::max_element(width.begin(), width.end()));
+        narrowest = std::min(narrowest, *std::min_element(width.begin(), width.end()));
+    }
+    return widest / narrowest;
 }
 
 template class Grid<2>;

@@ -25,8 +25,8 @@ void ImageBins<D>::fill(const Grid<D>& grid, const std::vector<Image<D>>& images
                         std::vector<int>& candidates, std::size_t begin)
 {
     const double tolerance = 1e-6 * grid.dx();
-    const Vec<D> low_corner = grid.origin() + grid.dx() * first_cell(low).template cast<double>();
-    const Vec<D> high_corner = grid.origin() + grid.dx() * first_cell(high).template cast<double>();
+    const Vec<D> low_corner = grid.corner(first_cell(low));
+    const Vec<D> high_corner = grid.corner(first_cell(high));
     const Vec<D> centre = 0.5 * (low_corner + high_corner);
     const double radius = 0.5 * (high_corner - low_corner).norm() + tolerance;
     const std::size_t end = candidates.size();

@@ -14,7 +14,8 @@ template <int D>
 double interpolate_face(const Grid<D>& grid, const CellField<D>& component, int axis, const Vec<D>& x)
 {
     const Block<D>& block = component.block();
-    const Vec<D> place = (x - grid.face_centre(axis, block.low)) / grid.dx();
+    const Vec<D> place = grid.graded() ? Vec<D>(grid.lattice_place(1u << axis, x) - block.low.template cast<double>())
+                                       : Vec<D>((x - grid.face_centre(axis, block.low)) / grid.dx());
     long corner = 0;
     Vec<D> f;
     for (int k = 0; k < D; ++k) {

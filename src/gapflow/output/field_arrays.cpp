@@ -15,12 +15,13 @@ Vec<D> at_centre(const FaceField<D>& u, const Index<D>& c)
 
 // Second invariant of the velocity gradient, 1/2 ((tr G)^2 - tr G^2), from differences between the cells around.
 template <int D>
-double second_invariant(const FaceField<D>& u, const Index<D>& c, double dx)
+double second_invariant(const Grid<D>& grid, const FaceField<D>& u, const Index<D>& c)
 {
     Mat<D> gradient;
     for (int axis = 0; axis < D; ++axis) {
-        gradient.col(axis) = (at_centre<D>(u, c + step<D>(axis)) - at_centre<D>(u, c - step<D>(axis))) / (2 * dx);
-        gradient(axis, axis) = (u(axis, Index<D>(c + step<D>(axis))) - u(axis, c)) / dx;
+        const double between = grid.spread(axis, c[axis]) + grid.spread(axis, c[axis] + 1);
+        gradient.col(axis) = (at_centre<D>(u, c + step<D>(axis)) - at_centre<D>(u, c - step<D>(axis))) / (between * grid.dx());
+        gradient(axis, axis) = (u(axis, Index<D>(c + step<D>(axis))) - u(axis, c)) / (grid.width(axis, c[axis]) * grid.dx());
     }
     return 0.5 * (gradient.trace() * gradient.trace() - (gradient * gradient).trace());
 }
@@ -52,10 +53,10 @@ VtkArray field_array(const Simulation<D>& simulation, const std::string& name)
     if (name == "divergence") {
         const CellField<D> outflow = simulation.outflow();
         const double volume = std::pow(grid.dx(), D);
-        return cell_array(grid, name, 1, [&](const Index<D>& c, int) { return known(c) ? outflow(c) / volume : 0.0; });
+        return cell_array(grid, name, 1, [&](const Index<D>& c, int) { return known(c) ? outflow(c) / (volume * grid.relative_volume(c)) : 0.0; });
     }
     return cell_array(grid, name, 1,
-                      [&](const Index<D>& c, int) { return known(c) ? second_invariant(u, c, grid.dx()) : 0.0; });
+                      [&](const Index<D>& c, int) { return known(c) ? second_invariant(grid, u, c) : 0.0; });
 }
 
 template VtkArray field_array(const Simulation<2>&, const std::string&);

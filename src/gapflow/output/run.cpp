@@ -76,6 +76,7 @@ const StepReport& Run<D>::step(double until)
         note_smallest_gap();
         if (!files_) {
             end_if_asked();
+            demand_core();
             return report_;
         }
         files_->write_step(s, report_);
@@ -86,11 +87,24 @@ const StepReport& Run<D>::step(double until)
         if (stored_)
             files_->write_checkpoint(s, smallest_gap_);
         end_if_asked();
+        demand_core();
     } catch (const std::exception& error) {
         record_failure(error.what());
         throw;
     }
     return report_;
+}
+
+// Ends a run in which something has left the core of a graded grid, with a checkpoint and the fields of this moment.
+template <int D>
+void Run<D>::demand_core()
+{
+    const auto outside = simulation_->outside_core();
+    if (!outside)
+        return;
+    if (files_)
+        write_last();
+    throw ComputationError(fmt::format("at time {:.6g} {}; choose a larger domain.core", simulation_->time(), *outside));
 }
 
 // Before time.end.

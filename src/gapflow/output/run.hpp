@@ -72,6 +72,7 @@ private:
     void record_failure(const char* message);
     void note_smallest_gap();
     void end_if_asked();
+    void demand_core();
     void write_last();
 
     std::unique_ptr<Simulation<D>> simulation_;

@@ -35,7 +35,7 @@ void remove_leftovers(const std::filesystem::path& folder, int frames)
         for (const auto& entry : std::filesystem::directory_iterator(place)) {
             const std::filesystem::path& file = entry.path();
             const std::string type = file.extension().string();
-            const bool field = has_frames && (type == ".vti" || type == ".vtp");
+            const bool field = has_frames && (type == ".vti" || type == ".vtr" || type == ".vtp");
             if (type == partial_extension || (field && frame_number(file).value_or(0) >= frames))
                 std::filesystem::remove(file);
         }
@@ -60,7 +60,7 @@ std::vector<NpyColumn> binary_columns(const Scene& scene, const std::vector<std:
     return columns;
 }
 
-std::string frame_name(const std::string& name, int frame, const char* extension)
+std::string frame_name(const std::string& name, int frame, const std::string& extension)
 {
     char number[16];
     std::snprintf(number, sizeof number, "_%05d.", frame);
@@ -308,8 +308,8 @@ void RunFiles<D>::write_fields(const Simulation<D>& simulation)
     for (const std::string& field : scene.fields)
         arrays.push_back(field_array(simulation, field));
     arrays.push_back(field_array(simulation, "kind"));
-    const std::string fields = "fields/" + frame_name("fields", frame_, "vti");
-    write_vti<D>(folder_ / fields, simulation.grid(), arrays, options);
+    const std::string fields = "fields/" + frame_name("fields", frame_, cells_extension(simulation.grid()));
+    write_cells<D>(folder_ / fields, simulation.grid(), arrays, options);
     on_root(simulation.grid().comm(), [&] {
         collection_.add(simulation.time(), "fields", fields);
         for (const RigidBody<D>& body : simulation.bodies()) {

@@ -111,7 +111,8 @@ void clear_run(const std::filesystem::path& folder)
         if (file.is_relative() && *file.begin() != "..")
             std::filesystem::remove(folder / file, error);
     }
-    remove_frames(folder / "fields", "fields", "vti");
+    for (const char* type : {"vti", "vtr"})
+        remove_frames(folder / "fields", "fields", type);
     remove_frames(folder / "films", "films", "vtp");
     for (const char* name : tables)
         std::filesystem::remove(folder / name, error);

@@ -268,14 +268,36 @@ Eigen::Vector3d slices_of(const StoredRun& run, const RunView& view)
 
 } // namespace
 
+namespace {
+
+// The domain, or a window around the core of a graded grid: half as wide again on every side, a whole number of the core's cells.
+void set_window(RunView& view, const nlohmann::ordered_json& domain)
+{
+    view.origin = triple_of(domain.at("origin"));
+    view.size = triple_of(domain.at("size"));
+    if (domain.contains("cells")) {
+        view.spacing = view.size[0] / domain.at("cells").at(0).get<double>();
+        return;
+    }
+    view.spacing = domain.at("spacing").get<double>();
+    const Eigen::Vector3d low = triple_of(domain.at("core").at("low")), high = triple_of(domain.at("core").at("high"));
+    for (int axis = 0; axis < view.dimension; ++axis) {
+        const double end = view.origin[axis] + view.size[axis], around = 0.5 * (high[axis] - low[axis]);
+        const double below = std::floor(std::min(around, low[axis] - view.origin[axis]) / view.spacing + 1e-6);
+        const double above = std::floor(std::min(around, end - high[axis]) / view.spacing + 1e-6);
+        view.origin[axis] = low[axis] - below * view.spacing;
+        view.size[axis] = high[axis] + above * view.spacing - view.origin[axis];
+    }
+}
+
+} // namespace
+
 RunView view_run(const StoredRun& run)
 {
     const nlohmann::ordered_json& scene = *run.scene;
     RunView view;
     view.dimension = run.dimension;
-    view.origin = triple_of(scene.at("domain").at("origin"));
-    view.size = triple_of(scene.at("domain").at("size"));
-    view.spacing = view.size[0] / scene.at("domain").at("cells").at(0).get<double>();
+    set_window(view, scene.at("domain"));
     for (const auto& entry : scene.at("body")) {
         BodyView body;
         body.name = entry.at("name").get<std::string>();
@@ -311,7 +333,11 @@ FrameView view_frame(const StoredRun& run, const RunView& view, const RunFrame& 
     result.number = frame.number;
     result.time = frame.time;
     if (!frame.fields.empty()) {
-        const VtkContent image = read_vtk(run.folder / frame.fields);
+        VtkContent image = read_vtk(run.folder / frame.fields);
+        if (!image.coordinates[0].empty()) {
+            const Eigen::Vector3i cells = (view.size / view.spacing).array().round().cast<int>();
+            image = as_image(image, view.origin, view.spacing, cells);
+        }
         if (view.dimension == 2)
             result.planes.push_back(plane_of(image, 2, 0));
         for (int axis = 0; axis < 3 && view.dimension == 3; ++axis)

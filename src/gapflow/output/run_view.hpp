@@ -68,7 +68,7 @@ struct FrameView {
 
 struct RunView {
     int dimension = 2;
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero(), size = Eigen::Vector3d::Zero();
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero(), size = Eigen::Vector3d::Zero(); ///< of a graded grid: a window around its core
     double spacing = 0;
     Eigen::Vector3d slices = Eigen::Vector3d::Zero(); ///< 3D: where the planes across x, y, z lie
     std::vector<BodyView> bodies;

@@ -222,6 +222,30 @@ void write_image(const std::filesystem::path& path, const Grid<D>& grid, const s
     file.commit();
 }
 
+template <int D>
+void write_rectilinear(const std::filesystem::path& path, const Grid<D>& grid, const std::vector<VtkArray>& cell_data,
+                       const VtkOptions& options)
+{
+    std::string extent;
+    for (int axis = 0; axis < 3; ++axis)
+        extent += (axis > 0 ? " 0 " : "0 ") + std::to_string(axis < D ? grid.cells()[axis] : 0);
+    VtkFile file(path, options.appended);
+    write_head(file, "RectilinearGrid");
+    file.write("<RectilinearGrid WholeExtent=\"" + extent + "\">\n");
+    write_time(file, options.time);
+    file.write("<Piece Extent=\"" + extent + "\">\n<PointData>\n</PointData>\n");
+    const auto cells = static_cast<std::size_t>(grid.cells().template cast<long>().prod());
+    write_data(file, "CellData", cell_data, cells, options.precision);
+    file.write("<Coordinates>\n");
+    for (int axis = 0; axis < 3; ++axis)
+        file.write_array<double>(std::string(1, "xyz"[axis]), axis < D ? static_cast<std::size_t>(grid.cells()[axis]) + 1 : 1, 1,
+                                 [&grid, axis](std::size_t i, int) {
+                                     return axis < D ? grid.face_place(axis, static_cast<int>(i)) : 0.0;
+                                 });
+    file.write("</Coordinates>\n</Piece>\n</RectilinearGrid>\n");
+    file.commit();
+}
+
 // <Lines> (2D) or <Polys> (3D).
 template <int D>
 void write_elements(VtkFile& file, const std::string& name, const std::vector<std::array<int, D>>& elements)
@@ -242,13 +266,18 @@ std::vector<double> gather_cells(const Grid<D>& grid, std::span<const double> ow
 }
 
 template <int D>
-void write_vti(const std::filesystem::path& path, const Grid<D>& grid, std::span<const VtkArray> cell_data,
+void write_cells(const std::filesystem::path& path, const Grid<D>& grid, std::span<const VtkArray> cell_data,
                const VtkOptions& options)
 {
     std::vector<VtkArray> gathered;
     for (const auto& array : cell_data)
         gathered.push_back({array.name, array.components, gather_cells(grid, array.values, array.components)});
-    on_root(grid.comm(), [&] { write_image(path, grid, gathered, options); });
+    on_root(grid.comm(), [&] {
+        if (grid.graded())
+            write_rectilinear(path, grid, gathered, options);
+        else
+            write_image(path, grid, gathered, options);
+    });
 }
 
 template <int D>
@@ -275,8 +304,8 @@ void write_vtp(const std::filesystem::path& path, const VtkSurface<D>& surface, 
 
 template std::vector<double> gather_cells(const Grid<2>&, std::span<const double>, int);
 template std::vector<double> gather_cells(const Grid<3>&, std::span<const double>, int);
-template void write_vti(const std::filesystem::path&, const Grid<2>&, std::span<const VtkArray>, const VtkOptions&);
-template void write_vti(const std::filesystem::path&, const Grid<3>&, std::span<const VtkArray>, const VtkOptions&);
+template void write_cells(const std::filesystem::path&, const Grid<2>&, std::span<const VtkArray>, const VtkOptions&);
+template void write_cells(const std::filesystem::path&, const Grid<3>&, std::span<const VtkArray>, const VtkOptions&);
 template void write_vtp(const std::filesystem::path&, const VtkSurface<2>&, const VtkOptions&);
 template void write_vtp(const std::filesystem::path&, const VtkSurface<3>&, const VtkOptions&);
 

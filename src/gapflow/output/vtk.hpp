@@ -1,4 +1,4 @@
-// Files that ParaView and VTK read: image data (.vti) and surfaces (.vtp) as XML.
+// Files that ParaView and VTK read: image data (.vti), rectilinear grids (.vtr) and surfaces (.vtp) as XML.
 //
 // Arrays are little endian with 64-bit lengths: inline base64, which every reader of VTK's files reads, or raw bytes behind the XML ("appended"),
 // a quarter smaller and faster to write and read. In 2D
@@ -50,10 +50,17 @@ VtkArray cell_array(const Grid<D>& grid, std::string name, int components, F&& v
 template <int D>
 std::vector<double> gather_cells(const Grid<D>& grid, std::span<const double> owned, int components);
 
-/// Writes cell data of the whole grid as one file; each array holds this rank's cells (cell_array). The folder must exist.
-/// Throws ComputationError on every rank. Collective.
+/// Extension of the file for a grid's cells: "vti", of a graded grid "vtr".
 template <int D>
-void write_vti(const std::filesystem::path& path, const Grid<D>& grid, std::span<const VtkArray> cell_data,
+std::string cells_extension(const Grid<D>& grid)
+{
+    return grid.graded() ? "vtr" : "vti";
+}
+
+/// Writes cell data of the whole grid as one file, image data or, of a graded grid, a rectilinear grid; each array holds this rank's cells
+/// (cell_array). The folder must exist. Throws ComputationError on every rank. Collective.
+template <int D>
+void write_cells(const std::filesystem::path& path, const Grid<D>& grid, std::span<const VtkArray> cell_data,
                const VtkOptions& options = {});
 
 /// Lines (2D) or triangles (3D) with data.

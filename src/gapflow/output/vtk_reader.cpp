@@ -191,6 +191,25 @@ void read_image(const Element& image, VtkContent& content, const Parts& file)
     content.cell_data = arrays_in(image.content, "CellData", cells, file);
 }
 
+void read_rectilinear(const Element& grid, VtkContent& content, const Parts& file)
+{
+    const Eigen::VectorXd extent = numbers_of(grid.attribute("WholeExtent"), 6, file.path);
+    for (int axis = 0; axis < 3; ++axis)
+        content.cells[axis] = static_cast<int>(extent[2 * axis + 1] - extent[2 * axis]);
+    const auto cells = static_cast<std::size_t>(content.cells.cwiseMax(1).cast<long>().prod());
+    content.cell_data = arrays_in(grid.content, "CellData", cells, file);
+    const std::string_view coordinates = find_element(grid.content, "Coordinates").content;
+    std::size_t from = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Element element = next_element(coordinates, "DataArray", from);
+        if (element.head.empty())
+            refuse(file.path, "has no coordinates");
+        content.coordinates[axis] = array_of(element, file).values;
+        if (static_cast<int>(content.coordinates[axis].size()) != content.cells[axis] + 1)
+            refuse(file.path, "has coordinates of a wrong number");
+    }
+}
+
 void read_surface(const Element& surface, VtkContent& content, const Parts& file)
 {
     const std::filesystem::path& path = file.path;
@@ -243,20 +262,53 @@ VtkContent read_vtk(const std::filesystem::path& path)
         refuse(path, "cannot be read");
     VtkContent content;
     const Parts file = parts_of(text, path);
-    const Element image = find_element(file.xml, "ImageData"), surface = find_element(file.xml, "PolyData");
-    const Element& whole = image.head.empty() ? surface : image;
+    const Element image = find_element(file.xml, "ImageData"), surface = find_element(file.xml, "PolyData"),
+                  grid = find_element(file.xml, "RectilinearGrid");
+    const Element& whole = !image.head.empty() ? image : !grid.head.empty() ? grid : surface;
     if (whole.head.empty())
-        refuse(path, "is no VTK image or surface");
+        refuse(path, "is no VTK image, rectilinear grid or surface");
     if (const Element field = find_element(whole.content, "FieldData"); !field.head.empty()) {
         const VtkArray time = array_of(find_element(field.content, "DataArray"), file);
         if (time.values.size() == 1)
             content.time = time.values[0];
     }
-    if (image.head.empty())
-        read_surface(surface, content, file);
-    else
+    if (!image.head.empty())
         read_image(image, content, file);
+    else if (!grid.head.empty())
+        read_rectilinear(grid, content, file);
+    else
+        read_surface(surface, content, file);
     return content;
+}
+
+VtkContent as_image(const VtkContent& grid, const Eigen::Vector3d& low, double spacing, const Eigen::Vector3i& cells)
+{
+    VtkContent image;
+    image.cells = cells;
+    image.origin = low;
+    image.spacing.setConstant(spacing);
+    image.time = grid.time;
+    std::array<std::vector<std::size_t>, 3> source; // of the image's cells along each axis
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < std::max(cells[axis], 1); ++i) {
+            const std::vector<double>& x = grid.coordinates[axis];
+            const auto above = std::upper_bound(x.begin(), x.end(), low[axis] + (i + 0.5) * spacing);
+            const long cell = std::clamp<long>(above - x.begin() - 1, 0, std::max(grid.cells[axis] - 1, 0));
+            source[axis].push_back(static_cast<std::size_t>(cell));
+        }
+    const auto nx = static_cast<std::size_t>(std::max(grid.cells[0], 1)), ny = static_cast<std::size_t>(std::max(grid.cells[1], 1));
+    for (const VtkArray& array : grid.cell_data) {
+        VtkArray values{array.name, array.components, {}};
+        const auto components = static_cast<std::size_t>(array.components);
+        for (const std::size_t k : source[2])
+            for (const std::size_t j : source[1])
+                for (const std::size_t i : source[0]) {
+                    const double* from = array.values.data() + components * (i + nx * (j + ny * k));
+                    values.values.insert(values.values.end(), from, from + components);
+                }
+        image.cell_data.push_back(std::move(values));
+    }
+    return image;
 }
 
 } // namespace gapflow

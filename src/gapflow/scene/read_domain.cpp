@@ -1,3 +1,4 @@
+#include "gapflow/scene/graded_widths.hpp"
 #include "gapflow/scene/read_parts.hpp"
 #include "gapflow/scene/time_table.hpp"
 
@@ -8,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <optional>
 
 namespace gapflow {
 
@@ -76,7 +79,8 @@ void check_memory(const Values& v, const Scene& scene)
     char text[96];
     std::snprintf(text, sizeof text, "%.3g cells would need about %.3g GiB of memory", count,
                   expected_memory(scene.dimension, count) / 1073741824.0);
-    v.refuse("domain.cells", text, "allowed: up to 2^31 cells in all; use fewer cells");
+    v.refuse(scene.core || v.given("domain.spacing") ? "domain.spacing" : "domain.cells", text,
+             "allowed: up to 2^31 cells in all; use fewer cells");
 }
 
 /// The table of an inflow or pressure side; `what`: "an inflow", for a message.
@@ -146,7 +150,7 @@ void check_periodic(const Values& v, const Scene& scene)
             v.refuse("domain.sides." + side_names[2 * axis + (low ? 0 : 1)], "an axis is periodic on both sides or on none",
                      "write " + side_names[2 * axis + (low ? 1 : 0)] + " = \"periodic\" too");
         if (low && scene.cells[axis] < least)
-            v.refuse("domain.cells", std::string("too few cells along the periodic axis ") + "xyz"[axis],
+            v.refuse(v.given("domain.spacing") ? "domain.spacing" : "domain.cells", std::string("too few cells along the periodic axis ") + "xyz"[axis],
                      "allowed: at least " + std::to_string(least) + " (3 + time.cfl, rounded up) there");
     }
 }
@@ -162,19 +166,132 @@ void check_far(const Values& v, const Scene& scene)
                      "write \"open\" for the channel's end, or \"far\" for sides along another axis too");
 }
 
+std::string axis_text(int axis)
+{
+    return std::string(1, "xyz"[axis]);
+}
+
+/// Whole number of spacings in a length; empty if there is none.
+std::optional<int> whole_cells(double length, double spacing)
+{
+    const double exact = length / spacing, count = std::round(exact);
+    if (count < 1 || count > 1e6 || std::abs(exact - count) > 1e-9 * count)
+        return {};
+    return static_cast<int>(count);
+}
+
+/// A uniform grid given by its spacing.
+void read_uniform_spacing(const Values& v, double spacing, Scene& scene)
+{
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        const std::optional<int> count = whole_cells(scene.size[axis], spacing);
+        if (!count)
+            v.refuse("domain.spacing",
+                     "the domain is " + number_text(scene.size[axis] / spacing) + " cells long along " + axis_text(axis),
+                     "without a domain.core, domain.size must be a multiple of the spacing along every axis");
+        scene.cells[axis] = *count;
+    }
+}
+
+/// The core along one axis and the cells outside it.
+void read_core_axis(const Values& v, int axis, double largest, CoreScene& core, Scene& scene)
+{
+    const double spacing = core.spacing, side_low = scene.origin[axis], side_high = side_low + scene.size[axis];
+    const double round_off = 1e-9 * scene.size[axis];
+    double &low = core.low[axis], &high = core.high[axis];
+    if (!(low < high))
+        v.refuse("domain.core.high", "along " + axis_text(axis) + " the core's high end is not above its low end",
+                 "give domain.core.low < domain.core.high");
+    const bool periodic = scene.sides[2 * axis].kind == SideScene::Kind::periodic;
+    for (int end = 0; end < 2; ++end) {
+        double& place = end ? high : low;
+        const double side = end ? side_high : side_low, beyond = end ? side - place : place - side;
+        const std::string name = end ? "domain.core.high" : "domain.core.low";
+        if (beyond < -round_off)
+            v.refuse(name, "along " + axis_text(axis) + " the core ends outside the domain, whose side is at " + number_text(side),
+                     "put the core inside the domain");
+        if (beyond > round_off && periodic)
+            v.refuse(name, "the axis " + axis_text(axis) + " is periodic: there cells cannot differ in width",
+                     "let the core reach from side to side along it");
+        if (beyond > round_off && beyond < 0.5 * spacing)
+            v.refuse(name, "along " + axis_text(axis) + " less than half a cell is left between the core and the side at " + number_text(side),
+                     "let the core end at the side, or further from it");
+        if (beyond <= round_off)
+            place = side;
+        std::vector<double>& widths = (end ? core.above : core.below)[axis];
+        widths = graded_widths(beyond > round_off ? beyond / spacing : 0.0, core.growth, largest / spacing);
+    }
+    const std::optional<int> count = whole_cells(high - low, spacing);
+    if (!count) {
+        const double fitting = std::max(1.0, std::round((high - low) / spacing));
+        v.refuse("domain.core.high",
+                 "along " + axis_text(axis) + " the core is " + number_text((high - low) / spacing) + " cells long",
+                 "a core is a whole number of cells long, as with its end at " + number_text(low + fitting * spacing));
+    }
+    scene.cells[axis] = *count + static_cast<int>(core.below[axis].size() + core.above[axis].size());
+}
+
+void read_spacing(const Values& v, Scene& scene)
+{
+    const double spacing = v.number("domain.spacing");
+    if (v.given("domain.cells"))
+        v.refuse("domain.cells", "domain.spacing is given too", "give one of the two");
+    const bool low = v.given("domain.core.low") != nullptr, high = v.given("domain.core.high") != nullptr;
+    if (!low && !high)
+        return read_uniform_spacing(v, spacing, scene);
+    if (!low || !high)
+        v.refuse(low ? "domain.core.low" : "domain.core.high", "a core has two corners",
+                 std::string("give domain.core.") + (low ? "high" : "low") + " too");
+    CoreScene core;
+    core.spacing = spacing;
+    core.low = v.triple("domain.core.low");
+    core.high = v.triple("domain.core.high");
+    core.growth = v.number("domain.growth");
+    double largest = std::numeric_limits<double>::infinity();
+    if (v.given("domain.largest")) {
+        core.largest = largest = v.number("domain.largest");
+        if (largest < spacing)
+            v.refuse("domain.largest", "the largest width is below domain.spacing, " + number_text(spacing),
+                     "allowed: at least domain.spacing");
+    }
+    bool any = false;
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        read_core_axis(v, axis, largest, core, scene);
+        any = any || !core.below[axis].empty() || !core.above[axis].empty();
+    }
+    if (any) // otherwise the grid is uniform
+        scene.core = core;
+}
+
+void read_cells(const Values& v, Scene& scene)
+{
+    for (const char* name : {"domain.core.low", "domain.core.high", "domain.growth", "domain.largest"})
+        if (v.given(name))
+            v.refuse(name, "cells outside a core grow from domain.spacing, which is not given",
+                     "give domain.spacing instead of domain.cells");
+    if (!v.given("domain.cells"))
+        v.refuse_missing("domain.cells", "give it, or domain.spacing");
+    const Triple cells = v.triple("domain.cells");
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        scene.cells[axis] = static_cast<int>(cells[axis]);
+    check_memory(v, scene);
+    check_spacing(v, scene);
+}
+
 } // namespace
 
 void read_domain(const Values& v, Scene& scene)
 {
     scene.size = v.triple("domain.size");
     scene.origin = v.triple("domain.origin");
-    const Triple cells = v.triple("domain.cells");
-    for (int axis = 0; axis < scene.dimension; ++axis)
-        scene.cells[axis] = static_cast<int>(cells[axis]);
-    check_memory(v, scene);
-    check_spacing(v, scene);
     for (int number = 0; number < 2 * scene.dimension; ++number)
         read_side(v, number, scene);
+    if (v.given("domain.spacing")) {
+        read_spacing(v, scene);
+        check_memory(v, scene);
+    } else {
+        read_cells(v, scene);
+    }
     check_periodic(v, scene);
     check_far(v, scene);
     scene.leaving = v.choice<Scene::Leaving>("domain.leaving");

@@ -101,7 +101,7 @@ std::string roughness_text(const Scene& scene)
 {
     char text[100];
     std::snprintf(text, sizeof text, "%.4g (%.3g cells%s)", scene.gap.roughness,
-                  scene.gap.roughness * scene.cells[0] / scene.size[0], scene.gap.automatic_roughness ? ", auto" : "");
+                  scene.gap.roughness / scene.spacing(), scene.gap.automatic_roughness ? ", auto" : "");
     return text;
 }
 

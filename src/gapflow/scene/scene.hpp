@@ -146,6 +146,15 @@ struct FluxScene {
     double every = 0.0;                ///< 0: every step
 };
 
+/// Where the cells of a graded grid are squares (cubes), and how they grow outside.
+struct CoreScene {
+    double spacing = 0;
+    Triple low{}, high{};
+    double growth = 0;                             ///< most; of a cell over its neighbour nearer to the core
+    std::optional<double> largest;                 ///< length
+    std::array<std::vector<double>, 3> below, above; ///< widths of the cells outside over `spacing`, outwards
+};
+
 struct Scene {
     enum class BodiesTable { automatic, csv, binary, both };
     enum class Fractions { cut_cell, voxel };
@@ -163,8 +172,9 @@ struct Scene {
     Triple gravity{};
 
     Triple size{};
-    std::array<int, 3> cells{1, 1, 1};
+    std::array<int, 3> cells{1, 1, 1}; ///< along each axis, those outside a core too
     Triple origin{};
+    std::optional<CoreScene> core; ///< of a graded grid
     std::array<SideScene, 6> sides; ///< x_low x_high y_low y_high z_low z_high
 
     Leaving leaving = Leaving::warn; ///< bodies on their way out of an open side
@@ -211,6 +221,8 @@ struct Scene {
 
     std::vector<std::string> warnings; ///< about settings that were accepted but not used, for the caller to print
 
+    /// Edge of a cell; of a graded grid in its core.
+    double spacing() const { return core ? core->spacing : size[0] / cells[0]; }
     /// Axes along which the fluid goes on or can leave: neither periodic nor between two walls.
     std::vector<int> endless_axes() const;
     /// The crowd that a body is of, by its number; null: none.

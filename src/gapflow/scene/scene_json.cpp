@@ -179,8 +179,17 @@ std::string scene_as_json(const Scene& scene)
     Json json;
     json["title"] = scene.title;
     json["gravity"] = list.vector(scene.gravity);
-    json["domain"] = {
-        {"size", list.vector(scene.size)}, {"cells", list.vector(scene.cells)}, {"origin", list.vector(scene.origin)}};
+    json["domain"]["size"] = list.vector(scene.size);
+    if (!scene.core)
+        json["domain"]["cells"] = list.vector(scene.cells);
+    json["domain"]["origin"] = list.vector(scene.origin);
+    if (scene.core) {
+        json["domain"]["spacing"] = scene.core->spacing;
+        json["domain"]["core"] = {{"low", list.vector(scene.core->low)}, {"high", list.vector(scene.core->high)}};
+        json["domain"]["growth"] = scene.core->growth;
+        if (scene.core->largest)
+            json["domain"]["largest"] = *scene.core->largest;
+    }
     for (int side = 0; side < 2 * scene.dimension; ++side)
         json["domain"]["sides"][side_names[side]] = side_json(scene.sides[side], list);
     json["domain"]["leaving"] = word({"warn", "stop", "remove"}, scene.leaving);

@@ -11,8 +11,10 @@
 #include "gapflow/solver/level.hpp"
 
 #include "gapflow/grid/far_field.hpp"
+#include "gapflow/solver/merging.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace gapflow {
@@ -28,11 +30,22 @@ template <int D>
 double Level<D>::distance(int axis, int i) const
 {
     const int n = cells[axis];
+    const std::vector<double>& w = width[axis];
     if (i > 0 && i < n)
-        return 0.5 * (width(axis, i - 1) + width(axis, i));
+        return 0.5 * (w[i - 1] + w[i]);
     if (periodic[axis])
-        return 0.5 * (width(axis, 0) + width(axis, n - 1));
-    return 0.5 * width(axis, i == 0 ? 0 : n - 1);
+        return 0.5 * (w[0] + w[n - 1]);
+    return 0.5 * w[i == 0 ? 0 : n - 1];
+}
+
+template <int D>
+bool Level<D>::in_pairs(int axis) const
+{
+    const int first = parent[axis][low[axis]];
+    for (int i = low[axis]; i < high[axis]; ++i)
+        if (parent[axis][i] - first != (i - low[axis]) / 2)
+            return false;
+    return true;
 }
 
 template <int D>
@@ -196,11 +209,16 @@ Level<D> finest_level(const CoupledSystem<D>& system, const std::array<SharedRow
 {
     const Grid<D>& grid = *system.grid;
     Level<D> level;
-    level.cells = level.finest_cells = grid.cells();
+    level.cells = grid.cells();
+    level.graded = grid.graded();
+    level.partition = grid.partition();
     level.low = grid.low();
     level.high = grid.high();
-    level.unit = Index<D>::Ones();
     for (int axis = 0; axis < D; ++axis) {
+        const int n = grid.cells()[axis];
+        level.width[axis].assign(grid.widths(axis, 0), grid.widths(axis, 0) + n);
+        level.finest[axis].resize(n + 1);
+        std::iota(level.finest[axis].begin(), level.finest[axis].end(), 0);
         level.periodic[axis] = grid.periodic(axis);
         for (int end = 0; end < 2; ++end)
             level.neighbours[2 * axis + end] = grid.neighbour(axis, end);
@@ -214,21 +232,78 @@ Level<D> finest_level(const CoupledSystem<D>& system, const std::array<SharedRow
 }
 
 template <int D>
-bool can_halve(const Level<D>& level, const Grid<D>& grid)
+bool can_coarsen(const Level<D>& level)
 {
-    for (int axis = 0; axis < D; ++axis)
-        for (std::size_t p = 0; p + 1 < grid.partition()[axis].size(); ++p) {
-            const int start = grid.partition()[axis][p] / level.unit[axis];
-            const int next = grid.partition()[axis][p + 1] / level.unit[axis];
-            if (start % 2 || (grid.partition()[axis].size() > 2 && next - start < 4))
+    for (int axis = 0; axis < D; ++axis) {
+        const std::vector<int>& start = level.partition[axis];
+        for (std::size_t p = 0; p + 1 < start.size(); ++p)
+            if ((!level.graded && start[p] % 2) || (start.size() > 2 && start[p + 1] - start[p] < 4))
                 return false;
-        }
+    }
     return true;
 }
 
 namespace {
 
-// How much further than to a face of a level it is to the pressure 0 beyond it, in cells of the finest level: on far sides, else 0.
+// Where the cells of the next level start along every axis, in cells of this level; one more entry: their number.
+template <int D>
+std::array<std::vector<int>, D> starts_of_next(const Level<D>& level, double target)
+{
+    std::array<std::vector<int>, D> starts;
+    for (int axis = 0; axis < D; ++axis) {
+        const std::vector<int>& blocks = level.partition[axis];
+        for (std::size_t p = 0; p + 1 < blocks.size(); ++p) {
+            if (level.graded) { // never across ranks
+                const std::vector<int> own = merged(level.width[axis], blocks[p], blocks[p + 1], widest_merged * target);
+                starts[axis].insert(starts[axis].end(), own.begin(), own.end());
+            } else {
+                for (int i = blocks[p]; i < blocks[p + 1]; i += 2)
+                    starts[axis].push_back(i);
+            }
+        }
+        starts[axis].push_back(level.cells[axis]);
+    }
+    return starts;
+}
+
+// Cells, widths and blocks of the next level; sets fine.parent.
+template <int D>
+std::array<std::vector<int>, D> shape_next(Level<D>& fine, Level<D>& coarse)
+{
+    coarse.graded = fine.graded;
+    coarse.target = fine.target;
+    std::array<std::vector<int>, D> starts;
+    bool fewer = false;
+    while (!fewer) {
+        coarse.target *= 2;
+        starts = starts_of_next(fine, coarse.target);
+        for (int axis = 0; axis < D; ++axis)
+            fewer = fewer || static_cast<int>(starts[axis].size()) - 1 < fine.cells[axis];
+    }
+    for (int axis = 0; axis < D; ++axis) {
+        const std::vector<int>& start = starts[axis];
+        coarse.cells[axis] = static_cast<int>(start.size()) - 1;
+        fine.parent[axis].resize(fine.cells[axis]);
+        coarse.width[axis].assign(coarse.cells[axis], 0.0);
+        coarse.finest[axis].clear();
+        for (int c = 0; c < coarse.cells[axis]; ++c) {
+            coarse.finest[axis].push_back(fine.finest[axis][start[c]]);
+            for (int i = start[c]; i < start[c + 1]; ++i) {
+                fine.parent[axis][i] = c;
+                coarse.width[axis][c] += fine.width[axis][i];
+            }
+        }
+        coarse.finest[axis].push_back(fine.finest[axis].back());
+        coarse.partition[axis].clear();
+        for (const int block : fine.partition[axis])
+            coarse.partition[axis].push_back(block < fine.cells[axis] ? fine.parent[axis][block] : coarse.cells[axis]);
+        coarse.low[axis] = fine.parent[axis][fine.low[axis]];
+        coarse.high[axis] = fine.parent[axis][fine.high[axis] - 1] + 1;
+    }
+    return starts;
+}
+
+// How much further than to a face of a level it is to the pressure 0 beyond it, over dx: on far sides, else 0.
 template <int D>
 double way_beyond(const Grid<D>& grid, const FarField<D>& far, const Level<D>& level, int axis, const Index<D>& face)
 {
@@ -237,30 +312,25 @@ double way_beyond(const Grid<D>& grid, const FarField<D>& far, const Level<D>& l
         return 0;
     Vec<D> x;
     for (int k = 0; k < D; ++k) {
-        const int i = std::min(face[k], level.cells[k] - 1);
-        x[k] = k == axis ? end * level.finest_cells[k] : i * level.unit[k] + 0.5 * level.width(k, i);
+        const int i = std::min(face[k], level.cells[k] - 1), first = level.finest[k][i], next = level.finest[k][i + 1];
+        if (grid.graded())
+            x[k] = k == axis ? grid.face_place(k, end * grid.cells()[k]) : 0.5 * (grid.face_place(k, first) + grid.face_place(k, next));
+        else
+            x[k] = k == axis ? end * grid.cells()[k] : 0.5 * (first + next);
     }
-    return far.pressure_length(axis, grid.origin() + grid.dx() * x) / grid.dx();
+    return far.pressure_length(axis, grid.graded() ? x : Vec<D>(grid.origin() + grid.dx() * x)) / grid.dx();
 }
 
 } // namespace
 
 template <int D>
-Level<D> coarsened(const Level<D>& fine, const Grid<D>& grid)
+Level<D> coarsened(Level<D>& fine, const Grid<D>& grid)
 {
     const FarField<D> far = far_field(grid);
     Level<D> coarse;
-    coarse.finest_cells = fine.finest_cells;
+    const std::array<std::vector<int>, D> start = shape_next(fine, coarse);
     coarse.periodic = fine.periodic;
     coarse.neighbours = fine.neighbours;
-    Index<D> factor;
-    for (int axis = 0; axis < D; ++axis) {
-        factor[axis] = fine.halves(axis) ? 2 : 1;
-        coarse.unit[axis] = fine.unit[axis] * factor[axis];
-        coarse.cells[axis] = (fine.cells[axis] + factor[axis] - 1) / factor[axis];
-        coarse.low[axis] = fine.low[axis] / factor[axis];
-        coarse.high[axis] = (fine.high[axis] + factor[axis] - 1) / factor[axis];
-    }
     allocate(coarse, grid.comm());
     const long back = coarse.row_stride(D - 1);
     const int width = coarse.high[0] - coarse.low[0], fine_width = fine.high[0] - fine.low[0];
@@ -272,8 +342,8 @@ Level<D> coarsened(const Level<D>& fine, const Grid<D>& grid)
         for_each_row<D>(coarse.low, coarse.high + step<D>(axis), [&](const Index<D>& first) {
             Index<D> begin = first, end = first + Index<D>::Ones(); // its fine rows
             for (int k = 1; k < D; ++k) {
-                begin[k] = std::min(first[k] * factor[k], fine.high[k]);
-                end[k] = k == axis ? begin[k] + 1 : std::min(begin[k] + factor[k], fine.high[k]);
+                begin[k] = start[k][first[k]];
+                end[k] = k == axis ? begin[k] + 1 : start[k][first[k] + 1];
             }
             std::fill(fine_sum.begin(), fine_sum.end(), 0.0);
             begin[0] = fine.low[0];
@@ -295,15 +365,16 @@ Level<D> coarsened(const Level<D>& fine, const Grid<D>& grid)
             Index<D> face = first;
             if (axis == 0)
                 for (int i = 0; i <= width; ++i, ++face[0]) {
-                    const int f = std::min(i * factor[0], fine_width);
+                    const int f = start[0][coarse.low[0] + i] - fine.low[0];
                     row_values[i] = static_cast<float>(fine_sum[f] * ratio(fine.low[0] + f, face));
                 }
             else {
                 const double of_row = ratio(begin[axis], first);
                 const bool varies = way_beyond(grid, far, coarse, axis, first) > 0;
                 for (int i = 0; i < width; ++i, ++face[0]) {
-                    const int f = i * factor[0];
-                    const double sum = fine_sum[f] + (factor[0] == 2 && f + 1 < fine_width ? fine_sum[f + 1] : 0.0);
+                    const int f = start[0][coarse.low[0] + i] - fine.low[0];
+                    const bool pair = start[0][coarse.low[0] + i + 1] - fine.low[0] > f + 1;
+                    const double sum = fine_sum[f] + (pair ? fine_sum[f + 1] : 0.0);
                     row_values[i] = static_cast<float>(sum * (varies ? ratio(begin[axis], face) : of_row));
                 }
             }
@@ -320,8 +391,12 @@ Level<D> gathered(const Level<D>& part, const Communicator& comm)
 {
     Level<D> whole;
     whole.cells = part.cells;
-    whole.finest_cells = part.finest_cells;
-    whole.unit = part.unit;
+    whole.graded = part.graded;
+    whole.target = part.target;
+    whole.width = part.width;
+    whole.finest = part.finest;
+    for (int axis = 0; axis < D; ++axis)
+        whole.partition[axis] = {0, part.cells[axis]};
     whole.periodic = part.periodic;
     whole.low = Index<D>::Zero();
     whole.high = part.cells;
@@ -352,8 +427,8 @@ Level<D> gathered(const Level<D>& part, const Communicator& comm)
     template struct Level<D>;                                                                                                  \
     template std::array<SharedRows<double>, D> shared_conductances<D>(const CoupledSystem<D>&, bool);                          \
     template Level<D> finest_level<D>(const CoupledSystem<D>&, const std::array<SharedRows<double>, D>&, double);              \
-    template bool can_halve<D>(const Level<D>&, const Grid<D>&);                                                               \
-    template Level<D> coarsened<D>(const Level<D>&, const Grid<D>&);                                                           \
+    template bool can_coarsen<D>(const Level<D>&);                                                                             \
+    template Level<D> coarsened<D>(Level<D>&, const Grid<D>&);                                                                 \
     template void allocate<D>(Level<D>&, const Communicator&);                                                                 \
     template void finish<D>(Level<D>&);                                                                                        \
     template Level<D> gathered<D>(const Level<D>&, const Communicator&);

@@ -21,8 +21,12 @@ template <int D>
 struct Level {
     Index<D> cells;        ///< of the whole level
     Index<D> low, high;    ///< the cells of this rank; all of them once the level is gathered
-    Index<D> finest_cells; ///< of the finest level
-    Index<D> unit;         ///< width of a cell along each axis in cells of the finest level; the last may be narrower
+    bool graded = false;   ///< of a grid whose cells differ in width
+    double target = 1;     ///< width over dx that merging cells have come to
+    std::array<std::vector<double>, D> width;  ///< of the level's cells along each axis, over dx
+    std::array<std::vector<int>, D> finest;    ///< first cell of the finest level in each cell; one more entry: their number
+    std::array<std::vector<int>, D> partition; ///< where the ranks' blocks start along each axis; one more entry: the number of cells
+    std::array<std::vector<int>, D> parent;    ///< cell of the next level that each cell belongs to
     std::array<bool, D> periodic;
     std::array<int, 2 * D> neighbours;
     Block<D> block;                               ///< what is stored: block_of_level(low, high)
@@ -33,15 +37,13 @@ struct Level {
     std::array<std::array<std::vector<float>, 2>, 2> weight;
     Halo<D, float> halo;
 
-    /// Width of a cell along an axis, in cells of the finest level.
-    int width(int axis, int i) const { return std::min(unit[axis], finest_cells[axis] - i * unit[axis]); }
-    /// Distance across face i of an axis between the pressures that it joins; to the face itself at the domain's end.
+    /// Distance over dx across face i of an axis between the pressures that it joins; to the face itself at the domain's end.
     double distance(int axis, int i) const;
+    /// Whether the cells of this rank along the axis are pairs of the next level, from the first on.
+    bool in_pairs(int axis) const;
     /// An odd number of cells around a periodic axis: its first and last cell have the same colour.
     bool seam(int axis) const { return periodic[axis] && cells[axis] > 1 && cells[axis] % 2 == 1; }
     bool on_seam(int axis, int i) const { return seam(axis) && (i == 0 || i == cells[axis] - 1); }
-    /// Whether the next level halves the cells along the axis.
-    bool halves(int axis) const { return cells[axis] > 1; }
     /// Number of the row that holds a cell among the block's rows along the first axis.
     long row_number(const Index<D>& c) const
     {
@@ -81,14 +83,15 @@ std::array<SharedRows<double>, D> shared_conductances(const CoupledSystem<D>& sy
 template <int D>
 Level<D> finest_level(const CoupledSystem<D>& system, const std::array<SharedRows<double>, D>& conductance, double scale);
 
-/// Whether this rank's block can be halved with all the others.
+/// Whether this rank's block can be coarsened with all the others.
 template <int D>
-bool can_halve(const Level<D>& level, const Grid<D>& grid);
+bool can_coarsen(const Level<D>& level);
 
-/// The next level on the same ranks. A face's coefficient is the sum of its fine faces' times the ratio of the distances
-/// across them: half the Galerkin operator of piecewise constant transfer away from the ends. `grid`: the finest level's.
+/// The next level on the same ranks; sets fine.parent. Neighbours merge in pairs; on a graded grid those that stay narrow enough, so that
+/// coarser levels become uniform. A face's coefficient is the sum of its fine faces' times the ratio of the distances across them: half the
+/// Galerkin operator of piecewise constant transfer away from the ends. `grid`: the finest level's.
 template <int D>
-Level<D> coarsened(const Level<D>& fine, const Grid<D>& grid);
+Level<D> coarsened(Level<D>& fine, const Grid<D>& grid);
 
 /// Storage, inverse diagonal and weights for a level whose cells and conductances (possibly none) are known.
 template <int D>
@@ -96,7 +99,7 @@ void allocate(Level<D>& level, const Communicator& comm);
 template <int D>
 void finish(Level<D>& level);
 
-/// The same level with all cells on every rank. Collective.
+/// The same level with all cells on every rank, as one block. Collective.
 template <int D>
 Level<D> gathered(const Level<D>& part, const Communicator& comm);
 

@@ -1,7 +1,7 @@
 // Symmetric V(2,2) cycle: x <- smooth(x); x += P cycle(R (b - A x)); x <- smooth^T(x). On fewer than 64 cells the
 // pseudo-inverse: the null space and the deflation of constants treat the constants of floating parts.
 //
-// Several ranks: every rank halves its own block as long as all blocks start at even cells; then the right-hand side is
+// Several ranks: every rank coarsens its own block as long as all blocks start at even cells (on graded grids: have some cells); then the right-hand side is
 // gathered on every rank and the coarser levels are computed redundantly, with the same bits.
 
 #include "gapflow/solver/multigrid.hpp"
@@ -35,26 +35,26 @@ Multigrid<D>::Multigrid(const CoupledSystem<D>& system, const std::array<SharedR
     auto total = [](const Level<D>& level) { return level.cells.template cast<long>().prod(); };
     first_gathered_ = parallel ? ~std::size_t{0} : 0;
     while (total(levels_.back()) > coarsest_cells || (parallel && first_gathered_ > levels_.size())) {
-        const Level<D>& last = levels_.back();
+        Level<D>& last = levels_.back();
         const bool gathered_already = first_gathered_ < levels_.size();
         if (gathered_already) {
             levels_.push_back(coarsened(last, grid));
             continue;
         }
-        // The first gathered level is the coarsened last one, or its copy where blocks cannot be halved.
-        const bool halve = can_halve(last, grid);
-        Level<D> next = halve ? coarsened(last, grid) : last;
-        if (!halve || total(next) <= gathered_cells || !can_halve(next, grid)) {
+        // The first gathered level is the coarsened last one, or its copy where blocks cannot be coarsened.
+        const bool coarsen = can_coarsen(last);
+        Level<D> next = coarsen ? coarsened(last, grid) : last;
+        if (!coarsen || total(next) <= gathered_cells || !can_coarsen(next)) {
             first_gathered_ = levels_.size();
             for (int rank = 0, offset = 0; rank < comm_.size(); ++rank) {
                 Index<D> low, high;
                 int rest = rank;
                 for (int axis = 0; axis < D; ++axis) {
-                    const auto& starts = grid.partition()[axis];
+                    const std::vector<int>& starts = next.partition[axis];
                     const int parts = static_cast<int>(starts.size()) - 1, place = rest % parts;
                     rest /= parts;
-                    low[axis] = starts[place] / next.unit[axis];
-                    high[axis] = (starts[place + 1] + next.unit[axis] - 1) / next.unit[axis];
+                    low[axis] = starts[place];
+                    high[axis] = starts[place + 1];
                 }
                 parts_.push_back(Block<D>(low, high));
                 counts_.push_back(static_cast<int>(parts_.back().size));

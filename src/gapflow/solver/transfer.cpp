@@ -32,7 +32,9 @@ template <int D>
 void restrict_plane(const Level<D>& fine, Level<D>& coarse, int plane)
 {
     const int n = fine.high[0] - fine.low[0];
-    const int half = fine.halves(0) ? 2 : 1, m = (n + half - 1) / half;
+    const std::vector<int>& parents = fine.parent[0]; // along the first axis
+    const int first_parent = parents[fine.low[0]], m = parents[fine.high[0] - 1] + 1 - first_parent;
+    const bool in_pairs = fine.in_pairs(0);
     Index<D> low = fine.low, high = fine.high;
     low[D - 1] = plane;
     high[D - 1] = plane + 1;
@@ -40,13 +42,12 @@ void restrict_plane(const Level<D>& fine, Level<D>& coarse, int plane)
     for (int axis = 0; axis < D; ++axis)
         stride[axis] = fine.block.stride[axis];
     for_each_row<D>(low, high, [&](const Index<D>& row) {
-        Index<D> parent = row;
+        Index<D> parent;
         bool first = true; // of the coarse row's fine rows
-        for (int axis = 0; axis < D; ++axis)
-            if (fine.halves(axis)) {
-                first = first && (axis == 0 || row[axis] % 2 == 0);
-                parent[axis] /= 2;
-            }
+        for (int axis = 0; axis < D; ++axis) {
+            parent[axis] = fine.parent[axis][row[axis]];
+            first = first && (axis == 0 || row[axis] == fine.low[axis] || fine.parent[axis][row[axis] - 1] != parent[axis]);
+        }
         float* to = coarse.b.data() + coarse.block.offset(parent);
         if (first)
             std::fill_n(to, m, 0.0f);
@@ -61,11 +62,12 @@ void restrict_plane(const Level<D>& fine, Level<D>& coarse, int plane)
             else
                 residual_chunk<D, false>(s, b, x, stride, count, r);
             r[count] = 0;
-            if (half == 1)
-                to[0] += r[0];
-            else
+            if (in_pairs)
                 for (int i = 0; i < (count + 1) / 2; ++i)
                     to[begin / 2 + i] += r[2 * i] + r[2 * i + 1];
+            else
+                for (int i = 0; i < count; ++i)
+                    to[parents[fine.low[0] + begin + i] - first_parent] += r[i];
         }
     });
 }
@@ -74,26 +76,29 @@ template <int D>
 void prolong_plane(const Level<D>& coarse, Level<D>& fine, int plane)
 {
     const int n = fine.high[0] - fine.low[0];
+    const std::vector<int>& parents = fine.parent[0]; // along the first axis
+    const int first_parent = parents[fine.low[0]];
+    const bool in_pairs = fine.in_pairs(0);
     Index<D> low = fine.low, high = fine.high;
     low[D - 1] = plane;
     high[D - 1] = plane + 1;
     for_each_row<D>(low, high, [&](const Index<D>& row) {
-        Index<D> parent = row;
+        Index<D> parent;
         for (int axis = 0; axis < D; ++axis)
-            parent[axis] >>= fine.halves(axis) ? 1 : 0;
+            parent[axis] = fine.parent[axis][row[axis]];
         const float* from = coarse.x.data() + coarse.block.offset(parent);
         const long number = fine.row_number(row);
         float* to = fine.x.data() + fine.block.offset(row);
-        const int half = fine.halves(0) ? 2 : 1;
         for (int c = 0, begin = 0; begin < n; ++c, begin += chunk) {
             const float* inverse = fine.inverse_diagonal(number, c);
             const int count = std::min(chunk, n - begin);
             float doubled[chunk + 1]; // interleaved first: the sum itself then vectorises
-            if (half == 1)
-                doubled[0] = from[begin];
-            else
+            if (in_pairs)
                 for (int i = 0; i < (count + 1) / 2; ++i)
                     doubled[2 * i] = doubled[2 * i + 1] = from[begin / 2 + i];
+            else
+                for (int i = 0; i < count; ++i)
+                    doubled[i] = from[parents[fine.low[0] + begin + i] - first_parent];
             for (int i = 0; i < count; ++i)
                 to[begin + i] += inverse[i] > 0.0f ? doubled[i] : 0.0f;
         }

@@ -34,7 +34,12 @@ void run_stages(const Level<D>& level, Stage&& stage, const std::function<void()
     const bool below = level.halo.active(D - 1, 0), above = level.halo.active(D - 1, 1);
     const bool alone = !level.halo.active();
     const int slabs = std::max(1, level.block.size < threaded_cells ? 1 : std::min(thread_count(), n / least_planes));
-    auto slab_begin = [&](int t) { return t == slabs ? high : low + (n * t / slabs & ~1); }; // a coarse plane in one slab
+    auto slab_begin = [&](int t) { // a coarse plane in one slab
+        int k = t == slabs ? high : low + n * t / slabs;
+        while (k > low && k < high && level.parent[D - 1][k] == level.parent[D - 1][k - 1])
+            --k;
+        return k;
+    };
     if (!alone && (!level.halo.only_last_axis() || n < least_planes)) {
         for (int s = 0; s <= last_stage; ++s) {
             if (s > 0)

@@ -79,7 +79,7 @@ void add_inflow_head(const Grid<D>& grid, const Vec<D>& outside, double dt, Face
             for_each_index<D>(from, to, [&](const Index<D>& f) {
                 const double w = end == 0 ? u(axis, f) : -u(axis, f);
                 if (w > 0 && w * w > free)
-                    u(axis, f) /= 1 + dt * (w - free / w) / grid.dx();
+                    u(axis, f) /= 1 + dt * (w - free / w) / (grid.dx() * grid.spread(axis, f[axis]));
             });
         }
 }
@@ -103,7 +103,7 @@ void complete_head_of_pressure_sides(const Model<D>& model, const Coupling<D>& t
             if (w <= 0 || w * w <= free)
                 return;
             sums[0] += open;
-            sums[1] += open * (dt * (w * w - free) / grid.dx() - (w - inwards * u(axis, f)));
+            sums[1] += open * (dt * (w * w - free) / (grid.dx() * grid.spread(axis, f[axis])) - (w - inwards * u(axis, f)));
         });
         grid.comm().sum(sums);
         if (sums[0] <= 0)
@@ -135,7 +135,7 @@ void let_in_from_far(const Grid<D>& grid, const Vec<D>& outside, double dt, cons
                     const double along = 0.5 * (before(k, inner) + before(k, inner + step<D>(k)));
                     square += along * along;
                 }
-            const double loss = dt * square / (far_distance(grid, far, axis, f) * grid.dx());
+            const double loss = dt * square / (far_distance(grid, far, axis, f) * grid.dx() * grid.spread(axis, f[axis]));
             u(axis, f) = inwards * (loss > 0 ? w / (1 + loss / w) : w - loss);
         });
 }

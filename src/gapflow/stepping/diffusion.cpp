@@ -50,12 +50,13 @@ Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bod
             for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
                 const double *after = &u.grid(axis, row), *from = &before(axis, row), *open = &there.open(axis, row);
                 double* to = &u_star.grid(axis, row);
+                const SpreadRow<D> spread(grid, axis, row);
                 for (int i = 0; i < end[0] - low[0]; ++i) {
                     const int place = row[axis] + (axis == 0 ? i : 0);
                     const bool on_side = !grid.periodic(axis) && (place == 0 || place == grid.cells()[axis]);
                     const double change = after[i] - from[i];
                     to[i] += change;
-                    of_plane += (on_side ? 0.5 : 1.0) * open[i] * change * change;
+                    of_plane += (on_side ? 0.5 : 1.0) * (open[i] * spread[i]) * change * change;
                 }
             });
             return of_plane;

@@ -6,12 +6,10 @@
 
 namespace gapflow {
 
-namespace {
-
-// The box that holds a body in the world. Of its bounds in its own frame first; a body near a side is measured by its vertices.
 template <int D>
-Bounds<D> extent(const RigidBody<D>& body, const Bounds<D>& own, double tolerance)
+Bounds<D> extent_of(const RigidBody<D>& body, double tolerance)
 {
+    const Bounds<D> own = body.shape->bounds();
     Bounds<D> result;
     const Mat<D> rotation = body.pose.matrix();
     result.low.setConstant(std::numeric_limits<double>::infinity());
@@ -34,6 +32,8 @@ Bounds<D> extent(const RigidBody<D>& body, const Bounds<D>& own, double toleranc
     }
     return result;
 }
+
+namespace {
 
 template <int D>
 Whereabouts find(const Scene& scene, const Bounds<D>& extent)
@@ -58,7 +58,7 @@ Whereabouts find(const Scene& scene, const Bounds<D>& extent)
 template <int D>
 std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<RigidBody<D>>& bodies)
 {
-    const double dx = scene.size[0] / scene.cells[0];
+    const double dx = scene.spacing();
     std::vector<Whereabouts> places(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const RigidBody<D>& body = bodies[b];
@@ -67,9 +67,9 @@ std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<Rigid
         const Bounds<D> own = body.shape->bounds();
         if (!own.low.allFinite() || !own.high.allFinite())
             continue;
-        places[b] = find<D>(scene, extent(body, own, 0));
-        if (places[b].outside || !places[b].crossed.empty())
-            places[b] = find<D>(scene, extent(body, own, 0.1 * dx));
+        places[b] = find<D>(scene, extent_of(body, 0));
+        if (places[b].outside || !places[b].crossed.empty()) // a body near a side is measured by its vertices
+            places[b] = find<D>(scene, extent_of(body, 0.1 * dx));
     }
     return places;
 }
@@ -149,6 +149,7 @@ std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template Bounds<D> extent_of<D>(const RigidBody<D>&, double);                                                              \
     template std::vector<Whereabouts> whereabouts<D>(const Scene&, const std::vector<RigidBody<D>>&);                          \
     template Departures departures<D>(const Scene&, const std::vector<RigidBody<D>>&, const std::vector<Whereabouts>&, bool);  \
     template void take_out<D>(RigidBody<D>&);                                                                                  \

@@ -8,6 +8,10 @@
 
 namespace gapflow {
 
+/// The box that holds a body in the world: that of its bounds in its own frame, or with a tolerance of its surface so finely drawn.
+template <int D>
+Bounds<D> extent_of(const RigidBody<D>& body, double tolerance);
+
 /// Position of a body relative to the domain.
 struct Whereabouts {
     bool outside = false;     ///< wholly beyond a side that is not periodic

@@ -107,10 +107,21 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
                 const double *conductance = &here.system.conductance(axis, row), *open = &here.open(axis, row),
                              *u = &state.velocity.grid(axis, row);
                 const int* cut = &here.fractions->cut(axis, row);
-                double flow = 0, along = 0, square = 0; // sums of a u, i a u, a u^2
+                double flow = 0, along = 0, square = 0; // sums of a u, x / dx a u, a u^2; outside the core times the faces' spread
                 int cuts = 0;
+                const SpreadRow<D> spread(grid, axis, row);
+                const double first = grid.face_centre(axis, row)[0];
+                Index<D> at = row;
+                for (int i = 0; i < n && grid.graded(); ++i, ++at[0]) {
+                    const double au = conductance[i] > 0 ? open[i] * spread[i] * u[i] : 0.0;
+                    flow += au;
+                    along += (grid.face_centre(axis, at)[0] - first) / grid.dx() * au;
+                    square += au * u[i];
+                    cuts += cut[i] >= 0 ? 1 : 0;
+                }
+                const int plain = grid.graded() ? 0 : n;
 #pragma omp simd reduction(+ : flow, along, square, cuts)
-                for (int i = 0; i < n; ++i) {
+                for (int i = 0; i < plain; ++i) {
                     const double au = conductance[i] > 0 ? open[i] * u[i] : 0.0;
                     flow += au;
                     along += i * au;
@@ -124,7 +135,7 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
                 for (int i = 0; i < n && cuts > 0; ++i, ++f[0])
                     if (cut[i] >= 0 && conductance[i] > 0)
                         angular += moment<D>(here.fractions->faces[cut[i]].open_centroid - grid.face_centre(axis, f),
-                                             Vec<D>(open[i] * u[i] * direction));
+                                             Vec<D>(open[i] * spread[i] * u[i] * direction));
                 sum.template head<D>() += flow * direction;
                 sum.template segment<spin_size<D>>(D) += angular;
                 sum[D + spin_size<D>] += 0.5 * rho * cell * square;
@@ -231,12 +242,15 @@ void report_state(const Model<D>& model, const Coupling<D>& here, const State<D>
     }
     if (state.dt > 0)
         report.dissipation_film = film_loss(here, V, state.velocity) / state.dt;
-    const UnknownVector<D> rest = net_outflow(here, state, V);
+    UnknownVector<D> rest = net_outflow(here, state, V);
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
     worst = std::max(worst, max_over_planes(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
                          double largest = 0;
                          for_each_row_of_plane<D>(grid.low(), grid.high(), plane, [&](const Index<D>& row) {
-                             const double* value = &rest.cells(row);
+                             double* value = &rest.cells(row);
+                             Index<D> c = row;
+                             for (int i = 0; i < grid.high()[0] - grid.low()[0] && grid.graded(); ++i, ++c[0])
+                                 value[i] /= grid.relative_volume(c);
 #pragma omp simd reduction(max : largest)
                              for (int i = 0; i < grid.high()[0] - grid.low()[0]; ++i)
                                  largest = std::max(largest, std::abs(value[i]));

@@ -76,7 +76,14 @@ void subtract_known_gradient(const Coupling<D>& coupling, const PastPressure<D>&
                 const double *a = &coupling.system.conductance(axis, first), *p = &pressure(first), *k = &known(first);
                 double* to = &u(axis, first);
                 const double up = scale * above * (2 - below), down = scale * below * (2 - above);
-                for (int i = 0; i < n; ++i) {
+                const SpreadRow<D> spread(grid, axis, first);
+                for (int i = 0; i < n && grid.graded(); ++i) {
+                    const double counts = a[i] > 0 ? 1.0 : 0.0, above_known = 1 + above * (k[i] - 1),
+                                 below_known = 1 + below * (k[i - back] - 1);
+                    to[i] -= counts * above_known * below_known / spread[i] * (up * p[i] - down * p[i - back]);
+                }
+                const int plain = grid.graded() ? 0 : n;
+                for (int i = 0; i < plain; ++i) {
                     const double counts = a[i] > 0 ? 1.0 : 0.0, above_known = 1 + above * (k[i] - 1),
                                  below_known = 1 + below * (k[i - back] - 1);
                     to[i] -= counts * above_known * below_known * (up * p[i] - down * p[i - back]);
@@ -89,7 +96,7 @@ void subtract_known_gradient(const Coupling<D>& coupling, const PastPressure<D>&
             });
         for_each_far_face(grid, axis, [&](const Index<D>& f, int end) { // the pressure 0 is further away
             const Index<D> inner = end ? Index<D>(f - step<D>(axis)) : f;
-            const double much = 2 * scale * (1 - 1 / far_distance(grid, far, axis, f));
+            const double much = 2 * scale / grid.spread(axis, f[axis]) * (1 - 1 / far_distance(grid, far, axis, f));
             if (coupling.system.conductance(axis, f) > 0 && known(inner) > 0)
                 u(axis, f) += (end ? -much : much) * pressure(inner);
         });
@@ -98,7 +105,7 @@ void subtract_known_gradient(const Coupling<D>& coupling, const PastPressure<D>&
                 for_each_face_of_side<D>(grid, axis, end, [&](const Index<D>& f) {
                     const Index<D> inner = end ? Index<D>(f - step<D>(axis)) : f;
                     if (coupling.system.conductance(axis, f) > 0 && known(inner) > 0)
-                        u(axis, f) += (end ? -2 : 2) * scale * pressure_there;
+                        u(axis, f) += (end ? -2 : 2) * scale / grid.spread(axis, f[axis]) * pressure_there;
                 });
     }
 }

@@ -90,7 +90,7 @@ template <int D>
 std::vector<std::string> placement_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
                                             const DomainWalls<D>& walls)
 {
-    const double dx = scene.size[0] / scene.cells[0];
+    const double dx = scene.spacing();
     const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
     std::vector<Surface<D>> surfaces;
     for (const RigidBody<D>& body : bodies)

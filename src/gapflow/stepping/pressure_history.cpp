@@ -72,12 +72,12 @@ void remember_viscous_pressure(const Model<D>& model, const Coupling<D>& there, 
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         const bool has_pressure = there.system.component(c) >= 0;
         history.bulk.known(c) = has_pressure;
-        history.bulk.pressure(c) = has_pressure ? history.impulse.cells(c) / step.dt - share * divergence(c) : 0.0;
+        history.bulk.pressure(c) = has_pressure ? history.impulse.cells(c) / step.dt - share / grid.relative_volume(c) * divergence(c) : 0.0;
     });
     // The force on bodies belongs to the same pressure as that from which the fluid starts.
     UnknownVector<D> rotational{CellField<D>(grid), Eigen::VectorXd::Zero(there.system.nodes)};
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        rotational.cells(c) = history.bulk.known(c) > 0 ? -share * divergence(c) : 0.0;
+        rotational.cells(c) = history.bulk.known(c) > 0 ? -share / grid.relative_volume(c) * divergence(c) : 0.0;
     });
     const std::vector<Twist<D>> on_bodies = impulses(there, rotational);
     for (std::size_t b = 0; b < state.bodies.size(); ++b)

@@ -169,7 +169,8 @@ private:
         const std::array<char, around<D>> cells = connected(x, c);
         if (std::none_of(cells.begin(), cells.end(), [](char in) { return in != 0; }))
             return {};
-        const Vec<D> place = (x - grid_.cell_centre(c)) / grid_.dx();
+        const Vec<D> place = grid_.graded() ? Vec<D>(grid_.lattice_place(0, x) - c.template cast<double>())
+                                            : Vec<D>((x - grid_.cell_centre(c)) / grid_.dx());
         double value = 0;
         bool whole = true;
         for (int corner = 0; corner < (1 << D); ++corner) {
@@ -226,7 +227,9 @@ private:
 template <int D>
 double curl(const Grid<D>& grid, const FaceField<D>& u, int a, int b, const Vec<D>& x)
 {
-    const Vec<D> place = (x - grid.origin()) / grid.dx() - Vec<D>::Constant(0.5) + 0.5 * (unit<D>(a) + unit<D>(b));
+    const Vec<D> place =
+        grid.graded() ? grid.lattice_place(1u << a | 1u << b, x)
+                      : Vec<D>((x - grid.origin()) / grid.dx() - Vec<D>::Constant(0.5) + 0.5 * (unit<D>(a) + unit<D>(b)));
     const Index<D> low = place.array().floor().template cast<int>();
     double value = 0;
     for (int corner = 0; corner < (1 << D); ++corner) {
@@ -237,7 +240,10 @@ double curl(const Grid<D>& grid, const FaceField<D>& u, int a, int b, const Vec<
             n[axis] += corner >> axis & 1;
             weight *= corner >> axis & 1 ? f : 1 - f;
         }
-        if (weight > 0)
+        if (weight > 0 && grid.graded())
+            value += weight * ((u(b, n) - u(b, Index<D>(n - step<D>(a)))) / grid.spread(a, n[a]) -
+                               (u(a, n) - u(a, Index<D>(n - step<D>(b)))) / grid.spread(b, n[b]));
+        else if (weight > 0)
             value += weight * (u(b, n) - u(b, Index<D>(n - step<D>(a))) - u(a, n) + u(a, Index<D>(n - step<D>(b))));
     }
     return value / grid.dx();

@@ -102,7 +102,12 @@ Grid<D> make_grid(const Scene& scene, const Communicator& comm)
     for (int s = 0; s < 2 * D; ++s)
         sides[s] = side_kind(scene.sides[s]);
     const int ghost = 3 + static_cast<int>(std::ceil(scene.cfl));
-    return Grid<D>(to_vec<D>(scene.origin), scene.size[0] / scene.cells[0], to_index<D>(scene.cells), sides, ghost, comm);
+    Grading<D> grading;
+    for (int axis = 0; axis < D && scene.core; ++axis) {
+        grading.below[axis] = scene.core->below[axis];
+        grading.above[axis] = scene.core->above[axis];
+    }
+    return Grid<D>(to_vec<D>(scene.origin), scene.spacing(), to_index<D>(scene.cells), sides, ghost, comm, grading);
 }
 
 namespace {
@@ -230,7 +235,7 @@ std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std:
         still.push_back(solid.motion == Motion::fixed && !slides(scene, solid.name));
         names.push_back(solid.name);
     }
-    const double dx = scene.size[0] / scene.cells[0];
+    const double dx = scene.spacing();
     return [&scene, flat, still, names, dx, moving](int a, int b) {
         const GapScene& gap = scene.gap_of(names[a], names[b]);
         GapSettings settings;

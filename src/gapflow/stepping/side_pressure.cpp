@@ -71,7 +71,7 @@ std::vector<Twist<D>> wrenches_from_beyond(const Model<D>& model, const Coupling
             } else if (there.fractions->open(axis, f) == 0) {
                 const Vec<D> x = grid.face_centre(axis, f);
                 if (const int body = body_at(there, bodies, x); body >= 0)
-                    add(body, 1, x - there.solids[body].centre);
+                    add(body, grid.relative_area(axis, f), x - there.solids[body].centre);
             }
         });
     }
@@ -98,7 +98,7 @@ void push_from_beyond(const Model<D>& model, const std::vector<RigidBody<D>>& bo
         const double change = (end ? -2 : 2) * step.dt * beyond[side] / (there.density * grid.dx());
         for_each_face_of_side<D>(grid, axis, end, [&](const Index<D>& f) {
             if (there.system.conductance(axis, f) > 0)
-                star.velocity.grid(axis, f) += change;
+                star.velocity.grid(axis, f) += change / grid.spread(axis, f[axis]);
         });
     }
     if (!any)

@@ -3,6 +3,7 @@
 
 #include "gapflow/core/communicator.hpp"
 #include "gapflow/core/timer.hpp"
+#include "gapflow/stepping/core_check.hpp"
 #include "gapflow/stepping/force_parts.hpp"
 #include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/observation.hpp"
@@ -57,6 +58,8 @@ public:
     std::vector<PointValues<D>> sample(std::span<const Vec<D>> points) const;
     /// As gapflow::volume_flux(). Collective.
     VolumeFlux volume_flux(const FluxScene& through) const;
+    /// See gapflow::outside_core.
+    std::optional<std::string> outside_core() const { return gapflow::outside_core(model_, *here_, state_.bodies); }
     /// Whether the flow has settled as time.until_steady asks.
     bool settled() const;
     /// Whether a mean pressure gradient drives the fluid along periodic axes.

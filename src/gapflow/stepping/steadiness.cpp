@@ -28,8 +28,16 @@ std::array<double, 3> squares(const Grid<D>& grid, const Coupling<D>& here, cons
             for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
                 const double *open = &here.open(axis, row), *u = &now(axis, row), *old = &before(axis, row);
                 double size = 0, square = 0, change = 0;
+                const SpreadRow<D> spread(grid, axis, row);
+                for (int i = 0; i < n && grid.graded(); ++i) {
+                    const double d = u[i] - old[i], volume = open[i] * spread[i];
+                    size += volume;
+                    square += volume * u[i] * u[i];
+                    change += volume * d * d;
+                }
+                const int plain = grid.graded() ? 0 : n;
 #pragma omp simd reduction(+ : size, square, change)
-                for (int i = 0; i < n; ++i) {
+                for (int i = 0; i < plain; ++i) {
                     const double d = u[i] - old[i];
                     size += open[i];
                     square += open[i] * u[i] * u[i];
@@ -88,7 +96,9 @@ double unsteadiness(const Model<D>& model, const Coupling<D>& here, const Earlie
         return changed == 0 ? 0.0 : whole > 0 ? changed / whole : std::numeric_limits<double>::infinity();
     };
     const double relative = std::max({ratio(of_flow, speed), ratio(of_forces, force), ratio(of_motion, speed)});
-    const double length = model.grid.size().maxCoeff(), viscosity = model.scene.viscosity / model.scene.density;
+    const Grid<D>& grid = model.grid;
+    const double length = grid.graded() ? grid.dx() * (grid.core_high() - grid.core_low()).maxCoeff() : grid.size().maxCoeff();
+    const double viscosity = model.scene.viscosity / model.scene.density;
     const double crossing = speed > 0 ? length / speed : std::numeric_limits<double>::infinity();
     const double own_time = viscosity > 0 ? std::min(crossing, length * length / viscosity) : crossing;
     const double r = relative == 0 ? 0.0 : relative * std::max(own_time / state.dt, 1.0);

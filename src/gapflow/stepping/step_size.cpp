@@ -40,7 +40,7 @@ std::string short_text(double value)
 
 constexpr double tiny = std::numeric_limits<double>::min();
 
-// Largest speed on this rank's faces that are open by more than a share.
+// Largest speed on this rank's faces that are open by more than a share; where cells are wider than dx, so much smaller.
 template <int D>
 double largest_speed(const Grid<D>& grid, const FaceField<D>& open_share, const FaceField<D>& velocity, double share)
 {
@@ -51,6 +51,13 @@ double largest_speed(const Grid<D>& grid, const FaceField<D>& open_share, const 
                              double largest = 0;
                              for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
                                  const double *open = &open_share(axis, row), *u = &velocity(axis, row);
+                                 for (int i = 0; i < end[0] - low[0] && grid.graded(); ++i) {
+                                     const int place = row[axis] + (axis == 0 ? i : 0);
+                                     const double width = std::min(grid.width(axis, place - 1), grid.width(axis, place));
+                                     largest = std::max(largest, open[i] > share ? std::abs(u[i]) / width : 0.0);
+                                 }
+                                 if (grid.graded())
+                                     return;
 #pragma omp simd reduction(max : largest)
                                  for (int i = 0; i < end[0] - low[0]; ++i)
                                      largest = std::max(largest, open[i] > share ? std::abs(u[i]) : 0.0);

@@ -64,7 +64,7 @@ std::string finer_grid(const Scene& scene, double cells)
 template <int D>
 std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls)
 {
-    const double cell = scene.size[0] / scene.cells[0], most = enough_cells * cell;
+    const double cell = scene.spacing(), most = enough_cells * cell;
     const std::vector<Solid<D>> solids = make_solids<D>(bodies, walls);
     std::vector<ThinBody<D>> thin;
     for (std::size_t b = 0; b < bodies.size(); ++b) {

@@ -1,7 +1,8 @@
 // Traces from faces of the MAC grid back along the flow (method, "The time step", stage 2), face by face and for pieces of rows at once.
 //
 // Points are displacements from their face, in cells: a constant field is reproduced exactly, and results depend on the number of ranks only
-// by round-off.
+// by round-off. Outside the core of a graded grid cells differ in width: a displacement then goes so many spacings of the lattice of its own
+// component; other components are read at the same place in cells (second order where widths change smoothly).
 #pragma once
 
 #include "gapflow/grid/field.hpp"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace gapflow {
 
@@ -74,10 +76,17 @@ struct Tracer {
     std::array<const double*, D> u;
     std::array<long, D> stride;
     Point<D> low, high; // bounds of feet, in cells from the domain's origin
+    bool graded;
+    std::array<std::vector<double>, D> inverse_spacing; // over 1 / dx, between the component's values i and i + 1; graded grids only
+    Index<D> first;                                     // i of its first entry
 
-    Tracer(const Grid<D>& grid, const FaceField<D>& velocity)
+    Tracer(const Grid<D>& grid, const FaceField<D>& velocity) : graded(grid.graded())
     {
         const Block<D>& block = velocity[0].block();
+        first = block.low - Index<D>::Ones();
+        for (int k = 0; k < D && graded; ++k)
+            for (int i = first[k]; i <= block.high[k]; ++i)
+                inverse_spacing[k].push_back(1 / (k == Axis ? grid.width(k, i) : grid.spread(k, i + 1)));
         for (int k = 0; k < D; ++k) {
             u[k] = velocity[k].data();
             stride[k] = block.stride[k];
@@ -120,13 +129,36 @@ struct Tracer {
         return clamped(x, velocity(offset, clamped(x, w, 0.5 * courant)), courant);
     }
 
+    /// Of the spacing above the component's value at x[k] along axis k.
+    const double* spacings_at(int k, double x) const
+    {
+        return &inverse_spacing[k][static_cast<std::size_t>(static_cast<int>(x - (k == Axis ? 0.0 : 0.5)) - first[k])];
+    }
+
 private:
+    // A displacement in dx from the component's value at x along axis k, in spacings.
+    double in_spacings(int k, double x, double way) const
+    {
+        const double* inverse = spacings_at(k, x) - (way < 0 ? 1 : 0);
+        const double* const begin = inverse_spacing[k].data();
+        const double* const end = begin + inverse_spacing[k].size();
+        const int sign = way < 0 ? -1 : 1;
+        double left = std::abs(way), d = 0;
+        for (; left * *inverse > 1; inverse += sign) {
+            left -= 1 / *inverse;
+            d += 1;
+            if (inverse + sign < begin || inverse + sign >= end)
+                break;
+        }
+        return sign * (d + left * *inverse);
+    }
+
     // Written so that a NaN ends up inside, too.
     Point<D> clamped(const Point<D>& x, const Point<D>& w, double courant) const
     {
         Point<D> d;
         for (int k = 0; k < D; ++k) {
-            d[k] = -courant * w[k];
+            d[k] = graded ? in_spacings(k, x[k], -courant * w[k]) : -courant * w[k];
             d[k] = d[k] > low[k] - x[k] ? d[k] : low[k] - x[k];
             d[k] = d[k] < high[k] - x[k] ? d[k] : high[k] - x[k];
         }
@@ -245,6 +277,10 @@ private:
             const double low = tracer_.low[k] - x_[k], high = tracer_.high[k] - x_[k], shift = k == 0 ? 1.0 : 0.0;
             const double* from = w[k].data();
             double* to = d[k].data();
+            if (tracer_.graded) {
+                largest = std::max(largest, displace_graded(k, from, courant, low, high, shift, to));
+                continue;
+            }
 #pragma omp simd reduction(max : largest)
             for (int i = 0; i < n_; ++i) {
                 double v = -courant * from[i];
@@ -254,6 +290,28 @@ private:
                 largest = std::max(largest, std::abs(v));
             }
         }
+        return largest;
+    }
+
+    // The same along axis k where spacings differ: right as far as the largest component is at most 1.
+    double displace_graded(int k, const double* from, double courant, double low, double high, double shift, double* to) const
+    {
+        double largest = 0;
+        const double* above = tracer_.spacings_at(k, x_[k]);
+        const auto set = [&](int i, double before, double after) {
+            double v = -courant * from[i];
+            v *= v < 0 ? before : after;
+            v = v > low - shift * i ? v : low - shift * i;
+            v = v < high - shift * i ? v : high - shift * i;
+            to[i] = v;
+            largest = std::max(largest, std::abs(v));
+        };
+        if (k == 0)
+            for (int i = 0; i < n_; ++i)
+                set(i, above[i - 1], above[i]);
+        else
+            for (int i = 0; i < n_; ++i)
+                set(i, above[-1], above[0]);
         return largest;
     }
 

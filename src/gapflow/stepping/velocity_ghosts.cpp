@@ -82,7 +82,8 @@ void bring_in_without_vorticity(const Grid<D>& grid, int n, int end, int t, Face
         const double after = across(side), before = across(side - step<D>(t));
         if (outwards * (after + before) >= 0)
             return;
-        const double value = along(f) + outwards * (after - before);
+        const double value =
+            along(f) + outwards * (after - before) * (grid.spread(n, side[n]) / grid.spread(t, f[t]));
         Index<D> ghost = f;
         for (ghost[n] += outwards; ghost[n] >= block.low[n] && ghost[n] < block.high[n]; ghost[n] += outwards)
             along(ghost) = value;

@@ -74,7 +74,7 @@ public:
                 }
             }
             if (deepest)
-                add(deepest->solid, grid_.face_area(), x - here_.solids[deepest->solid].centre - deepest->shift);
+                add(deepest->solid, grid_.relative_area(axis, f) * grid_.face_area(), x - here_.solids[deepest->solid].centre - deepest->shift);
         }
         return sum;
     }
@@ -100,14 +100,23 @@ public:
         return open * grid_.face_area() * velocity_at<D>(V_[master], arm)[axis];
     }
 
-    // Middle of the open part of a face, and half of the width that this part has along the face's own axes.
-    std::pair<Vec<D>, double> open_part(int axis, const Index<D>& f) const
+    // Half of the widths of a face along all axes; that along its own does not count.
+    Vec<D> half_widths(const Index<D>& f) const
+    {
+        Vec<D> half;
+        for (int k = 0; k < D; ++k)
+            half[k] = 0.5 * grid_.dx() * grid_.width(k, f[k]);
+        return half;
+    }
+    // Middle of the open part of a face, and half of the widths that this part has along the face's own axes.
+    std::pair<Vec<D>, Vec<D>> open_part(int axis, const Index<D>& f) const
     {
         const FaceFractions<D>& fractions = *here_.fractions;
         const int cut = fractions.cut(axis, f);
         if (cut < 0)
-            return {grid_.face_centre(axis, f), 0.5 * grid_.dx()};
-        return {fractions.faces[cut].open_centroid, 0.5 * grid_.dx() * std::pow(fractions.open(axis, f), 1.0 / (D - 1))};
+            return {grid_.face_centre(axis, f), half_widths(f)};
+        const double part = std::pow(fractions.open(axis, f) / grid_.relative_area(axis, f), 1.0 / (D - 1));
+        return {fractions.faces[cut].open_centroid, half_widths(f) * part};
     }
 
     double of_joint(const Link& link) const
@@ -179,7 +188,7 @@ public:
         }
     }
 
-    double reach() const { return width_; }
+    double reach() const { return width_ * grid_.largest_width(); }
     const Vec<D>& normal() const { return normal_; }
     /// From the plane's point to x; of a plane normal to a periodic axis to the nearest image of x.
     Vec<D> way(const Vec<D>& x) const
@@ -192,22 +201,23 @@ public:
     double height(const Vec<D>& way) const { return normal_.dot(way); }
     double ramp(double height) const { return std::clamp(height / width_ + 0.5, 0.0, 1.0); }
     /// Change of the ramp from one side of a face at a place to the other.
-    double across(int axis, const Vec<D>& way) const
+    double across(int axis, const Index<D>& f, const Vec<D>& way) const
     {
         const double middle = height(way), half = 0.5 * grid_.dx() * normal_[axis];
-        return ramp(middle + half) - ramp(middle - half);
+        return ramp(middle + half * grid_.width(axis, f[axis])) - ramp(middle - half * grid_.width(axis, f[axis] - 1));
     }
     /// The share in the box of a part of a face, so wide around its middle.
-    double share(int face_axis, const Vec<D>& way, double half) const
+    double share(int face_axis, const Vec<D>& way, const Vec<D>& half) const
     {
         const Vec<D> x = point_ + way;
         double share = 1;
         for (int axis = 0; axis < D; ++axis)
-            if (axis == face_axis || half <= 0)
+            if (axis == face_axis || half[axis] <= 0)
                 share *= x[axis] >= low_[axis] && x[axis] <= high_[axis] ? 1.0 : 0.0;
             else
                 share *=
-                    std::max(std::min(x[axis] + half, high_[axis]) - std::max(x[axis] - half, low_[axis]), 0.0) / (2 * half);
+                    std::max(std::min(x[axis] + half[axis], high_[axis]) - std::max(x[axis] - half[axis], low_[axis]), 0.0) /
+                    (2 * half[axis]);
         return share;
     }
     bool holds(const Vec<D>& way) const
@@ -293,7 +303,7 @@ VolumeFlux through_plane(Flows<D>& flows, const PlanePart<D>& plane)
         const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
         for_each_row<D>(low, end, [&](const Index<D>& row) {
             // Heights are linear along a row, but for a jump to the next image.
-            const double slope = grid.dx() * std::abs(plane.normal()[0]);
+            const double slope = grid.dx() * grid.largest_width() * std::abs(plane.normal()[0]);
             Index<D> f = row;
             while (f[0] < end[0]) {
                 const Vec<D> way = plane.way(grid.face_centre(axis, f));
@@ -302,12 +312,12 @@ VolumeFlux through_plane(Flows<D>& flows, const PlanePart<D>& plane)
                     f[0] = slope > 0 ? f[0] + std::max(1, static_cast<int>(std::min(beyond / slope, 1e9))) : end[0];
                     continue;
                 }
-                if (const double change = plane.across(axis, way); change != 0) {
+                if (const double change = plane.across(axis, f, way); change != 0) {
                     const auto [middle, half] = flows.open_part(axis, f);
                     const double open_share = change * plane.share(axis, plane.way(middle), half);
                     own.add_fluid(open_share * flows.of_grid(axis, f));
                     own.add_film(open_share * flows.with_master(axis, f));
-                    own.bodies += change * plane.share(axis, way, 0.5 * grid.dx()) * flows.of_bodies(axis, f);
+                    own.bodies += change * plane.share(axis, way, flows.half_widths(f)) * flows.of_bodies(axis, f);
                 }
                 ++f[0];
             }

@@ -85,12 +85,12 @@ LatticeFace<D> ViscousFaces<D>::examine(int axis, const Index<D>& f)
         return face;
     face.role = FaceRole::active;
     const int cut = fractions_.cut(axis, f);
-    if (cut < 0 || fractions_.faces[cut].open >= whole)
+    if (cut < 0 || fractions_.faces[cut].open >= whole * grid_.relative_area(axis, f))
         return face;
     const Vec<D> x = grid_.face_centre(axis, f);
     face.centroid = fractions_.faces[cut].open_centroid;
     face.shift = face.centroid - x;
-    rays_.around(x, ray_length * grid_.dx());
+    rays_.around(x, reach(f));
     if (rays_.distance(x) <= least_distance * grid_.dx()) {
         face.role = FaceRole::following;
         return face;
@@ -98,7 +98,7 @@ LatticeFace<D> ViscousFaces<D>::examine(int axis, const Index<D>& f)
     const double length = face.shift.norm();
     if (length < 1e-6 * grid_.dx())
         return face;
-    const WallHit<D> hit = rays_.cast(x, -face.shift / length, ray_length * grid_.dx());
+    const WallHit<D> hit = rays_.cast(x, -face.shift / length, reach(f));
     if (hit.image < 0)
         return face;
     face.share = 1 + length / std::max(hit.distance, least_distance * grid_.dx());

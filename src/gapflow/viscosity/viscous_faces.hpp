@@ -11,7 +11,7 @@
 
 namespace gapflow {
 
-// Rays are this long, in dx: past a neighbour in the solid, or next to one, up to its surface.
+// ViscousFaces::reach in cells.
 constexpr double ray_length = 1.7;
 // No surface counts as nearer to a lattice point than this, in dx.
 constexpr double least_distance = 1e-3;
@@ -51,11 +51,19 @@ public:
     }
     double mass(int axis, const Index<D>& f) const
     {
-        return cell_mass_ * coupling_.open(axis, f) * (on_side(axis, f) ? 0.5 : 1.0);
+        return cell_mass_ * coupling_.open(axis, f) * (on_side(axis, f) ? 0.5 : 1.0) * grid_.spread(axis, f[axis]);
     }
     /// Share of a face's inertia that counts next to walls of the domain, half a cell from it: of its part at either wall, the third of a
     /// cell that adheres to the wall moves with the wall, and the wall bears the pressure's force on it. Plane Poiseuille flow is then exact.
     double share_beside_walls(int axis, const Index<D>& f) const;
+    /// Rays from a face are this long: past a neighbour in the solid, or next to one, up to its surface.
+    double reach(const Index<D>& f) const
+    {
+        double widest = 1;
+        for (int k = 0; k < D && grid_.graded(); ++k)
+            widest = std::max({widest, grid_.width(k, f[k] - 1), grid_.width(k, f[k]), grid_.width(k, f[k] + 1)});
+        return ray_length * widest * grid_.dx();
+    }
     bool near_surface(int axis, const Index<D>& f) const { return surface_(f) || surface_(Index<D>(f - step<D>(axis))); }
     /// Does a surface cut any of the `count` faces of a row?
     bool any_cut(int axis, const Index<D>& row, int count) const

@@ -1,6 +1,8 @@
 #include "gapflow/viscosity/viscous_multigrid.hpp"
 
 #include "gapflow/core/threads.hpp"
+#include "gapflow/solver/merging.hpp"
+#include "gapflow/viscosity/lattice_metric.hpp"
 
 #include <algorithm>
 
@@ -14,10 +16,24 @@ constexpr double mass_dominates = 0.1;
 constexpr int sweeps = 2;
 constexpr int coarsest_sweeps = 8;
 
-template <int D>
-Index<D> halves(const Index<D>& count)
+template <int D, class Level>
+Index<D> parent_of(const Level& level, const Index<D>& i)
 {
-    return (count + Index<D>::Ones()) / 2;
+    Index<D> parent;
+    for (int k = 0; k < D; ++k)
+        parent[k] = level.parent[k][i[k]];
+    return parent;
+}
+
+// Part of a link after point i along axis k that its coarse one keeps: the ratio of their lengths, half where both ends are pairs.
+template <class Level>
+float overcorrected(const Level& fine, const Level& coarse, int k, int i)
+{
+    const int last = static_cast<int>(fine.width[k].size()) - 1, last_coarse = static_cast<int>(coarse.width[k].size()) - 1;
+    const int c = fine.parent[k][i];
+    if (i == last || c == last_coarse)
+        return overcorrection;
+    return static_cast<float>((fine.width[k][i] + fine.width[k][i + 1]) / (coarse.width[k][c] + coarse.width[k][c + 1]));
 }
 
 } // namespace
@@ -30,10 +46,11 @@ ViscousMultigrid<D>::ViscousMultigrid(const ViscousSystem<D>& system, int axis)
         wraps_[k] = grid_.periodic(k) && grid_.neighbour(k, 1) == grid_.comm().rank();
     Masses masses;
     levels_.push_back(finest(system, axis, masses));
-    double link = system.edge, mass = system.cell_mass;
+    double link = system.edge, mass = system.cell_mass, target = 1;
     while (levels_.back().count.maxCoeff() > 2 && link > mass_dominates * mass) {
         Masses coarse;
-        levels_.push_back(coarsened(levels_.back(), masses, coarse));
+        target *= 2;
+        levels_.push_back(coarsened(levels_.back(), target, masses, coarse));
         masses = std::move(coarse);
         link *= 1 << (D - 2);
         mass *= 1 << D;
@@ -52,25 +69,32 @@ typename ViscousMultigrid<D>::Level ViscousMultigrid<D>::finest(const ViscousSys
     masses.wall.assign(level.block.size, 0.0F);
     const Block<D>& from = system.active[axis].block();
     const std::int8_t* active = system.active[axis].data();
-    const auto edge = static_cast<float>(system.edge);
+    for (int k = 0; k < D; ++k)
+        for (int i = 0; i < level.count[k]; ++i)
+            level.width[k].push_back(k == axis ? grid_.spread(k, low_[k] + i) : grid_.width(k, low_[k] + i));
     for_each_row<D>(Index<D>::Zero(), level.count, [&](const Index<D>& row) {
         const long at = level.block.offset(row), source = from.offset(low_ + row);
+        const EdgeRow<D> edges(grid_, axis, low_ + row);
         for (int i = 0; i < level.count[0]; ++i) {
             if (!active[source + i])
                 continue;
-            int links = 0;
+            double links = 0;
             for (int k = 0; k < D; ++k) {
                 const int place = row[k] + (k == 0 ? i : 0);
                 const bool next = wraps_[k] || place + 1 < level.count[k], previous = wraps_[k] || place > 0;
                 if (next && active[source + i + from.stride[k]]) {
-                    level.link[k][at + i] = edge;
-                    ++links;
+                    level.link[k][at + i] = static_cast<float>(system.edge * edges.after(k, i));
+                    links += edges.after(k, i);
                 }
-                links += previous && active[source + i - from.stride[k]];
+                if (previous && active[source + i - from.stride[k]])
+                    links += edges.before(k, i);
             }
+            double mass = system.cell_mass;
+            for (int k = 0; k < D; ++k)
+                mass *= level.width[k][row[k] + (k == 0 ? i : 0)];
             const double excess = system.diagonal[axis].data()[source + i] - links * system.edge;
-            masses.mass[at + i] = static_cast<float>(std::min(excess, system.cell_mass));
-            masses.wall[at + i] = static_cast<float>(std::max(excess - system.cell_mass, 0.0));
+            masses.mass[at + i] = static_cast<float>(std::min(excess, mass));
+            masses.wall[at + i] = static_cast<float>(std::max(excess - mass, 0.0));
         }
     });
     set_diagonal(level, masses);
@@ -78,24 +102,41 @@ typename ViscousMultigrid<D>::Level ViscousMultigrid<D>::finest(const ViscousSys
 }
 
 template <int D>
-typename ViscousMultigrid<D>::Level ViscousMultigrid<D>::coarsened(const Level& fine, const Masses& fine_masses,
+typename ViscousMultigrid<D>::Level ViscousMultigrid<D>::coarsened(Level& fine, double target, const Masses& fine_masses,
                                                                    Masses& masses) const
 {
     Level level;
-    level.count = halves<D>(fine.count);
+    for (int k = 0; k < D; ++k) {
+        std::vector<int>& parent = fine.parent[k];
+        parent.resize(fine.count[k]);
+        if (grid_.graded()) {
+            const std::vector<int> starts = merged(fine.width[k], 0, fine.count[k], widest_merged * target);
+            for (int i = 0, c = 0; i < fine.count[k]; ++i) {
+                c += c + 1 < static_cast<int>(starts.size()) && starts[c + 1] == i;
+                parent[i] = c;
+            }
+        } else {
+            for (int i = 0; i < fine.count[k]; ++i)
+                parent[i] = i / 2;
+        }
+        level.count[k] = parent.back() + 1;
+        level.width[k].assign(level.count[k], 0.0);
+        for (int i = 0; i < fine.count[k]; ++i)
+            level.width[k][parent[i]] += fine.width[k][i];
+    }
     level.block = Block<D>(-Index<D>::Ones(), level.count + Index<D>::Ones());
     for (auto& link : level.link)
         link.assign(level.block.size, 0.0F);
     masses.mass.assign(level.block.size, 0.0F);
     masses.wall.assign(level.block.size, 0.0F);
     for_each_index<D>(Index<D>::Zero(), fine.count, [&](const Index<D>& i) {
-        const Index<D> parent = i / 2;
+        const Index<D> parent = parent_of(fine, i);
         const long at = fine.block.offset(i), to = level.block.offset(parent);
         masses.mass[to] += fine_masses.mass[at];
         masses.wall[to] += overcorrection * fine_masses.wall[at];
         for (int k = 0; k < D; ++k)
-            if (i[k] % 2 == 1 || i[k] + 1 == fine.count[k])
-                level.link[k][to] += overcorrection * fine.link[k][at];
+            if (i[k] + 1 == fine.count[k] || fine.parent[k][i[k] + 1] != parent[k])
+                level.link[k][to] += (grid_.graded() ? overcorrected(fine, level, k, i[k]) : overcorrection) * fine.link[k][at];
     });
     for (int k = 0; k < D; ++k) // one point left along a periodic axis: linked to itself
         if (level.count[k] == 1)
@@ -180,12 +221,14 @@ void ViscousMultigrid<D>::restrict_residual(Level& fine, Level& coarse) const
             std::fill_n(coarse.b.data() + coarse.block.offset(row), coarse.count[0], 0.0F);
             std::fill_n(coarse.x.data() + coarse.block.offset(row), coarse.count[0], 0.0F);
         });
-        from[D - 1] = 2 * plane;
+        const std::vector<int>& parents = fine.parent[D - 1];
+        const auto own = std::equal_range(parents.begin(), parents.end(), plane);
+        from[D - 1] = static_cast<int>(own.first - parents.begin());
         to = fine.count;
-        to[D - 1] = std::min(2 * plane + 2, fine.count[D - 1]);
+        to[D - 1] = static_cast<int>(own.second - parents.begin());
         for_each_row<D>(from, to, [&](const Index<D>& row) {
             const long at = fine.block.offset(row);
-            float* sum = coarse.b.data() + coarse.block.offset(row / 2);
+            float* sum = coarse.b.data() + coarse.block.offset(parent_of(fine, row));
             for (int i = 0; i < fine.count[0]; ++i) {
                 const float inverse = fine.inverse_diagonal[at + i];
                 if (inverse == 0)
@@ -196,7 +239,7 @@ void ViscousMultigrid<D>::restrict_residual(Level& fine, Level& coarse) const
                     r += fine.link[k][at + i] * fine.x[at + i + stride] +
                          fine.link[k][at + i - stride] * fine.x[at + i - stride];
                 }
-                sum[i / 2] += r;
+                sum[fine.parent[0][i]] += r;
             }
         });
     });
@@ -210,11 +253,11 @@ void ViscousMultigrid<D>::prolong(const Level& coarse, Level& fine) const
         from[D - 1] = plane;
         to[D - 1] = plane + 1;
         for_each_row<D>(from, to, [&](const Index<D>& row) {
-            const float* correction = coarse.x.data() + coarse.block.offset(row / 2);
+            const float* correction = coarse.x.data() + coarse.block.offset(parent_of(fine, row));
             const long at = fine.block.offset(row);
             for (int i = 0; i < fine.count[0]; ++i)
                 if (fine.inverse_diagonal[at + i] > 0)
-                    fine.x[at + i] += correction[i / 2];
+                    fine.x[at + i] += correction[fine.parent[0][i]];
         });
     });
 }

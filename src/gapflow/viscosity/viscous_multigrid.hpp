@@ -2,8 +2,8 @@
 //
 //     (m + w + sum links) x_i - sum links x_j = b_i,     m: mass, w: edges to walls (and to other ranks' points).
 //
-// Pairs of points along every axis make a coarse one, with constant transfer; coarse links and wall edges carry half of what
-// Galerkin's product gives (as in the pressure's multigrid: piecewise constants make it twice too stiff), masses all of it.
+// Pairs of points along every axis make a coarse one (on graded grids those that are narrow enough, see solver/merging), with constant
+// transfer; coarse links and wall edges carry half of what Galerkin's product gives (as in the pressure's multigrid: piecewise constants make it twice too stiff), masses all of it.
 // Smoother: red-black Gauss-Seidel V(2,2), colours in reverse on the way up, so the cycle is symmetric and positive definite.
 // Levels end where masses dominate.
 #pragma once
@@ -24,6 +24,8 @@ public:
 private:
     struct Level {
         Index<D> count;                         ///< points along each axis
+        std::array<std::vector<double>, D> width;  ///< of the fluid around the points along each axis, over dx
+        std::array<std::vector<int>, D> parent;    ///< point of the next level that each belongs to along each axis
         Block<D> block;                         ///< with a layer of zeros (periodic: copies) around them
         std::array<LargeVector<float>, D> link; ///< to the next point along an axis
         LargeVector<float> inverse_diagonal, x, b;
@@ -33,7 +35,7 @@ private:
     };
 
     Level finest(const ViscousSystem<D>& system, int axis, Masses& masses) const;
-    Level coarsened(const Level& fine, const Masses& fine_masses, Masses& masses) const;
+    Level coarsened(Level& fine, double target, const Masses& fine_masses, Masses& masses) const;
     void set_diagonal(Level& level, const Masses& masses) const;
     void copy_around(const Level& level, LargeVector<float>& field) const;
     void smooth(Level& level, int colour) const;

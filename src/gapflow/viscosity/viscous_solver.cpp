@@ -1,6 +1,7 @@
 #include "gapflow/viscosity/viscous_solver.hpp"
 
 #include "gapflow/core/threads.hpp"
+#include "gapflow/viscosity/lattice_metric.hpp"
 #include "gapflow/viscosity/viscous_multigrid.hpp"
 
 #include <Eigen/Cholesky>
@@ -78,6 +79,8 @@ public:
         exchange(grid_, x.u, 1);
         const T edge = static_cast<T>(system_.edge);
         double energy = over_rows([&](int axis, long at, int n) {
+            if (grid_.graded())
+                return apply_to_graded_row(axis, at, n, x, y);
             std::array<long, D> stride;
             for (int k = 0; k < D; ++k)
                 stride[k] = block().stride[k];
@@ -186,6 +189,29 @@ private:
     const Block<D>& block() const
     {
         return system_.active[0].block();
+    }
+    // apply() where cells differ in width.
+    T apply_to_graded_row(int axis, long at, int n, const Values& x, Values& y) const
+    {
+        Index<D> row;
+        long left = at;
+        for (int k = D - 1; k >= 0; --k) {
+            row[k] = block().low[k] + static_cast<int>(left / block().stride[k]);
+            left %= block().stride[k];
+        }
+        const EdgeRow<D> edges(grid_, axis, row);
+        const T *v = x.u[axis].data() + at, *diagonal = diagonal_[axis].data() + at;
+        const std::int8_t* active = system_.active[axis].data() + at;
+        T* result = y.u[axis].data() + at;
+        T of_row = 0;
+        for (int i = 0; i < n; ++i) {
+            double around = 0;
+            for (int k = 0; k < D; ++k)
+                around += edges.before(k, i) * v[i - block().stride[k]] + edges.after(k, i) * v[i + block().stride[k]];
+            result[i] = diagonal[i] * v[i] - static_cast<T>(system_.edge * active[i] * around);
+            of_row += result[i] * v[i];
+        }
+        return of_row;
     }
     static T inverse(T diagonal)
     {

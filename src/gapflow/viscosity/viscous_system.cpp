@@ -2,6 +2,7 @@
 
 #include "gapflow/grid/far_field.hpp"
 #include "gapflow/viscosity/following_faces.hpp"
+#include "gapflow/viscosity/lattice_metric.hpp"
 #include "gapflow/viscosity/narrow_gaps.hpp"
 #include "gapflow/viscosity/viscous_faces.hpp"
 #include "gapflow/viscosity/viscous_terms.hpp"
@@ -50,6 +51,8 @@ public:
         for_each_row<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& first) {
             const long begin = block.offset(first);
             const int count = owned_faces_end(grid_, axis)[0] - first[0];
+            if (grid_.graded())
+                return add_graded_row(axis, first, count, special);
             const double* u = &u_star_(axis, first);
             const int* cut = &fractions_.cut(axis, first);
             double *diagonal = &system_.diagonal(axis, first), *rhs = &system_.rhs(axis, first);
@@ -79,6 +82,32 @@ public:
     }
 
 private:
+    // The same where cells differ in width.
+    void add_graded_row(int axis, const Index<D>& first, int count, std::vector<Index<D>>& special)
+    {
+        const Block<D>& block = system_.active[axis].block();
+        const std::int8_t* active = &system_.active(axis, first);
+        const EdgeRow<D> edges(grid_, axis, first);
+        Index<D> f = first;
+        for (int i = 0; i < count; ++i, ++f[0]) {
+            int around = active[i];
+            double weights = 0;
+            for (int k = 0; k < D; ++k) {
+                around += active[i - block.stride[k]] + active[i + block.stride[k]];
+                weights += edges.before(k, i) + edges.after(k, i);
+            }
+            if (around < 2 * D + 1 || fractions_.cut(axis, f) >= 0) {
+                if (active[i])
+                    special.push_back(f);
+                continue;
+            }
+            const double mass = faces_.mass(axis, f), u = u_star_(axis, f);
+            system_.diagonal(axis, f) = mass + weights * system_.edge;
+            system_.rhs(axis, f) = mass * u;
+            system_.constant += mass * u * u;
+        }
+    }
+
     // A lattice point next to a surface, a side, or what films have closed.
     void add_special_face(int axis, const Index<D>& f)
     {
@@ -107,20 +136,22 @@ private:
         const int sign = 2 * end - 1;
         const Index<D> g = f + sign * step<D>(k);
         if (system_.active(axis, g)) {
-            system_.diagonal[axis].data()[at] += system_.edge;
+            const double length = edge_length<D>(grid_, axis, end ? f : g, k);
+            system_.diagonal[axis].data()[at] += system_.edge * (edge_section<D>(grid_, axis, f, k) / length);
             return;
         }
         const Vec<D> x = grid_.face_centre(axis, f), direction = sign * unit<D>(k);
         const bool leads_out = !grid_.periodic(k) && (g[k] < 0 || g[k] >= grid_.cells()[k] || (k == axis && g[k] == 0));
-        // Distance to the side of the domain, in cells.
-        const double to_side = k == axis ? 1.0 : 0.5;
+        const double edge = system_.edge * edge_section<D>(grid_, axis, f, k);
+        // Distance to the side of the domain, over dx.
+        const double to_side = k == axis ? edge_length<D>(grid_, axis, end ? f : g, k) : 0.5 * grid_.width(k, f[k]);
         const bool surface = faces_.near_surface(axis, f);
         WallHit<D> hit;
         if (surface || !leads_out) {
             if (!rays_ready_)
-                rays_.around(x, ray_length * grid_.dx());
+                rays_.around(x, faces_.reach(f));
             rays_ready_ = true;
-            hit = rays_.cast(x, direction, ray_length * grid_.dx());
+            hit = rays_.cast(x, direction, faces_.reach(f));
         }
         ViscousTerm<D> term{axis, at, 0, 1, 0, {-1, -1}, {}};
         if (leads_out && (hit.image < 0 || hit.distance > to_side * grid_.dx())) {
@@ -128,7 +159,7 @@ private:
                 return add_far_edge(axis, f, k, end, term);
             if (k == axis && faces_.on_side(axis, f))
                 return;
-            term.stiffness = system_.edge / to_side;
+            term.stiffness = edge / to_side;
             switch (grid_.side(k, end)) {
             case SideKind::wall:
                 term.solid[0] = faces_.wall(k, end);
@@ -143,7 +174,7 @@ private:
         } else {
             if (hit.image < 0)
                 return; // belongs to a film
-            term.stiffness = system_.edge / std::max(hit.distance / grid_.dx(), least_distance);
+            term.stiffness = edge / std::max(hit.distance / grid_.dx(), least_distance);
             term.solid[0] = rays_.image(hit.image).solid;
             term.row[0] = -faces_.row(hit.image, axis, x + hit.distance * direction);
             const Twist<D> rise = faces_.row(hit.image, axis, x) + term.row[0]; // of the solid's own motion over the edge
@@ -162,8 +193,8 @@ private:
             return;
         Vec<D> x = grid_.face_centre(axis, f);
         x[k] = grid_.origin()[k] + end * grid_.size()[k];
-        const double to_side = k == axis ? 0.0 : 0.5;
-        term.stiffness = system_.edge / (to_side + 1 / (degree * far_.fading(k, x) * grid_.dx()));
+        const double to_side = k == axis ? 0.0 : 0.5 * grid_.width(k, f[k]);
+        term.stiffness = system_.edge * edge_section<D>(grid_, axis, f, k) / (to_side + 1 / (degree * far_.fading(k, x) * grid_.dx()));
         term.target = outside_[axis];
         terms_.add(term);
     }

@@ -56,7 +56,7 @@ public:
                       std::to_string(angle) + "\n";
             gaps += number + "," + std::to_string(time) + ",\"a, \"\"b\"\"\",wall:x_low," +
                     std::to_string(std::abs(k - 2) + 0.5) + "\n";
-            write_vti<2>(folder_ / ("fields/fields" + name + ".vti"), grid,
+            write_cells<2>(folder_ / ("fields/fields" + name + ".vti"), grid,
                          std::vector<VtkArray>{
                              cell_array(grid, "pressure", 1, [&](const Index<2>& c, int) { return grid.cell_centre(c)[0]; }),
                              cell_array(grid, "kind", 1, [&](const Index<2>& c, int) { return c[0] == 0 ? 0.0 : 1.0; })});

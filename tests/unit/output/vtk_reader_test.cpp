@@ -37,7 +37,7 @@ void check_image(VtkPrecision precision, bool appended)
     const std::vector<VtkArray> arrays = {
         cell_array(grid, "pressure", 1, [&](const Index<D>& c, int) { return 1.0 / 3 + grid.key(c); }),
         cell_array(grid, "velocity", D, [&](const Index<D>& c, int axis) { return axis - 0.25 * grid.key(c); })};
-    write_vti<D>(folder / "image.vti", grid, arrays, {precision, 0.375, appended});
+    write_cells<D>(folder / "image.vti", grid, arrays, {precision, 0.375, appended});
     const VtkContent content = read_vtk(folder / "image.vti");
     EXPECT_EQ(content.time, 0.375);
     EXPECT_EQ(content.cells, (D == 2 ? Eigen::Vector3i(3, 4, 0) : Eigen::Vector3i(3, 4, 5)));

@@ -66,10 +66,10 @@ void write_samples(const std::filesystem::path& folder, PvdCollection& collectio
     const Communicator comm;
     const Grid<D> grid = make_grid<D>(comm);
     const std::string name = std::to_string(D) + "d";
-    write_vti<D>(folder / ("fields_" + name + ".vti"), grid, sample_fields(grid), {VtkPrecision::float64, 0.125});
-    write_vti<D>(folder / ("fields_float_" + name + ".vti"), grid, sample_fields(grid), {VtkPrecision::float32, {}});
+    write_cells<D>(folder / ("fields_" + name + ".vti"), grid, sample_fields(grid), {VtkPrecision::float64, 0.125});
+    write_cells<D>(folder / ("fields_float_" + name + ".vti"), grid, sample_fields(grid), {VtkPrecision::float32, {}});
     for (const VtkPrecision precision : {VtkPrecision::float64, VtkPrecision::float32})
-        write_vti<D>(folder / ("appended_" + std::string(precision == VtkPrecision::float32 ? "float_" : "") + name + ".vti"),
+        write_cells<D>(folder / ("appended_" + std::string(precision == VtkPrecision::float32 ? "float_" : "") + name + ".vti"),
                      grid, sample_fields(grid), {precision, 0.125, true});
     on_root(comm, [&] { write_vtp<D>(folder / ("appended_film_" + name + ".vtp"), sample_surface<D>(), {{}, 0.125, true}); });
     on_root(comm, [&] { write_vtp<D>(folder / ("film_" + name + ".vtp"), sample_surface<D>(), {{}, 0.125}); });

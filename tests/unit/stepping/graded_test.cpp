@@ -1,0 +1,230 @@
+// Runs on graded grids.
+#include "gapflow/scene/graded_widths.hpp"
+#include "gapflow/stepping/added_mass.hpp"
+#include "gapflow/stepping/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gapflow {
+namespace {
+
+using Kind = SideScene::Kind;
+
+// A domain from -half to half along every axis with a core from -core to core of cells of an edge of 1 / n; all sides of one kind.
+Scene graded_scene(int dimension, double half, double core, int n, double growth, Kind kind)
+{
+    Scene scene;
+    scene.dimension = dimension;
+    CoreScene cells;
+    cells.spacing = 1.0 / n;
+    cells.growth = growth;
+    for (int axis = 0; axis < dimension; ++axis) {
+        scene.size[axis] = 2 * half;
+        scene.origin[axis] = -half;
+        cells.low[axis] = -core;
+        cells.high[axis] = core;
+        cells.below[axis] = cells.above[axis] = graded_widths((half - core) * n, growth, std::numeric_limits<double>::infinity());
+        scene.cells[axis] = static_cast<int>(std::lround(2 * core * n) + 2 * static_cast<long>(cells.below[axis].size()));
+        scene.sides[2 * axis].kind = scene.sides[2 * axis + 1].kind = kind;
+    }
+    scene.core = cells;
+    return scene;
+}
+
+// The same domain with equal cells.
+Scene uniform_scene(int dimension, double half, int n, Kind kind)
+{
+    Scene scene = graded_scene(dimension, half, half, n, 1.1, kind);
+    scene.core.reset();
+    return scene;
+}
+
+BodyScene ball(double radius, Triple position)
+{
+    BodyScene body;
+    body.name = "ball";
+    body.shape = BodyScene::ShapeKind::ball;
+    body.radius = radius;
+    body.position = position;
+    return body;
+}
+
+// A domain four times as wide at next to the same cells: what is left is the share of the grading.
+TEST(GradedSpacing, AddedMassAsOnEqualCells)
+{
+    const Triple place{0.013, 0.007, 0};
+    Scene uniform = uniform_scene(2, 8, 8, Kind::wall), graded = graded_scene(2, 8, 2, 8, 1.1, Kind::wall);
+    uniform.bodies = graded.bodies = {ball(1, place)};
+    const AddedMass exact = added_mass(uniform, Communicator()), found = added_mass(graded, Communicator());
+    for (int axis = 0; axis < 2; ++axis)
+        EXPECT_NEAR(found.matrix(axis, axis) / exact.matrix(axis, axis), 1, 3e-3);
+    EXPECT_LT(graded.cells[0], uniform.cells[0] / 1.5);
+}
+
+// Aspect ratios of 5 to 500 and fine cells beside walls and open sides.
+TEST(GradedSpacing, MultigridKeepsItsIterations)
+{
+    for (const int dimension : {2, 3})
+        for (const double half : {10.0, 200.0})
+            for (const Kind kind : {Kind::wall, Kind::open, Kind::far}) {
+                Scene scene = graded_scene(dimension, half, 1.5, dimension == 2 ? 12 : 6, dimension == 2 ? 1.1 : 1.2, kind);
+                scene.bodies = {ball(1, {0.013, 0.007, dimension == 3 ? 0.003 : 0.0})};
+                const AddedMass found = added_mass(scene, Communicator());
+                EXPECT_LE(*std::max_element(found.iterations.begin(), found.iterations.end()), 12)
+                    << dimension << "D, " << half << ", side " << static_cast<int>(kind);
+            }
+}
+
+// Kinetic energy of the potential flow around a moving body is half of its added mass times its speed squared: rows, gradient, and the
+// faces' volumes belong together.
+TEST(GradedSpacing, EnergyIsThatOfTheAddedMass)
+{
+    for (const int dimension : {2, 3}) {
+        Scene scene = graded_scene(dimension, 6, 1.5, 6, 1.15, Kind::wall);
+        scene.bodies = {ball(1, {0.013, 0.007, dimension == 3 ? 0.003 : 0.0})};
+        scene.tolerance = 1e-11;
+        const AddedMass mass = added_mass(scene, Communicator());
+        scene.bodies[0].velocity = {0.7, -0.4, dimension == 3 ? 0.2 : 0.0};
+        scene.initial = Scene::Initial::potential;
+        scene.end = 1;
+        scene.max_step = 0.1;
+        const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(scene.bodies[0].velocity.data(), dimension);
+        const double exact = 0.5 * v.dot(mass.matrix.topLeftCorner(dimension, dimension) * v);
+        const double found = dimension == 2 ? Simulation<2>(scene, Communicator()).initial_report().energy_fluid
+                                            : Simulation<3>(scene, Communicator()).initial_report().energy_fluid;
+        EXPECT_NEAR(found / exact, 1, 1e-8) << dimension;
+    }
+}
+
+// Fluid and a body of its density that move together go on so.
+template <int D>
+void expect_uniform_motion(double viscosity)
+{
+    Scene scene = graded_scene(D, 4, 1.5, 4, 1.2, Kind::far);
+    scene.bodies = {ball(0.8, {-0.3, 0.007, D == 3 ? 0.003 : 0.0})};
+    scene.fluid_velocity = {1, 0.3, D == 2 ? 0.0 : -0.2};
+    scene.bodies[0].velocity = scene.fluid_velocity;
+    scene.bodies[0].motion = BodyScene::Motion::free;
+    scene.bodies[0].density = 1;
+    scene.viscosity = viscosity;
+    scene.end = 1;
+    scene.max_step = 0.05;
+    Simulation<D> simulation(scene, Communicator());
+    for (int k = 0; k < 5; ++k)
+        simulation.step(1);
+    const Simulation<D>& after = simulation;
+    for (int axis = 0; axis < D; ++axis) {
+        EXPECT_NEAR(after.bodies()[0].twist[axis], scene.fluid_velocity[axis], 1e-12);
+        for_each_index<D>(after.grid().low(), owned_faces_end(after.grid(), axis), [&](const Index<D>& f) {
+            if (after.coupling().open(axis, f) > 0)
+                EXPECT_NEAR(after.velocity().grid(axis, f), scene.fluid_velocity[axis], 1e-11) << axis << ": " << f.transpose();
+        });
+    }
+}
+
+TEST(GradedSpacing, KeepsUniformMotion2D)
+{
+    expect_uniform_motion<2>(0);
+}
+
+TEST(GradedSpacing, KeepsUniformMotion3D)
+{
+    expect_uniform_motion<3>(0);
+}
+
+TEST(GradedSpacing, KeepsUniformMotionOfViscousFluid)
+{
+    expect_uniform_motion<2>(0.05);
+}
+
+// A row of vortices that a stream carries through cells that grow; returns the largest error of the velocity.
+double error_of_carried_wave(int n)
+{
+    Scene scene = graded_scene(2, 2, 0.5, n, std::pow(1.2, 8.0 / n), Kind::far);
+    scene.fluid_velocity = {1, 0, 0};
+    scene.end = 1;
+    scene.max_step = 0.25 / n;
+    const Model<2> model(scene, Communicator());
+    const Grid<2>& grid = model.grid;
+    const auto wave = [](double x) { return std::exp(-8 * x * x); };
+    FaceField<2> u(grid), next(grid);
+    const auto fill = [&](double time) {
+        for (int axis = 0; axis < 2; ++axis)
+            for_each_index<2>(u[axis].block().low, u[axis].block().high, [&](const Index<2>& f) {
+                u(axis, f) = axis == 0 ? 1.0 : wave(grid.face_centre(1, f)[0] - time + 0.5);
+            });
+    };
+    fill(0);
+    const int steps = 2 * n;
+    for (int k = 0; k < steps; ++k) {
+        for (int axis = 0; axis < 2; ++axis)
+            next[axis] = u[axis];
+        advect<2>(grid, next, u, u, 1.0 / steps, AdvectionScheme::maccormack, {});
+        for (int axis = 0; axis < 2; ++axis)
+            for_each_index<2>(grid.low(), owned_faces_end(grid, axis), [&](const Index<2>& f) { u(axis, f) = next(axis, f); });
+    }
+    double error = 0;
+    for_each_index<2>(grid.low(), owned_faces_end(grid, 1), [&](const Index<2>& f) {
+        const double x = grid.face_centre(1, f)[0];
+        if (std::abs(x) < 1.5 && f[1] > 4 && f[1] < grid.cells()[1] - 4)
+            error = std::max(error, std::abs(u(1, f) - wave(x - 0.5)));
+    });
+    return error;
+}
+
+TEST(GradedSpacing, AdvectionIsOfSecondOrder)
+{
+    const double coarse = error_of_carried_wave(8), fine = error_of_carried_wave(16), finest = error_of_carried_wave(32);
+    EXPECT_LT(fine, coarse / 2.5);
+    EXPECT_LT(finest, fine / 2.8);
+    EXPECT_LT(finest, 0.02);
+}
+
+// Couette flow between walls, cells of any width across: linear, so exact.
+TEST(GradedSpacing, CouetteFlowIsExact)
+{
+    Scene scene = graded_scene(2, 2, 0.5, 8, 1.2, Kind::wall);
+    scene.sides[0].kind = scene.sides[1].kind = Kind::periodic;
+    scene.core->below[0].clear();
+    scene.core->above[0].clear();
+    scene.size[0] = 1;
+    scene.origin[0] = -0.5;
+    scene.cells[0] = 8;
+    scene.sides[2].velocity = {-1, 0, 0};
+    scene.sides[3].velocity = {1, 0, 0};
+    scene.viscosity = 1;
+    scene.density = 1e-6;
+    scene.end = 1;
+    scene.max_step = 0.05;
+    Simulation<2> simulation(scene, Communicator());
+    while (simulation.steps() < 60)
+        simulation.step(10);
+    const Grid<2>& grid = simulation.grid();
+    for (int j = 0; j < grid.cells()[1]; ++j)
+        EXPECT_NEAR(simulation.velocity().grid(0, Index<2>(3, j)), 0.5 * grid.centre_place(1, j), 1e-5) << j;
+}
+
+// A body that leaves the core is told of.
+TEST(GradedSpacing, KnowsWhatLeavesTheCore)
+{
+    Scene scene = graded_scene(2, 4, 1.5, 4, 1.2, Kind::far);
+    scene.bodies = {ball(0.5, {0.9, 0, 0})};
+    scene.bodies[0].motion = BodyScene::Motion::free;
+    scene.bodies[0].velocity = {1, 0, 0};
+    scene.bodies[0].density = 5;
+    scene.end = 1;
+    scene.max_step = 0.05;
+    Simulation<2> simulation(scene, Communicator());
+    EXPECT_FALSE(simulation.outside_core());
+    while (simulation.time() < 0.3)
+        simulation.step(0.3);
+    ASSERT_TRUE(simulation.outside_core());
+    EXPECT_NE(simulation.outside_core()->find("body 'ball' reaches out of the core"), std::string::npos) << *simulation.outside_core();
+}
+
+} // namespace
+} // namespace gapflow
