@@ -39,11 +39,12 @@ def graded(size, origin, spacing, low, high, growth, all_sides):
 
 
 def two_cylinders(quick):
-    """The rows of the issue: 12 cells a radius, gaps 0.1 ... 1e-6 R, any place on the grid."""
-    rows, n, worst = table("I2_two_cylinders_equal.csv"), 12, {}
+    """Six places on the grid: at 12 cells a radius cut cells make differences of a percent between them, the grading none."""
+    rows, n, found = table("I2_two_cylinders_equal.csv"), 12, {}
+    places = [(0.036, 0.084), (0, 0), (0.31, 0.17), (-0.23, 0.41), (0.47, -0.38), (-0.11, -0.27)]    # in cells
     cells = most = 0
-    for gap in ((1e-1, 1e-3) if quick else (1e-1, 1e-2, 1e-3, 1e-4, 1e-6)):
-        off = (0.003, 0.007)
+    for gap, place in ((gap, place) for gap in ((1e-1, 1e-3) if quick else (1e-1, 1e-2, 1e-3, 1e-4, 1e-6)) for place in places):
+        off = [f / n for f in place]
         bodies = [{"name": name, "shape": "ball", "radius": 1.0, "position": [sign * (1 + 0.5 * gap) + off[0], off[1]], "density": 1.0}
                   for name, sign in (("left", -1), ("right", 1))]
         result = harness.added_mass({"domain": graded([200.0] * 2, [-100.0] * 2, 1 / n, [-5.0, -5.0], [5.0, 5.0], 1.1, sides(2, "wall")), "body": bodies})
@@ -51,9 +52,12 @@ def two_cylinders(quick):
         cells, most = result["cells"], max(most, *result["iterations"])
         for name, value, key in (("opening", 0.5 * (m[0][0] - m[0][3]), "M_gap_equal_opposite"), ("together", 2 * (m[0][0] + m[0][3]), "M_common_along_line"),
                                  ("across", 2 * (m[1][1] + m[1][4]), "M_common_transverse")):
-            worst.setdefault(name, []).append(100 * (value / exact[key] - 1))
-    for name, errors in worst.items():
-        yield Row(PAIR, f"{n} cells a radius, {cells} cells, gaps 0.1 ... 1e-6 R: {name}", "≤ 0.5 %", ", ".join(f"{e:+.2f}" for e in errors) + " %", max(map(abs, errors)) <= 0.5)
+            found.setdefault(name, {}).setdefault(gap, []).append(100 * (value / exact[key] - 1))
+    for name, gaps in found.items():
+        means, worst = [sum(errors) / len(errors) for errors in gaps.values()], max((abs(e), e) for errors in gaps.values() for e in errors)[1]
+        label = f"{n} cells a radius, {cells} cells, gaps {', '.join(f'{gap:g}' for gap in gaps)} R: {name}"
+        yield Row(PAIR, f"{label}, mean of six places on the grid", "≤ 0.5 %", ", ".join(f"{e:+.2f}" for e in means) + " %", max(map(abs, means)) <= 0.5)
+        yield Row(PAIR, f"{label}, worst place", "≤ 0.5 %", f"{worst:+.2f} %", abs(worst) <= 0.5)
     yield Row(WORK, "two cylinders, 2D", "≤ 12", f"{most}", most <= 12)
 
 

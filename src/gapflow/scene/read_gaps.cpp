@@ -13,7 +13,9 @@ namespace {
 double roughness_of_auto(Purpose purpose, const Scene& scene)
 {
     const bool at_rest = purpose == Purpose::added_mass || (purpose == Purpose::check && scene.end == 0);
-    return at_rest ? 0.0 : automatic_roughness * scene.spacing();
+    if (at_rest)
+        return 0;
+    return scene.core ? automatic_roughness * scene.core->spacing : automatic_roughness * scene.size[0] / scene.cells[0];
 }
 
 /// [gap] and [contact] have defaults; a pair keeps the values that it does not give. `automatic`: the roughness for "auto".

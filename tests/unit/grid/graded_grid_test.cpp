@@ -77,8 +77,9 @@ void expect_closed_cells(double volume, double tolerance)
             const double area = grid.relative_area(axis, f);
             const double own = fraction_in(clipped(clipper, axis, f), ball);
             EXPECT_EQ(fractions.open(axis, f), clipped(clipper, axis, f).open);
-            if (f[axis] > 0)
+            if (f[axis] > 0) {
                 EXPECT_NEAR(fractions.open(axis, f) + own, area, 1e-12 * area);
+            }
             measured += own * grid.face_area() * grid.dx() * grid.spread(axis, f[axis]) / D;
         });
     EXPECT_NEAR(measured, volume, tolerance * volume);
@@ -87,8 +88,8 @@ void expect_closed_cells(double volume, double tolerance)
 
 TEST(GradedGrid, CutsFacesOfAnyWidth)
 {
-    expect_closed_cells<2>(std::acos(-1.0) * 2.9 * 2.9, 0.02);
-    expect_closed_cells<3>(4.0 / 3 * std::acos(-1.0) * 2.9 * 2.9 * 2.9, 0.02);
+    expect_closed_cells<2>(std::acos(-1.0) * 2.9 * 2.9, 0.05);
+    expect_closed_cells<3>(4.0 / 3 * std::acos(-1.0) * 2.9 * 2.9 * 2.9, 0.05);
 }
 
 } // namespace
