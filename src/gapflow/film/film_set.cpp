@@ -262,7 +262,7 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
         options.dx = grid.dx();
         options.floor = job.gap.floor;
         options.touching = job.gap.touching;
-        options.origin.template head<D>() = grid.origin();
+        options.origin.template head<D>() = grid.anchor();
         auto lay_out = [&](double threshold) {
             options.threshold = job.threshold = threshold;
             const ThirdBodies<D> thirds(grid, solids, clipper, job.pair, threshold);
