@@ -30,7 +30,8 @@ struct Compared {
 /// Cells along an axis, of a graded grid those of its core.
 int core_cells(const Scene& scene, int axis)
 {
-    return scene.cells[axis] - (scene.core ? static_cast<int>(scene.core->below[axis].size() + scene.core->above[axis].size()) : 0);
+    return scene.cells[axis] -
+           (scene.core ? static_cast<int>(scene.core->below[axis].size() + scene.core->above[axis].size()) : 0);
 }
 
 /// Settings that give the scene n cells along x. A graded grid is refined as a whole: twice as many cells grow by the square root.
@@ -65,7 +66,8 @@ std::vector<int> grids_of(const std::string& list, const Scene& scene)
         for (int axis = 1; axis < scene.dimension; ++axis)
             if (static_cast<long>(n) * core_cells(scene, axis) % core_cells(scene, 0) != 0)
                 throw InputError(at + std::to_string(n) + " cells along x make no whole number of cells along " + "xyz"[axis] +
-                                 "; choose numbers that keep the proportions of " + (scene.core ? "domain.core" : "domain.cells"));
+                                 "; choose numbers that keep the proportions of " +
+                                 (scene.core ? "domain.core" : "domain.cells"));
         grids.push_back(n);
     }
     std::sort(grids.begin(), grids.end());

@@ -45,7 +45,8 @@ class Domain:
 
     size: edge lengths. cells: along each axis, with the same spacing on all. origin: low corner, default 0.
     Instead of cells: spacing, the edge of a cell; outside a core, a box { low, high }, cells may be wider: each at most growth (default 1.1)
-    times as wide as its neighbour nearer to the core, and no wider than largest.
+    times as wide as its neighbour nearer to the core, and no wider than largest. follow: name of a body with which the grid moves, or
+    { body, axes }.
     leaving: "warn", "stop" (`gapflow run` ends) or "remove": of bodies on their way out of an open side.
     """
 
@@ -56,6 +57,7 @@ class Domain:
     core: Mapping[str, Vector] | None = None
     growth: float | None = None
     largest: float | None = None
+    follow: str | Mapping[str, Any] | None = None
     sides: Sides | Mapping[str, Side] | None = None
     leaving: Literal["warn", "stop", "remove"] | None = None
 

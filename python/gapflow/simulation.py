@@ -267,7 +267,7 @@ class Simulation(Named):
     busy (RuntimeError). After a ComputationError the simulation has no state to read any more.
     """
 
-    __slots__ = ("_source", "_scene", "_changed", "_resolved", "_folder", "_session", "_cache", "_bodies", "_grid", "__weakref__")
+    __slots__ = ("_source", "_scene", "_changed", "_resolved", "_folder", "_session", "_cache", "_bodies", "__weakref__")
 
     @checked_arguments
     def __init__(self, scene: SceneLike, *, set: Mapping[str, Any] | None = None,
@@ -288,7 +288,6 @@ class Simulation(Named):
         self._cache: dict[str, Any] = {}
         states = [BodyState(self, i, name, motion) for i, (name, motion) in enumerate(self._scene.bodies)]
         self._bodies = Bodies({body.name: body for body in states})
-        self._grid = Grid(**self._session.grid())
 
     @property
     def bodies(self) -> Bodies:
@@ -297,8 +296,8 @@ class Simulation(Named):
 
     @property
     def grid(self) -> Grid:
-        """The grid, and this rank's part of it."""
-        return self._grid
+        """The grid, and this rank's part of it; a grid that follows a body lies where it is now."""
+        return Grid(**self._session.grid())
 
     # States that are put back
 

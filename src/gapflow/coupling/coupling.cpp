@@ -66,8 +66,10 @@ void fill_grid(Coupling<D>& coupling)
                     const bool mine =
                         (f.array() >= low.array()).all() && (f.array() < (high + step<D>(side.axis)).array()).all();
                     if (mine && open > 1e-12)
-                        coupling.system.film_faces.push_back(
-                            {side.axis, f, open * unit_conductance / grid.spread(side.axis, f[side.axis]), {has_unknown(f - step<D>(side.axis)), has_unknown(f)}});
+                        coupling.system.film_faces.push_back({side.axis,
+                                                              f,
+                                                              open * unit_conductance / grid.spread(side.axis, f[side.axis]),
+                                                              {has_unknown(f - step<D>(side.axis)), has_unknown(f)}});
                     open = 0;
                 });
             }

@@ -44,9 +44,9 @@ struct FaceSums {
 
 /// Parts of the face with low corner `corner` and the given edges along `tangents`. Points within `tolerance` of a surface are on
 /// it; points in several solids belong to the one with the smallest distance, ties to the first cutter. At most 64 cutters.
-void clip_face(const Vec<2>& corner, const std::array<double, 1>& edges, const std::array<int, 1>& tangents, std::span<const Cutter<2>> cutters,
-               double tolerance, FaceSums<2>& sums);
-void clip_face(const Vec<3>& corner, const std::array<double, 2>& edges, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters,
-               double tolerance, FaceSums<3>& sums);
+void clip_face(const Vec<2>& corner, const std::array<double, 1>& edges, const std::array<int, 1>& tangents,
+               std::span<const Cutter<2>> cutters, double tolerance, FaceSums<2>& sums);
+void clip_face(const Vec<3>& corner, const std::array<double, 2>& edges, const std::array<int, 2>& tangents,
+               std::span<const Cutter<3>> cutters, double tolerance, FaceSums<3>& sums);
 
 } // namespace gapflow

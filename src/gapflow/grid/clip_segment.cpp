@@ -172,8 +172,8 @@ private:
 
 } // namespace
 
-void clip_face(const Vec<2>& corner, const std::array<double, 1>& edges, const std::array<int, 1>& tangents, std::span<const Cutter<2>> cutters,
-               double tolerance, FaceSums<2>& sums)
+void clip_face(const Vec<2>& corner, const std::array<double, 1>& edges, const std::array<int, 1>& tangents,
+               std::span<const Cutter<2>> cutters, double tolerance, FaceSums<2>& sums)
 {
     sums.reset(cutters.size());
     SegmentClipper(corner, edges[0], tangents[0], cutters, tolerance, sums).clip();

@@ -101,8 +101,8 @@ void add_area(const Polygon& p, PartSum<3>& sum)
 
 class SquareClipper {
 public:
-    void clip(const Vec<3>& corner, const std::array<double, 2>& edges, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters,
-              double tolerance, FaceSums<3>& sums)
+    void clip(const Vec<3>& corner, const std::array<double, 2>& edges, const std::array<int, 2>& tangents,
+              std::span<const Cutter<3>> cutters, double tolerance, FaceSums<3>& sums)
     {
         corner_ = corner;
         edges_ = edges;
@@ -141,9 +141,9 @@ private:
     {
         planes_[cutter].clear();
         for (const Plane<3>& plane : cutters_[cutter].planes)
-            planes_[cutter].push_back(
-                {(plane.normal.dot(corner_) - plane.offset) / unit_, plane.normal[tangents_[0]] * (edges_[0] / unit_),
-                 plane.normal[tangents_[1]] * (edges_[1] / unit_)});
+            planes_[cutter].push_back({(plane.normal.dot(corner_) - plane.offset) / unit_,
+                                       plane.normal[tangents_[0]] * (edges_[0] / unit_),
+                                       plane.normal[tangents_[1]] * (edges_[1] / unit_)});
     }
 
     void clip_square()
@@ -346,8 +346,8 @@ private:
 
 } // namespace
 
-void clip_face(const Vec<3>& corner, const std::array<double, 2>& edges, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters,
-               double tolerance, FaceSums<3>& sums)
+void clip_face(const Vec<3>& corner, const std::array<double, 2>& edges, const std::array<int, 2>& tangents,
+               std::span<const Cutter<3>> cutters, double tolerance, FaceSums<3>& sums)
 {
     static thread_local SquareClipper clipper;
     sums.reset(cutters.size());

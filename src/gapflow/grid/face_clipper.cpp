@@ -166,8 +166,8 @@ int FaceClipper<D>::Data::clip_cut_cell(int axis, const Index<D>& face, ClippedF
     std::array<double, D - 1> edges;
     for (int i = 0; i < D - 1; ++i)
         edges[i] = grid.dx() * grid.width(tangents[i], face[tangents[i]]);
-    const double diagonal = grid.graded() ? Eigen::Map<const Eigen::Matrix<double, D - 1, 1>>(edges.data()).norm()
-                                          : grid.dx() * std::sqrt(D - 1.0);
+    const double diagonal =
+        grid.graded() ? Eigen::Map<const Eigen::Matrix<double, D - 1, 1>>(edges.data()).norm() : grid.dx() * std::sqrt(D - 1.0);
     const double r = 0.5 * diagonal + 2 * tolerance;
     near.clear();
     double smallest = r;

@@ -74,7 +74,8 @@ private:
 /// Fractions of all faces of this rank's cells and of one ghost layer of cells around them.
 template <int D>
 struct FaceFractions {
-    FaceField<D> open;     ///< a_f, open area over that of a face of the core; 0 on closed sides of the domain and beyond the faces that are filled
+    FaceField<D>
+        open; ///< a_f, open area over that of a face of the core; 0 on closed sides of the domain and beyond the faces that are filled
     FaceField<D, int> cut; ///< index into `faces`, or -1: wholly open, or solid with only its solid around
     std::vector<ClippedFace<D>> faces;
     std::vector<Index<D>> surface_cells; ///< this rank's cells that a solid other than a wall touches, first axis fastest

@@ -134,9 +134,7 @@ void Grid<D>::set_axes(const Grading<D>& grading)
         spread = place = width;
         for (int i = -margin_; i <= n + margin_; ++i) {
             const int inside = std::clamp(i, 0, n - 1);
-            width[i + margin_] = inside < low     ? below[low - 1 - inside]
-                                 : inside >= high ? above[inside - high]
-                                                  : 1.0;
+            width[i + margin_] = inside < low ? below[low - 1 - inside] : inside >= high ? above[inside - high] : 1.0;
         }
         for (std::size_t i = 1; i < width.size(); ++i)
             spread[i] = 0.5 * (width[i - 1] + width[i]);
@@ -154,6 +152,20 @@ void Grid<D>::set_axes(const Grading<D>& grading)
     }
     for (const std::vector<double>& width : axes->width)
         largest_width_ = std::max(largest_width_, *std::max_element(width.begin(), width.end()));
+    axes_ = unshifted_ = std::move(axes);
+    unshifted_origin_ = origin_;
+    unshifted_anchor_ = anchor_;
+}
+
+template <int D>
+void Grid<D>::shift_to(const Vec<D>& by)
+{
+    origin_ = unshifted_origin_ + by;
+    anchor_ = unshifted_anchor_ + by;
+    auto axes = std::make_shared<Axes>(*unshifted_);
+    for (int axis = 0; axis < D; ++axis)
+        for (double& place : axes->place[axis])
+            place += by[axis];
     axes_ = std::move(axes);
 }
 
@@ -198,7 +210,8 @@ Vec<D> Grid<D>::lattice_place(unsigned faces, const Vec<D>& x) const
 template <int D>
 double Grid<D>::largest_aspect() const
 {
-    double widest = 0, narrowest = std::numeric_limits<double>::infinity(); // of different axes: the core has cells along all of them
+    double widest = 0,
+           narrowest = std::numeric_limits<double>::infinity(); // of different axes: the core has cells along all of them
     for (const std::vector<double>& width : axes_->width) {
         widest = std::max(widest, *std::max_element(width.begin(), width.end()));
         narrowest = std::min(narrowest, *std::min_element(width.begin(), width.end()));

@@ -48,6 +48,9 @@ public:
     Grid(const Vec<D>& origin, double dx, const Index<D>& cells, const std::array<SideKind, 2 * D>& sides, int ghost,
          const Communicator& comm, const Grading<D>& grading = {});
 
+    /// Puts the grid where `by` from where it was constructed; 0 along periodic axes.
+    void shift_to(const Vec<D>& by);
+
     /// Edge of the core's cells.
     double dx() const { return dx_; }
     const Vec<D>& origin() const { return origin_; }
@@ -60,7 +63,10 @@ public:
     /// The core's cells are core_low <= c < core_high.
     const Index<D>& core_low() const { return core_low_; }
     const Index<D>& core_high() const { return core_high_; }
-    bool in_core(const Index<D>& c) const { return (c.array() >= core_low_.array()).all() && (c.array() < core_high_.array()).all(); }
+    bool in_core(const Index<D>& c) const
+    {
+        return (c.array() >= core_low_.array()).all() && (c.array() < core_high_.array()).all();
+    }
     /// Kind of the low (end = 0) or high (end = 1) side of an axis.
     SideKind side(int axis, int end) const { return sides_[2 * axis + end]; }
     bool periodic(int axis) const { return side(axis, 0) == SideKind::periodic; }
@@ -212,7 +218,8 @@ private:
     bool graded_;
     int margin_;
     Index<D> core_low_, core_high_;
-    std::shared_ptr<const Axes> axes_;
+    std::shared_ptr<const Axes> axes_, unshifted_;
+    Vec<D> unshifted_origin_, unshifted_anchor_;
     Index<D> cells_, low_, high_;
     std::array<SideKind, 2 * D> sides_;
     int ghost_;

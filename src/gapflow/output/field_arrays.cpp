@@ -53,10 +53,11 @@ VtkArray field_array(const Simulation<D>& simulation, const std::string& name)
     if (name == "divergence") {
         const CellField<D> outflow = simulation.outflow();
         const double volume = std::pow(grid.dx(), D);
-        return cell_array(grid, name, 1, [&](const Index<D>& c, int) { return known(c) ? outflow(c) / (volume * grid.relative_volume(c)) : 0.0; });
+        return cell_array(grid, name, 1, [&](const Index<D>& c, int) {
+            return known(c) ? outflow(c) / (volume * grid.relative_volume(c)) : 0.0;
+        });
     }
-    return cell_array(grid, name, 1,
-                      [&](const Index<D>& c, int) { return known(c) ? second_invariant(grid, u, c) : 0.0; });
+    return cell_array(grid, name, 1, [&](const Index<D>& c, int) { return known(c) ? second_invariant(grid, u, c) : 0.0; });
 }
 
 template VtkArray field_array(const Simulation<2>&, const std::string&);

@@ -41,10 +41,12 @@ struct Frame2D {
     PixelPoint pixel(double a, double b) const { return {box.left + (a - low[0]) * scale, box.bottom - (b - low[1]) * scale}; }
 };
 
-// Bilinear between cell centres; NaN next to cells without a value.
+// Bilinear between cell centres; NaN next to cells without a value, and beyond the plane.
 float interpolated(const FieldPlane& plane, const std::vector<float>& values, double a, double b)
 {
     const double x = (a - plane.low[0]) / plane.spacing - 0.5, y = (b - plane.low[1]) / plane.spacing - 0.5;
+    if (x < -1 || y < -1 || x > plane.cells[0] || y > plane.cells[1]) // a grid that follows a body shows less than its way
+        return std::numeric_limits<float>::quiet_NaN();
     const int i = std::clamp(static_cast<int>(std::floor(x)), 0, std::max(plane.cells[0] - 2, 0));
     const int j = std::clamp(static_cast<int>(std::floor(y)), 0, std::max(plane.cells[1] - 2, 0));
     const int right = std::min(i + 1, plane.cells[0] - 1), above = std::min(j + 1, plane.cells[1] - 1);

@@ -290,6 +290,41 @@ void set_window(RunView& view, const nlohmann::ordered_json& domain)
     }
 }
 
+// How far the grid of a frame has moved since the start.
+Eigen::Vector3d shift_of(const StoredRun& run, const VtkContent& grid)
+{
+    Eigen::Vector3d shift = -triple_of(run.scene->at("domain").at("origin"));
+    for (int axis = 0; axis < 3; ++axis)
+        shift[axis] += grid.coordinates[axis].front();
+    return shift;
+}
+
+// The view of a run whose grid follows a body holds all of its way.
+void cover_path(const StoredRun& run, const nlohmann::ordered_json& domain, RunView& view)
+{
+    view.window = view.origin;
+    view.window_size = view.size;
+    if (!domain.contains("follow"))
+        return;
+    const auto& follow = domain.at("follow");
+    for (const BodyView& body : view.bodies) {
+        if (body.name != follow.at("body").get<std::string>() || body.rows.empty())
+            continue;
+        for (const auto& axis_name : follow.at("axes")) {
+            const std::string name = axis_name.get<std::string>();
+            const int axis = static_cast<int>(std::string("xyz").find(name));
+            const std::vector<double>& x = run.bodies.number(name);
+            double low = 0, high = 0;
+            for (const std::size_t row : body.rows) {
+                low = std::min(low, x[row] - x[body.rows.front()]);
+                high = std::max(high, x[row] - x[body.rows.front()]);
+            }
+            view.origin[axis] += low;
+            view.size[axis] += high - low;
+        }
+    }
+}
+
 } // namespace
 
 RunView view_run(const StoredRun& run)
@@ -322,6 +357,7 @@ RunView view_run(const StoredRun& run)
     for (std::size_t row = 0; row < names.size(); ++row)
         if (const auto body = by_name.find(names[row]); body != by_name.end())
             body->second->rows.push_back(row);
+    cover_path(run, scene.at("domain"), view);
     if (run.dimension == 3)
         view.slices = slices_of(run, view);
     return view;
@@ -335,8 +371,8 @@ FrameView view_frame(const StoredRun& run, const RunView& view, const RunFrame& 
     if (!frame.fields.empty()) {
         VtkContent image = read_vtk(run.folder / frame.fields);
         if (!image.coordinates[0].empty()) {
-            const Eigen::Vector3i cells = (view.size / view.spacing).array().round().cast<int>();
-            image = as_image(image, view.origin, view.spacing, cells);
+            const Eigen::Vector3i cells = (view.window_size / view.spacing).array().round().cast<int>();
+            image = as_image(image, view.window + shift_of(run, image), view.spacing, cells);
         }
         if (view.dimension == 2)
             result.planes.push_back(plane_of(image, 2, 0));

@@ -68,7 +68,10 @@ struct FrameView {
 
 struct RunView {
     int dimension = 2;
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero(), size = Eigen::Vector3d::Zero(); ///< of a graded grid: a window around its core
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero(),
+                    size = Eigen::Vector3d::Zero(); ///< of a graded grid: a window around its core
+    Eigen::Vector3d window = Eigen::Vector3d::Zero(),
+                    window_size = Eigen::Vector3d::Zero(); ///< what frames of a graded grid show at the start
     double spacing = 0;
     Eigen::Vector3d slices = Eigen::Vector3d::Zero(); ///< 3D: where the planes across x, y, z lie
     std::vector<BodyView> bodies;

@@ -238,10 +238,9 @@ void write_rectilinear(const std::filesystem::path& path, const Grid<D>& grid, c
     write_data(file, "CellData", cell_data, cells, options.precision);
     file.write("<Coordinates>\n");
     for (int axis = 0; axis < 3; ++axis)
-        file.write_array<double>(std::string(1, "xyz"[axis]), axis < D ? static_cast<std::size_t>(grid.cells()[axis]) + 1 : 1, 1,
-                                 [&grid, axis](std::size_t i, int) {
-                                     return axis < D ? grid.face_place(axis, static_cast<int>(i)) : 0.0;
-                                 });
+        file.write_array<double>(
+            std::string(1, "xyz"[axis]), axis < D ? static_cast<std::size_t>(grid.cells()[axis]) + 1 : 1, 1,
+            [&grid, axis](std::size_t i, int) { return axis < D ? grid.face_place(axis, static_cast<int>(i)) : 0.0; });
     file.write("</Coordinates>\n</Piece>\n</RectilinearGrid>\n");
     file.commit();
 }
@@ -267,7 +266,7 @@ std::vector<double> gather_cells(const Grid<D>& grid, std::span<const double> ow
 
 template <int D>
 void write_cells(const std::filesystem::path& path, const Grid<D>& grid, std::span<const VtkArray> cell_data,
-               const VtkOptions& options)
+                 const VtkOptions& options)
 {
     std::vector<VtkArray> gathered;
     for (const auto& array : cell_data)

@@ -61,7 +61,7 @@ std::string cells_extension(const Grid<D>& grid)
 /// (cell_array). The folder must exist. Throws ComputationError on every rank. Collective.
 template <int D>
 void write_cells(const std::filesystem::path& path, const Grid<D>& grid, std::span<const VtkArray> cell_data,
-               const VtkOptions& options = {});
+                 const VtkOptions& options = {});
 
 /// Lines (2D) or triangles (3D) with data.
 template <int D>

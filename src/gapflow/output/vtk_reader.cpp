@@ -296,7 +296,8 @@ VtkContent as_image(const VtkContent& grid, const Eigen::Vector3d& low, double s
             const long cell = std::clamp<long>(above - x.begin() - 1, 0, std::max(grid.cells[axis] - 1, 0));
             source[axis].push_back(static_cast<std::size_t>(cell));
         }
-    const auto nx = static_cast<std::size_t>(std::max(grid.cells[0], 1)), ny = static_cast<std::size_t>(std::max(grid.cells[1], 1));
+    const auto nx = static_cast<std::size_t>(std::max(grid.cells[0], 1)),
+               ny = static_cast<std::size_t>(std::max(grid.cells[1], 1));
     for (const VtkArray& array : grid.cell_data) {
         VtkArray values{array.name, array.components, {}};
         const auto components = static_cast<std::size_t>(array.components);

@@ -19,8 +19,8 @@ struct VtkContent {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(), spacing = Eigen::Vector3d::Zero();
     std::array<std::vector<double>, 3> coordinates; ///< rectilinear grid only: of the points along each axis
     std::vector<Eigen::Vector3d> points;            ///< surface only
-    int corners = 0;                     ///< of an element: 2 lines, 3 triangles
-    std::vector<int> elements;           ///< `corners` points each
+    int corners = 0;                                ///< of an element: 2 lines, 3 triangles
+    std::vector<int> elements;                      ///< `corners` points each
     std::vector<VtkArray> point_data, cell_data;
     std::optional<double> time;
 

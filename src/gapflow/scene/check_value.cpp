@@ -203,6 +203,32 @@ struct Check {
         }
     }
 
+    void follow() const
+    {
+        if (value.kind == Node::Kind::text)
+            return text(value);
+        if (value.kind != Node::Kind::table)
+            fail("neither a name nor a table");
+        for (const Node& entry : value.items) {
+            if (entry.key == "body") {
+                text(entry);
+            } else if (entry.key == "axes") {
+                const auto is_axis = [&](const Node& axis) {
+                    return axis.kind == Node::Kind::text && axis.text.size() == 1 &&
+                           std::string("xyz").substr(0, static_cast<std::size_t>(dimension)).find(axis.text) !=
+                               std::string::npos;
+                };
+                if (entry.kind != Node::Kind::array || entry.items.empty() ||
+                    !std::all_of(entry.items.begin(), entry.items.end(), is_axis))
+                    fail("axes are no list of axes");
+            } else {
+                fail("unknown key '" + entry.key + "'");
+            }
+        }
+        if (!value.find("body"))
+            fail("no body");
+    }
+
     void names() const
     {
         if (value.kind != Node::Kind::array || value.items.size() != 2)
@@ -258,6 +284,8 @@ struct Check {
             if (value.kind != Node::Kind::flag)
                 fail("neither true nor false");
             return;
+        case T::follow:
+            return follow();
         case T::side:
             return side();
         }

@@ -337,12 +337,31 @@ std::vector<KeyInfo> scene_keys()
          {},
          "cells along each axis, with the same spacing on all axes",
          "unless domain.spacing is given"},
-        {"domain.spacing", T::number, "m", "", positive, {}, "instead of cells: edge of a cell, outside a core at its boundary"},
+        {"domain.spacing",
+         T::number,
+         "m",
+         "",
+         positive,
+         {},
+         "instead of cells: edge of a cell, outside a core at its boundary"},
         {"domain.core.low", T::vector, "m", "", any, {}, "low corner of the box in which cells are as small as domain.spacing"},
         {"domain.core.high", T::vector, "m", "", any, {}, "high corner of that box", "with domain.core.low"},
-        {"domain.growth", T::number, "", "1.1", {1, 1.5}, {}, "largest width of a cell outside the core over its inner neighbour's"},
+        {"domain.growth",
+         T::number,
+         "",
+         "1.1",
+         {1, 1.5},
+         {},
+         "largest width of a cell outside the core over its inner neighbour's"},
         {"domain.largest", T::number, "m", "", positive, {}, "largest width of a cell outside the core; no limit if not given"},
         {"domain.origin", T::vector, "m", "0.0", any, {}, "low corner of the domain"},
+        {"domain.follow",
+         T::follow,
+         "",
+         "",
+         any,
+         {},
+         "body whose centre of mass the grid moves with: the domain and its core, along the given axes or all"},
         {"domain.leaving",
          T::choice,
          "",
@@ -589,6 +608,9 @@ std::string allowed_values(const KeyInfo& key, int dimension)
         return "a list of two names in \"quotes\"";
     case T::flag:
         return "true or false";
+    case T::follow:
+        return "the name of a body in \"quotes\", or { body = \"name\", axes = [some of \"x\", \"y\"" +
+               std::string(dimension == 2 ? "" : ", \"z\"") + "] }";
     case T::side:
         return "\"wall\", \"open\", \"periodic\", \"far\", { inflow = [" + count +
                " numbers] }, { inflow = \"file.csv\" }, { pressure = number }, { pressure = \"file.csv\" } or { wall = [" +

@@ -26,6 +26,7 @@ enum class KeyType {
     choices, ///< a list of some of the choices
     names,   ///< two names of bodies or walls
     flag,
+    follow, ///< name of a body, or { body, axes }
     side ///< "wall", "open", "periodic", "far", { inflow = velocity or file }, { pressure = number or file }, { wall = velocity }
 };
 

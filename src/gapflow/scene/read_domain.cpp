@@ -150,7 +150,8 @@ void check_periodic(const Values& v, const Scene& scene)
             v.refuse("domain.sides." + side_names[2 * axis + (low ? 0 : 1)], "an axis is periodic on both sides or on none",
                      "write " + side_names[2 * axis + (low ? 1 : 0)] + " = \"periodic\" too");
         if (low && scene.cells[axis] < least)
-            v.refuse(v.given("domain.spacing") ? "domain.spacing" : "domain.cells", std::string("too few cells along the periodic axis ") + "xyz"[axis],
+            v.refuse(v.given("domain.spacing") ? "domain.spacing" : "domain.cells",
+                     std::string("too few cells along the periodic axis ") + "xyz"[axis],
                      "allowed: at least " + std::to_string(least) + " (3 + time.cfl, rounded up) there");
     }
 }
@@ -208,13 +209,16 @@ void read_core_axis(const Values& v, int axis, double largest, CoreScene& core, 
         const double side = end ? side_high : side_low, beyond = end ? side - place : place - side;
         const std::string name = end ? "domain.core.high" : "domain.core.low";
         if (beyond < -round_off)
-            v.refuse(name, "along " + axis_text(axis) + " the core ends outside the domain, whose side is at " + number_text(side),
+            v.refuse(name,
+                     "along " + axis_text(axis) + " the core ends outside the domain, whose side is at " + number_text(side),
                      "put the core inside the domain");
         if (beyond > round_off && periodic)
             v.refuse(name, "the axis " + axis_text(axis) + " is periodic: there cells cannot differ in width",
                      "let the core reach from side to side along it");
         if (beyond > round_off && beyond < 0.5 * spacing)
-            v.refuse(name, "along " + axis_text(axis) + " less than half a cell is left between the core and the side at " + number_text(side),
+            v.refuse(name,
+                     "along " + axis_text(axis) + " less than half a cell is left between the core and the side at " +
+                         number_text(side),
                      "let the core end at the side, or further from it");
         if (beyond <= round_off)
             place = side;
@@ -263,6 +267,29 @@ void read_spacing(const Values& v, Scene& scene)
         scene.core = core;
 }
 
+void read_follow(const Values& v, Scene& scene)
+{
+    const Node* given = v.given("domain.follow");
+    if (!given)
+        return;
+    FollowScene follow;
+    const Node* axes = given->kind == Node::Kind::text ? nullptr : given->find("axes");
+    follow.body = given->kind == Node::Kind::text ? given->text : given->find("body")->text;
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        follow.axes[axis] = !axes || std::any_of(axes->items.begin(), axes->items.end(),
+                                                 [&](const Node& item) { return item.text == axis_text(axis); });
+        for (int end = 0; end < 2 && follow.axes[axis]; ++end) {
+            const SideScene::Kind kind = scene.sides[2 * axis + end].kind;
+            if (kind != SideScene::Kind::open && kind != SideScene::Kind::far)
+                v.refuse("domain.follow",
+                         "the side " + side_names[2 * axis + end] + " would move through the fluid along " + axis_text(axis),
+                         "follow the body along other axes, as in { body = \"" + follow.body +
+                             "\", axes = [...] }, or make the sides there far or open");
+        }
+    }
+    scene.follow = follow;
+}
+
 void read_cells(const Values& v, Scene& scene)
 {
     for (const char* name : {"domain.core.low", "domain.core.high", "domain.growth", "domain.largest"})
@@ -294,6 +321,7 @@ void read_domain(const Values& v, Scene& scene)
     }
     check_periodic(v, scene);
     check_far(v, scene);
+    read_follow(v, scene);
     scene.leaving = v.choice<Scene::Leaving>("domain.leaving");
 }
 

@@ -121,6 +121,29 @@ void check_way_out(const Values& v, const Scene& scene)
                  "open a side, or let as much through another one");
 }
 
+/// The body that the grid follows is there and moves.
+void check_follow(const Values& v, const Scene& scene)
+{
+    if (!scene.follow)
+        return;
+    const auto body = std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                   [&](const BodyScene& other) { return other.name == scene.follow->body; });
+    if (body == scene.bodies.end())
+        v.refuse("domain.follow", "no body is called '" + scene.follow->body + "'", "name one of the bodies");
+    if (body->motion == BodyScene::Motion::fixed)
+        v.refuse("domain.follow", "the body '" + body->name + "' is fixed: it goes nowhere",
+                 "name a body that moves, or leave domain.follow out");
+}
+
+/// A side that moves has no place at which a flux could be measured.
+void check_sides_of_fluxes(const Values& v, const Scene& scene)
+{
+    for (const FluxScene& flux : scene.fluxes)
+        if (scene.follow && flux.kind == FluxScene::Kind::side && scene.follow->axes[static_cast<std::size_t>(flux.side) / 2])
+            v.refuse("domain.follow", "the flux '" + flux.name + "' is measured through a side that moves",
+                     "measure it through a plane, or follow the body along other axes");
+}
+
 Scene scene_of(Node document, const std::string& file, const Overrides& overrides, Purpose purpose)
 {
     const std::vector<KeyInfo> keys = scene_keys();
@@ -141,9 +164,11 @@ Scene scene_of(Node document, const std::string& file, const Overrides& override
     read_gaps(values, purpose, scene);
     read_bodies(document, keys, moves, scene);
     read_crowds(document, keys, moves, scene);
+    check_follow(values, scene);
     check_way_out(values, scene);
     read_pairs(values, keys, purpose, scene);
     read_measures(document, keys, scene);
+    check_sides_of_fluxes(values, scene);
     scene.tolerance = values.number("solver.tolerance");
     scene.backend = values.choice<Scene::Backend>("solver.backend");
     read_output(values, scene);

@@ -100,8 +100,8 @@ std::string names_text(const Scene& scene, const CrowdScene& crowd)
 std::string roughness_text(const Scene& scene)
 {
     char text[100];
-    std::snprintf(text, sizeof text, "%.4g (%.3g cells%s)", scene.gap.roughness,
-                  scene.gap.roughness / scene.spacing(), scene.gap.automatic_roughness ? ", auto" : "");
+    std::snprintf(text, sizeof text, "%.4g (%.3g cells%s)", scene.gap.roughness, scene.gap.roughness / scene.spacing(),
+                  scene.gap.automatic_roughness ? ", auto" : "");
     return text;
 }
 

@@ -150,9 +150,15 @@ struct FluxScene {
 struct CoreScene {
     double spacing = 0;
     Triple low{}, high{};
-    double growth = 0;                             ///< most; of a cell over its neighbour nearer to the core
-    std::optional<double> largest;                 ///< length
+    double growth = 0;                               ///< most; of a cell over its neighbour nearer to the core
+    std::optional<double> largest;                   ///< length
     std::array<std::vector<double>, 3> below, above; ///< widths of the cells outside over `spacing`, outwards
+};
+
+/// A grid that moves with the centre of mass of a body.
+struct FollowScene {
+    std::string body;
+    std::array<bool, 3> axes{}; ///< along which it moves
 };
 
 struct Scene {
@@ -174,8 +180,9 @@ struct Scene {
     Triple size{};
     std::array<int, 3> cells{1, 1, 1}; ///< along each axis, those outside a core too
     Triple origin{};
-    std::optional<CoreScene> core; ///< of a graded grid
-    std::array<SideScene, 6> sides; ///< x_low x_high y_low y_high z_low z_high
+    std::optional<CoreScene> core;     ///< of a graded grid
+    std::optional<FollowScene> follow; ///< the grid moves with a body
+    std::array<SideScene, 6> sides;    ///< x_low x_high y_low y_high z_low z_high
 
     Leaving leaving = Leaving::warn; ///< bodies on their way out of an open side
 

@@ -190,6 +190,13 @@ std::string scene_as_json(const Scene& scene)
         if (scene.core->largest)
             json["domain"]["largest"] = *scene.core->largest;
     }
+    if (scene.follow) {
+        Json axes = Json::array();
+        for (int axis = 0; axis < scene.dimension; ++axis)
+            if (scene.follow->axes[axis])
+                axes.push_back(std::string(1, "xyz"[axis]));
+        json["domain"]["follow"] = {{"body", scene.follow->body}, {"axes", axes}};
+    }
     for (int side = 0; side < 2 * scene.dimension; ++side)
         json["domain"]["sides"][side_names[side]] = side_json(scene.sides[side], list);
     json["domain"]["leaving"] = word({"warn", "stop", "remove"}, scene.leaving);

@@ -314,7 +314,8 @@ double way_beyond(const Grid<D>& grid, const FarField<D>& far, const Level<D>& l
     for (int k = 0; k < D; ++k) {
         const int i = std::min(face[k], level.cells[k] - 1), first = level.finest[k][i], next = level.finest[k][i + 1];
         if (grid.graded())
-            x[k] = k == axis ? grid.face_place(k, end * grid.cells()[k]) : 0.5 * (grid.face_place(k, first) + grid.face_place(k, next));
+            x[k] = k == axis ? grid.face_place(k, end * grid.cells()[k])
+                             : 0.5 * (grid.face_place(k, first) + grid.face_place(k, next));
         else
             x[k] = k == axis ? end * grid.cells()[k] : 0.5 * (first + next);
     }

@@ -19,14 +19,15 @@ Block<D> block_of_level(const Index<D>& low, const Index<D>& high)
 
 template <int D>
 struct Level {
-    Index<D> cells;        ///< of the whole level
-    Index<D> low, high;    ///< the cells of this rank; all of them once the level is gathered
-    bool graded = false;   ///< of a grid whose cells differ in width
-    double target = 1;     ///< width over dx that merging cells have come to
-    std::array<std::vector<double>, D> width;  ///< of the level's cells along each axis, over dx
-    std::array<std::vector<int>, D> finest;    ///< first cell of the finest level in each cell; one more entry: their number
-    std::array<std::vector<int>, D> partition; ///< where the ranks' blocks start along each axis; one more entry: the number of cells
-    std::array<std::vector<int>, D> parent;    ///< cell of the next level that each cell belongs to
+    Index<D> cells;                           ///< of the whole level
+    Index<D> low, high;                       ///< the cells of this rank; all of them once the level is gathered
+    bool graded = false;                      ///< of a grid whose cells differ in width
+    double target = 1;                        ///< width over dx that merging cells have come to
+    std::array<std::vector<double>, D> width; ///< of the level's cells along each axis, over dx
+    std::array<std::vector<int>, D> finest;   ///< first cell of the finest level in each cell; one more entry: their number
+    std::array<std::vector<int>, D>
+        partition; ///< where the ranks' blocks start along each axis; one more entry: the number of cells
+    std::array<std::vector<int>, D> parent; ///< cell of the next level that each cell belongs to
     std::array<bool, D> periodic;
     std::array<int, 2 * D> neighbours;
     Block<D> block;                               ///< what is stored: block_of_level(low, high)

@@ -139,9 +139,9 @@ void correct(const Transport<D, Axis>& t, const Block<D>& block, const std::int8
 // Semi-Lagrangian values of marked faces.
 template <int D, int Axis>
 void advect_marked(const Grid<D>& grid, CellField<D>& result, const FaceField<D>& u, const CellField<D, std::int8_t>& marked,
-                   double dt)
+                   double dt, const Vec<D>& grid_velocity)
 {
-    const Tracer<D, Axis> tracer(grid, u);
+    const Tracer<D, Axis> tracer(grid, u, grid_velocity);
     const double* phi = u[Axis].data();
     for_owned_pieces<D, Axis>(grid, result.block(), [&](long first, Point<D> x, int n) {
         const std::int8_t* mark = marked.data() + first;
@@ -173,7 +173,7 @@ void for_each_axis(F&& f)
 template <int D>
 void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D>& carried, double dt,
             AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* first_order,
-            const FaceField<D>* change)
+            const FaceField<D>* change, const Vec<D>& grid_velocity)
 {
     assert(grid.ghost() >= 2 && &result != &u && &result != &carried);
     const bool corrected = scheme == AdvectionScheme::maccormack;
@@ -184,7 +184,7 @@ void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, co
         octants = CellField<D, std::int8_t>(grid);
     }
     for_each_axis<D>([&]<int Axis>(std::integral_constant<int, Axis>) {
-        const Tracer<D, Axis> tracer(grid, u);
+        const Tracer<D, Axis> tracer(grid, u, grid_velocity);
         double* const out = result[Axis].data();
         const Transport<D, Axis> transport{grid,
                                            tracer,
@@ -204,18 +204,19 @@ void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, co
 
 template <int D>
 void advect_marked_faces(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u,
-                         const FaceField<D, std::int8_t>& marked, double dt)
+                         const FaceField<D, std::int8_t>& marked, double dt, const Vec<D>& grid_velocity)
 {
     assert(&result != &u);
-    for_each_axis<D>(
-        [&]<int Axis>(std::integral_constant<int, Axis>) { advect_marked<D, Axis>(grid, result[Axis], u, marked[Axis], dt); });
+    for_each_axis<D>([&]<int Axis>(std::integral_constant<int, Axis>) {
+        advect_marked<D, Axis>(grid, result[Axis], u, marked[Axis], dt, grid_velocity);
+    });
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void advect<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D>&, double, AdvectionScheme,  \
-                            const BoundaryVelocity<D>&, const FaceField<D, std::int8_t>*, const FaceField<D>*);                \
+                            const BoundaryVelocity<D>&, const FaceField<D, std::int8_t>*, const FaceField<D>*, const Vec<D>&); \
     template void advect_marked_faces<D>(const Grid<D>&, FaceField<D>&, const FaceField<D>&, const FaceField<D, std::int8_t>&, \
-                                         double);
+                                         double, const Vec<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

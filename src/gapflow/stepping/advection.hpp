@@ -19,14 +19,15 @@ enum class AdvectionScheme { semi_lagrangian, maccormack };
 /// first_order (optional): faces marked with nonzero take the semi-Lagrangian value. Collective with MacCormack.
 /// change (optional; ghosts filled): half of this change of velocities in the step acts at the trace's foot: result += 1/2
 /// (A(change) - change), A semi-Lagrangian.
+/// grid_velocity: of a grid that moves during dt; the values at its places are velocities in the world before and after.
 template <int D>
 void advect(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u, const FaceField<D>& carried, double dt,
             AdvectionScheme scheme, const BoundaryVelocity<D>& sides, const FaceField<D, std::int8_t>* first_order = nullptr,
-            const FaceField<D>* change = nullptr);
+            const FaceField<D>* change = nullptr, const Vec<D>& grid_velocity = Vec<D>::Zero());
 
 /// The semi-Lagrangian result for u itself on the marked faces (nonzero); others are left as they are.
 template <int D>
 void advect_marked_faces(const Grid<D>& grid, FaceField<D>& result, const FaceField<D>& u,
-                         const FaceField<D, std::int8_t>& marked, double dt);
+                         const FaceField<D, std::int8_t>& marked, double dt, const Vec<D>& grid_velocity = Vec<D>::Zero());
 
 } // namespace gapflow

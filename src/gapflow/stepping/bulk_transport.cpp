@@ -65,7 +65,7 @@ bool mark_across_thin_bodies(const Grid<D>& grid, const FaceField<D>& open, doub
 // would add its kinetic energy, and beside a body that leaves, where ideal flow is singular, its speed would grow without
 // bound.
 template <int D>
-void add_inflow_head(const Grid<D>& grid, const Vec<D>& outside, double dt, FaceField<D>& u)
+void add_inflow_head(const Grid<D>& grid, const Vec<D>& outside, const Vec<D>& grid_velocity, double dt, FaceField<D>& u)
 {
     for (int axis = 0; axis < D; ++axis)
         for (int end = 0; end < 2; ++end) {
@@ -78,7 +78,7 @@ void add_inflow_head(const Grid<D>& grid, const Vec<D>& outside, double dt, Face
             const double free = outside[axis] * outside[axis];
             for_each_index<D>(from, to, [&](const Index<D>& f) {
                 const double w = end == 0 ? u(axis, f) : -u(axis, f);
-                if (w > 0 && w * w > free)
+                if (w > (end == 0 ? 1 : -1) * grid_velocity[axis] && w > 0 && w * w > free)
                     u(axis, f) /= 1 + dt * (w - free / w) / (grid.dx() * grid.spread(axis, f[axis]));
             });
         }
@@ -119,14 +119,15 @@ void complete_head_of_pressure_sides(const Model<D>& model, const Coupling<D>& t
 // Fluid that comes in through a far side has no vorticity. What fades beyond the side like the pressure of fluid at rest is its whole head
 // h = p / rho + (|u|^2 - |u_infinity|^2) / 2, so d u_n / dt = -dh/dn without advection; the pressure's part is the projection's.
 template <int D>
-void let_in_from_far(const Grid<D>& grid, const Vec<D>& outside, double dt, const FaceField<D>& before, FaceField<D>& u)
+void let_in_from_far(const Grid<D>& grid, const Vec<D>& outside, const Vec<D>& grid_velocity, double dt,
+                     const FaceField<D>& before, FaceField<D>& u)
 {
     const FarField<D> far = far_field(grid);
     for (int axis = 0; axis < D; ++axis)
         for_each_far_face(grid, axis, [&](const Index<D>& f, int end) {
             const int inwards = end ? -1 : 1;
-            const double w = inwards * before(axis, f);
-            if (w <= 0)
+            const double w = inwards * before(axis, f), beyond = w - inwards * grid_velocity[axis]; // through the side
+            if (beyond <= 0)
                 return;
             const Index<D> inner = end ? Index<D>(f - step<D>(axis)) : f;
             double square = w * w - outside.squaredNorm();
@@ -136,7 +137,7 @@ void let_in_from_far(const Grid<D>& grid, const Vec<D>& outside, double dt, cons
                     square += along * along;
                 }
             const double loss = dt * square / (far_distance(grid, far, axis, f) * grid.dx() * grid.spread(axis, f[axis]));
-            u(axis, f) = inwards * (loss > 0 ? w / (1 + loss / w) : w - loss);
+            u(axis, f) = inwards * (loss > 0 && w > 0 ? w / (1 + loss / w) : w - loss);
         });
 }
 
@@ -156,7 +157,9 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
     if (!model.viscous())
         past = {};
     FaceField<D> middle(grid);
-    advect<D>(grid, middle, velocity, velocity, 0.5 * step.dt, AdvectionScheme::semi_lagrangian, sides);
+    const Vec<D>& grid_velocity = model.grid_velocity;
+    advect<D>(grid, middle, velocity, velocity, 0.5 * step.dt, AdvectionScheme::semi_lagrangian, sides, nullptr, nullptr,
+              grid_velocity);
     fill_velocity_ghosts(grid, middle, sides);
     limit_to_inertia(grid, velocity, middle, change);
     fill_velocity_ghosts(grid, change, {});
@@ -168,15 +171,15 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
             first_order = &uncorrected;
     }
     FaceField<D> u_star(grid);
-    advect<D>(grid, u_star, middle, velocity, step.dt, scheme, sides, first_order, &change);
+    advect<D>(grid, u_star, middle, velocity, step.dt, scheme, sides, first_order, &change, grid_velocity);
     const Vec<D> outside = to_vec<D>(model.scene.fluid_velocity);
     const bool any_pressure_side = std::any_of(model.scene.sides.begin(), model.scene.sides.end(),
                                                [](const SideScene& side) { return side.kind == SideScene::Kind::pressure; });
     const FaceField<D> before_head = any_pressure_side ? u_star : FaceField<D>();
-    add_inflow_head(grid, outside, step.dt, u_star);
+    add_inflow_head(grid, outside, grid_velocity, step.dt, u_star);
     if (any_pressure_side)
         complete_head_of_pressure_sides(model, there, before_head, step.dt, u_star);
-    let_in_from_far(grid, outside, step.dt, velocity, u_star);
+    let_in_from_far(grid, outside, grid_velocity, step.dt, velocity, u_star);
     return u_star;
 }
 

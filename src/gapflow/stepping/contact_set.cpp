@@ -57,6 +57,13 @@ ContactSet<D>::ContactSet(const Scene& scene, const Grid<D>& grid, const std::ve
 }
 
 template <int D>
+void ContactSet<D>::move_domain(const Grid<D>& grid)
+{
+    low_ = grid.origin();
+    high_ = grid.origin() + grid.size();
+}
+
+template <int D>
 typename ContactSet<D>::PairLaw ContactSet<D>::law(int a, int b) const
 {
     const ContactScene& contact = scene_->contact_of(names_[a], names_[b]);

@@ -56,6 +56,8 @@ public:
     /// Features of all solids; pairs take their settings from the scene.
     ContactSet(const Scene& scene, const Grid<D>& grid, const std::vector<Solid<D>>& solids);
 
+    /// Of a grid that has moved.
+    void move_domain(const Grid<D>& grid);
     /// Finds the contacts of a configuration that may close in dt; those known from the step before keep their state.
     void find(const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists, double dt);
     /// Removes overlaps by moving free bodies, without a change of momentum; `at_start`: in the metric without masses. True if

@@ -56,7 +56,7 @@ Diffusion<D> diffuse(const Model<D>& model, const std::vector<RigidBody<D>>& bod
                     const bool on_side = !grid.periodic(axis) && (place == 0 || place == grid.cells()[axis]);
                     const double change = after[i] - from[i];
                     to[i] += change;
-                    of_plane += (on_side ? 0.5 : 1.0) * (open[i] * spread[i]) * change * change;
+                    of_plane += (on_side ? 0.5 : 1.0) * spread[i] * open[i] * change * change;
                 }
             });
             return of_plane;

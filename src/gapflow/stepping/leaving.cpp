@@ -36,15 +36,16 @@ Bounds<D> extent_of(const RigidBody<D>& body, double tolerance)
 namespace {
 
 template <int D>
-Whereabouts find(const Scene& scene, const Bounds<D>& extent)
+Whereabouts find(const Model<D>& model, const Bounds<D>& extent)
 {
+    const Scene& scene = model.scene;
     Whereabouts place;
     for (int side = 0; side < 2 * D; ++side) {
         const SideScene::Kind kind = scene.sides[side].kind;
         if (kind == SideScene::Kind::periodic)
             continue;
         const int axis = side / 2;
-        const double low = scene.origin[axis], high = low + scene.size[axis];
+        const double low = model.grid.origin()[axis], high = low + scene.size[axis];
         const bool upper = side % 2;
         place.outside = place.outside || (upper ? extent.low[axis] > high : extent.high[axis] < low);
         if (kind != SideScene::Kind::wall && (upper ? extent.high[axis] > high : extent.low[axis] < low))
@@ -56,9 +57,9 @@ Whereabouts find(const Scene& scene, const Bounds<D>& extent)
 } // namespace
 
 template <int D>
-std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<RigidBody<D>>& bodies)
+std::vector<Whereabouts> whereabouts(const Model<D>& model, const std::vector<RigidBody<D>>& bodies)
 {
-    const double dx = scene.spacing();
+    const double dx = model.scene.spacing();
     std::vector<Whereabouts> places(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const RigidBody<D>& body = bodies[b];
@@ -67,20 +68,21 @@ std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<Rigid
         const Bounds<D> own = body.shape->bounds();
         if (!own.low.allFinite() || !own.high.allFinite())
             continue;
-        places[b] = find<D>(scene, extent_of(body, 0));
+        places[b] = find<D>(model, extent_of(body, 0));
         if (places[b].outside || !places[b].crossed.empty()) // a body near a side is measured by its vertices
-            places[b] = find<D>(scene, extent_of(body, 0.1 * dx));
+            places[b] = find<D>(model, extent_of(body, 0.1 * dx));
     }
     return places;
 }
 
 template <int D>
-Departures departures(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
+Departures departures(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
                       bool first)
 {
     Departures result;
     std::vector<std::string>& notes = result.notes;
-    const std::vector<Whereabouts> now = whereabouts(scene, bodies);
+    const Scene& scene = model.scene;
+    const std::vector<Whereabouts> now = whereabouts(model, bodies);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const std::string name = "body '" + bodies[b].name + "' ";
         if (now[b].outside) {
@@ -150,8 +152,9 @@ std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Bounds<D> extent_of<D>(const RigidBody<D>&, double);                                                              \
-    template std::vector<Whereabouts> whereabouts<D>(const Scene&, const std::vector<RigidBody<D>>&);                          \
-    template Departures departures<D>(const Scene&, const std::vector<RigidBody<D>>&, const std::vector<Whereabouts>&, bool);  \
+    template std::vector<Whereabouts> whereabouts<D>(const Model<D>&, const std::vector<RigidBody<D>>&);                       \
+    template Departures departures<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const std::vector<Whereabouts>&,      \
+                                      bool);                                                                                   \
     template void take_out<D>(RigidBody<D>&);                                                                                  \
     template std::vector<std::string> remove_bodies<D>(const Model<D>&, const std::vector<int>&, State<D>&);
 GAPFLOW_INSTANTIATE(2)

@@ -20,7 +20,7 @@ struct Whereabouts {
 
 /// Of every body; fixed ones, containers and bodies without bounds count as inside.
 template <int D>
-std::vector<Whereabouts> whereabouts(const Scene& scene, const std::vector<RigidBody<D>>& bodies);
+std::vector<Whereabouts> whereabouts(const Model<D>& model, const std::vector<RigidBody<D>>& bodies);
 
 /// What has happened in a step.
 struct Departures {
@@ -31,7 +31,7 @@ struct Departures {
 /// Of bodies that were at `before` when a step began: one that moves out through an open or inflow side is on its way out once it reaches
 /// through; one that is wholly outside and was not has left. `first`: of the first step, when bodies that reach through already count.
 template <int D>
-Departures departures(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
+Departures departures(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
                       bool first);
 
 /// Holds a body still and nothing acts on it from then on. For one that lies far outside the domain.

@@ -76,6 +76,7 @@ BoundaryVelocity<D> Model<D>::sides(double time) const
 {
     BoundaryVelocity<D> sides;
     sides.no_slip = viscous();
+    sides.grid = grid_velocity;
     for (int s = 0; s < 2 * D; ++s) {
         const SideScene& side = scene.sides[s];
         sides.velocity[s] = to_vec<D>(side.velocity);
@@ -96,7 +97,7 @@ double Model<D>::height(int side) const
     for (int corner = 0; corner < (1 << D); ++corner) {
         Vec<D> place;
         for (int axis = 0; axis < D; ++axis)
-            place[axis] = grid.origin()[axis] + (corner >> axis & 1) * grid.size()[axis];
+            place[axis] = scene.origin[axis] + (corner >> axis & 1) * grid.size()[axis]; // also of a grid that has moved
         if ((corner >> (side / 2) & 1) == side % 2)
             highest = std::max(highest, -g.dot(place));
     }

@@ -24,7 +24,8 @@ struct Model {
     Model& operator=(const Model&) = delete;
 
     const Scene scene;
-    const Grid<D> grid;
+    Grid<D> grid;                           ///< moves with a body (domain.follow), else as the scene places it
+    Vec<D> grid_velocity = Vec<D>::Zero();  ///< displacement of the grid in the last step over its length
     const std::vector<RigidBody<D>> bodies; ///< as the scene places them
     const DomainWalls<D> walls;
     const std::function<GapSettings(int, int)> gaps;
@@ -43,7 +44,7 @@ struct Model {
     std::vector<Twist<D>> twists(const std::vector<RigidBody<D>>& of) const;
     /// Generalised masses of all solids in a step of length dt; springs act as inertia too.
     std::vector<TwistMatrix<D>> masses(const std::vector<RigidBody<D>>& of, double dt) const;
-    /// Velocities of walls and inflow at a time.
+    /// Velocities of walls and inflow at a time, and of the grid.
     BoundaryVelocity<D> sides(double time) const;
     /// rho g . (x - x0), full minus reduced pressure; x0 is the highest point of the open and far sides, where the reference pressure
     /// acts, or without any that of the first pressure side, where its pressure at time 0 acts.

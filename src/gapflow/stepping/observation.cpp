@@ -96,6 +96,7 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
 {
     const Grid<D>& grid = model.grid;
     const double rho = model.scene.density, cell = std::pow(grid.dx(), D);
+    const Vec<D> about = to_vec<D>(model.scene.origin);          // a point of the world, also if the grid moves
     using Sums = Eigen::Matrix<double, D + spin_size<D> + 1, 1>; // momentum, angular momentum, energy
     Sums sums = Sums::Zero();
     for (int axis = 0; axis < D; ++axis) {
@@ -107,7 +108,8 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
                 const double *conductance = &here.system.conductance(axis, row), *open = &here.open(axis, row),
                              *u = &state.velocity.grid(axis, row);
                 const int* cut = &here.fractions->cut(axis, row);
-                double flow = 0, along = 0, square = 0; // sums of a u, x / dx a u, a u^2; outside the core times the faces' spread
+                double flow = 0, along = 0,
+                       square = 0; // sums of a u, x / dx a u, a u^2; outside the core times the faces' spread
                 int cuts = 0;
                 const SpreadRow<D> spread(grid, axis, row);
                 const double first = grid.face_centre(axis, row)[0];
@@ -129,7 +131,7 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
                     cuts += cut[i] >= 0 ? 1 : 0;
                 }
                 const Vec<D> direction = rho * cell * unit<D>(axis);
-                Spin<D> angular = moment<D>(grid.face_centre(axis, row) - grid.origin(), Vec<D>(flow * direction)) +
+                Spin<D> angular = moment<D>(grid.face_centre(axis, row) - about, Vec<D>(flow * direction)) +
                                   moment<D>(grid.dx() * unit<D>(0), Vec<D>(along * direction));
                 Index<D> f = row;
                 for (int i = 0; i < n && cuts > 0; ++i, ++f[0])
@@ -155,7 +157,7 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
 
     auto add = [&](const Vec<D>& momentum, const Vec<D>& x) {
         budget.momentum += momentum;
-        budget.angular_momentum += moment<D>(x - grid.origin(), momentum);
+        budget.angular_momentum += moment<D>(x - about, momentum);
     };
     const std::vector<double> normal = wall_normal_speed<D>(here.network, here.solids, V);
     for (const Film<D>& film : here.network.films)
@@ -177,7 +179,7 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
         if (body.motion == Motion::free) {
             const Twist<D> m = momentum(body);
             budget.momentum += m.template head<D>();
-            budget.angular_momentum += angular_momentum_about(body, grid.origin());
+            budget.angular_momentum += angular_momentum_about(body, about);
             budget.energy_bodies += kinetic_energy(body) + spring_energy(body);
         }
     return budget;

@@ -26,7 +26,7 @@ LastPressure<D> recall_pressure(const Model<D>& model, const Coupling<D>& here, 
     }
     last.bulk.pressure = last.bulk.known = CellField<D>(grid);
     bool goes_on = state.pressure.lasts;
-    for (const Whereabouts& place : whereabouts(model.scene, state.bodies))
+    for (const Whereabouts& place : whereabouts(model, state.bodies))
         goes_on = goes_on && place.crossed.empty();
     if (!goes_on)
         return last;
@@ -72,7 +72,8 @@ void remember_viscous_pressure(const Model<D>& model, const Coupling<D>& there, 
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         const bool has_pressure = there.system.component(c) >= 0;
         history.bulk.known(c) = has_pressure;
-        history.bulk.pressure(c) = has_pressure ? history.impulse.cells(c) / step.dt - share / grid.relative_volume(c) * divergence(c) : 0.0;
+        history.bulk.pressure(c) =
+            has_pressure ? history.impulse.cells(c) / step.dt - share / grid.relative_volume(c) * divergence(c) : 0.0;
     });
     // The force on bodies belongs to the same pressure as that from which the fluid starts.
     UnknownVector<D> rotational{CellField<D>(grid), Eigen::VectorXd::Zero(there.system.nodes)};

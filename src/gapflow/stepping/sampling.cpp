@@ -58,6 +58,11 @@ public:
     /// The cell of this rank that a point lies in; points on the domain's high sides belong to the last cell.
     std::optional<Index<D>> cell_of(const Vec<D>& x) const
     {
+        for (int axis = 0; axis < D; ++axis) { // beyond the sides of a grid that moves
+            const double from = x[axis] - grid_.origin()[axis], round_off = 1e-6 * grid_.dx();
+            if (!grid_.periodic(axis) && (from < -round_off || from > grid_.size()[axis] + round_off))
+                return std::nullopt;
+        }
         const Index<D> c = grid_.cell_of(x).cwiseMax(0).cwiseMin(grid_.cells() - Index<D>::Ones());
         return grid_.owns(c) ? std::optional(c) : std::nullopt;
     }

@@ -3,6 +3,7 @@
 #include "gapflow/stepping/configuration.hpp"
 #include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
+#include "gapflow/stepping/following.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/motion.hpp"
@@ -53,6 +54,8 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const St
     StateArchive archive(stored);
     list_state(archive, model_, state_);
     archive.finish();
+    if (scene.follow)
+        place_grid<D>(model_, Vec<D>(state_.grid_shift), Vec<D>(state_.grid_velocity), state_);
     here_ = configure_stored(model_, state_, stages_);
     fill_velocity_ghosts(model_.grid, state_.velocity.grid, model_.sides(state_.time));
     exchange(model_.grid, state_.pressure.impulse.cells);
@@ -81,7 +84,7 @@ StepReport Simulation<D>::step(double next_output)
     StepReport report;
     const Step step = choose_step(model_, state_, *here_, beyond_.histories, next_output);
     state_.drive = next_drive(model_, *here_, state_, step);
-    const std::vector<Whereabouts> places = whereabouts(model_.scene, state_.bodies);
+    const std::vector<Whereabouts> places = whereabouts(model_, state_.bodies);
     std::optional<EarlierFlow<D>> earlier;
     if (model_.scene.until_steady)
         earlier.emplace(model_, state_);
@@ -90,6 +93,7 @@ StepReport Simulation<D>::step(double next_output)
                                      : reversing_films<D>(*here_, model_.twists(state_.bodies), state_.acceleration,
                                                           model_.gaps, model_.mouths);
     state_.bodies = timed(stages_, "bodies", [&] { return moved(std::move(state_.bodies), step); });
+    follow(model_, state_, step);
     timed(stages_, "contact", [&] { find_contacts(model_, state_, step); });
     const std::vector<TwistMatrix<D>> mass = model_.masses(state_.bodies, step.dt);
     LeftBehind<D> left = leave(here_);
@@ -125,7 +129,7 @@ StepReport Simulation<D>::step(double next_output)
 template <int D>
 void Simulation<D>::follow_departures(const std::vector<Whereabouts>& before, StepReport& report)
 {
-    Departures departed = departures(model_.scene, state_.bodies, before, state_.steps == 1);
+    Departures departed = departures(model_, state_.bodies, before, state_.steps == 1);
     report.leaving = !departed.starting.empty();
     std::vector<std::string> notes = std::move(departed.notes);
     if (model_.scene.leaving == Scene::Leaving::remove)

@@ -86,6 +86,11 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         archive("largest_speed", state.steady.largest_speed);
         archive("calm_steps", state.steady.calm_steps);
     });
+    if (model.scene.follow)
+        archive.group("follow", [&] {
+            archive("grid_shift", state.grid_shift);
+            archive("grid_velocity", state.grid_velocity);
+        });
     archive("acceleration", state.acceleration);
     archive("light_bodies", state.light_bodies);
     state.contacts.list_state(archive);

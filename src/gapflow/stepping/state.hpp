@@ -61,7 +61,9 @@ struct State {
     std::vector<Vec<D>> film_increment; ///< acceleration of the films' elements in the last step, pressure and transport
     Drive<D> drive;
     SteadyWatch steady;
-    std::set<int> removed;    ///< bodies that left the domain and were taken out: held far outside
+    Vec<D> grid_shift = Vec<D>::Zero();    ///< of a grid that follows a body, from its place at the scene's start
+    Vec<D> grid_velocity = Vec<D>::Zero(); ///< of the same, in the last step
+    std::set<int> removed;                 ///< bodies that left the domain and were taken out: held far outside
     bool light_bodies = true; ///< whether the next solver estimates if bodies are light enough to need a correction
 
     /// At the scene's start, fluid at rest.

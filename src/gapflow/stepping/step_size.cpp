@@ -4,6 +4,7 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
+#include "gapflow/stepping/following.hpp"
 #include "gapflow/stepping/reconstruction.hpp"
 
 #include <algorithm>
@@ -42,11 +43,13 @@ constexpr double tiny = std::numeric_limits<double>::min();
 
 // Largest speed on this rank's faces that are open by more than a share; where cells are wider than dx, so much smaller.
 template <int D>
-double largest_speed(const Grid<D>& grid, const FaceField<D>& open_share, const FaceField<D>& velocity, double share)
+double largest_speed(const Grid<D>& grid, const FaceField<D>& open_share, const FaceField<D>& velocity, double share,
+                     const Vec<D>& grid_velocity)
 {
     double speed = 0;
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
+        const double frame = grid_velocity[axis];
         speed = std::max(speed, max_over_planes(low[D - 1], end[D - 1], [&](int plane) {
                              double largest = 0;
                              for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
@@ -54,13 +57,14 @@ double largest_speed(const Grid<D>& grid, const FaceField<D>& open_share, const 
                                  for (int i = 0; i < end[0] - low[0] && grid.graded(); ++i) {
                                      const int place = row[axis] + (axis == 0 ? i : 0);
                                      const double width = std::min(grid.width(axis, place - 1), grid.width(axis, place));
-                                     largest = std::max(largest, open[i] > share ? std::abs(u[i]) / width : 0.0);
+                                     largest = std::max(largest,
+                                                        open[i] > share ? std::abs(u[i] - grid_velocity[axis]) / width : 0.0);
                                  }
                                  if (grid.graded())
                                      return;
 #pragma omp simd reduction(max : largest)
                                  for (int i = 0; i < end[0] - low[0]; ++i)
-                                     largest = std::max(largest, open[i] > share ? std::abs(u[i]) : 0.0);
+                                     largest = std::max(largest, open[i] > share ? std::abs(u[i] - frame) : 0.0);
                              });
                              return largest;
                          }));
@@ -144,7 +148,8 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
     const Grid<D>& grid = model.grid;
     const std::vector<RigidBody<D>>& bodies = state.bodies;
     const double dx = grid.dx();
-    const double speed = grid.comm().max(largest_speed(grid, here.open, state.velocity.grid, widest_sliver(model, state.dt)));
+    const double speed = grid.comm().max(largest_speed(grid, here.open, state.velocity.grid, widest_sliver(model, state.dt),
+                                                       expected_grid_velocity(model, state.bodies)));
     double dt = std::min(scene.max_step, scene.cfl * dx / std::max(speed, tiny));
 
     // The first step has no pressure of a step before: nu dt is at most dx^2 in it, and twice as much in each following step.

@@ -76,12 +76,16 @@ struct Tracer {
     std::array<const double*, D> u;
     std::array<long, D> stride;
     Point<D> low, high; // bounds of feet, in cells from the domain's origin
+    Point<D> frame;     // velocity of the grid
     bool graded;
-    std::array<std::vector<double>, D> inverse_spacing; // over 1 / dx, between the component's values i and i + 1; graded grids only
-    Index<D> first;                                     // i of its first entry
+    std::array<std::vector<double>, D>
+        inverse_spacing; // over 1 / dx, between the component's values i and i + 1; graded grids only
+    Index<D> first;      // i of its first entry
 
-    Tracer(const Grid<D>& grid, const FaceField<D>& velocity) : graded(grid.graded())
+    Tracer(const Grid<D>& grid, const FaceField<D>& velocity, const Vec<D>& grid_velocity) : graded(grid.graded())
     {
+        for (int k = 0; k < D; ++k)
+            frame[k] = grid_velocity[k];
         const Block<D>& block = velocity[0].block();
         first = block.low - Index<D>::Ones();
         for (int k = 0; k < D && graded; ++k)
@@ -158,7 +162,8 @@ private:
     {
         Point<D> d;
         for (int k = 0; k < D; ++k) {
-            d[k] = graded ? in_spacings(k, x[k], -courant * w[k]) : -courant * w[k];
+            const double relative = frame[k] == 0 ? w[k] : w[k] - frame[k];
+            d[k] = graded ? in_spacings(k, x[k], -courant * relative) : -courant * relative;
             d[k] = d[k] > low[k] - x[k] ? d[k] : low[k] - x[k];
             d[k] = d[k] < high[k] - x[k] ? d[k] : high[k] - x[k];
         }
@@ -276,6 +281,12 @@ private:
         for (int k = 0; k < D; ++k) {
             const double low = tracer_.low[k] - x_[k], high = tracer_.high[k] - x_[k], shift = k == 0 ? 1.0 : 0.0;
             const double* from = w[k].data();
+            std::array<double, lanes> relative;
+            if (tracer_.frame[k] != 0) {
+                for (int i = 0; i < n_; ++i)
+                    relative[i] = from[i] - tracer_.frame[k];
+                from = relative.data();
+            }
             double* to = d[k].data();
             if (tracer_.graded) {
                 largest = std::max(largest, displace_graded(k, from, courant, low, high, shift, to));

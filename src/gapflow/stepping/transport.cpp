@@ -109,11 +109,15 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
     const Grid<D>& grid = model.grid;
     FaceField<D>& u = state.velocity.grid;
     const std::vector<Twist<D>> V = model.twists(state.bodies), predicted = predicted_twists(model, state.bodies, step);
+    Grid<D> before = grid; // where the velocities of the last step lie
+    const Vec<D>& grid_velocity = model.grid_velocity;
+    if (model.scene.follow)
+        before.shift_to(state.grid_shift - step.dt * grid_velocity);
     Intermediate<D> result;
     FluidVelocity<D>& u_star = result.velocity;
     FilmFlow<D> flow = advect_films<D>(
         there.network, there.solids, beyond.histories,
-        [&](const std::vector<Vec<D>>& points) { return sample(grid, u, points); }, model.mouths, state.film_debts, step.dt,
+        [&](const std::vector<Vec<D>>& points) { return sample(before, u, points); }, model.mouths, state.film_debts, step.dt,
         extrapolation_share(step.last_dt, step.dt));
     damp_vorticity(there.network, grid.dx(), flow.velocity);
     flow.account.transported = flow.velocity;
@@ -131,7 +135,7 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
     for (const Sliver<D>& face : beyond.slivers) {
         u(face.axis, face.at) = face.own;
         const double open = std::max(there.open(face.axis, face.at), face.open);
-        const double stays = std::max(0.0, 1 - step.dt * std::abs(face.own) / grid.dx());
+        const double stays = std::max(0.0, 1 - step.dt * std::abs(face.own - grid_velocity[face.axis]) / grid.dx());
         u_star.grid(face.axis, face.at) += stays * face.open / open * (face.own - face.extrapolated);
     }
     if (any_slivers)
@@ -148,7 +152,7 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
                 if (beside_film(axis, f))
                     beyond.film_faces(axis, f) = 0;
             });
-        advect_marked_faces(grid, u_star.grid, beyond.painted, beyond.film_faces, step.dt);
+        advect_marked_faces(grid, u_star.grid, beyond.painted, beyond.film_faces, step.dt, grid_velocity);
         share_uncovered_faces(there, old, beyond.film_faces, u, V, u_star.grid);
     }
     fill_velocity_ghosts(grid, u_star.grid, model.sides(step.end()));

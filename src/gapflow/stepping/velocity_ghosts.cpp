@@ -66,7 +66,7 @@ namespace {
 // Fluid that comes in from far has no vorticity: d u_t / d n = d u_n / d t at the side, for the component t of u beyond the side normal
 // to n. All layers beyond have one value.
 template <int D>
-void bring_in_without_vorticity(const Grid<D>& grid, int n, int end, int t, FaceField<D>& u)
+void bring_in_without_vorticity(const Grid<D>& grid, int n, int end, int t, double grid_velocity, FaceField<D>& u)
 {
     const CellField<D>& across = u[n];
     CellField<D>& along = u[t];
@@ -80,10 +80,9 @@ void bring_in_without_vorticity(const Grid<D>& grid, int n, int end, int t, Face
         Index<D> side = f;
         side[n] = end * grid.cells()[n];
         const double after = across(side), before = across(side - step<D>(t));
-        if (outwards * (after + before) >= 0)
+        if (outwards * (0.5 * (after + before) - grid_velocity) >= 0)
             return;
-        const double value =
-            along(f) + outwards * (after - before) * (grid.spread(n, side[n]) / grid.spread(t, f[t]));
+        const double value = along(f) + outwards * (after - before) * (grid.spread(n, side[n]) / grid.spread(t, f[t]));
         Index<D> ghost = f;
         for (ghost[n] += outwards; ghost[n] >= block.low[n] && ghost[n] < block.high[n]; ghost[n] += outwards)
             along(ghost) = value;
@@ -102,7 +101,7 @@ void fill_velocity_ghosts(const Grid<D>& grid, FaceField<D>& u, const BoundaryVe
             const bool mine = end == 0 ? grid.low()[n] == 0 : grid.high()[n] == grid.cells()[n];
             for (int t = 0; t < D && mine && grid.side(n, end) == SideKind::far; ++t)
                 if (t != n)
-                    bring_in_without_vorticity(grid, n, end, t, u);
+                    bring_in_without_vorticity(grid, n, end, t, sides.grid[n], u);
         }
 }
 

@@ -12,7 +12,8 @@ namespace gapflow {
 template <int D>
 struct BoundaryVelocity {
     std::array<Vec<D>, 2 * D> velocity;
-    bool no_slip = false; ///< fluid sticks to walls
+    bool no_slip = false;         ///< fluid sticks to walls
+    Vec<D> grid = Vec<D>::Zero(); ///< of the grid: fluid comes in through far sides where it moves in relative to them
 
     BoundaryVelocity() { velocity.fill(Vec<D>::Zero()); }
 };

@@ -74,7 +74,8 @@ public:
                 }
             }
             if (deepest)
-                add(deepest->solid, grid_.relative_area(axis, f) * grid_.face_area(), x - here_.solids[deepest->solid].centre - deepest->shift);
+                add(deepest->solid, grid_.relative_area(axis, f) * grid_.face_area(),
+                    x - here_.solids[deepest->solid].centre - deepest->shift);
         }
         return sum;
     }

@@ -23,11 +23,11 @@ public:
 
 private:
     struct Level {
-        Index<D> count;                         ///< points along each axis
-        std::array<std::vector<double>, D> width;  ///< of the fluid around the points along each axis, over dx
-        std::array<std::vector<int>, D> parent;    ///< point of the next level that each belongs to along each axis
-        Block<D> block;                         ///< with a layer of zeros (periodic: copies) around them
-        std::array<LargeVector<float>, D> link; ///< to the next point along an axis
+        Index<D> count;                           ///< points along each axis
+        std::array<std::vector<double>, D> width; ///< of the fluid around the points along each axis, over dx
+        std::array<std::vector<int>, D> parent;   ///< point of the next level that each belongs to along each axis
+        Block<D> block;                           ///< with a layer of zeros (periodic: copies) around them
+        std::array<LargeVector<float>, D> link;   ///< to the next point along an axis
         LargeVector<float> inverse_diagonal, x, b;
     };
     struct Masses {

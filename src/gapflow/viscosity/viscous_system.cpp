@@ -194,7 +194,8 @@ private:
         Vec<D> x = grid_.face_centre(axis, f);
         x[k] = grid_.origin()[k] + end * grid_.size()[k];
         const double to_side = k == axis ? 0.0 : 0.5 * grid_.width(k, f[k]);
-        term.stiffness = system_.edge * edge_section<D>(grid_, axis, f, k) / (to_side + 1 / (degree * far_.fading(k, x) * grid_.dx()));
+        term.stiffness =
+            system_.edge * edge_section<D>(grid_, axis, f, k) / (to_side + 1 / (degree * far_.fading(k, x) * grid_.dx()));
         term.target = outside_[axis];
         terms_.add(term);
     }

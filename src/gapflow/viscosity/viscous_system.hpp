@@ -66,7 +66,7 @@ struct HeldMass {
 template <int D>
 struct ViscousSystem {
     const Grid<D>* grid = nullptr;
-    double edge = 0;      ///< mu dt dx^(D-2): of an edge between two points of the fluid in the core; outside times EdgeRow's ratio
+    double edge = 0; ///< mu dt dx^(D-2): of an edge between two points of the fluid in the core; outside times EdgeRow's ratio
     double cell_mass = 0; ///< rho dx^D
     /// Of every solid: times its angular velocity, the torque's impulse that |grad u|^2 lacks. 2 mu dt volume, as the lattice
     /// measures the volume: fluid that turns with a body exerts no torque.

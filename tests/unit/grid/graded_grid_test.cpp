@@ -13,8 +13,8 @@ Grid<D> graded_grid()
         grading.below[axis] = {1.2, 1.4, 1.6};
         grading.above[axis] = {1.5, 2.0};
     }
-    return Grid<D>(Vec<D>::Constant(-1), 0.5, Index<D>::Constant(11), all_sides<D>(SideKind::wall), 3, Communicator(MPI_COMM_SELF),
-                   grading);
+    return Grid<D>(Vec<D>::Constant(-1), 0.5, Index<D>::Constant(11), all_sides<D>(SideKind::wall), 3,
+                   Communicator(MPI_COMM_SELF), grading);
 }
 
 TEST(GradedGrid, PlacesByHand)
@@ -55,7 +55,8 @@ TEST(GradedGrid, FindsItsCells)
 
 TEST(GradedGrid, WithoutOuterCellsIsUniform)
 {
-    const Grid<2> grid(Vec<2>(0, 1), 0.25, Index<2>(8, 4), all_sides<2>(SideKind::wall), 2, Communicator(MPI_COMM_SELF), Grading<2>{});
+    const Grid<2> grid(Vec<2>(0, 1), 0.25, Index<2>(8, 4), all_sides<2>(SideKind::wall), 2, Communicator(MPI_COMM_SELF),
+                       Grading<2>{});
     EXPECT_FALSE(grid.graded());
     EXPECT_TRUE(grid.in_core(Index<2>(-3, 100)));
     EXPECT_EQ(grid.relative_area(0, Index<2>(9, 9)), 1.0);

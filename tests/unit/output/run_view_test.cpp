@@ -57,9 +57,9 @@ public:
             gaps += number + "," + std::to_string(time) + ",\"a, \"\"b\"\"\",wall:x_low," +
                     std::to_string(std::abs(k - 2) + 0.5) + "\n";
             write_cells<2>(folder_ / ("fields/fields" + name + ".vti"), grid,
-                         std::vector<VtkArray>{
-                             cell_array(grid, "pressure", 1, [&](const Index<2>& c, int) { return grid.cell_centre(c)[0]; }),
-                             cell_array(grid, "kind", 1, [&](const Index<2>& c, int) { return c[0] == 0 ? 0.0 : 1.0; })});
+                           std::vector<VtkArray>{
+                               cell_array(grid, "pressure", 1, [&](const Index<2>& c, int) { return grid.cell_centre(c)[0]; }),
+                               cell_array(grid, "kind", 1, [&](const Index<2>& c, int) { return c[0] == 0 ? 0.0 : 1.0; })});
             write_vtp<2>(folder_ / ("bodies/a" + name + ".vtp"), square({0.5 + 0.1 * k, 1}));
             write_vtp<2>(folder_ / ("films/films" + name + ".vtp"),
                          {{{0, 0.5}, {1, 0.5}}, {{0, 1}}, {{"thickness", 1, {0.1, 0.2}}, {"pressure", 1, {-1, 3}}}, {}});

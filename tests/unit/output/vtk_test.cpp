@@ -70,7 +70,7 @@ void write_samples(const std::filesystem::path& folder, PvdCollection& collectio
     write_cells<D>(folder / ("fields_float_" + name + ".vti"), grid, sample_fields(grid), {VtkPrecision::float32, {}});
     for (const VtkPrecision precision : {VtkPrecision::float64, VtkPrecision::float32})
         write_cells<D>(folder / ("appended_" + std::string(precision == VtkPrecision::float32 ? "float_" : "") + name + ".vti"),
-                     grid, sample_fields(grid), {precision, 0.125, true});
+                       grid, sample_fields(grid), {precision, 0.125, true});
     on_root(comm, [&] { write_vtp<D>(folder / ("appended_film_" + name + ".vtp"), sample_surface<D>(), {{}, 0.125, true}); });
     on_root(comm, [&] { write_vtp<D>(folder / ("film_" + name + ".vtp"), sample_surface<D>(), {{}, 0.125}); });
     on_root(comm, [&] { write_vtp<D>(folder / ("empty_" + name + ".vtp"), VtkSurface<D>{}); });

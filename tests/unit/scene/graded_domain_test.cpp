@@ -31,11 +31,13 @@ TEST(GradedDomain, CoreOfTheWholeDomainMakesAUniformGrid)
 
 TEST(GradedDomain, CellsFillTheDomain)
 {
-    const Scene scene =
-        scene_of("size = [40.0, 20.0]\norigin = [-20, 0]\nspacing = 0.1\ncore = { low = [-1, 0], high = [2, 3] }\ngrowth = 1.2\nlargest = 2\n");
+    const Scene scene = scene_of("size = [40.0, 20.0]\norigin = [-20, 0]\nspacing = 0.1\ncore = { low = [-1, 0], high = [2, 3] "
+                                 "}\ngrowth = 1.2\nlargest = 2\n");
     ASSERT_TRUE(scene.core);
     const CoreScene& core = *scene.core;
-    const auto length = [](const std::vector<double>& widths) { return 0.1 * std::accumulate(widths.begin(), widths.end(), 0.0); };
+    const auto length = [](const std::vector<double>& widths) {
+        return 0.1 * std::accumulate(widths.begin(), widths.end(), 0.0);
+    };
     EXPECT_NEAR(length(core.below[0]), 19, 1e-10);
     EXPECT_NEAR(length(core.above[0]), 18, 1e-10);
     EXPECT_TRUE(core.below[1].empty());
@@ -56,6 +58,20 @@ TEST(GradedDomain, StandsInTheResolvedScene)
     EXPECT_EQ(json["growth"], 1.1);
     EXPECT_FALSE(json.contains("cells"));
     EXPECT_FALSE(json.contains("largest"));
+}
+
+TEST(GradedDomain, FollowsABody)
+{
+    const std::string rest =
+        "[domain.sides]\nx_low = \"open\"\nx_high = \"open\"\n[[body]]\nname = \"ball\"\nshape = \"ball\"\nradius = 0.5\n"
+        "position = [2, 2]\nmotion = \"free\"\ndensity = 2\n";
+    const Scene scene = scene_of("size = [4.0, 4.0]\ncells = [8, 8]\nfollow = { body = \"ball\", axes = [\"x\"] }\n" + rest);
+    ASSERT_TRUE(scene.follow);
+    EXPECT_EQ(scene.follow->body, "ball");
+    EXPECT_EQ(scene.follow->axes, (std::array<bool, 3>{true, false, false}));
+    const auto json = nlohmann::json::parse(scene_as_json(scene))["domain"]["follow"];
+    EXPECT_EQ(json["body"], "ball");
+    EXPECT_EQ(json["axes"], (std::vector<std::string>{"x"}));
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // Runs on graded grids.
 #include "gapflow/scene/graded_widths.hpp"
-#include "gapflow/stepping/advection.hpp"
 #include "gapflow/stepping/added_mass.hpp"
+#include "gapflow/stepping/advection.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,8 @@ Scene graded_scene(int dimension, double half, double core, int n, double growth
         scene.origin[axis] = -half;
         cells.low[axis] = -core;
         cells.high[axis] = core;
-        cells.below[axis] = cells.above[axis] = graded_widths((half - core) * n, growth, std::numeric_limits<double>::infinity());
+        cells.below[axis] = cells.above[axis] =
+            graded_widths((half - core) * n, growth, std::numeric_limits<double>::infinity());
         scene.cells[axis] = static_cast<int>(std::lround(2 * core * n) + 2 * static_cast<long>(cells.below[axis].size()));
         scene.sides[2 * axis].kind = scene.sides[2 * axis + 1].kind = kind;
     }
@@ -210,6 +211,113 @@ TEST(GradedSpacing, CouetteFlowIsExact)
         EXPECT_NEAR(simulation.velocity().grid(0, Index<2>(3, j)), 0.5 * grid.centre_place(1, j), 1e-5) << j;
 }
 
+// Everything moves together, the grid too: nothing changes.
+template <int D>
+void expect_uniform_motion_with_the_grid(double viscosity)
+{
+    Scene scene = graded_scene(D, 4, 1.5, 4, 1.2, Kind::far);
+    scene.bodies = {ball(0.6, {-0.3, 0.007, D == 3 ? 0.003 : 0.0}), ball(0.3, {0.605, 0.1, 0})};
+    scene.bodies[1].name = "other"; // a film between the two
+    scene.fluid_velocity = {1, 0.3, D == 2 ? 0.0 : -0.2};
+    for (BodyScene& body : scene.bodies) {
+        body.velocity = scene.fluid_velocity;
+        body.motion = BodyScene::Motion::free;
+        body.density = 1;
+    }
+    scene.viscosity = viscosity;
+    scene.follow = FollowScene{"ball", {true, true, true}};
+    scene.end = 4;
+    scene.max_step = 0.05;
+    Simulation<D> simulation(scene, Communicator());
+    while (simulation.time() < 2)
+        simulation.step(2); // out of the core of a grid that stays
+    const Simulation<D>& after = simulation;
+    EXPECT_FALSE(after.outside_core());
+    EXPECT_GT(after.coupling().network.nodes, 0);
+    for (int axis = 0; axis < D; ++axis) {
+        EXPECT_NEAR(after.grid().origin()[axis], -4 + 2 * scene.fluid_velocity[axis], 1e-11);
+        for (const RigidBody<D>& body : after.bodies())
+            EXPECT_NEAR(body.twist[axis], scene.fluid_velocity[axis], 1e-11);
+        for_each_index<D>(after.grid().low(), owned_faces_end(after.grid(), axis), [&](const Index<D>& f) {
+            if (after.coupling().open(axis, f) > 0) {
+                EXPECT_NEAR(after.velocity().grid(axis, f), scene.fluid_velocity[axis], 1e-10) << axis << ": " << f.transpose();
+            }
+        });
+    }
+}
+
+TEST(FollowingGrid, KeepsUniformMotion2D)
+{
+    expect_uniform_motion_with_the_grid<2>(0);
+}
+
+TEST(FollowingGrid, KeepsUniformMotion3D)
+{
+    expect_uniform_motion_with_the_grid<3>(0);
+}
+
+TEST(FollowingGrid, KeepsUniformMotionOfViscousFluid)
+{
+    expect_uniform_motion_with_the_grid<2>(0.05);
+}
+
+// A heavy disk falls from rest: its speed after a while on a grid that follows it and on one that stays; returns the difference, relative.
+double difference_of_falls(int n)
+{
+    double speed[2];
+    for (const bool follows : {false, true}) {
+        Scene scene = graded_scene(2, 6, follows ? 1.5 : 3, n, 1.2, Kind::far);
+        scene.bodies = {ball(0.5, {0.013, follows ? 0.3 : 1.5, 0})};
+        scene.bodies[0].motion = BodyScene::Motion::free;
+        scene.bodies[0].density = 3;
+        scene.gravity = {0, -1, 0};
+        scene.viscosity = 0.05;
+        scene.end = 2;
+        scene.max_step = 0.2 / n;
+        if (follows)
+            scene.follow = FollowScene{"ball", {true, true, false}};
+        Simulation<2> simulation(scene, Communicator());
+        while (simulation.time() < scene.end)
+            simulation.step(scene.end);
+        speed[follows] = simulation.bodies()[0].twist[1];
+    }
+    EXPECT_LT(speed[0], -0.5);
+    return std::abs(speed[1] / speed[0] - 1);
+}
+
+TEST(FollowingGrid, FallsAsOnAGridThatStays)
+{
+    const double coarse = difference_of_falls(8), fine = difference_of_falls(16);
+    EXPECT_LT(coarse, 0.02);
+    EXPECT_LT(fine, 0.005);
+    EXPECT_LT(fine, coarse);
+}
+
+// What a step depends on is in the stored state: the same bits afterwards.
+TEST(FollowingGrid, GoesOnFromAStoredState)
+{
+    Scene scene = graded_scene(2, 4, 1.5, 4, 1.2, Kind::far);
+    scene.bodies = {ball(0.5, {0, 0, 0})};
+    scene.bodies[0].motion = BodyScene::Motion::free;
+    scene.bodies[0].density = 3;
+    scene.gravity = {0.3, -1, 0};
+    scene.end = 4;
+    scene.max_step = 0.05;
+    scene.follow = FollowScene{"ball", {true, true, false}};
+    Simulation<2> whole(scene, Communicator());
+    for (int k = 0; k < 10; ++k)
+        whole.step(4);
+    Simulation<2> again(scene, Communicator(), whole.state());
+    EXPECT_EQ(again.grid().origin(), whole.grid().origin());
+    for (int k = 0; k < 5; ++k) {
+        whole.step(4);
+        again.step(4);
+    }
+    EXPECT_NE(whole.grid().origin()[1], -4);
+    EXPECT_EQ(again.grid().origin(), whole.grid().origin());
+    EXPECT_EQ(again.bodies()[0].twist, whole.bodies()[0].twist);
+}
+
 // A body that leaves the core is told of.
 TEST(GradedSpacing, KnowsWhatLeavesTheCore)
 {
@@ -225,7 +333,8 @@ TEST(GradedSpacing, KnowsWhatLeavesTheCore)
     while (simulation.time() < 0.3)
         simulation.step(0.3);
     ASSERT_TRUE(simulation.outside_core());
-    EXPECT_NE(simulation.outside_core()->find("body 'ball' reaches out of the core"), std::string::npos) << *simulation.outside_core();
+    EXPECT_NE(simulation.outside_core()->find("body 'ball' reaches out of the core"), std::string::npos)
+        << *simulation.outside_core();
 }
 
 } // namespace

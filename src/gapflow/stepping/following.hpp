@@ -1,0 +1,21 @@
+// A grid that moves with a body (method, "A grid that follows a body").
+#pragma once
+
+#include "gapflow/stepping/state.hpp"
+#include "gapflow/stepping/step.hpp"
+
+namespace gapflow {
+
+/// Velocity of the grid if it went with its body as that moves now; 0 of a grid that stays.
+template <int D>
+Vec<D> expected_grid_velocity(const Model<D>& model, const std::vector<RigidBody<D>>& bodies);
+
+/// Moves the grid so that its body lies in it as at the scene's start. Nothing happens to a grid that stays.
+template <int D>
+void follow(Model<D>& model, State<D>& state, const Step& step);
+
+/// Puts the grid where `by` from its place at the scene's start; `velocity`: with which it came there in the last step.
+template <int D>
+void place_grid(Model<D>& model, const Vec<D>& by, const Vec<D>& velocity, State<D>& state);
+
+} // namespace gapflow
