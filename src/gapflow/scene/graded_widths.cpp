@@ -7,7 +7,7 @@ namespace gapflow {
 
 namespace {
 
-std::vector<double> grown(std::size_t count, double growth, double largest)
+std::vector<double> grown_widths(std::size_t count, double growth, double largest)
 {
     std::vector<double> widths;
     double width = 1;
@@ -16,7 +16,7 @@ std::vector<double> grown(std::size_t count, double growth, double largest)
     return widths;
 }
 
-double sum(const std::vector<double>& widths)
+double sum_of_widths(const std::vector<double>& widths)
 {
     return std::accumulate(widths.begin(), widths.end(), 0.0);
 }
@@ -33,10 +33,10 @@ std::vector<double> graded_widths(double length, double growth, double largest)
     double low = 0.5 * std::min(1.0, length), high = growth;
     for (int i = 0; i < 100; ++i) {
         const double middle = 0.5 * (low + high);
-        (sum(grown(count, middle, largest)) < length ? low : high) = middle;
+        (sum_of_widths(grown_widths(count, middle, largest)) < length ? low : high) = middle;
     }
-    std::vector<double> widths = grown(count, high, largest);
-    const double factor = length / sum(widths);
+    std::vector<double> widths = grown_widths(count, high, largest);
+    const double factor = length / sum_of_widths(widths);
     for (double& width : widths)
         width *= factor;
     return widths;
