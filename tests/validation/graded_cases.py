@@ -201,7 +201,8 @@ def steady_cylinder(quick):
 
 
 def shedding_cylinder(quick):
-    """Strouhal number: Williamson (1989) measures 0.1643; computations give it as 0.164 to 0.167, and mean drags of 1.33 to 1.36."""
+    """Strouhal number: Williamson (1989) measures 0.1643; computations give it as 0.164 to 0.167, and mean drags of 1.33 to 1.36.
+    At 16 cells a diameter it is 0.1626 (mean drag 1.354), at 20 0.1631: it rises with the cells."""
     if quick:
         return
     n, half = 20, 60
