@@ -137,11 +137,14 @@ def drag_row(section, case, forces, exact, target):
 
 
 def stokes(quick):
-    half = 20
+    """Quick: soon after the start, when the drag is that of Stokes times 1 + a / sqrt(pi nu t) (Basset)."""
+    half, time = 20, 3.2e-3 if quick else 1.0
+    exact = 6 * math.pi * (1 + 1 / math.sqrt(math.pi * 1e4 * time) if quick else 1)
     for n in (4,) if quick else (8, 12):
         forces = creeping(graded([2.0 * half] * 3, [-float(half)] * 3, 1 / n, [-1.25] * 3, [1.25] * 3, 1.3, sides(3, "far")),
-                          {"position": [0.003, 0.007, 0.005], "motion": "fixed"}, [1.0, 0.0, 0.0], 2e-3 if quick else 1.0)
-        yield drag_row(STOKES, f"{n} cells a radius, far sides {half} radii away, growth 1.3", forces, 6 * math.pi, 30 if quick else 2)
+                          {"position": [0.003, 0.007, 0.005], "motion": "fixed"}, [1.0, 0.0, 0.0], time)
+        name = f"{n} cells a radius, far sides {half} radii away, growth 1.3"
+        yield drag_row(STOKES, name + (f", at nu t = {1e4 * time:g} a² against Basset's" if quick else ""), forces, exact, 6 if quick else 2)
 
 
 def sphere_along_wall(quick):
