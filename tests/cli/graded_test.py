@@ -1,10 +1,14 @@
-"""Graded grids as a user meets them: all commands work on one, VTK reads its fields, a body that leaves the core ends the run. Usage: graded_test.py GAPFLOW"""
+"""Graded grids as a user meets them: all commands work on one, VTK reads its fields, a body that leaves the core ends the run. Usage: graded_test.py GAPFLOW EXAMPLES"""
 import json
+import math
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 from harness import gapflow, rows
+
+EXAMPLES = Path(sys.argv.pop(1))
 
 # A ball in a core of 2.4 x 2 at the floor of a sea that is 12 wide and 8 deep.
 SEA = """
@@ -166,6 +170,37 @@ class Graded(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, "domain.core: body 'ball' reaches out of the core: it lies from .* to 1.6 along x, .*; bodies that move, and gaps, stay in "
                          "the core: choose a larger one, or another place")
+        done = gapflow("check", self.scene, "--set", "body.ball.position=[1.2,1.003]")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("domain.core: body 'ball' reaches out of the core", done.stderr)
+
+    def test_thin_bodies_are_told_the_spacing_that_sees_them(self):
+        done = gapflow("check", self.scene, "--set", "body.ball.radius=0.09")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("use domain.spacing = 0.05 or less, or a thicker body", done.stdout)
+        done = gapflow("check", self.scene, "--set", "body.ball.radius=0.09", "--set", "domain.spacing=0.05")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("thin", done.stdout)
+
+    def test_blade_has_the_added_mass_of_its_ellipsoid(self):
+        """Half-axes 0.25, 0.25 / 6 and 0.5: 105.0 kg across the face and 3.1 along the chord, whose sum twist leaves nearly as it is."""
+        done = gapflow("added-mass", EXAMPLES / "24_propeller_blade" / "scene.toml", "--json", "--set", "domain.spacing=0.04")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        matrix = json.loads(done.stdout)["matrix"]
+        self.assertLess(abs((matrix[0][0] + matrix[1][1]) / 108.1 - 1), 0.16)    # 2.1 cells thick
+        self.assertLess(abs(matrix[2][2] / 1.06 - 1), 0.3)
+        self.assertLess(abs(matrix[0][1] / matrix[1][0] - 1), 1e-4)
+        self.assertLess(matrix[0][1], -20)
+
+    def test_cylinder_from_rest_has_the_drag_of_its_layer(self):
+        done = gapflow("run", EXAMPLES / "25_cylinder_from_rest" / "scene.toml", "-o", self.out, "--quiet", "--set", "domain.spacing=0.1", "--set", "time.end=0.3",
+                       "--set", "output.every=0.3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        late = [row for row in rows(self.out / "bodies.csv")[:-1] if float(row["time"]) > 0.15]
+        for row in late:
+            law = 4 * (2 * math.pi / (550 * float(row["time"])))**0.5
+            self.assertTrue(0.8 * law < float(row["fx"]) < 1.6 * law, (row["time"], row["fx"], law))
+            self.assertLess(abs(float(row["fy"])), 1e-3 * float(row["fx"]))
 
 
 if __name__ == "__main__":
