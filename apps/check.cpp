@@ -33,7 +33,8 @@ void print_grading(const Scene& scene)
     double widest = 1, narrowest = std::numeric_limits<double>::infinity();
     std::array<std::array<double, 2>, 3> widths; // narrowest and widest along each axis
     for (int axis = 0; axis < scene.dimension; ++axis) {
-        counts.push_back(std::to_string(scene.cells[axis] - static_cast<int>(core.below[axis].size() + core.above[axis].size())));
+        counts.push_back(
+            std::to_string(scene.cells[axis] - static_cast<int>(core.below[axis].size() + core.above[axis].size())));
         widths[axis] = {1, 1};
         for (const auto* list : {&core.below[axis], &core.above[axis]})
             for (const double width : *list)

@@ -154,7 +154,7 @@ def sphere_along_wall(quick):
         domain = {"size": [2.0 * half, 2.0 * half, float(half)], "origin": [-float(half), -float(half), 0.0], "spacing": 1 / n,
                   "core": {"low": [-1.25, -1.25, 0.0], "high": [1.25, 1.25, 2.5]}, "growth": 1.3, "sides": sides(3, "far", z_low="wall")}
         forces = creeping(domain, {"position": [0.2 / n, 0.4 / n, 1 + gap], "motion": "prescribed", "velocity": [speed, 0.0, 0.0]}, [0.0] * 3, time)
-        yield drag_row(ALONG, f"gap {gap:g}, {n} cells a radius, far sides {half} radii away, growth 1.3", forces, 6 * math.pi * speed * SPHERE_ALONG[gap], 30 if quick else 4)
+        yield drag_row(ALONG, f"gap {gap:g}, {n} cells a radius, far sides {half} radii away, growth 1.3", forces, 6 * math.pi * speed * SPHERE_ALONG[gap], 10 if quick else 4)
 
 
 def stream(reynolds, n, half, core, growth, time, kick=False, probes=()):
