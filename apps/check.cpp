@@ -1,6 +1,8 @@
 #include "commands.hpp"
 
+#include "gapflow/core/error.hpp"
 #include "gapflow/core/text.hpp"
+#include "gapflow/stepping/core_check.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/memory_forecast.hpp"
 #include "gapflow/stepping/model.hpp"
@@ -58,6 +60,8 @@ void print_gaps(const Scene& scene, const Communicator& comm)
         scene.end > 0 ? take_out_overlaps<D>(scene, grid, bodies, model.walls) : std::vector<std::string>();
     warnings.insert(warnings.end(), moved.begin(), moved.end());
     const Coupling<D> coupling = model.coupled(bodies);
+    if (const auto outside = outside_core(model, coupling, bodies))
+        throw InputError(scene.file + ": domain.core: " + *outside + "; choose a larger core, or another place");
     const std::vector<Solid<D>>& solids = coupling.solids;
     if (!comm.root())
         return;

@@ -41,12 +41,12 @@ def toml(value):
 
 def scene_text(scene):
     """TOML of {"domain": {...}, "body": [{...}], ...}; a dict of dicts becomes tables, a list of dicts array tables."""
-    lines = [f"{k} = {toml(v)}" for k, v in scene.items() if not isinstance(v, dict) and k not in ("body", "pair")]
+    lines = [f"{k} = {toml(v)}" for k, v in scene.items() if not isinstance(v, dict) and k not in ("body", "pair", "probe")]
     for name, table in scene.items():
         if isinstance(table, dict):
             lines.append(f"\n[{name}]")
             lines += [f"{k} = {toml(v)}" for k, v in table.items()]
-        elif name in ("body", "pair"):
+        elif name in ("body", "pair", "probe"):
             for entry in table:
                 lines.append(f"\n[[{name}]]")
                 lines += [f"{k} = {toml(v)}" for k, v in entry.items()]

@@ -53,10 +53,12 @@ std::string text_of(const ThinBody<D>& body)
 std::string finer_grid(const Scene& scene, double cells)
 {
     const double factor = std::ceil(enough_cells / cells);
+    if (scene.core)
+        return "domain.spacing = " + number_text(scene.spacing() / factor) + " or less";
     std::vector<std::string> counts;
     for (int axis = 0; axis < scene.dimension; ++axis)
         counts.push_back(number_text(factor * scene.cells[axis]));
-    return "domain.cells = [" + joined(counts) + "]";
+    return "domain.cells = [" + joined(counts) + "] or more";
 }
 
 } // namespace
@@ -93,7 +95,7 @@ std::vector<std::string> thickness_warnings(const Scene& scene, const std::vecto
 {
     std::vector<std::string> warnings;
     for (const ThinBody<D>& body : thin_bodies<D>(scene, bodies, walls)) {
-        const std::string remedy = "use " + finer_grid(scene, body.cells) + " or more, or a thicker body";
+        const std::string remedy = "use " + finer_grid(scene, body.cells) + ", or a thicker body";
         const bool unseen = body.cells < least_cells - 1e-6;
         if (unseen && thin == Scene::Thin::refuse)
             throw InputError(scene.file + ": " + text_of(body) +
