@@ -75,7 +75,7 @@ void write_comparison(const ReportOptions& options, const CountWatcher& watch)
     for (std::size_t i = 0; i < stored.size(); ++i)
         runs.push_back({std::move(stored[i]), labels[i]});
     const fs::path page = options.page.empty() ? fs::path("comparison.html") : fs::path(options.page);
-    print_summary(page, write_comparison_page(runs, page, {}, watch), runs.size(), options);
+    print_summary(page, write_comparison_page(runs, page, nullptr, {}, watch), runs.size(), options);
 }
 
 } // namespace
@@ -95,7 +95,8 @@ int report_command(const ReportOptions& options)
         if (sweep) {
             const std::vector<LabelledRun> runs = runs_of_sweep(folder, *sweep);
             const fs::path page = options.page.empty() ? folder / "report.html" : fs::path(options.page);
-            print_summary(page, write_comparison_page(runs, page, {}, watch), runs.size(), options);
+            const SweepResults results = read_sweep_results(folder, *sweep);
+            print_summary(page, write_comparison_page(runs, page, &results, {}, watch), runs.size(), options);
         } else if (options.folders.size() > 1) {
             write_comparison(options, watch);
         } else {

@@ -134,7 +134,9 @@ int drive(const Scene& scene, const RunOptions& options)
     }
     progress.clear();
     run.finish();
-    if (run.ended_by() == "time.until_steady")
+    if (run.ended_by() == "time.until_steady" && run.report().unsteadiness == 0)
+        log.info("nothing flows or moves any more");
+    else if (run.ended_by() == "time.until_steady")
         log.info(fmt::format("the flow is steady: it changes by less than {:.3g} of itself in the time in which it, or "
                              "viscosity, crosses the domain",
                              *scene.until_steady));

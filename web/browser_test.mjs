@@ -1,7 +1,7 @@
 // The pages of gapflow report in a real browser, without a network: they load without an error, the slider, the keys and the play
 // button change the picture, hovering tells values, zoom works, light and dark.
 //
-//   node browser_test.mjs PAGE_2D.html PAGE_3D.html COMPARISON_2D.html CROWD.html [OTHER.html ...]     others need only load
+//   node browser_test.mjs PAGE_2D.html PAGE_3D.html COMPARISON_2D.html CROWD.html MEASURED.html SWEEP.html [OTHER.html ...]     others need only load
 //
 // GAPFLOW_SCREENSHOTS=FOLDER leaves screenshots there.
 //
@@ -17,7 +17,7 @@ function skip(why) {
 }
 const playwright = await import("playwright-core").catch(() => skip("no playwright-core in web/node_modules"));
 const executablePath = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find(existsSync) ?? skip("no chromium-headless-shell");
-const [page2d, page3d, comparison, crowd, ...others] = process.argv.slice(2), shots = process.env.GAPFLOW_SCREENSHOTS;
+const [page2d, page3d, comparison, crowd, measured, sweep, ...others] = process.argv.slice(2), shots = process.env.GAPFLOW_SCREENSHOTS;
 
 const browser = await playwright.chromium.launch({ executablePath, args: ["--no-sandbox", "--enable-unsafe-swiftshader"] });
 
@@ -243,6 +243,7 @@ try {
     const end = await seen();
     assert.ok(first.every((picture, i) => picture !== end[i]), "one slider moves all");
     const titles = await page.locator(".plot h3").allInnerTexts();
+    assert.ok(titles.includes("Time of a step (seconds)"), `a title says a thing once: ${titles}`);
     assert.ok(titles.includes("Velocity: upper vy") && !titles.includes("Velocity: upper vx"), `no round-off: ${titles}`);
     const legend = await page.locator(".plot", { has: page.getByText("Velocity: upper vy", { exact: true }) }).locator(".u-legend").innerText();
     assert.match(legend, /body\.upper\.density = 2:? ?0\.\d+[\s\S]*body\.upper\.density = 8:? ?0\.\d+/);
@@ -266,6 +267,45 @@ try {
     await page.getByLabel("Add to Bodies").blur();
     assert.match(await text(page, "#chips"), /sand_0007/);
     if (shots) await page.screenshot({ path: join(shots, "crowd.png"), fullPage: true });
+    assert.deepEqual(page.problems, []);
+    await page.context().close();
+  }
+  {
+    const page = await open(measured);
+    const titles = await page.locator(".plot h3").allInnerTexts();
+    for (const title of ["Flux", "Inflow and outflow", "Pressure at probes", "Velocity at probes", "Parts of the force fx on disk"])
+      assert.ok(titles.includes(title), `${title} is among ${titles}`);
+    const card = (title) => page.locator(".plot", { has: page.getByRole("heading", { name: title, exact: true }) });
+    const table = async (title) => (await saved(page, () => card(title).getByRole("button", { name: "CSV" }).click())).bytes.toString().trim().split("\n");
+    const flux = await table("Flux");
+    assert.equal(flux[0], "time,outlet,above");
+    assert.equal(flux.length, 32);
+    assert.ok(Math.abs(Number(flux[10].split(",")[1]) - 1) < 1e-5, flux[10]);
+    const wake = await table("Velocity at probes");
+    assert.match(wake[0], /^time,"wake \(0\.95, 0\.5\) u"/);
+    assert.equal(wake.length, 13); // the first step at or behind every 0.05
+    assert.deepEqual((await table("Parts of the force fx on disk"))[0].split(","), ["time", "pressure", "shear"]); // no film, no contact
+    await page.getByRole("button", { name: "above", exact: true }).click();
+    assert.equal((await table("Flux"))[0], "time,outlet");
+    if (shots) await page.screenshot({ path: join(shots, "measured.png"), fullPage: true });
+    assert.deepEqual(page.problems, []);
+    await page.context().close();
+  }
+  {
+    const page = await open(sweep);
+    const part = page.locator("#sweep"), titles = () => part.locator(".plot h3").allInnerTexts();
+    assert.ok((await titles()).includes("disk.fx, mean over time"), `${await titles()}`);
+    const card = (title) => part.locator(".plot", { has: page.getByRole("heading", { name: title, exact: true }) });
+    const table = async (title) => (await saved(page, () => card(title).getByRole("button", { name: "CSV" }).click())).bytes.toString().trim().split("\n");
+    const drag = await table("disk.fx, mean over time");
+    assert.equal(drag[0], 'fluid.viscosity,"body.disk.position = [0.7,0.5]","body.disk.position = [0.7,0.4]"');
+    assert.deepEqual(drag.slice(1).map((row) => Number(row.split(",")[0])), [0.01, 0.0316227766016838, 0.1]);
+    assert.ok(drag.slice(1).every((row) => row.split(",").slice(1).every((cell) => Number(cell) > 0)), drag.join("\n"));
+    await part.getByRole("button", { name: "largest" }).click();
+    assert.ok((await titles()).includes("disk.fx, largest"));
+    await part.getByRole("button", { name: "body.disk.position" }).click();
+    assert.match((await table("disk.fx, largest"))[0], /^"body.disk.position, y",fluid.viscosity = 0.01,/);
+    if (shots) await page.screenshot({ path: join(shots, "sweep.png"), fullPage: true });
     assert.deepEqual(page.problems, []);
     await page.context().close();
   }

@@ -32,6 +32,45 @@ max_step = 0.02
 every = 0.02
 """
 
+# All that a scene can ask to be measured.
+MEASURED = """
+[domain]
+size = [2, 1]
+cells = [32, 16]
+[domain.sides]
+x_low = { inflow = [1, 0] }
+x_high = "open"
+[fluid]
+viscosity = 0.05
+[[body]]
+name = "disk"
+shape = "ball"
+radius = 0.2
+position = [0.7, 0.5]
+motion = "fixed"
+[[probe]]
+name = "tap"
+point = [0.1, 0.5]
+fields = ["pressure"]
+[[probe]]
+name = "wake"
+line = { from = [0.95, 0.5], to = [2, 0.5], count = 12 }
+fields = ["velocity"]
+every = 0.05
+[[flux]]
+name = "outlet"
+side = "x_high"
+[[flux]]
+name = "above"
+plane = { point = [0.7, 0.5], normal = "x", low = [0, 0.5], high = [2, 1] }
+[time]
+end = 0.6
+max_step = 0.02
+[output]
+every = 0.2
+forces = true
+"""
+
 
 def comparison(folder):
     """The page of a sweep."""
@@ -39,6 +78,19 @@ def comparison(folder):
     subprocess.run([gapflow, *words, *(word for s in runs["01_plates_pulled_apart"] for word in ("--set", s))], check=True)
     subprocess.run([gapflow, "report", folder / "sweep"], check=True)
     return folder / "sweep" / "report.html"
+
+
+def measured(folder):
+    """Pages of a run and of a sweep of a scene that measures."""
+    scene = folder / "measured.toml"
+    scene.write_text(MEASURED)
+    subprocess.run([gapflow, "run", scene, "-o", folder / "measured", "--quiet"], check=True)
+    vary = ["--vary", "fluid.viscosity=0.01:0.1:3:log", "--vary", "body.disk.position=[0.7,0.5],[0.7,0.4]"]
+    subprocess.run([gapflow, "sweep", scene, "-o", folder / "measured_sweep", "--quiet", *vary], check=True)
+    pages = [folder / "measured", folder / "measured_sweep"]
+    for page in pages:
+        subprocess.run([gapflow, "report", page], check=True)
+    return [page / "report.html" for page in pages]
 
 
 def crowd(folder):
@@ -81,5 +133,5 @@ with tempfile.TemporaryDirectory() as folder:
         subprocess.run([gapflow, "run", project / "examples" / name / "scene.toml", "-o", out, "--quiet", *sets], check=True)
         subprocess.run([gapflow, "report", out], check=True)
         pages.append(out / "report.html")
-    pages += [comparison(Path(folder)), crowd(Path(folder)), *others(Path(folder), pages)]
+    pages += [comparison(Path(folder)), crowd(Path(folder)), *measured(Path(folder)), *others(Path(folder), pages)]
     sys.exit(subprocess.run([node, project / "web" / "browser_test.mjs", *pages]).returncode)

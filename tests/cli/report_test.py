@@ -18,6 +18,43 @@ EXAMPLES, MPIEXEC = Path(sys.argv.pop(1)), sys.argv.pop(1)
 PLATES, SPHERE = (EXAMPLES / name / "scene.toml" for name in ("01_plates_pulled_apart", "04_sphere_leaving_wall"))
 TITLE = 'plates </script><!-- & "co" <b>'
 
+MEASURED = """
+[domain]
+size = [2, 1]
+cells = [32, 16]
+[domain.sides]
+x_low = { inflow = [1, 0] }
+x_high = "open"
+[fluid]
+viscosity = 0.05
+[[body]]
+name = "disk"
+shape = "ball"
+radius = 0.2
+position = [0.7, 0.5]
+motion = "fixed"
+[[probe]]
+name = "tap"
+point = [0.1, 0.5]
+[[probe]]
+name = "line"
+line = { from = [1.5, 0], to = [1.5, 1], count = 11 }
+every = 0.05
+[[flux]]
+name = "outlet"
+side = "x_high"
+[[flux]]
+name = "seldom"
+plane = { point = [0.7, 0.5], normal = "x" }
+every = 0.1
+[time]
+end = 0.3
+max_step = 0.02
+[output]
+every = 0.15
+forces = true
+"""
+
 
 def run(scene, out, *settings, launcher=()):
     done = gapflow("run", scene, "-o", out, *[word for s in settings for word in ("--set", s)], launcher=launcher)
@@ -286,8 +323,60 @@ class Report(unittest.TestCase):
                        "body.upper.density=2,3", "--vary", "gap.model=film,none", "--jobs", "2")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(gapflow("report", out).returncode, 0)
-        self.assertEqual([r["label"] for r in Page(out / "report.html").json["runs"]],
+        page = Page(out / "report.html")
+        self.assertEqual([r["label"] for r in page.json["runs"]],
                          [f"body.upper.density = {d}, gap.model = {m}" for d in (2, 3) for m in ("film", "none")])
+        sweep = page.json["sweep"]
+        self.assertEqual(sweep["keys"], [{"name": "body.upper.density", "values": ["2", "2", "3", "3"]},
+                                         {"name": "gap.model", "values": ["film", "none", "film", "none"]}])
+        table = rows(out / "sweep.csv")
+        names = [column[:-5] for column in table[0] if column.endswith(".last")]
+        self.assertEqual(sorted(names), [q["name"] for q in sweep["quantities"]])
+        for quantity in sweep["quantities"]:
+            for of in ("last", "mean", "min", "max"):
+                for shown, row in zip(page.numbers(quantity[of]), table, strict=True):
+                    text = row[f"{quantity['name']}.{of}"]  # a run without films has no gap
+                    self.assertEqual(math.isnan(shown), text == "")
+                    self.assertTrue(text == "" or shown == float(text))
+        # without its table: the runs alone; with that of another sweep: refused
+        table = (out / "sweep.csv").read_text()
+        (out / "sweep.csv").unlink()
+        self.assertEqual(gapflow("report", out).returncode, 0)
+        self.assertEqual(Page(out / "report.html").json["sweep"]["quantities"], [])
+        (out / "sweep.csv").write_text(table.replace("run_002", "run_003", 1))
+        done = gapflow("report", out)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("sweep.csv: has other runs than sweep.json; start `gapflow sweep` into this folder again", done.stderr)
+
+    def test_what_a_scene_measures_is_in_the_page(self):
+        scene, out = self.out.parent / "measured.toml", self.out.parent / "measured"
+        scene.write_text(MEASURED)
+        run(scene, out)
+        self.assertEqual(gapflow("report", out).returncode, 0)
+        page = Page(out / "report.html")
+        tables = page.json["tables"]
+
+        def agree(entry, table, columns):
+            self.assertEqual(page.numbers(entry["time"]), [float(row["time"]) for row in table])
+            self.assertGreater(len(table), 2)
+            for column in columns:
+                for shown, row in zip(page.numbers(entry["columns"][column]), table, strict=True):
+                    value = float(row[column])
+                    self.assertTrue(math.isclose(shown, value, rel_tol=1e-6, abs_tol=1e-30) or (math.isnan(shown) and math.isnan(value)))
+
+        self.assertEqual([f["name"] for f in tables["fluxes"]], ["outlet", "seldom"])
+        for entry in tables["fluxes"]:
+            agree(entry, [r for r in rows(out / "fluxes.csv") if r["name"] == entry["name"]], ["flux", "inflow", "outflow", "film", "bodies"])
+        self.assertEqual([b["name"] for b in tables["forces"]], ["disk"])
+        agree(tables["forces"][0], rows(out / "forces.csv"), ["pressure_fx", "shear_fy", "buoyancy_torque"])
+        # of the 11 points of the line six, with both ends
+        self.assertEqual([(p["name"], p["points"], p["place"]) for p in tables["probes"]],
+                         [("tap", 1, [0.1, 0.5])] + [("line", 11, [1.5, y]) for y in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0)])
+        for entry in tables["probes"]:
+            agree(entry, [r for r in rows(out / "probes.csv") if r["name"] == entry["name"] and [float(r["x"]), float(r["y"])] == entry["place"]],
+                  ["pressure", "u", "v"])
+        bare = self.page(self.flat).json["tables"]
+        self.assertEqual((bare["fluxes"], bare["probes"], bare["forces"]), ([], [], []))
 
     def test_long_decimals_of_labels_are_cut_where_the_runs_still_differ(self):
         out = self.out.parent / "decimals"

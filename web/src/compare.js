@@ -4,8 +4,11 @@ import { chooser, foremost } from "./chooser.js";
 import { colour, curves, lineStyle, lively, spansMuch } from "./curves.js";
 import { element, frameReader, short } from "./data.js";
 import { pictureButtons } from "./export.js";
+import { foremostOf, measureKinds, measuresOf } from "./measures.js";
 import { nearest, player } from "./player.js";
+import { plotList } from "./plot_list.js";
 import { bodiesOf, gapName, plotsOf, reader, way } from "./quantities.js";
+import { drawSweep } from "./sweep.js";
 
 const mostViews = { 2: 6, 3: 4 }; // a browser draws few pictures in 3D at once
 
@@ -27,6 +30,7 @@ export function compare(page, makeView, redraws) {
   const plots = drawCurves(runs, (time) => transport?.player.goToTime(time));
   transport?.watch((time) => plots.mark(time));
   redraws.push(plots.redraw);
+  if (page.sweep) redraws.push(drawSweep(page, document.getElementById("view")));
   for (const name of ["scene", "machine"]) document.getElementById(name).closest("section").hidden = true;
   const shown = runs.reduce((sum, run) => sum + run.frames.length, 0), all = runs.reduce((sum, run) => sum + run.frames_of_run, 0);
   document.getElementById("limits").textContent = shown < all ? `Of ${all} output times of all runs ${shown} are in this page.` : "";
@@ -96,7 +100,7 @@ function drawCurves(runs, choose) {
   const place = document.getElementById("plots"), chips = document.getElementById("chips");
   const each = runs.map((run) => {
     const column = reader(run), { bodies, groups } = bodiesOf(run);
-    return { run, column, far: way(run, column), bodies: [...groups, ...bodies], own: bodies, gaps: run.tables.gaps, time: Array.from(run.numbers(run.tables.time)) };
+    return { run, column, far: way(run, column), bodies: [...groups, ...bodies], own: bodies, gaps: run.tables.gaps, measures: measuresOf(run), time: Array.from(run.numbers(run.tables.time)) };
   });
   const names = (lists) => [...new Set(lists.flat())];
   const bodies = names(each.map((e) => e.bodies.map((b) => b.name))), gaps = names(each.map((e) => e.gaps.map(gapName)));
@@ -106,41 +110,36 @@ function drawCurves(runs, choose) {
     return gap ? -Math.min(...e.column(gap, "thickness").filter(Number.isFinite)) : -Infinity;
   }));
   const shown = { bodies: new Set(foremost(bodies, 2, far)), gaps: new Set(foremost(gaps, 2, thin)) };
+  const list = plotList(place), draw = () => list.renew(plots);
   chooser(chips, "Bodies", bodies, shown.bodies, (name) => name, { text: "moved furthest", value: far }, draw);
   chooser(chips, "Gaps", gaps, shown.gaps, (name) => name, { text: "were thinnest", value: thin }, draw);
-  let plots = [], marked = null;
-  function draw() {
-    for (const plot of plots) plot.destroy();
-    plots = [];
-    place.replaceChildren();
-    const found = new Map(), alive = new Set(); // by title and what is drawn: the runs' series; those that more than round-off changes in some run
-    for (const { run, column, bodies: all, own, gaps: of, time } of each.filter((e) => e.time.length > 1))
-      for (const entry of plotsOf(run, column, all.filter((b) => shown.bodies.has(b.name)), of.filter((g) => shown.gaps.has(gapName(g))), own))
+  const kinds = Object.entries(measureKinds);
+  for (const [kind, { label, text, of }] of kinds) {
+    const all = names(each.map((e) => e.measures[kind].map((entry) => entry.name)));
+    const value = (name) => Math.max(...each.map((e) => e.measures[kind].filter((entry) => entry.name === name).map(of(e.column))).flat());
+    shown[kind] = foremostOf(kind, all, value);
+    chooser(chips, label, all, shown[kind], (name) => name, { text, value }, draw);
+  }
+  function plots() {
+    const drawn = [], found = new Map(), alive = new Set(); // by title and what is drawn: the runs' series; those that more than round-off changes in some run
+    for (const { run, column, bodies: all, own, gaps: of, measures, time } of each.filter((e) => e.time.length > 1))
+      for (const entry of plotsOf(run, column, all.filter((b) => shown.bodies.has(b.name)), of.filter((g) => shown.gaps.has(gapName(g))),
+        Object.fromEntries(kinds.map(([kind]) => [kind, measures[kind].filter((entry) => shown[kind].has(entry.name))])), own))
         for (const series of entry.series) {
           const [what, more] = entry.title.split(/(?= \()/);
-          const title = `${what}: ${series.label}${more ?? ""}`;
+          const title = entry.sole ? entry.title : `${what}: ${series.label}${more ?? ""}`;
           if (lively(entry.series, { least: entry.least })?.drawn.includes(series)) alive.add(title);
           if (!found.has(title)) found.set(title, { entry, list: [] });
-          found.get(title).list.push({ label: run.label, values: series.values, time, look: run.number });
+          found.get(title).list.push({ label: run.label, values: series.values, time: entry.time ?? time, look: run.number });
         }
     for (const [title, { entry, list }] of found) {
       if (!alive.has(title) || !lively(list)) continue;
       const joined = uPlot.join(list.map((s) => [s.time, s.values.map((v) => (Number.isFinite(v) ? v : null))]));
       const series = list.map((s, i) => ({ ...s, values: Array.from(joined[i + 1], (v) => (v === null ? NaN : v)) }));
-      plots.push(curves(place, title, joined[0], series, { unit: entry.unit, zero: entry.zero, log: entry.log && spansMuch(list) }, choose));
+      drawn.push(curves(place, title, joined[0], series, { unit: entry.unit, zero: entry.zero, log: entry.log && spansMuch(list) }, choose));
     }
-    setTimeout(() => mark(marked)); // uPlot finishes its set-up first
-  }
-  function mark(at) {
-    marked = at;
-    for (const plot of plots) plot.mark(at);
+    return drawn;
   }
   draw();
-  let width = place.clientWidth;
-  new ResizeObserver(() => {
-    if (place.clientWidth === width) return;
-    width = place.clientWidth;
-    for (const plot of plots) plot.resize();
-  }).observe(place);
-  return { mark, redraw: () => plots.forEach((plot) => plot.redraw()) };
+  return list;
 }

@@ -1,4 +1,4 @@
-// One plot over time: a card with a title, axes with units, scales to choose, and files of what it shows. uPlot, all with one cursor.
+// One plot over time, or over the values of a key: a card with a title, axes with units, scales to choose, and files of what it shows. uPlot, all with one cursor.
 import uPlot from "uplot";
 import { csvOf, download, fileName, svgOf } from "./export.js";
 import { css, element, short } from "./data.js";
@@ -43,7 +43,8 @@ function middle(series) {
 
 /**
  * A card in `place` with a plot of series [{ label, values, look }] over `time`; `look`: number of colour and dash, else its own.
- * options: unit, log (logarithmic at first), zero (from 0), legend(series, row), note. choose(time) is called for a click.
+ * options: unit, log (logarithmic at first), zero (from 0), legend(series, row), note. choose(time) is called for a click. `along` in place of
+ * time: { label, log, words }; words stand for 0, 1, 2 ...
  * Returns { mark(time), redraw(), resize(), destroy() }.
  */
 export function curves(place, title, time, series, options, choose) {
@@ -69,34 +70,44 @@ export function curves(place, title, time, series, options, choose) {
     button.onclick = save;
     return button;
   };
-  const clean = title.replace(/ \(.*/, "");
+  const clean = title.replace(/ \(.*/, ""), along = options.along ?? { label: "time" };
+  // uPlot's own logarithmic axis takes whole decades only: places are logarithms, ticks the values.
+  const places = along.log ? time.map(Math.log10) : Array.from(time), from = places[0], to = places[places.length - 1];
+  const at = (v) => (along.words ? along.words[v] ?? "" : short(along.log ? 10 ** v : v));
+  const every = Math.ceil(places.length / 6);
+  // uPlot finds no ticks for values below some 1e-16, as energies of small things in SI units are: such are drawn in another power of ten.
+  const whole = Math.max(...series.flatMap((s) => rangeOf(s.values).map(Math.abs)).filter(Number.isFinite), 0);
+  const power = whole > 0 && whole < 1e-6 ? 10 ** Math.floor(Math.log10(whole)) : 1, shown = (v) => (v === null ? v : v * power);
+  const scaled = power === 1 ? series : series.map((s) => ({ values: s.values.map((v) => (v === undefined ? v : v / power)) }));
+  const acrossAxis = along.words ? { range: [-0.4, along.words.length - 0.6] } : along.log ? { range: [from - 0.04 * (to - from), to + 0.04 * (to - from)] } : {};
+  const ticksAcross = along.words ? { splits: () => along.words.map((_, i) => i) } : along.log ? { splits: () => places.filter((_, i) => i % every === 0) } : {};
   tools.append(toggle("log", "log", "Logarithmic scale; where values have both signs, logarithmic on both sides of 0"),
     toggle("clip", "clip", "Leaves the largest and the smallest hundredth of the values out of the scale"),
-    saver("SVG", "This plot as a picture of lines", () => download(fileName(clean, "svg"), svgOf(plot, title, ["time", options.unit],
+    saver("SVG", "This plot as a picture of lines", () => download(fileName(clean, "svg"), svgOf(plot, title, [along.label, options.unit],
       series.map((s, i) => ({ label: s.label, colour: palettes.light[looks[i] % colours], dash: dash(looks[i]) }))), "image/svg+xml")),
     saver("CSV", "The values of this plot as a table", () => download(fileName(clean, "csv"),
-      csvOf(["time", ...series.map((s) => s.label)], [Array.from(time), ...series.map((s) => s.values)]), "text/csv")));
+      csvOf([along.label, ...series.map((s) => s.label)], [Array.from(time), ...series.map((s) => s.values)]), "text/csv")));
 
   function draw() {
     plot?.destroy();
-    const positive = series.every((s) => s.values.every((v) => !(v <= 0)));
-    const largest = Math.max(...series.flatMap((s) => rangeOf(s.values).map(Math.abs)).filter(Number.isFinite), 1e-300);
+    const positive = scaled.every((s) => s.values.every((v) => !(v <= 0)));
+    const largest = Math.max(...scaled.flatMap((s) => rangeOf(s.values).map(Math.abs)).filter(Number.isFinite), 1e-300);
     const least = 10 ** Math.floor(Math.log10(largest * 1e-3)); // linear below
     heading.textContent = title + (state.log ? (positive ? ", logarithmic" : ", logarithmic on both sides of 0") : "");
-    const range = state.clip ? { range: () => middle(series) } : options.zero && !state.log ? { range: (u, low, high) => [0, high > 0 ? 1.08 * high : 1] } : {};
-    const y = state.log ? (positive ? { distr: 3, ...(state.clip ? { range: () => middle(series).map((v, i) => (i || v > 0 ? v : largest * 1e-6)) } : {}) }
+    const range = state.clip ? { range: () => middle(scaled) } : options.zero && !state.log ? { range: (u, low, high) => [0, high > 0 ? 1.08 * high : 1] } : {};
+    const y = state.log ? (positive ? { distr: 3, ...(state.clip ? { range: () => middle(scaled).map((v, i) => (i || v > 0 ? v : largest * 1e-6)) } : {}) }
       : { distr: 4, asinh: least, ...range }) : { distr: 1, ...range };
     const axis = axisStyle();
     plot = new uPlot({
       width: card.clientWidth - 34, height,
-      scales: { x: { time: false }, y },
-      axes: [{ ...axis, size: 32, label: "time", values: (u, ticks) => ticks.map(short) }, { ...axis, size: 62, label: options.unit, values: (u, ticks) => ticks.map(state.log && positive ? logTick : short),
+      scales: { x: { time: false, ...acrossAxis }, y },
+      axes: [{ ...axis, size: 32, label: along.label, values: (u, ticks) => ticks.map(at), ...ticksAcross }, { ...axis, size: 62, label: options.unit, values: (u, ticks) => ticks.map(shown).map(state.log && positive ? logTick : short),
         ...(state.log && !positive ? { splits: () => bothSides(least, largest) } : {}) }],
-      cursor: { sync: { key: "gapflow" }, drag: { x: true, y: false }, points: { size: 7 } },
+      cursor: { ...(options.along ? {} : { sync: { key: "gapflow" } }), drag: { x: true, y: false }, points: { size: 7 } },
       legend: { live: true, markers: { dash: (u, i) => lineStyle(looks[i - 1] ?? 0) } },
-      series: [{ label: "time", value: (u, v) => short(v) }, ...series.map((s, i) => ({
+      series: [{ label: along.label, value: (u, v) => (v === null ? "–" : at(v)) }, ...series.map((s, i) => ({
         label: s.label, stroke: () => colour(looks[i]), width: 1.6, dash: dash(looks[i]), spanGaps: false,
-        points: { show: time.length < 40 ? undefined : false },
+        points: { show: options.along ? true : time.length < 40 ? undefined : false },
         value: (u, v, k, index) => {
           if (index === null || index === undefined) return "–";
           while (index > 0 && s.values[index] === undefined) --index; // other runs' times: this one's last before
@@ -104,7 +115,7 @@ export function curves(place, title, time, series, options, choose) {
         },
       }))],
       hooks: { draw: [(u) => u.now && moveMark()] },
-    }, [Array.from(time), ...series.map((s) => s.values.map((v) => (Number.isFinite(v) ? v : v === undefined ? undefined : null)))]);
+    }, [places, ...scaled.map((s) => s.values.map((v) => (Number.isFinite(v) ? v : v === undefined ? undefined : null)))]);
     card.insertBefore(plot.root, card.children[1] ?? null);
     plot.now = element("div", { class: "now" });
     plot.over.append(plot.now);

@@ -3,6 +3,8 @@ import uPlot from "uplot";
 import { chooser, foremost } from "./chooser.js";
 import { axisStyle, colour, curves, lively, spansMuch } from "./curves.js";
 import { element, short } from "./data.js";
+import { foremostOf, measureKinds, measuresOf } from "./measures.js";
+import { plotList } from "./plot_list.js";
 import { bodiesOf, gapName, plotsOf, reader, way } from "./quantities.js";
 import { units } from "./units.js";
 
@@ -22,43 +24,34 @@ export function drawPlots(run, choose) {
     gaps: new Set(foremost(moving.length ? moving : gaps, most, thin)) };
   if (bodies.length <= 12 && !means.length) shown.bodies = new Set(bodies.slice(0, most));
   if (gaps.length <= 12) shown.gaps = new Set((moving.length ? moving : gaps).slice(0, most));
-  let plots = [];
+  const list = plotList(place), draw = () => list.renew(plots), measures = measuresOf(run);
   chooser(chips, "Bodies", [...groups, ...bodies], shown.bodies, (body) => body.name,
     { text: "moved furthest", value: (body) => (body.members ? -1 : far(body)) }, draw);
   chooser(chips, "Gaps", gaps, shown.gaps, gapName, { text: "were thinnest", value: thin }, draw);
+  for (const [kind, { label, text, of }] of Object.entries(measureKinds)) {
+    shown[kind] = foremostOf(kind, measures[kind], of(column));
+    chooser(chips, label, measures[kind], shown[kind], (entry) => entry.name, { text, value: of(column) }, draw);
+  }
 
-  function draw() {
-    for (const plot of plots) plot.destroy();
-    plots = [];
-    place.replaceChildren();
+  function plots() {
     if (time.length < 2) {
       place.append(element("p", { class: "note" }, time.length === 1
         ? "The run has written its start only: there is nothing to plot yet." : "The run has written no step."));
-      return;
+      return [];
     }
-    const skipped = [], all = [...groups, ...bodies];
-    for (const entry of plotsOf(run, column, all.filter((b) => shown.bodies.has(b)), gaps.filter((g) => shown.gaps.has(g)), bodies)) {
+    const drawn = [], skipped = [], all = [...groups, ...bodies];
+    const chosen = Object.fromEntries(Object.keys(measureKinds).map((kind) => [kind, measures[kind].filter((entry) => shown[kind].has(entry))]));
+    for (const entry of plotsOf(run, column, all.filter((b) => shown.bodies.has(b)), gaps.filter((g) => shown.gaps.has(g)), chosen, bodies)) {
       const found = lively(entry.series, { least: entry.least, skipped: () => skipped.push(entry.title.toLowerCase()) });
       if (!found) continue;
       const note = found.still.length ? `not drawn (changes below 0.01 % of these): ${found.still.map((s) => s.label).join(", ")}` : "";
-      plots.push(curves(place, entry.title, time, found.drawn, { ...entry, log: entry.log && spansMuch(found.drawn), note }, choose));
+      drawn.push(curves(place, entry.title, entry.time ?? time, found.drawn, { ...entry, log: entry.log && spansMuch(found.drawn), note }, choose));
     }
     if (skipped.length) place.append(element("p", { class: "note" }, `Not drawn, nothing there but round-off: ${skipped.join(", ")}.`));
-    setTimeout(() => mark(marked)); // uPlot finishes its set-up first
-  }
-  let marked = null;
-  function mark(at) {
-    marked = at;
-    for (const plot of plots) plot.mark(at);
+    return drawn;
   }
   draw();
-  let width = place.clientWidth;
-  new ResizeObserver(() => {
-    if (place.clientWidth === width) return;
-    width = place.clientWidth;
-    for (const plot of plots) plot.resize();
-  }).observe(place);
-  return { mark, redraw: () => plots.forEach((plot) => plot.redraw()) };
+  return list;
 }
 
 /** Film pressure and thickness along the gaps of a frame, one gap after the other with their names (2D); returns show(film, names), a name a chain. */

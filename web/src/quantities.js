@@ -1,5 +1,6 @@
 // The quantities of a run's tables that plots show: title, unit, series.
 import { short } from "./data.js";
+import { forcePlots, measurePlots } from "./measures.js";
 import { units } from "./units.js";
 
 export const gapName = (gap) => `${gap.a} – ${gap.b}`;
@@ -40,15 +41,15 @@ export function way(run, column) {
 const sinceStart = (v) => v.map((x) => x - v[0]);
 
 /**
- * All plots: [{ title, unit, series: [{ label, values, raw? }], options }]. `bodies`, `gaps`: those chosen; `of`: all bodies, by which round-off
- * is judged.
+ * All plots: [{ title, unit, series: [{ label, values, raw? }], options }]. `bodies`, `gaps`, `measures`: those chosen; `of`: all bodies, by which
+ * round-off is judged. A plot with `sole` has one curve, which its title names; one with `time` has times of its own.
  */
-export function plotsOf(run, column, bodies, gaps, of) {
+export function plotsOf(run, column, bodies, gaps, measures, of) {
   const unit = units(run.dimension), names = run.dimension === 2 ? ["x", "y"] : ["x", "y", "z"];
   const axes = (prefix) => names.map((a) => [prefix + a, prefix + a]);
   const ofBodies = (columns, change = (v) => v) => bodies.flatMap((body) => columns.flatMap(([name, label]) => {
     const raw = column(body, name);
-    return raw.length ? [{ label: `${body.name} ${label}`, values: change(raw), raw }] : [];
+    return raw.length ? [{ label: label ? `${body.name} ${label}` : body.name, values: change(raw), raw }] : [];
   }));
   const ofGaps = (columns) => gaps.flatMap((gap) =>
     columns.map(([name, label]) => ({ label: label ? `${gapName(gap)} ${label}` : gapName(gap), values: column(gap, name) })));
@@ -70,22 +71,24 @@ export function plotsOf(run, column, bodies, gaps, of) {
     { title: "Position (change since the start)", unit: unit.length, series: ofBodies(axes(""), sinceStart), legend: (s, i) => short(s.raw[i]) },
     { title: "Velocity", unit: unit.velocity, series: ofBodies(axes("v")) },
     ...(run.dimension === 2 ? [
-      { title: "Angle (rad)", unit: unit.angle, series: ofBodies([["angle", "angle"]]), least: moved },
-      { title: "Angular velocity", unit: unit.rate, series: ofBodies([["omega", "ω"]]), least: turning }] : [
+      { title: "Angle (rad)", unit: unit.angle, series: ofBodies([["angle", ""]]), least: moved },
+      { title: "Angular velocity", unit: unit.rate, series: ofBodies([["omega", ""]]), least: turning }] : [
       { title: "Turned since the start (rad)", unit: unit.angle, series: turned(), least: moved },
       { title: "Angular velocity", unit: unit.rate, series: ofBodies(axes("w")), least: turning }]),
     { title: "Force of the fluid", unit: unit.force, series: ofBodies(axes("f")) },
-    { title: "Torque of the fluid", unit: unit.torque, series: ofBodies(run.dimension === 2 ? [["torque", "torque"]] : axes("t")), least: torque },
+    { title: "Torque of the fluid", unit: unit.torque, series: ofBodies(run.dimension === 2 ? [["torque", ""]] : axes("t")), least: torque },
     { title: "Gap thickness", unit: unit.length, series: ofGaps([["thickness", ""]]), log: true },
     { title: "Opening rate of gaps", unit: unit.velocity, series: ofGaps([["opening_rate", ""]]) },
     { title: "Film pressure, smallest and largest", unit: unit.pressure, series: ofGaps([["pressure_min", "min"], ["pressure_max", "max"]]) },
     { title: "Force of films", unit: unit.force, series: ofGaps([["force", ""]]) },
     { title: "Contact force", unit: unit.force, series: ofGaps([["contact_force", ""]]).filter((s) => s.values.some((v) => Number.isFinite(v) && v !== 0)) },
+    ...measurePlots(run, column, measures),
+    ...forcePlots(run, column, measures.forces),
     { title: "Kinetic energy", unit: unit.energy, series: [{ label: "fluid", values: fluid },
       ...(of.length ? [{ label: "bodies", values: solid }, { label: "both", values: fluid.map((e, i) => e + solid[i]) }] : [])] },
-    { title: "Step size", unit: unit.time, series: [{ label: "Δt", values: after("dt") }], log: true },
-    { title: "Iterations of the solver", unit: unit.count, series: [{ label: "iterations", values: step("iterations") }], zero: true },
-    { title: "Largest divergence", unit: unit.divergence, series: [{ label: "divergence", values: after("divergence_max") }], log: true },
-    { title: "Time of a step (seconds)", unit: unit.seconds, series: [{ label: "seconds", values: after("seconds") }], zero: true },
+    { title: "Step size", unit: unit.time, series: [{ label: "Δt", values: after("dt") }], log: true, sole: true },
+    { title: "Iterations of the solver", unit: unit.count, series: [{ label: "iterations", values: step("iterations") }], zero: true, sole: true },
+    { title: "Largest divergence", unit: unit.divergence, series: [{ label: "divergence", values: after("divergence_max") }], log: true, sole: true },
+    { title: "Time of a step (seconds)", unit: unit.seconds, series: [{ label: "seconds", values: after("seconds") }], zero: true, sole: true },
   ];
 }

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <regex>
@@ -226,6 +227,89 @@ Json tables_json(const StoredRun& run, const RunView& view, const PageLimits& li
     return json;
 }
 
+// Rows of a table by a text in them, in the order in which these first come.
+std::vector<std::pair<std::string, std::vector<std::size_t>>> rows_by(const RunTable& table, const std::string& column)
+{
+    std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
+    std::map<std::string, std::size_t> number;
+    const std::vector<std::string>& texts = table.text(column);
+    for (std::size_t row = 0; row < texts.size(); ++row) {
+        const auto [found, added] = number.try_emplace(texts[row], groups.size());
+        if (added)
+            groups.emplace_back(texts[row], std::vector<std::size_t>());
+        groups[found->second].second.push_back(row);
+    }
+    return groups;
+}
+
+// Time and columns of some rows of a table that has times of its own; evenly thinned to the limit of rows.
+Json measured_json(const std::string& name, const RunTable& table, const std::vector<std::size_t>& rows, std::size_t limit,
+                   Numbers& numbers)
+{
+    const std::vector<std::size_t> shown =
+        shown_steps(rows.size(), std::max<std::size_t>(1, (rows.size() + limit - 1) / limit));
+    const auto at_shown = [&](const std::vector<double>& values) {
+        std::vector<double> result;
+        for (const std::size_t i : shown)
+            result.push_back(values[rows[i]]);
+        return result;
+    };
+    Json columns = Json::object();
+    for (const auto& [column, values] : table.numbers)
+        if (column != "step" && column != "time" && column != "point" && column != "x" && column != "y" && column != "z")
+            columns[column] = numbers.floats(at_shown(values));
+    return {{"name", name}, {"time", numbers.doubles(at_shown(table.number("time")))}, {"columns", columns}};
+}
+
+// Points of a probe that the page shows: all of a few, else some evenly spread ones with the first and the last.
+std::vector<double> shown_points(double count)
+{
+    constexpr int most = 6;
+    std::vector<double> points;
+    for (int i = 0; i < std::min<double>(most, count); ++i)
+        points.push_back(count <= most ? i + 1 : 1 + std::round(i * (count - 1) / (most - 1)));
+    return points;
+}
+
+// What a scene asks to be measured: fluxes, points of probes, parts of the forces on bodies.
+void add_measures(Json& json, const StoredRun& run, const PageLimits& limits, Numbers& numbers)
+{
+    const RunTable probes = read_table(run.folder / "probes.csv"), forces = read_table(run.folder / "forces.csv");
+    const auto limit_of = [&](std::size_t series, const RunTable& table) {
+        const std::size_t values = std::max<std::size_t>(1, series * table.numbers.size());
+        return std::max<std::size_t>(2, std::min(limits.steps, limits.table_values / values));
+    };
+    json["fluxes"] = Json::array();
+    const auto fluxes = rows_by(run.fluxes, "name");
+    for (const auto& [name, rows] : fluxes)
+        json["fluxes"].push_back(measured_json(name, run.fluxes, rows, limit_of(fluxes.size(), run.fluxes), numbers));
+    json["forces"] = Json::array();
+    const auto bodies = rows_by(forces, "body");
+    for (const auto& [name, rows] : bodies)
+        json["forces"].push_back(measured_json(name, forces, rows, limit_of(bodies.size(), forces), numbers));
+    json["probes"] = Json::array();
+    const std::vector<double>& point_of = probes.number("point");
+    const auto named = rows_by(probes, "name");
+    for (const auto& [name, rows] : named) {
+        double count = 0;
+        for (const std::size_t row : rows)
+            count = std::max(count, point_of[row]);
+        for (const double point : shown_points(count)) {
+            std::vector<std::size_t> own;
+            std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+                         [&](std::size_t row) { return point_of[row] == point; });
+            Json entry = measured_json(name, probes, own, limit_of(6 * named.size(), probes), numbers);
+            std::vector<double> place;
+            for (const char* axis : {"x", "y", "z"})
+                if (const std::vector<double>& along = probes.number(axis); !along.empty() && !own.empty())
+                    place.push_back(along[own[0]]);
+            entry["place"] = place;
+            entry["points"] = count;
+            json["probes"].push_back(std::move(entry));
+        }
+    }
+}
+
 // ---- frames
 
 struct EncodedFrame {
@@ -404,6 +488,7 @@ Json run_json(const StoredRun& run, const PageLimits& limits, const CountWatcher
                       {"spacing", view.spacing}};
     json["bodies"] = bodies_json(view, numbers);
     json["tables"] = tables_json(run, view, limits, numbers, summary);
+    add_measures(json["tables"], run, limits, numbers);
     std::vector<EncodedFrame> frames = encode_frames(run, view, limits, sampler, watch);
     json["frames_of_run"] = run.frames.size();
     json["frames"] = Json::array();
@@ -414,6 +499,21 @@ Json run_json(const StoredRun& run, const PageLimits& limits, const CountWatcher
     }
     summary.frames = frames.size();
     summary.frames_of_run = run.frames.size();
+    return json;
+}
+
+/// Values and quantities of a sweep's runs.
+Json sweep_json(const SweepResults& sweep, Numbers& numbers)
+{
+    Json json{{"keys", Json::array()}, {"quantities", Json::array()}};
+    for (const auto& [key, values] : sweep.keys)
+        json["keys"].push_back({{"name", key}, {"values", values}});
+    for (const SweepResults::Quantity& quantity : sweep.quantities)
+        json["quantities"].push_back({{"name", quantity.name},
+                                      {"last", numbers.doubles(quantity.last)},
+                                      {"mean", numbers.doubles(quantity.mean)},
+                                      {"min", numbers.doubles(quantity.low)},
+                                      {"max", numbers.doubles(quantity.high)}});
     return json;
 }
 
@@ -453,7 +553,7 @@ PageSummary write_report_page(const StoredRun& run, const std::filesystem::path&
 }
 
 PageSummary write_comparison_page(const std::vector<LabelledRun>& runs, const std::filesystem::path& page,
-                                  const PageLimits& limits, const CountWatcher& watch)
+                                  const SweepResults* sweep, const PageLimits& limits, const CountWatcher& watch)
 {
     const int dimension = runs.at(0).run.dimension;
     PageLimits each = limits;
@@ -488,6 +588,8 @@ PageSummary write_comparison_page(const std::vector<LabelledRun>& runs, const st
         summary.steps += of_run.steps;
         summary.steps_of_run += of_run.steps_of_run;
     }
+    if (sweep)
+        json["sweep"] = sweep_json(*sweep, numbers);
     json["colours"] = colours_json(sampler.ranges(reference_pressure(runs[0].run)), numbers);
     summary.bytes = write_page(page, title_of(runs[0].run), "", dimension, json, numbers);
     return summary;

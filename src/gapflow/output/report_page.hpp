@@ -3,6 +3,7 @@
 
 #include "gapflow/output/progress.hpp"
 #include "gapflow/output/stored_run.hpp"
+#include "gapflow/output/sweep_record.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -36,9 +37,10 @@ struct LabelledRun {
 };
 
 /// Writes one page of several runs: plots with a curve a run, views beside each other with one slider. The limits hold for all together. Throws as
-/// above, and InputError for runs in 2D and 3D.
+/// above, and InputError for runs in 2D and 3D. With `sweep` also a plot of each of its quantities over the keys that vary.
 PageSummary write_comparison_page(const std::vector<LabelledRun>& runs, const std::filesystem::path& page,
-                                  const PageLimits& limits = {}, const CountWatcher& watch = {});
+                                  const SweepResults* sweep = nullptr, const PageLimits& limits = {},
+                                  const CountWatcher& watch = {});
 
 /// Labels of runs among each other: by the keys that their scenes differ in ("body.ball.density = 2"), else, and where these are more than three,
 /// by their folders.

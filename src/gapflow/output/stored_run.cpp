@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -57,40 +58,6 @@ std::string_view next_line(std::string_view& text)
     return {};
 }
 
-RunTable read_table(const std::filesystem::path& path)
-{
-    const std::string content = content_of(path);
-    std::string_view text = content;
-    RunTable table;
-    const std::string_view header = next_line(text);
-    if (header.empty())
-        return table;
-    const std::vector<std::string> names = cells_of(header);
-    for (const std::string& name : names)
-        if (name.starts_with("body") || name == "crowd" || name == "name")
-            table.texts[name];
-        else
-            table.numbers[name];
-    for (long line = 2; !text.empty(); ++line) {
-        const std::string_view row = next_line(text);
-        if (row.empty())
-            continue;
-        const std::vector<std::string> cells = cells_of(row);
-        if (cells.size() != names.size())
-            throw InputError(path.string() + ":" + std::to_string(line) + ": has " + std::to_string(cells.size()) +
-                             " columns, the first line names " + std::to_string(names.size()) + "; is it a table of a run?");
-        for (std::size_t column = 0; column < cells.size(); ++column) {
-            if (const auto found = table.texts.find(names[column]); found != table.texts.end())
-                found->second.push_back(cells[column]);
-            else
-                table.numbers[names[column]].push_back(
-                    parse_number(cells[column]).value_or(std::numeric_limits<double>::quiet_NaN()));
-        }
-        ++table.rows;
-    }
-    return table;
-}
-
 // Frames in the order of gapflow.pvd; one whose time is there already joins that.
 std::vector<RunFrame> read_frames(const std::filesystem::path& folder)
 {
@@ -129,6 +96,41 @@ const std::vector<std::string>& RunTable::text(const std::string& column) const
     static const std::vector<std::string> none;
     const auto found = texts.find(column);
     return found == texts.end() ? none : found->second;
+}
+
+RunTable read_table(const std::filesystem::path& path, const std::vector<std::string>& texts)
+{
+    const std::string content = content_of(path);
+    std::string_view text = content;
+    RunTable table;
+    const std::string_view header = next_line(text);
+    if (header.empty())
+        return table;
+    const std::vector<std::string> names = cells_of(header);
+    for (const std::string& name : names)
+        if (name.starts_with("body") || name == "crowd" || name == "name" ||
+            std::find(texts.begin(), texts.end(), name) != texts.end())
+            table.texts[name];
+        else
+            table.numbers[name];
+    for (long line = 2; !text.empty(); ++line) {
+        const std::string_view row = next_line(text);
+        if (row.empty())
+            continue;
+        const std::vector<std::string> cells = cells_of(row);
+        if (cells.size() != names.size())
+            throw InputError(path.string() + ":" + std::to_string(line) + ": has " + std::to_string(cells.size()) +
+                             " columns, the first line names " + std::to_string(names.size()) + "; is it a table of a run?");
+        for (std::size_t column = 0; column < cells.size(); ++column) {
+            if (const auto found = table.texts.find(names[column]); found != table.texts.end())
+                found->second.push_back(cells[column]);
+            else
+                table.numbers[names[column]].push_back(
+                    parse_number(cells[column]).value_or(std::numeric_limits<double>::quiet_NaN()));
+        }
+        ++table.rows;
+    }
+    return table;
 }
 
 StoredRun read_run(const std::filesystem::path& folder)

@@ -43,6 +43,10 @@ struct StoredRun {
     std::vector<RunFrame> frames; ///< those whose field or body files are there
 };
 
+/// A table of a run or of a sweep by itself; without rows where there is no such file. `texts`: its columns of text beside the usual ones.
+/// Throws InputError where a line has more or fewer columns than the first.
+RunTable read_table(const std::filesystem::path& file, const std::vector<std::string>& texts = {});
+
 /// Throws InputError if the folder holds no run or a file of it is damaged.
 StoredRun read_run(const std::filesystem::path& folder);
 

@@ -3,6 +3,7 @@
 #include "gapflow/core/text.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace gapflow {
 
@@ -619,6 +620,11 @@ std::string allowed_values(const KeyInfo& key, int dimension)
     return "";
 }
 
+// Words that other programs have for a key.
+constexpr std::pair<const char*, const char*> other_words[] = {{"angle", "rotation"},  {"orientation", "rotation"},
+                                                               {"speed", "velocity"},  {"centre", "position"},
+                                                               {"center", "position"}, {"resolution", "cells"}};
+
 std::string nearest_key(const std::string& name, const std::vector<KeyInfo>& keys)
 {
     std::vector<std::string> names;
@@ -637,6 +643,9 @@ std::string nearest_key(const std::string& name, const std::vector<KeyInfo>& key
         if (candidate.starts_with(table) && candidate.find('.', table.size()) == std::string::npos)
             siblings.push_back(candidate.substr(table.size()));
     }
+    for (const auto& [word, meant] : other_words)
+        if (last_part(name) == word && std::find(siblings.begin(), siblings.end(), meant) != siblings.end())
+            return table + meant;
     const std::string sibling = nearest_name(last_part(name), siblings), elsewhere = nearest_name(last_part(name), parts);
     const auto distance = [&](const std::string& part) { return edit_distance(last_part(name), part); };
     if (!sibling.empty() && (elsewhere.empty() || distance(sibling) <= distance(elsewhere)))

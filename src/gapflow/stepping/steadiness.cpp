@@ -57,6 +57,13 @@ std::array<double, 3> squares(const Grid<D>& grid, const Coupling<D>& here, cons
     return {sums[0], sums[1], sums[2]};
 }
 
+// Whether nothing that moves at this speed, and gathers speed at this rate, comes further until the end than the solver's tolerance, in cells.
+bool stays(const Scene& scene, double dx, double time, double speed, double rate)
+{
+    const double rest = std::max(scene.end - time, 0.0);
+    return (speed + rate * rest) * rest < scene.tolerance * dx;
+}
+
 // Half of a body's extent; 0 of one without bounds.
 template <int D>
 double radius_of(const RigidBody<D>& body)
@@ -77,7 +84,8 @@ double unsteadiness(const Model<D>& model, const Coupling<D>& here, const Earlie
     watch.largest_speed = std::max(watch.largest_speed, own_speed);
     const double speed = std::max(own_speed, tolerance * watch.largest_speed);
 
-    double of_flow = size > 0 ? std::sqrt(change / size) : 0.0, of_forces = 0, of_motion = 0, force = 0, largest = 0;
+    double of_flow = size > 0 ? std::sqrt(change / size) : 0.0, of_forces = 0, of_motion = 0, force = 0, largest = 0,
+           fastest = own_speed;
     const std::vector<Twist<D>> twists = model.twists(state.bodies);
     // A torque counts as a force at the body's extent; one without bounds has none.
     const auto magnitude = [](const Twist<D>& w, double lever) {
@@ -90,6 +98,7 @@ double unsteadiness(const Model<D>& model, const Coupling<D>& here, const Earlie
         force = std::max(force, magnitude(state.wrenches[b] - buoyancy(model, state.bodies[b]), lever));
         of_forces = std::max(of_forces, magnitude(state.wrenches[b] - before.wrenches[b], lever));
         of_motion = std::max(of_motion, magnitude(twists[b] - before.twists[b], radius));
+        fastest = std::max(fastest, magnitude(twists[b], radius));
     }
     force = std::max(force, model.scene.density * speed * speed * std::pow(largest, D - 1));
     const auto ratio = [](double changed, double whole) {
@@ -101,7 +110,8 @@ double unsteadiness(const Model<D>& model, const Coupling<D>& here, const Earlie
     const double viscosity = model.scene.viscosity / model.scene.density;
     const double crossing = speed > 0 ? length / speed : std::numeric_limits<double>::infinity();
     const double own_time = viscosity > 0 ? std::min(crossing, length * length / viscosity) : crossing;
-    const double r = relative == 0 ? 0.0 : relative * std::max(own_time / state.dt, 1.0);
+    const bool rests = stays(model.scene, model.grid.dx(), state.time, fastest, std::max(of_flow, of_motion) / state.dt);
+    const double r = relative == 0 || rests ? 0.0 : relative * std::max(own_time / state.dt, 1.0);
     watch.calm_steps = r < tolerance ? watch.calm_steps + 1 : 0;
     return r;
 }

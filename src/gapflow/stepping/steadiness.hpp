@@ -5,7 +5,7 @@
 //
 // U the root mean square of the fluid's velocity, L the domain's longest edge, F the largest force without buoyancy, not less than
 // rho U^2 l^(D-1) of the largest body's size l. Where U has fallen below the tolerance times its largest value so far, that takes its
-// place: the fluid counts as at rest. A change that would take the time tau to double the flow has r = 1, whatever the step.
+// place: the fluid counts as at rest. Where nothing moves by more than the solver's tolerance, in cells, until the end, r is 0. A change that would take the time tau to double the flow has r = 1, whatever the step.
 #pragma once
 
 #include "gapflow/stepping/state.hpp"
@@ -27,7 +27,7 @@ struct EarlierFlow {
     }
 };
 
-/// r of the last step; 0 where nothing moves. Updates state.steady. Collective.
+/// r of the last step; 0 where nothing moves but by round-off. Updates state.steady. Collective.
 template <int D>
 double unsteadiness(const Model<D>& model, const Coupling<D>& here, const EarlierFlow<D>& before, State<D>& state);
 

@@ -70,6 +70,7 @@ TEST(BadScenes, OverridesAreRefused)
     const std::vector<BadOverride> cases{
         {"domain.cells", "[64,63]", "--set domain.cells = [64, 63]: the spacing"},
         {"domain.cells", "[64,64", "--set domain.cells = [64,64: not a TOML value"},
+        {"body.upper.left.angle", "30", "--set body.upper.left.angle: unknown key; did you mean 'body.upper.left.rotation'?"},
         {"domain.cels", "[64,64]", "--set domain.cels: unknown key; did you mean 'domain.cells'?"},
         {"gap", "none", "--set gap: is a table"},
         {"body", "none", "--set body: is a table"},
