@@ -1,8 +1,7 @@
 #include "commands.hpp"
 
-#include "gapflow/core/error.hpp"
 #include "gapflow/core/text.hpp"
-#include "gapflow/stepping/core_check.hpp"
+#include "gapflow/stepping/core_requirement.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/memory_forecast.hpp"
 #include "gapflow/stepping/model.hpp"
@@ -60,8 +59,7 @@ void print_gaps(const Scene& scene, const Communicator& comm)
         scene.end > 0 ? take_out_overlaps<D>(scene, grid, bodies, model.walls) : std::vector<std::string>();
     warnings.insert(warnings.end(), moved.begin(), moved.end());
     const Coupling<D> coupling = model.coupled(bodies);
-    if (const auto outside = outside_core(model, coupling, bodies))
-        throw InputError(scene.file + ": domain.core: " + *outside + "; choose a larger core, or another place");
+    require_core(model, coupling, bodies);
     const std::vector<Solid<D>>& solids = coupling.solids;
     if (!comm.root())
         return;

@@ -2,6 +2,7 @@
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/solver/solver.hpp"
+#include "gapflow/stepping/core_requirement.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/model.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
@@ -71,6 +72,7 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
     AddedMass result;
     result.warnings = thickness_warnings<D>(scene, model.bodies, model.walls, scene.thin);
     const Coupling<D> coupling = coupling_of_given_twists(model);
+    require_core(model, coupling, model.bodies);
     const std::vector<Solid<D>>& solids = coupling.solids;
     std::vector<int> moving;
     for (std::size_t s = 0; s < model.bodies.size(); ++s)

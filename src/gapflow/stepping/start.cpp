@@ -2,7 +2,7 @@
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/stepping/configuration.hpp"
-#include "gapflow/stepping/core_check.hpp"
+#include "gapflow/stepping/core_requirement.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/sealing.hpp"
@@ -81,9 +81,7 @@ Start<D> start(const Model<D>& model, State<D>& state, StepReport& report, Stage
     if (!any_fluid(*here, model.gaps))
         throw InputError(model.scene.file +
                          ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");
-    if (const auto outside = outside_core(model, *here, state.bodies))
-        throw InputError(model.scene.file + ": domain.core: " + *outside +
-                         "; bodies that move, and gaps, stay in the core: choose a larger one, or another place");
+    require_core(model, *here, state.bodies);
     if (moved.empty()) // what was pushed apart touches nearly
         for (std::string& note : rough_gap_notes(model.scene, *here))
             report.notes.push_back(std::move(note));
