@@ -425,7 +425,7 @@ std::vector<KeyInfo> scene_keys()
                 "0.25",
                 {0, 1, true},
                 {},
-                "part of its thickness that a gap may change by in a step"},
+                "part of its thickness that a gap may change by in a step, where its film matters for the motion"},
                {"time.until_steady",
                 T::number,
                 "",
