@@ -55,15 +55,15 @@ TEST(GapLimit, AFilmThatSlowsThePlateFollowsItsGap)
     EXPECT_LE(simulation.step(1e9).dt, 0.25 * 0.003 * (1 + 1e-9));
 }
 
-// Surfaces do not pass each other by more than a tenth of a cell, however heavy the body is.
+// A plate that nothing slows may close its gap in one step; its surface does not pass the floor's.
 TEST(GapLimit, SurfacesThatMeet)
 {
     const Scene scene = plate(1e9, 0);
     Simulation<2> simulation(scene, Communicator());
-    const double dt = simulation.step(1e9).dt;
-    EXPECT_GT(dt, 0.003);
-    EXPECT_LT(dt, 0.003 + 0.1 / 16 + 1e-6);
-    EXPECT_NEAR(simulation.bodies()[0].pose.position[1], 0.15 + 0.005 / 16, 1e-6) << "at the roughness";
+    EXPECT_GT(simulation.step(1e9).dt, 0.9 * 0.003);
+    const double h = simulation.bodies()[0].pose.position[1] - 0.15;
+    EXPECT_GT(h, -1e-9);
+    EXPECT_LT(h, 0.005 / 16) << "the roughness";
 }
 
 // A run that is resumed after such a step goes on with the same bits.
