@@ -34,6 +34,8 @@ class StepReport:
     """Power that viscosity dissipates in the bulk."""
     dissipation_film: float
     """The same in films and their mouths."""
+    solves: int
+    """Of the pressure: more than one where contacts or voids change."""
     seconds: float
     """Wall clock."""
     notes: list[str]

@@ -279,12 +279,13 @@ class Crowd:
 @dataclass(kw_only=True, slots=True)
 class Time:
     """end: `Simulation.run()` goes to here. max_step: largest time step. cfl: cells that the fluid may cross in a step.
-    gap_cfl: part of its thickness that a gap may change by in a step. until_steady: `gapflow run` ends once the flow's unsteadiness is below it."""
+    gap_cfl: part of its thickness that a gap may change by in a step; with long_ways only where its film matters for the motion. until_steady: `gapflow run` ends once the flow's unsteadiness is below it."""
 
     end: float
     max_step: float
     cfl: float | None = None
     gap_cfl: float | None = None
+    long_ways: bool | None = None
     until_steady: float | None = None
 
 

@@ -202,7 +202,7 @@ void add_response(const Coupling<D>& coupling, Eigen::VectorXd V, std::vector<Tw
 template <int D>
 Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
                    const CouplingOptions& options, const std::function<GapSettings(int, int)>& gap,
-                   const std::set<FilmPair<D>>& alive, const std::function<WetShares(const Coupling<D>&)>& wet)
+                   const std::set<FilmPair<D>>& alive, const std::function<DragTerms(const Coupling<D>&)>& drag)
 {
     Coupling<D> coupling;
     coupling.grid = &grid;
@@ -226,9 +226,9 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     fill_grid(coupling);
     FluxRows<D> rows;
     timer.emplace(timers.stage("films"));
-    const WetShares shares = wet ? wet(coupling) : WetShares{};
+    const DragTerms terms = drag ? drag(coupling) : DragTerms{};
     if (options.viscosity_dt > 0)
-        find_drag(coupling, options.viscosity_dt, mass, shares);
+        find_drag(coupling, options.viscosity_dt, mass, terms);
     assemble_films(coupling, rows);
     timer.emplace(timers.stage("system"));
     fill_flux(coupling, rows);
@@ -338,7 +338,7 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Coupling<D> couple<D>(const Grid<D>&, std::vector<Solid<D>>, const std::vector<TwistMatrix<D>>&,                  \
                                    const CouplingOptions&, const std::function<GapSettings(int, int)>&,                        \
-                                   const std::set<FilmPair<D>>&, const std::function<WetShares(const Coupling<D>&)>&);         \
+                                   const std::set<FilmPair<D>>&, const std::function<DragTerms(const Coupling<D>&)>&);         \
     template void hold_contacts<D>(Coupling<D>&, const std::vector<HeldContact<D>>&, const std::vector<Twist<D>>&);            \
     template std::vector<Twist<D>> intermediate_twists<D>(const Coupling<D>&, const std::vector<TwistMatrix<D>>&,              \
                                                           const std::vector<Twist<D>>&, const std::vector<double>&,            \

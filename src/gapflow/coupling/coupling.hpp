@@ -47,6 +47,18 @@ struct WetShares {
     std::vector<double> elements, mouths;
 };
 
+/// How much the gap at every film element and mouth has opened over the step (negative: closed), where it changes by a large factor; 0
+/// elsewhere, empty: nowhere (film_way.hpp).
+struct GapChanges {
+    std::vector<double> elements, mouths;
+};
+
+/// What the films' drag depends on beside their meshes.
+struct DragTerms {
+    WetShares wet;
+    GapChanges changes;
+};
+
 /// Contribution of drag to the bodies' mass: 1/2 mass (row_master . V + row_other . V - speed)^2.
 template <int D>
 struct DragInertia {
@@ -97,12 +109,12 @@ struct CouplingOptions {
     double viscosity_dt = 0;       ///< dynamic viscosity times the step's length
 };
 
-/// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). `wet` is called
+/// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). `drag` is called
 /// once, after the films are built and before assembly. Collective.
 template <int D>
 Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
                    const CouplingOptions& options, const std::function<GapSettings(int, int)>& gap,
-                   const std::set<FilmPair<D>>& alive, const std::function<WetShares(const Coupling<D>&)>& wet = {});
+                   const std::set<FilmPair<D>>& alive, const std::function<DragTerms(const Coupling<D>&)>& drag = {});
 
 /// out = D u + K V of every unknown: the outflow from its volume when the fluid moves with u and the solids with their
 /// twists. `sum_of_magnitudes` (if not null) receives the sum over rows of the squares of the terms' magnitudes.

@@ -1,5 +1,7 @@
 #include "gapflow/coupling/film_drag.hpp"
 
+#include "gapflow/coupling/film_way.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -180,23 +182,39 @@ WallRows<D> wall_rows(const Coupling<D>& coupling, const FilmMesh<D>& mesh, cons
 }
 
 template <int D>
-void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<TwistMatrix<D>>& mass, const WetShares& wet)
+std::vector<double> element_betas(const FilmMesh<D>& mesh, double viscosity_dt, double density)
+{
+    const std::vector<double> cubic = D == 3 ? cubic_integrals(mesh) : std::vector<double>();
+    std::vector<double> betas;
+    betas.reserve(mesh.elements.size());
+    for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+        const FilmElement<D>& e = mesh.elements[k];
+        const double resistance = D == 3 ? cubic[k] * e.conductance() / (e.measure * e.measure) : e.inverse / e.volume;
+        betas.push_back(12 * viscosity_dt / density * resistance / std::pow(slant(e), slant_power));
+    }
+    return betas;
+}
+
+template <int D>
+void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<TwistMatrix<D>>& mass, const DragTerms& terms)
 {
     const double rho = coupling.density;
+    const WetShares& wet = terms.wet;
+    const GapChanges& changes = terms.changes;
     std::vector<Shut<D>> shuts;
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const Vec<D>& centre = coupling.solids[mesh.master].centre;
         const Vec<D> other = coupling.solids[mesh.other].centre + mesh.shift;
         const Shut<D>& shut = shuts.emplace_back(coupling, mesh, mass);
-        const std::vector<double> cubic = D == 3 ? cubic_integrals(mesh) : std::vector<double>();
+        const std::vector<double> betas = element_betas(mesh, viscosity_dt, rho);
         for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
             const FilmElement<D>& e = mesh.elements[k];
             const int number = static_cast<int>(coupling.element_drag.size());
-            const double resistance = D == 3 ? cubic[k] * e.conductance() / (e.measure * e.measure) : e.inverse / e.volume;
-            const double beta = 12 * viscosity_dt / rho * resistance;
-            Drag drag = drag_of(beta / std::pow(slant(e), slant_power),
+            const double opened = changes.elements.empty() ? 0.0 : changes.elements[number];
+            Drag drag = drag_of(opened != 0 ? betas[k] * cubic_mean(mesh, e, opened) : betas[k],
                                 shut.beta(rho * e.measure * e.measure / e.conductance(), e.centroid));
+            const double inverse = opened != 0 ? e.inverse * linear_mean(mesh, e, opened) : e.inverse;
             drag.wet = wet.elements.empty() ? 1.0 : wet.elements[number];
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
@@ -207,7 +225,7 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
                      -1,
                      t});
                 coupling.drag_inertia.push_back({{mesh.master, mesh.other, wrench<D>(t, e.centroid - centre),
-                                                  -wrench<D>(t, e.centroid - other), drag.wet * viscosity_dt * e.inverse}});
+                                                  -wrench<D>(t, e.centroid - other), drag.wet * viscosity_dt * inverse}});
             }
         }
     }
@@ -215,7 +233,9 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
     for (std::size_t r = 0; r < mouths.size(); ++r) {
         const Mouth<D>& c = mouths[r];
         const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
-        Drag drag = drag_of(mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance),
+        const double opened = changes.mouths.empty() ? 0.0 : changes.mouths[r];
+        const double beta = mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance);
+        Drag drag = drag_of(opened != 0 ? beta * square_mean(c.h, opened) : beta,
                             shuts[c.film].mouth_beta(rho * c.resistance / c.length));
         drag.wet = wet.mouths.empty() ? 1.0 : wet.mouths[r];
         coupling.mouth_drag.push_back(drag);
@@ -332,7 +352,8 @@ std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vect
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void find_drag<D>(Coupling<D>&, double, const std::vector<TwistMatrix<D>>&, const WetShares&);                    \
+    template std::vector<double> element_betas<D>(const FilmMesh<D>&, double, double);                                         \
+    template void find_drag<D>(Coupling<D>&, double, const std::vector<TwistMatrix<D>>&, const DragTerms&);                    \
     template WallRows<D> wall_rows<D>(const Coupling<D>&, const FilmMesh<D>&, const FilmElement<D>&, const Vec<D>&, double);   \
     template double film_conductance<D>(const Coupling<D>&, const Film<D>&, std::size_t);                                      \
     template double entrained_flux<D>(const Coupling<D>&, std::size_t, const std::vector<Twist<D>>&);                          \

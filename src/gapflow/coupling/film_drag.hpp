@@ -22,7 +22,12 @@ namespace gapflow {
 
 /// Fills the coupling's element_drag, mouth_drag and drag_inertia, for viscosity_dt = mu dt > 0; `mass`: of the solids, as for couple(). Before assemble_films().
 template <int D>
-void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<TwistMatrix<D>>& mass, const WetShares& wet = {});
+void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<TwistMatrix<D>>& mass,
+               const DragTerms& terms = {});
+
+/// beta of a film's elements, without the bound of impermeable films. `viscosity_dt`: mu dt.
+template <int D>
+std::vector<double> element_betas(const FilmMesh<D>& mesh, double viscosity_dt, double density);
 
 /// Times grad p / rho . grad N: flux of an element's pressure. `e`: number in its film.
 template <int D>

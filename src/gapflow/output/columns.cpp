@@ -19,6 +19,7 @@ std::vector<Column<StepReport>> step_columns(int dimension, bool driven, bool st
         {"viscous_iterations", &R::viscous_iterations},
         {"dissipation_grid", &R::dissipation_grid},
         {"dissipation_film", &R::dissipation_film},
+        {"solves", &R::solves},
         {"seconds", &R::seconds},
     };
     const Column<R> gradient[] = {{"pressure_gradient_x", &R::pressure_gradient_x},

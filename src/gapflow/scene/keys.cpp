@@ -458,6 +458,15 @@ std::vector<KeyInfo> scene_keys()
                 {0, 1, true},
                 {},
                 "part of its thickness that a gap may change by in a step"},
+               {"time.long_ways",
+                T::flag,
+                "",
+                "false",
+                any,
+                {},
+                "lets a gap change by any factor in a step where its films take a small share of the bodies' relative "
+                "velocity: heavy "
+                "particles that land"},
                {"time.until_steady",
                 T::number,
                 "",

@@ -75,6 +75,7 @@ void read_time(const Values& v, Purpose purpose, Scene& scene)
     check_count(v, "time.max_step", scene.max_step, scene.end, most_steps, "steps");
     scene.cfl = v.number("time.cfl");
     scene.gap_cfl = v.number("time.gap_cfl");
+    scene.long_ways = v.flag("time.long_ways");
     if (v.given("time.until_steady"))
         scene.until_steady = v.number("time.until_steady");
 }

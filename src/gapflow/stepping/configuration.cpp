@@ -2,6 +2,7 @@
 
 #include "gapflow/core/machine_memory.hpp"
 #include "gapflow/coupling/wet_system.hpp"
+#include "gapflow/stepping/gap_limit.hpp"
 #include "gapflow/stepping/start.hpp"
 
 namespace gapflow {
@@ -32,13 +33,13 @@ template <int D>
 Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<TwistMatrix<D>>& mass,
                       const FilmHistories<D>* histories, const std::vector<Twist<D>>& twists, double dt, StageTimers& timers)
 {
-    const auto wet_shares = [&](const Coupling<D>& films) {
+    const auto drag_terms = [&](const Coupling<D>& films) {
         state.voids.find(films, histories);
         if (model.viscous())
             state.voids.find_wet_shares(films, twists);
-        return state.voids.wet_shares();
+        return DragTerms{state.voids.wet_shares(), gap_changes(model, films, state)};
     };
-    return model.coupled(state.bodies, mass, model.scene.viscosity * dt, state.films_before, wet_shares, &timers);
+    return model.coupled(state.bodies, mass, model.scene.viscosity * dt, state.films_before, drag_terms, &timers);
 }
 
 template <int D>
@@ -58,7 +59,10 @@ Coupling<D> configure_stored(const Model<D>& model, const State<D>& state, Stage
         state.steps == 0 ? held_masses(model, state.bodies) : model.masses(state.bodies, state.dt);
     Coupling<D> here = model.coupled(
         state.bodies, mass, model.scene.viscosity * state.dt, state.films_before,
-        [&](const Coupling<D>&) { return state.voids.wet_shares(); }, &timers);
+        [&](const Coupling<D>& films) {
+            return DragTerms{state.voids.wet_shares(), gap_changes(model, films, state)};
+        },
+        &timers);
     const FilmNetwork<D>& network = here.network;
     const FluidVelocity<D>& u = state.velocity;
     const std::size_t mouths = network.rim.mouths.size();

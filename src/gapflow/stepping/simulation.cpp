@@ -82,7 +82,9 @@ StepReport Simulation<D>::step(double next_output)
 {
     const Stopwatch watch;
     StepReport report;
-    const Step step = choose_step(model_, state_, *here_, beyond_.histories, next_output);
+    LongWays<D> ways;
+    const Step step = choose_step(model_, state_, *here_, beyond_.histories, next_output, ways);
+    state_.long_ways = std::move(ways);
     state_.drive = next_drive(model_, *here_, state_, step);
     const std::vector<Whereabouts> places = whereabouts(model_, state_.bodies);
     std::optional<EarlierFlow<D>> earlier;

@@ -97,6 +97,12 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
     state.voids.list_state(archive);
     list_pairs(archive, "films_before", state.films_before);
     list_pairs(archive, "films_turned", state.turned);
+    archive.optional("long_ways", !state.long_ways.pairs.empty(), [&] {
+        LongWays<D>& ways = state.long_ways;
+        list_pairs(archive, "pairs", ways.pairs);
+        ways.from.resize(state.bodies.size());
+        archive.each("from", ways.from, [](StateArchive& items, Pose<D>& pose) { list_pose(items, pose); });
+    });
     list_field(archive, "velocity", grid, state.velocity.grid);
     PressureHistory<D>& pressure = state.pressure;
     list_field(archive, "pressure_impulse", grid, pressure.impulse.cells);

@@ -36,6 +36,13 @@ struct Drive {
     Vec<D> flow = Vec<D>::Zero();     ///< mean velocity of fluid and solids before that step
 };
 
+/// Pairs whose gap changes by a large factor in a step, because their films hardly change the bodies' motion (stepping/gap_limit).
+template <int D>
+struct LongWays {
+    std::set<FilmPair<D>> pairs;
+    std::vector<Pose<D>> from; ///< of the bodies, before the step; empty without such pairs
+};
+
 /// What a run remembers to tell that its flow has settled (stepping/steadiness).
 struct SteadyWatch {
     double largest_speed = 0; ///< root mean square of the fluid's velocity, the largest so far
@@ -57,6 +64,7 @@ struct State {
     Eigen::VectorXd node_outflow;       ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
     std::set<FilmPair<D>> films_before; ///< pairs that had films before the last step
     std::set<FilmPair<D>> turned;       ///< pairs whose films were reversed in the last step
+    LongWays<D> long_ways;              ///< of the last step
     FilmDebts<D> film_debts;            ///< energy that films gained in the last step: the next one takes it back
     std::vector<Vec<D>> film_increment; ///< acceleration of the films' elements in the last step, pressure and transport
     Drive<D> drive;

@@ -23,6 +23,7 @@ struct StepReport {
     double time = 0, dt = 0;
     long cells = 0; ///< unknowns of the grid
     int film_nodes = 0, iterations = 0;
+    int solves = 0;                                    ///< of the pressure: more than one where contacts or voids change
     int viscous_iterations = 0;                        ///< of the bulk's viscous solve
     double residual = 0, divergence_max = 0;           ///< divergence: net outflow of a cell over its volume, 1/time
     double energy_fluid = 0, energy_bodies = 0;        ///< as in Budget

@@ -5,6 +5,7 @@
 #include "gapflow/core/threads.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/following.hpp"
+#include "gapflow/stepping/gap_limit.hpp"
 #include "gapflow/stepping/reconstruction.hpp"
 
 #include <algorithm>
@@ -29,8 +30,6 @@ constexpr double steps_a_period = 20;
 constexpr double invisible_amplitude = 1e-3;
 // Steps below this times time.max_step indicate unbounded growth.
 constexpr double smallest_step = 1e-9;
-// Bodies that cannot give way and have met: with steps below this times time.max_step the run would not end.
-constexpr double driven_step = 1e-3;
 
 std::string short_text(double value)
 {
@@ -87,39 +86,6 @@ double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const T
     return 2 * std::numbers::pi / (steps_a_period * std::max(frequency, tiny));
 }
 
-// Step size for the allowed change of a film's thickness, at speeds V and accelerations A of the solids. Throws
-// ComputationError where prescribed bodies have met and continue to approach.
-template <int D>
-double limit_of_closing(const FilmMesh<D>& mesh, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& V,
-                        const std::vector<Twist<D>>& A, const Scene& scene, double floor, double time, double dx)
-{
-    const Solid<D>&master = solids[mesh.master], &other = solids[mesh.other];
-    const double thickness = scene.contact_of(master.name, other.name).thickness;
-    const double least = std::max({thickness, floor, smallest_limiting_gap * dx});
-    // Neither can give way: they have met where the film is still rough.
-    const double met = std::max(scene.least_distance(master.name, other.name), smallest_limiting_gap * dx);
-    const bool unstoppable = master.motion != Motion::free && other.motion != Motion::free;
-    double dt = std::numeric_limits<double>::infinity();
-    for (const FilmPoint<D>& q : mesh.points) {
-        const Vec<D> arm_a = q.x - master.centre, arm_b = q.y - other.centre - mesh.shift;
-        auto opening = [&](const std::vector<Twist<D>>& twist) {
-            return q.other_normal.dot(velocity_at<D>(twist[mesh.master], arm_a) - velocity_at<D>(twist[mesh.other], arm_b));
-        };
-        auto rate = [&](const std::vector<Twist<D>>& twist) { return std::abs(opening(twist)); };
-        const double distance = q.h + mesh.skin, h = std::max(distance, least);
-        if (unstoppable && q.other_normal.dot(q.x - q.y) < met &&
-            scene.gap_cfl * met < driven_step * scene.max_step * -opening(V))
-            throw ComputationError("prescribed motion drives '" + master.name + "' and '" + other.name +
-                                   "' into each other at time " + short_text(time) +
-                                   "; let it stop before they touch, or let one of them be free");
-        // The distance remaining to the contact thickness limits the step too.
-        const double left = thickness > 0 ? std::max(distance - thickness, smallest_limiting_gap * dx) : h;
-        dt = std::min(dt, scene.gap_cfl * std::min(h, left) / std::max(rate(V), tiny));
-        dt = std::min(dt, std::sqrt(2 * scene.gap_cfl * h / std::max(rate(A), tiny)));
-    }
-    return dt;
-}
-
 // How far the flow of a curved film may go in a step. `first`: of its elements in its pair's memory.
 template <int D>
 double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const FilmHistory<D>& memory, int first, double dx)
@@ -142,7 +108,7 @@ double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const
 
 template <int D>
 Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmHistories<D>& histories,
-                 double next_output)
+                 double next_output, LongWays<D>& ways)
 {
     const Scene& scene = model.scene;
     const Grid<D>& grid = model.grid;
@@ -170,15 +136,15 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
             dt = std::min(dt, limit_of_oscillation(bodies[b], V[b], A[b], scene, dx));
     const std::vector<Solid<D>>& solids = here.solids;
     std::map<FilmPair<D>, int> counted; // elements of each pair's films so far, as its memory has them
+    GapLimit<D> gaps(model, state, here, V, A);
     for (const Film<D>& film : here.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const int first = counted[film.pair];
         counted[film.pair] += static_cast<int>(mesh.elements.size());
-        dt = std::min(dt,
-                      limit_of_closing(mesh, solids, V, A, scene, model.gaps(mesh.master, mesh.other).floor, state.time, dx));
         if (!mesh.flat)
             dt = std::min(dt, limit_of_film_flow(mesh, solids[mesh.master], *histories.at(film.pair), first, dx));
     }
+    dt = gaps.limited(dt);
     if (!(dt > smallest_step * scene.max_step))
         throw ComputationError(
             "the time step fell to " + short_text(dt) + " at time " + short_text(state.time) +
@@ -190,12 +156,14 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
         dt = left;
     else if (left < 2 * dt)
         dt = 0.5 * left;
+    ways = gaps.long_ways(dt);
     const double end = state.time + dt;
     return {state.steps + 1, state.time, dt, state.dt, next_output - end < 1e-12 * next_output ? next_output : end};
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template Step choose_step<D>(const Model<D>&, const State<D>&, const Coupling<D>&, const FilmHistories<D>&, double);
+    template Step choose_step<D>(const Model<D>&, const State<D>&, const Coupling<D>&, const FilmHistories<D>&, double,        \
+                                 LongWays<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

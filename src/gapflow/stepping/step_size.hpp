@@ -6,11 +6,12 @@
 
 namespace gapflow {
 
-/// The next step; it does not pass `next_output`. `here`, `histories`: coupled system and films at its start. Throws
+/// The next step; it does not pass `next_output`. `here`, `histories`: coupled system and films at its start; `ways` receives the pairs whose gap
+/// it changes by a large factor. Throws
 /// ComputationError where prescribed bodies that have met continue to approach, and where the step becomes too small.
 /// Collective.
 template <int D>
 Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmHistories<D>& histories,
-                 double next_output);
+                 double next_output, LongWays<D>& ways);
 
 } // namespace gapflow

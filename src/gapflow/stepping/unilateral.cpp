@@ -166,6 +166,7 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
             const double tolerance = rounds.tolerance(options.tolerance, projection.holds());
             const SolveReport solve = projection.solve(tolerance);
             report.iterations += solve.iterations;
+            ++report.solves;
             report.residual = solve.residual;
             state.light_bodies = projection.corrects_bodies() || solve.iterations > few_iterations;
             if (!solve.converged && step.dt > 0 && !voids)

@@ -1,0 +1,144 @@
+#include "gapflow/coupling/film_way.hpp"
+
+#include "gapflow/core/decompositions.hpp"
+#include "gapflow/coupling/film_drag.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+double mean_of_cube(double h, double before)
+{
+    return h * (before + h) / (2 * before * before);
+}
+
+double mean_of_inverse(double h, double before)
+{
+    const double ratio = before / h - 1;
+    return std::abs(ratio) < 1e-6 ? 1 - 0.5 * ratio : std::log1p(ratio) / ratio;
+}
+
+// Geometric mean over the element's nodes of f(h, h - opened).
+template <int D, class F>
+double over_nodes(const FilmMesh<D>& mesh, const FilmElement<D>& e, double opened, F&& f)
+{
+    double product = 1;
+    for (const int node : e.nodes)
+        product *= f(mesh.h[node], mesh.h[node] - opened);
+    return std::pow(product, 1.0 / D);
+}
+
+// L of a film's nodes with the given conductances (at density 1) of its elements, and its links.
+template <int D>
+Eigen::SparseMatrix<double> stiffness(const Coupling<D>& coupling, const Film<D>& film, const std::vector<double>& conductance)
+{
+    const long count = static_cast<long>(film.mesh.h.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
+        const FilmElement<D>& e = film.mesh.elements[k];
+        for (int i = 0; i < D; ++i)
+            for (int j = 0; j < D; ++j)
+                entries.emplace_back(e.nodes[i], e.nodes[j],
+                                     conductance[k] / coupling.density * e.gradient[i].dot(e.gradient[j]));
+    }
+    const auto own = [&](int node) { return node >= film.first_node && node < film.first_node + count; };
+    for (const Link& link : coupling.system.links)
+        for (const auto& [i, wi] : link.nodes)
+            for (const auto& [j, wj] : link.nodes)
+                if (own(i) && own(j))
+                    entries.emplace_back(i - film.first_node, j - film.first_node, link.conductance * wi * wj);
+    Eigen::SparseMatrix<double> L(count, count);
+    L.setFromTriplets(entries.begin(), entries.end());
+    return L;
+}
+
+template <int D>
+bool has_way_out(const Coupling<D>& coupling, const Film<D>& film)
+{
+    const int end = film.first_node + static_cast<int>(film.mesh.h.size());
+    return std::any_of(coupling.system.links.begin(), coupling.system.links.end(), [&](const Link& link) {
+        return link.conductance > 0 && std::any_of(link.nodes.begin(), link.nodes.end(), [&](const auto& entry) {
+                   return entry.first >= film.first_node && entry.first < end;
+               });
+    });
+}
+
+} // namespace
+
+template <int D>
+double cubic_mean(const FilmMesh<D>& mesh, const FilmElement<D>& e, double opened)
+{
+    return over_nodes<D>(mesh, e, opened, mean_of_cube);
+}
+
+template <int D>
+double linear_mean(const FilmMesh<D>& mesh, const FilmElement<D>& e, double opened)
+{
+    return over_nodes<D>(mesh, e, opened, mean_of_inverse);
+}
+
+double square_mean(double h, double opened)
+{
+    return h / (h - opened);
+}
+
+// The film's pressure impulse p solves L p = F V with F the rows of K, and acts with -F^T p. L with the resistances of the way, less L with
+// those of the inertia that the film has at its start.
+template <int D>
+std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupling, std::span<const int> films,
+                                                       const WayAhead<D>& way, const std::array<Twist<D>, 2>& V)
+{
+    std::array<Twist<D>, 2> impulse{Twist<D>::Zero(), Twist<D>::Zero()};
+    for (std::size_t f = 0; f < films.size(); ++f) {
+        const Film<D>& film = coupling.network.films[films[f]];
+        const FilmMesh<D>& mesh = film.mesh;
+        if (!has_way_out(coupling, film))
+            return {};
+        const std::vector<double> beta =
+            way.viscosity_dt > 0 ? element_betas(mesh, way.viscosity_dt, coupling.density) : std::vector<double>();
+        std::vector<double> ideal, conductance;
+        for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+            const FilmElement<D>& e = mesh.elements[k];
+            double thinned = 1, cube = 1;
+            for (const int node : e.nodes) {
+                const double end = std::max(mesh.h[node] + way.opened[f][k], way.floor);
+                thinned *= mesh.h[node] / end;
+                cube *= mean_of_cube(mesh.h[node], end);
+            }
+            const double more =
+                std::abs(std::pow(thinned, 1.0 / D) - 1) + (beta.empty() ? 0.0 : beta[k] * std::pow(cube, 1.0 / D));
+            ideal.push_back(e.conductance());
+            conductance.push_back(e.conductance() / (1 + more));
+        }
+        const auto first = std::lower_bound(coupling.node_flux.begin(), coupling.node_flux.end(), film.first_node,
+                                            [](const BodyFlux<D, int>& entry, int node) { return entry.row < node; });
+        const int end = film.first_node + static_cast<int>(mesh.h.size());
+        Eigen::VectorXd driven = Eigen::VectorXd::Zero(static_cast<long>(mesh.h.size()));
+        const auto each = [&](auto&& take) {
+            for (auto entry = first; entry != coupling.node_flux.end() && entry->row < end; ++entry)
+                if (entry->body == mesh.master || entry->body == mesh.other)
+                    take(*entry, entry->body == mesh.master ? 0 : 1);
+        };
+        each([&](const BodyFlux<D, int>& entry, int side) { driven[entry.row - film.first_node] += entry.flux.dot(V[side]); });
+        SparseCholesky with, without;
+        if (!with.compute(stiffness(coupling, film, conductance)) || !without.compute(stiffness(coupling, film, ideal)))
+            return {};
+        const Eigen::VectorXd p = with.solve(driven) - without.solve(driven);
+        each([&](const BodyFlux<D, int>& entry, int side) { impulse[side] += p[entry.row - film.first_node] * entry.flux; });
+    }
+    return impulse;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template double cubic_mean<D>(const FilmMesh<D>&, const FilmElement<D>&, double);                                          \
+    template double linear_mean<D>(const FilmMesh<D>&, const FilmElement<D>&, double);                                         \
+    template std::optional<std::array<Twist<D>, 2>> impulses_on_way<D>(const Coupling<D>&, std::span<const int>,               \
+                                                                       const WayAhead<D>&, const std::array<Twist<D>, 2>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,40 @@
+// Films whose gap changes by a large factor in one step (method, "The time step", stage 1). On its way from h0 to h1 at constant speed
+// the film resists with the mean over the way of the resistance's power of h,
+//
+//     mean h^-3 = (h0 + h1) / (2 h0^2 h1^2),     mean h^-2 = 1 / (h0 h1),     mean h^-1 = ln(h0 / h1) / (h0 - h1).
+//
+// For a body of mass m that the film alone slows down, m dv = -k(h) v dt = -k(h) dh: the impulse depends on the way alone, whatever the factor.
+#pragma once
+
+#include "gapflow/coupling/coupling.hpp"
+
+#include <span>
+#include <vector>
+
+namespace gapflow {
+
+/// Means over an element's way to its present thickness, over the value there: of h^-3 (a flux's resistance) and of h^-1 (shear). `opened`:
+/// how much the gap has opened on the way; negative: closed.
+template <int D>
+double cubic_mean(const FilmMesh<D>& mesh, const FilmElement<D>& e, double opened);
+template <int D>
+double linear_mean(const FilmMesh<D>& mesh, const FilmElement<D>& e, double opened);
+/// The same of h^-2, of a mouth.
+double square_mean(double h, double opened);
+
+/// How a pair's gap changes on the way ahead.
+template <int D>
+struct WayAhead {
+    std::vector<std::vector<double>> opened; ///< of each film of the pair, of each of its elements
+    double viscosity_dt = 0;                 ///< viscosity times the time that the way takes
+    double floor = 0;                        ///< least thickness
+};
+
+/// Impulses on master and other by which the films of a pair change the motion V on a way: by viscosity, and by the change of their inertia,
+/// which counts with its magnitude. The grid's pressure is taken as fixed. `films`: numbers in the network, all of one pair; `way`: one
+/// element list for each. Empty where a film has no way out.
+template <int D>
+std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupling, std::span<const int> films,
+                                                       const WayAhead<D>& way, const std::array<Twist<D>, 2>& V);
+
+} // namespace gapflow

@@ -1,0 +1,243 @@
+#include "gapflow/stepping/gap_limit.hpp"
+
+#include "gapflow/body/forces.hpp"
+#include "gapflow/core/error.hpp"
+#include "gapflow/coupling/film_way.hpp"
+#include "gapflow/stepping/film_reversal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gapflow {
+
+namespace {
+
+// A film that takes at most this share of its bodies' relative velocity in a step does not limit the step by its gap: what the implicit step
+// misses of the exact impulse is half of this share's square.
+constexpr double small_share = 0.05;
+// The same where they meet on the way and rebound, with the speed from before it.
+constexpr double small_share_of_rebound = 0.005;
+// Surfaces that meet on such a way may pass each other by this much, in dx: they are moved apart in one pass.
+constexpr double most_overlap = 0.1;
+// The search for a step stops within this factor.
+constexpr double closeness = 1.1;
+// Bodies that cannot give way and have met: with steps below this times time.max_step the run would not end.
+constexpr double driven_step = 1e-3;
+constexpr double tiny = std::numeric_limits<double>::min();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::string short_text(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+// Opening rate of two points that face each other at the given twists (or accelerations) of the solids.
+template <int D>
+double opening(const Coupling<D>& here, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twist, const Vec<D>& out_of_other,
+               const Vec<D>& on_master, const Vec<D>& on_other)
+{
+    return out_of_other.dot(velocity_at<D>(twist[mesh.master], on_master - here.solids[mesh.master].centre) -
+                            velocity_at<D>(twist[mesh.other], on_other - here.solids[mesh.other].centre - mesh.shift));
+}
+
+// When a distance that opens with rate v and acceleration a has fallen by `left`.
+double time_of_closing(double left, double v, double a)
+{
+    const double root = v * v - 2 * a * left;
+    if (left <= 0)
+        return v < 0 || (v == 0 && a < 0) ? 0.0 : infinite;
+    if (root < 0)
+        return infinite;
+    const double t = 2 * left / (-v + std::sqrt(root)); // the first root of left + v t + a t^2 / 2
+    return -v + std::sqrt(root) > 0 ? t : infinite;
+}
+
+} // namespace
+
+template <int D>
+GapLimit<D>::GapLimit(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const std::vector<Twist<D>>& V,
+                      const std::vector<Twist<D>>& A)
+    : model_(model), state_(state), here_(here), V_(V), A_(A)
+{
+    for (std::size_t f = 0; f < here.network.films.size(); ++f)
+        add(static_cast<int>(f), here.network.films[f]);
+}
+
+template <int D>
+void GapLimit<D>::add(int number, const Film<D>& film)
+{
+    const Scene& scene = model_.scene;
+    const double dx = model_.grid.dx(), floor = model_.gaps(film.pair.master, film.pair.other).floor;
+    const FilmMesh<D>& mesh = film.mesh;
+    const Solid<D>&master = here_.solids[mesh.master], &other = here_.solids[mesh.other];
+    const double thickness = scene.contact_of(master.name, other.name).thickness;
+    const double least = std::max({thickness, floor, smallest_limiting_gap * dx});
+    // Neither can give way: they have met where the film is still rough.
+    const double met = std::max(scene.least_distance(master.name, other.name), smallest_limiting_gap * dx);
+    const bool unstoppable = master.motion != Motion::free && other.motion != Motion::free;
+    double dt = infinite;
+    for (const FilmPoint<D>& q : mesh.points) {
+        auto rate = [&](const std::vector<Twist<D>>& twist) {
+            return std::abs(opening(here_, mesh, twist, q.other_normal, q.x, q.y));
+        };
+        const double distance = q.h + mesh.skin, h = std::max(distance, least);
+        if (unstoppable && q.other_normal.dot(q.x - q.y) < met &&
+            scene.gap_cfl * met < driven_step * scene.max_step * -opening(here_, mesh, V_, q.other_normal, q.x, q.y))
+            throw ComputationError("prescribed motion drives '" + master.name + "' and '" + other.name +
+                                   "' into each other at time " + short_text(state_.time) +
+                                   "; let it stop before they touch, or let one of them be free");
+        // The distance remaining to the contact thickness limits the step too.
+        const double left = thickness > 0 ? std::max(distance - thickness, smallest_limiting_gap * dx) : h;
+        dt = std::min(dt, scene.gap_cfl * std::min(h, left) / std::max(rate(V_), tiny));
+        dt = std::min(dt, std::sqrt(2 * scene.gap_cfl * h / std::max(rate(A_), tiny)));
+    }
+    Pair& pair = pairs_[film.pair];
+    pair.films.push_back(number);
+    pair.by_part = std::min(pair.by_part, dt);
+    // Not with dry gaps; nor with bodies whose motion is given: there the film's force is what is asked for.
+    pair.any_factor = scene.long_ways && pair.any_factor && mesh.skin == 0 && !state_.voids.any() &&
+                      mesh.master != mesh.other && !unstoppable;
+}
+
+// Whether the films of a pair take a small share of the relative velocity in a step, |F|^2 / (W.F) with F their impulses on the motion W, in the
+// metric of the bodies' mobility, and the surfaces do not pass each other too far.
+template <int D>
+bool GapLimit<D>::admits(const FilmPair<D>& pair, const Pair& films, double dt) const
+{
+    const double dx = model_.grid.dx(), floor = model_.gaps(pair.master, pair.other).floor;
+    const std::string &a = here_.solids[pair.master].name, &b = here_.solids[pair.other].name;
+    const ContactScene& contact = model_.scene.contact_of(a, b);
+    const double hold = std::max(floor, model_.scene.held_distance(a, b));
+    double meeting = infinite;
+    for (const int f : films.films) {
+        const FilmMesh<D>& mesh = here_.network.films[f].mesh;
+        for (const FilmPoint<D>& q : mesh.points) {
+            const double v = opening(here_, mesh, V_, q.other_normal, q.x, q.y);
+            const double speeding = opening(here_, mesh, A_, q.other_normal, q.x, q.y);
+            if (q.h + dt * (v + 0.5 * dt * speeding) < hold - most_overlap * dx)
+                return false;
+            meeting = std::min(meeting, time_of_closing(q.h - hold, v, speeding));
+        }
+    }
+    // A contact may hold its bodies from the step before they meet on. Those that rebound then do not go the rest of the way.
+    const bool rebound = contact.restitution > 0 && meeting < 2 * dt;
+    const double moving = rebound ? meeting : std::min(dt, meeting);
+    const std::array<Twist<D>, 2> W{V_[pair.master] + 0.5 * moving * A_[pair.master],
+                                    V_[pair.other] + 0.5 * moving * A_[pair.other]};
+    WayAhead<D> way{{}, model_.scene.viscosity * moving, floor};
+    for (const int f : films.films) {
+        const FilmMesh<D>& mesh = here_.network.films[f].mesh;
+        std::vector<double>& opened = way.opened.emplace_back();
+        for (const FilmElement<D>& e : mesh.elements) {
+            const auto rate = [&](const std::vector<Twist<D>>& twist) {
+                return opening<D>(here_, mesh, twist, -e.into_other, e.centroid_master, e.place_on_other);
+            };
+            opened.push_back(moving * (rate(V_) + 0.5 * moving * rate(A_)));
+        }
+    }
+    const auto impulses = impulses_on_way<D>(here_, films.films, way, W);
+    if (!impulses)
+        return false;
+    double power = 0, square = 0;
+    for (const int side : {0, 1}) {
+        const int solid = side == 0 ? pair.master : pair.other;
+        const Twist<D>& impulse = (*impulses)[side];
+        power += W[side].dot(impulse);
+        if (here_.free_body[solid] >= 0) {
+            const RigidBody<D>& body = state_.bodies[solid];
+            square += impulse.dot(impulse_response(body, impulse, dt));
+        }
+    }
+    return square <= (rebound ? small_share_of_rebound : small_share) * power;
+}
+
+// Pairs that ask for the smallest steps come first: their limit spares the others the search.
+template <int D>
+double GapLimit<D>::limited(double dt) const
+{
+    std::vector<const std::pair<const FilmPair<D>, Pair>*> limiting;
+    for (const auto& entry : pairs_)
+        if (entry.second.by_part < dt)
+            limiting.push_back(&entry);
+    std::stable_sort(limiting.begin(), limiting.end(),
+                     [](const auto* a, const auto* b) { return a->second.by_part < b->second.by_part; });
+    for (const auto* entry : limiting) {
+        const auto& [pair, films] = *entry;
+        if (films.by_part >= dt)
+            break;
+        if (!films.any_factor) {
+            dt = films.by_part;
+            continue;
+        }
+        double good = films.by_part, bad = dt;
+        if (admits(pair, films, dt))
+            continue;
+        while (bad > closeness * good) {
+            const double middle = std::sqrt(good * bad);
+            (admits(pair, films, middle) ? good : bad) = middle;
+        }
+        dt = good;
+    }
+    return dt;
+}
+
+template <int D>
+LongWays<D> GapLimit<D>::long_ways(double dt) const
+{
+    LongWays<D> ways;
+    for (const auto& [pair, films] : pairs_)
+        if (films.by_part < dt * (1 - 1e-9))
+            ways.pairs.insert(pair);
+    if (!ways.pairs.empty())
+        for (const RigidBody<D>& body : state_.bodies)
+            ways.from.push_back(body.pose);
+    return ways;
+}
+
+template <int D>
+GapChanges gap_changes(const Model<D>& model, const Coupling<D>& there, const State<D>& state)
+{
+    const LongWays<D>& ways = state.long_ways;
+    if (ways.pairs.empty())
+        return {};
+    const auto shift_of = [&](int solid, const Vec<D>& x) {
+        if (solid >= static_cast<int>(ways.from.size()))
+            return Vec<D>(Vec<D>::Zero());
+        const Pose<D>& from = ways.from[solid];
+        return Vec<D>(x - from.position - from.matrix() * there.solids[solid].shape.to_body(x));
+    };
+    GapChanges changes{std::vector<double>(there.network.elements, 0.0),
+                       std::vector<double>(there.network.rim.mouths.size(), 0.0)};
+    for (const Film<D>& film : there.network.films) {
+        if (!ways.pairs.contains(film.pair))
+            continue;
+        const FilmMesh<D>& mesh = film.mesh;
+        const double floor = model.gaps(mesh.master, mesh.other).floor;
+        for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+            const FilmElement<D>& e = mesh.elements[k];
+            double thinnest = infinite;
+            for (const int node : e.nodes)
+                thinnest = std::min(thinnest, mesh.h[node]);
+            const double opened = -e.into_other.dot(shift_of(mesh.master, e.centroid_master) -
+                                                    shift_of(mesh.other, Vec<D>(e.place_on_other - mesh.shift)));
+            changes.elements[film.first_element + k] = std::min(opened, std::max(thinnest - floor, 0.0));
+        }
+    }
+    for (std::size_t r = 0; r < changes.mouths.size(); ++r) {
+        const Mouth<D>& mouth = there.network.rim.mouths[r];
+        changes.mouths[r] = changes.elements[there.network.films[mouth.film].first_element + mouth.element];
+    }
+    return changes;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template class GapLimit<D>;                                                                                                \
+    template GapChanges gap_changes<D>(const Model<D>&, const Coupling<D>&, const State<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

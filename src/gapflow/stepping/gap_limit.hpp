@@ -1,0 +1,46 @@
+// The step's limit by the gaps (method, "The time step", stage 1). A gap changes by a part of its thickness at most, `time.gap_cfl`; or by any
+// factor, where its films take only a small share of the bodies' relative velocity on the way (coupling/film_way).
+#pragma once
+
+#include "gapflow/stepping/state.hpp"
+
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace gapflow {
+
+template <int D>
+class GapLimit {
+public:
+    /// Before a step from `state` with the coupled system `here`; V, A: twists and accelerations of all solids. All of it must outlive this
+    /// object. Throws ComputationError where prescribed bodies have met and continue to approach.
+    GapLimit(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const std::vector<Twist<D>>& V,
+             const std::vector<Twist<D>>& A);
+
+    /// The step size dt, or a smaller one that the gaps ask for.
+    double limited(double dt) const;
+    /// The pairs whose gap changes by a larger part than `time.gap_cfl` in a step of length dt.
+    LongWays<D> long_ways(double dt) const;
+
+private:
+    struct Pair {
+        std::vector<int> films;                                   ///< their numbers
+        double by_part = std::numeric_limits<double>::infinity(); ///< step in which the gap changes by the allowed part
+        bool any_factor = true;                                   ///< whether it may change by more
+    };
+    void add(int number, const Film<D>& film);
+    bool admits(const FilmPair<D>& pair, const Pair& films, double dt) const;
+
+    const Model<D>& model_;
+    const State<D>& state_;
+    const Coupling<D>& here_;
+    const std::vector<Twist<D>>&V_, &A_;
+    std::map<FilmPair<D>, Pair> pairs_;
+};
+
+/// Of the films and mouths of the state's long ways, once its bodies have moved: how much the gap has opened over the step.
+template <int D>
+GapChanges gap_changes(const Model<D>& model, const Coupling<D>& there, const State<D>& state);
+
+} // namespace gapflow

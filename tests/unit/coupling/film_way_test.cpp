@@ -1,0 +1,66 @@
+// A film whose gap changes by a large factor in one step, against the exact integrals over the way.
+#include "gapflow/coupling/film_way.hpp"
+#include "world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gapflow {
+namespace {
+
+TEST(FilmWay, MeansOverTheWay)
+{
+    FilmMesh<2> mesh;
+    mesh.h = {0.2, 0.2};
+    FilmElement<2> e;
+    e.nodes = {0, 1};
+    // From 0.5 to 0.2: mean of (0.2 / h)^3 = 0.2 * 0.7 / (2 * 0.25), of (0.2 / h)^2 = 0.4, of 0.2 / h = 0.2 ln 2.5 / 0.3.
+    EXPECT_NEAR(cubic_mean<2>(mesh, e, -0.3), 0.28, 1e-14);
+    EXPECT_NEAR(square_mean(0.2, -0.3), 0.4, 1e-14);
+    EXPECT_NEAR(linear_mean<2>(mesh, e, -0.3), 0.2 * std::log(2.5) / 0.3, 1e-14);
+    EXPECT_NEAR(linear_mean<2>(mesh, e, -1e-9), 1 - 2.5e-9, 1e-14);
+    // The mean over the way back is the same, over the value at its other end.
+    mesh.h = {0.5, 0.5};
+    EXPECT_NEAR(cubic_mean<2>(mesh, e, 0.3) / std::pow(0.5, 3), 0.28 / std::pow(0.2, 3), 1e-12);
+}
+
+// A strip of length L that closes from h0 to h1 with unit speed meets mu t L^3 (h0 + h1) / (2 h0^2 h1^2) by viscosity and
+// rho L^3 / 12 (1 / h1 - 1 / h0) by the growth of its inertia.
+TEST(FilmWay, ImpulsesOfAStrip)
+{
+    const double L = 0.6, h0 = 0.003, h1 = 0.0005;
+    Scene scene;
+    scene.dimension = 2;
+    scene.size = {2, 1, 0};
+    scene.cells = {32, 16, 1};
+    scene.sides[3].kind = SideScene::Kind::open;
+    BodyScene box;
+    box.name = "box";
+    box.shape = BodyScene::ShapeKind::box;
+    box.size = {L, 0.3, 0};
+    box.position = {0.97, 0.15 + h0, 0};
+    box.density = 2;
+    scene.bodies = {box};
+    const World<2> world(scene, true);
+    const Coupling<2>& coupling = world.coupling;
+    ASSERT_EQ(coupling.network.films.size(), 1u);
+    const FilmMesh<2>& mesh = coupling.network.films[0].mesh;
+    const auto impulse = [&](double viscosity_dt, double opened) {
+        const std::vector<int> films{0};
+        std::array<Twist<2>, 2> V{Twist<2>::Zero(), Twist<2>::Zero()};
+        V[mesh.master == 0 ? 0 : 1][1] = opened < 0 ? -1 : 1;
+        const WayAhead<2> way{{std::vector<double>(mesh.elements.size(), opened)}, viscosity_dt, 1e-6};
+        const auto found = impulses_on_way<2>(coupling, films, way, V);
+        EXPECT_TRUE(found.has_value());
+        return (*found)[mesh.master == 0 ? 0 : 1][1];
+    };
+    const double inertia = std::pow(L, 3) / 12 * (1 / h1 - 1 / h0);
+    EXPECT_NEAR(impulse(0, h1 - h0), -inertia, 0.05 * inertia);
+    const double viscosity_dt = 1e-5, viscous = viscosity_dt * std::pow(L, 3) * (h0 + h1) / (2 * h0 * h0 * h1 * h1);
+    EXPECT_NEAR(impulse(viscosity_dt, h1 - h0) - impulse(0, h1 - h0), -viscous, 0.05 * viscous);
+    EXPECT_NEAR(impulse(viscosity_dt, 0), viscosity_dt * std::pow(L / h0, 3), 0.05 * viscosity_dt * std::pow(L / h0, 3));
+}
+
+} // namespace
+} // namespace gapflow
