@@ -121,7 +121,7 @@ TEST(VtkReader, RefusesWhatIsNotOurs)
     EXPECT_THAT(message_of(folder / "nowhere.vti"), HasSubstr("nowhere.vti: cannot be read"));
     const test::TemporaryFile text("text.vti", "hello"),
         cut("cut.vtp", "<PolyData><Piece NumberOfPoints=\"1\"></Piece></PolyData>");
-    EXPECT_THAT(message_of(text.path()), HasSubstr("no VTK image or surface"));
+    EXPECT_THAT(message_of(text.path()), HasSubstr("no VTK image, rectilinear grid or surface"));
     EXPECT_THAT(message_of(cut.path()), HasSubstr("has no points"));
     write_vtp<2>(folder / "film.vtp", {{{0, 0}, {1, 0}}, {{0, 1}}, {{"thickness", 1, {1, 2}}}, {}});
     std::string content = test::content_of(folder / "film.vtp");
