@@ -147,7 +147,7 @@ export function curves(place, title, time, series, options, choose) {
 
 /**
  * The series that change by more than round-off, with the others named: { drawn, still }; null where none does. options.least: a plot whose
- * curves all change less is left out, and options.skipped() is called.
+ * curves all change less is left out, and options.skipped() is called. options.keep: where none changes, all that are not 0.
  */
 export function lively(series, options = {}) {
   const ranges = series.map((s) => rangeOf(s.values));
@@ -159,7 +159,8 @@ export function lively(series, options = {}) {
   }
   const nonzero = (values) => values.some((v) => Number.isFinite(v) && v !== 0);
   const change = (i) => ranges[i][1] - ranges[i][0] > Math.max(1e-4 * widest, 1e-12 * scale);
-  const drawn = series.filter((s, i) => change(i) || (series.length === 1 && nonzero(s.values)));
+  const moving = series.some((s, i) => change(i));
+  const drawn = series.filter((s, i) => change(i) || ((series.length === 1 || (options.keep && !moving)) && nonzero(s.values)));
   if (drawn.length === 0) return null;
   return { drawn, still: series.filter((s) => !drawn.includes(s) && s.values.length) };
 }

@@ -35,7 +35,7 @@ export function measurePlots(run, column, { fluxes, probes }) {
     for (const entry of entries) {
       const time = Array.from(run.numbers(entry.time)), key = time.join();
       if (time.length < 2) continue;
-      if (!lists.has(key)) lists.set(key, { title, unit: size, time, series: [] });
+      if (!lists.has(key)) lists.set(key, { title, unit: size, time, series: [], keep: true });
       for (const [name, label] of columns) {
         const values = column(entry, name);
         if (values.some(Number.isFinite)) lists.get(key).series.push({ label: label ? `${entry.name} ${label}` : entry.name, values });

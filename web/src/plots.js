@@ -42,7 +42,7 @@ export function drawPlots(run, choose) {
     const drawn = [], skipped = [], all = [...groups, ...bodies];
     const chosen = Object.fromEntries(Object.keys(measureKinds).map((kind) => [kind, measures[kind].filter((entry) => shown[kind].has(entry))]));
     for (const entry of plotsOf(run, column, all.filter((b) => shown.bodies.has(b)), gaps.filter((g) => shown.gaps.has(g)), chosen, bodies)) {
-      const found = lively(entry.series, { least: entry.least, skipped: () => skipped.push(entry.title.toLowerCase()) });
+      const found = lively(entry.series, { least: entry.least, keep: entry.keep, skipped: () => skipped.push(entry.title.toLowerCase()) });
       if (!found) continue;
       const note = found.still.length ? `not drawn (changes below 0.01 % of these): ${found.still.map((s) => s.label).join(", ")}` : "";
       drawn.push(curves(place, entry.title, entry.time ?? time, found.drawn, { ...entry, log: entry.log && spansMuch(found.drawn), note }, choose));
