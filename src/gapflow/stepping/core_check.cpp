@@ -1,20 +1,13 @@
 #include "gapflow/stepping/core_check.hpp"
 
 #include "gapflow/stepping/leaving.hpp"
+#include "gapflow/stepping/short_text.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 namespace gapflow {
 
 namespace {
-
-std::string place_text(double x)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", x);
-    return text;
-}
 
 // Along which axis, and how far, a box reaches out of the core; empty: nowhere.
 template <int D>
@@ -31,8 +24,8 @@ std::optional<std::string> reach_out(const Model<D>& model, const Vec<D>& low, c
         const bool at_low_side = scene.core->below[axis].empty(), at_high_side = scene.core->above[axis].empty();
         if ((at_low_side || low[axis] >= core_low - round_off) && (at_high_side || high[axis] <= core_high + round_off))
             continue;
-        return std::string("from ") + place_text(low[axis]) + " to " + place_text(high[axis]) + " along " + "xyz"[axis] +
-               ", the core from " + place_text(core_low) + " to " + place_text(core_high);
+        return std::string("from ") + short_text(low[axis]) + " to " + short_text(high[axis]) + " along " + "xyz"[axis] +
+               ", the core from " + short_text(core_low) + " to " + short_text(core_high);
     }
     return {};
 }

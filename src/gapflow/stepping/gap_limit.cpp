@@ -4,10 +4,10 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/coupling/film_way.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
+#include "gapflow/stepping/short_text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace gapflow {
 
@@ -26,13 +26,6 @@ constexpr double closeness = 1.1;
 constexpr double driven_step = 1e-3;
 constexpr double tiny = std::numeric_limits<double>::min();
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-std::string short_text(double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
 
 // Opening rate of two points that face each other at the given twists (or accelerations) of the solids.
 template <int D>

@@ -1,7 +1,8 @@
 #include "gapflow/stepping/leaving.hpp"
 
+#include "gapflow/stepping/short_text.hpp"
+
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 
 namespace gapflow {
@@ -143,9 +144,8 @@ std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<
         if (model.viscous())
             state.pressure.force[b].setZero();
         state.removed.insert(b);
-        char time[32];
-        std::snprintf(time, sizeof time, "%.6g", state.time);
-        notes.push_back("body '" + body.name + "' has left the domain at time " + time + " and is taken out of the scene");
+        notes.push_back("body '" + body.name + "' has left the domain at time " + short_text(state.time) +
+                        " and is taken out of the scene");
     }
     return notes;
 }

@@ -7,10 +7,10 @@
 #include "gapflow/stepping/following.hpp"
 #include "gapflow/stepping/gap_limit.hpp"
 #include "gapflow/stepping/reconstruction.hpp"
+#include "gapflow/stepping/short_text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -30,13 +30,6 @@ constexpr double steps_a_period = 20;
 constexpr double invisible_amplitude = 1e-3;
 // Steps below this times time.max_step indicate unbounded growth.
 constexpr double smallest_step = 1e-9;
-
-std::string short_text(double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
 
 constexpr double tiny = std::numeric_limits<double>::min();
 

@@ -102,6 +102,18 @@ TEST(GradedSpacing, EnergyIsThatOfTheAddedMass)
     }
 }
 
+// The fluid of all open faces moves with this velocity.
+template <int D>
+void expect_uniform_flow(const Simulation<D>& simulation, const Triple& velocity, double tolerance)
+{
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(simulation.grid().low(), owned_faces_end(simulation.grid(), axis), [&](const Index<D>& f) {
+            if (simulation.coupling().open(axis, f) > 0) {
+                EXPECT_NEAR(simulation.velocity().grid(axis, f), velocity[axis], tolerance) << axis << ": " << f.transpose();
+            }
+        });
+}
+
 // Fluid and a body of its density that move together go on so.
 template <int D>
 void expect_uniform_motion(double viscosity)
@@ -121,12 +133,8 @@ void expect_uniform_motion(double viscosity)
     const Simulation<D>& after = simulation;
     for (int axis = 0; axis < D; ++axis) {
         EXPECT_NEAR(after.bodies()[0].twist[axis], scene.fluid_velocity[axis], 1e-12);
-        for_each_index<D>(after.grid().low(), owned_faces_end(after.grid(), axis), [&](const Index<D>& f) {
-            if (after.coupling().open(axis, f) > 0) {
-                EXPECT_NEAR(after.velocity().grid(axis, f), scene.fluid_velocity[axis], 1e-11) << axis << ": " << f.transpose();
-            }
-        });
     }
+    expect_uniform_flow(after, scene.fluid_velocity, 1e-11);
 }
 
 TEST(GradedSpacing, KeepsUniformMotion2D)
@@ -238,12 +246,8 @@ void expect_uniform_motion_with_the_grid(double viscosity)
         EXPECT_NEAR(after.grid().origin()[axis], -4 + 2 * scene.fluid_velocity[axis], 1e-11);
         for (const RigidBody<D>& body : after.bodies())
             EXPECT_NEAR(body.twist[axis], scene.fluid_velocity[axis], 1e-11);
-        for_each_index<D>(after.grid().low(), owned_faces_end(after.grid(), axis), [&](const Index<D>& f) {
-            if (after.coupling().open(axis, f) > 0) {
-                EXPECT_NEAR(after.velocity().grid(axis, f), scene.fluid_velocity[axis], 1e-10) << axis << ": " << f.transpose();
-            }
-        });
     }
+    expect_uniform_flow(after, scene.fluid_velocity, 1e-10);
 }
 
 TEST(FollowingGrid, KeepsUniformMotion2D)
