@@ -44,7 +44,7 @@ class Domain:
     """The box of fluid and its grid: two numbers in `size` and `cells` make a 2D scene (per unit depth), three a 3D one.
 
     size: edge lengths. cells: along each axis, with the same spacing on all. origin: low corner, default 0.
-    leaving: "warn", "stop" (`gapflow run` ends) or "remove": of bodies on their way out of an open side.
+    leaving: "warn", "stop" (the run ends) or "remove": of bodies on their way out of an open side.
     """
 
     size: Vector
@@ -271,7 +271,7 @@ class Crowd:
 @dataclass(kw_only=True, slots=True)
 class Time:
     """end: `Simulation.run()` goes to here. max_step: largest time step. cfl: cells that the fluid may cross in a step.
-    gap_cfl: part of its thickness that a gap may change by in a step. until_steady: `gapflow run` ends once the flow's unsteadiness is below it."""
+    gap_cfl: part of its thickness that a gap may change by in a step. until_steady: the run ends once the flow's unsteadiness is below it."""
 
     end: float
     max_step: float
