@@ -47,7 +47,7 @@ class CMakeBuild(build_ext):
         folder.mkdir(parents=True, exist_ok=True)
         generator = ["-G", "Ninja"] if shutil.which("ninja") and "CMAKE_GENERATOR" not in os.environ else []
         subprocess.run(["cmake", "-S", root, "-B", folder, *generator, f"-DPython_EXECUTABLE={sys.executable}",
-                        f"-DGAPFLOW_PYTHON_OUTPUT={package}", "-DGAPFLOW_PYTHON=ON", "-DGAPFLOW_TESTS=OFF",
+                        f"-DGAPFLOW_PYTHON_OUTPUT={package}", "-DGAPFLOW_PYTHON=ON", "-DGAPFLOW_TESTS=OFF", "-DCMAKE_UNITY_BUILD=ON",
                         *shlex.split(os.environ.get("GAPFLOW_CMAKE_ARGS", ""))], check=True)
         subprocess.run(["cmake", "--build", folder, *parallel(), "--target", "gapflow_python"], check=True)
 

@@ -93,6 +93,8 @@ void print_gaps(const Scene& scene, const Communicator& comm)
             std::printf("warning   %s\n", note.c_str());
     for (const std::string& note : blind_end_notes(coupling, told))
         std::printf("warning   %s\n", note.c_str());
+    for (const std::string& note : closed_gap_notes(scene, coupling))
+        std::printf("closed    %s\n", note.c_str());
     for (const SealedPocket& pocket : coupling.sealed)
         std::printf("sealed    %s\n", sealed_text(pocket).c_str());
 }

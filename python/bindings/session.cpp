@@ -113,6 +113,7 @@ public:
     int dimension() const override { return D; }
     double time() const override { return any_state().time(); }
     long steps() const override { return any_state().steps(); }
+    std::string ended_by() const override { return any_run().ended() ? any_run().ended_by() : ""; }
     const Scene& scene() const override { return scene_; }
     py::dict report() const override { return report_dict(any_run().report(), D, any_state().driven()); }
 

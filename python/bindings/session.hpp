@@ -29,6 +29,8 @@ public:
     virtual int dimension() const = 0;
     virtual double time() const = 0;
     virtual long steps() const = 0;
+    /// The scene's key that ended the run; empty: it has not ended.
+    virtual std::string ended_by() const = 0;
     virtual const Scene& scene() const = 0;
     virtual pybind11::dict report() const = 0; ///< of the last step, at first of the start
     /// One step that does not pass `until`, nor scene.end, nor the next output time where files are written. Lets the

@@ -47,7 +47,7 @@ class Domain:
     Instead of cells: spacing, the edge of a cell; outside a core, a box { low, high }, cells may be wider: each at most growth (default 1.1)
     times as wide as its neighbour nearer to the core, and no wider than largest. follow: name of a body with which the grid moves, or
     { body, axes }.
-    leaving: "warn", "stop" (`gapflow run` ends) or "remove": of bodies on their way out of an open side.
+    leaving: "warn", "stop" (the run ends) or "remove": of bodies on their way out of an open side.
     """
 
     size: Vector
@@ -279,7 +279,7 @@ class Crowd:
 @dataclass(kw_only=True, slots=True)
 class Time:
     """end: `Simulation.run()` goes to here. max_step: largest time step. cfl: cells that the fluid may cross in a step.
-    gap_cfl: part of its thickness that a gap may change by in a step; with long_ways only where its film matters for the motion. until_steady: `gapflow run` ends once the flow's unsteadiness is below it."""
+    gap_cfl: part of its thickness that a gap may change by in a step; with long_ways only where its film matters for the motion. until_steady: the run ends once the flow's unsteadiness is below it."""
 
     end: float
     max_step: float

@@ -402,6 +402,12 @@ class Simulation(Named):
         """The scene's time.end."""
         return self._scene.end
 
+    @property
+    def ended_by(self) -> str | None:
+        """The scene's key that ended the run: "time.end", "time.until_steady" or "domain.leaving"; None before. Steps can go on beyond it; what
+        `change` sets begins anew."""
+        return self._session.ended_by or None
+
     def step(self, until: float = math.inf) -> StepReport:
         """One time step, as long as the flow allows, that does not pass `until`, nor time.end, nor, with files, an output time.
 
@@ -415,13 +421,15 @@ class Simulation(Named):
 
     @checked_arguments
     def run(self, until: float | None = None, *, control: Control | None = None, callback: Callback | None = None) -> StepReport:
-        """Steps until a time (default: time.end), exactly. Returns the last report.
+        """Steps until a time, exactly; without one until the run ends: at time.end, or before it as time.until_steady and
+        domain.leaving = "stop" ask (`ended_by` tells). Returns the last report.
 
         control(sim): called before every step, to set forces or velocities.
         callback(sim, report): called after every step; if it returns True, the run stops there.
         """
+        ends = until is None
         until = self.end if until is None else until
-        while self.time < until:
+        while self.time < until and not (ends and self.ended_by):
             if control is not None:
                 control(self)
             report = self.step(until)

@@ -150,6 +150,21 @@ def test_run_lands_on_times_and_a_callback_can_stop_it():
         sim.step(until=0.05)
 
 
+def test_a_run_ends_where_the_scene_asks_and_can_go_on():
+    still = {"time.until_steady": 1e-3, "time.end": 5, "time.max_step": 0.01}
+    sim = gapflow.Simulation(ball_scene(2, 16, motion="fixed", density=None), set=still)
+    assert sim.ended_by is None
+    sim.run()
+    assert sim.ended_by == "time.until_steady" and sim.steps == 10
+    sim.run()
+    assert sim.steps == 10
+    sim.run(until=0.2)
+    assert sim.time == 0.2
+    sim = gapflow.Simulation(ball_scene(2, 16), set={"time.end": 0.02})
+    sim.run()
+    assert sim.ended_by == "time.end" and sim.time == 0.02
+
+
 @pytest.mark.parametrize("dimension, cells", [(2, 32), (3, 16)])
 def test_a_controller_holds_a_body_still_against_gravity(dimension, cells):
     """PID with a guess of the mass only: it has to find the weight in the fluid, (density - 1) volume g, by itself."""

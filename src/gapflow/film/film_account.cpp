@@ -9,11 +9,6 @@ namespace {
 // Of a pair's energy: a larger gain than planned in a step is not left to the next one (random scene 59).
 constexpr double surprise = 0.02;
 
-double square(double x)
-{
-    return x * x;
-}
-
 // Energy over the density that the films of each pair gained by transport and heads.
 template <int D>
 FilmDebts<D> gains(const FilmNetwork<D>& network, const FilmAccount<D>& account, const std::vector<Vec<D>>& velocity,
@@ -49,7 +44,7 @@ FilmDebts<D> film_energy(const FilmNetwork<D>& network, const FilmAccount<D>& ac
         }
     for (std::size_t r = 0; r < mouth.size(); ++r) {
         const Mouth<D>& m = network.rim.mouths[r];
-        energy[network.films[m.film].pair] += 0.5 * m.resistance / m.length * square(mouth[r] - account.carried[r]);
+        energy[network.films[m.film].pair] += 0.5 * m.resistance / m.length * std::pow(mouth[r] - account.carried[r], 2);
     }
     return energy;
 }

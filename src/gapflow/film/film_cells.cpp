@@ -13,7 +13,7 @@ namespace {
 // Open fractions below this do not count.
 constexpr double negligible_opening = 1e-12;
 // In dx: points this close to a plane of the grid count as on it, as for fractions.
-constexpr double on_plane = 1e-6;
+constexpr double beside_plane = 1e-6;
 
 // Sum of open fractions below which a mixed cell's faces to other mixed cells are reopened.
 constexpr double strangled_aperture = 0.25;
@@ -102,7 +102,7 @@ struct Classifier {
             for (int end = 0; end < 2; ++end)
                 if (const Index<D> face = cell + end * step<D>(axis); faces.open(axis, face) > negligible_opening)
                     open.points[open.size++] =
-                        faces.open_point(axis, face) + (1 - 2 * end) * on_plane * grid.dx() * unit<D>(axis);
+                        faces.open_point(axis, face) + (1 - 2 * end) * beside_plane * grid.dx() * unit<D>(axis);
         return open;
     }
 

@@ -172,6 +172,7 @@ template <int D>
 void Run<D>::change(const Scene& scene)
 {
     simulation_ = std::make_unique<Simulation<D>>(scene, simulation_->grid().comm(), simulation_->state());
+    ended_by_.clear(); // what has settled may flow again
 }
 
 template <int D>

@@ -185,14 +185,14 @@ FilmView film_of(const VtkContent& surface, int dimension)
 }
 
 // Centre of mass and rotation of a body at a time, from bodies.csv.
-struct State {
+struct Moment {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
-State state_at(const StoredRun& run, const BodyView& body, double time)
+Moment state_at(const StoredRun& run, const BodyView& body, double time)
 {
-    State state;
+    Moment state;
     if (body.rows.empty())
         return state;
     const std::vector<double>& times = run.bodies.number("time");
@@ -386,7 +386,7 @@ FrameView view_frame(const StoredRun& run, const RunView& view, const RunFrame& 
     if (!frame.films.empty())
         result.film = film_of(read_vtk(run.folder / frame.films), view.dimension);
     for (const BodyView& body : view.bodies) {
-        const State from = state_at(run, body, time_of_view(run, body)), to = state_at(run, body, frame.time);
+        const Moment from = state_at(run, body, time_of_view(run, body)), to = state_at(run, body, frame.time);
         Placement placement;
         placement.rotation = to.rotation * from.rotation.transpose();
         placement.shift = to.centre - placement.rotation * from.centre;

@@ -13,8 +13,8 @@ namespace gapflow {
 
 namespace {
 
-constexpr int most_steps = 200;         // of Gilbert's algorithm
-constexpr int most_cells = 64;          // along an axis, of the list of bodies
+constexpr int most_turns = 200;         // of Gilbert's algorithm
+constexpr int most_bins = 64;           // along an axis, of the list of bodies
 constexpr int rim_points = 64;          // of a cylinder's end
 constexpr std::size_t few_points = 400; // of a mesh's hull
 
@@ -36,7 +36,7 @@ template <int D>
 Vec<D> nearest_way(const Hull<D>& hull, const Vec<D>& x)
 {
     Vec<D> v = hull.points.front() - x;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_turns; ++step) {
         const Vec<D> e = outermost<D>(hull, -v) - x - v;
         if (!(e.squaredNorm() > 0) || v.dot(e) > -1e-12 * v.squaredNorm())
             break;
@@ -153,7 +153,7 @@ bool apart(const Hull<D>& a, const Hull<D>& b, const Vec<D>& way, double distanc
         return false;
     const double least = a.radius + b.radius + distance;
     Vec<D> v = way + b.points.front() - a.points.front();
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_turns; ++step) {
         const double length = v.norm();
         if (length < least || !(length > 0))
             return false;
@@ -254,7 +254,7 @@ void CrowdRoom<D>::expect(double reach, double spacing)
     reach_ = std::max(reach_, reach);
     for (int axis = 0; axis < D; ++axis)
         cells_[axis] =
-            std::clamp(static_cast<int>(std::min(size_[axis] / (2 * reach_ + spacing), 1.0 * most_cells)), 1, most_cells);
+            std::clamp(static_cast<int>(std::min(size_[axis] / (2 * reach_ + spacing), 1.0 * most_bins)), 1, most_bins);
     in_cell_.assign(static_cast<std::size_t>(cells_.prod()), {});
     for (int body = 0; body < count(); ++body)
         sort_in(body);

@@ -16,7 +16,7 @@ namespace gapflow {
 
 namespace {
 
-using Shape = BodyScene::ShapeKind;
+using ShapeKind = BodyScene::ShapeKind;
 using Motion = BodyScene::Motion;
 
 bool contains(const std::vector<std::string>& list, const std::string& word)
@@ -34,7 +34,7 @@ void read_name(const Values& v, const Scene& scene, BodyScene& body)
 }
 
 /// The shape's own keys: all of them are needed but mesh scale; keys of other shapes are refused.
-void check_shape_keys(const Values& v, const std::string& shape, Shape kind)
+void check_shape_keys(const Values& v, const std::string& shape, ShapeKind kind)
 {
     static const std::vector<std::vector<std::string>> keys_of{
         {"size"}, {"radius"}, {"radius", "length"}, {"radius", "length"}, {"normal"}, {"file", "scale"}};
@@ -47,31 +47,31 @@ void check_shape_keys(const Values& v, const std::string& shape, Shape kind)
             v.refuse_missing(name, "a " + shape + " needs it");
 }
 
-Shape shape_named(const std::string& word)
+ShapeKind shape_named(const std::string& word)
 {
     static const std::vector<std::string> words{"box", "ball", "capsule", "cylinder", "half-space", "mesh"};
-    return static_cast<Shape>(std::find(words.begin(), words.end(), word) - words.begin());
+    return static_cast<ShapeKind>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
 void read_shape(const Values& v, const Scene& scene, BodyScene& body)
 {
     body.shape = shape_named(v.text("shape"));
-    if (body.shape == Shape::cylinder && scene.dimension == 2)
+    if (body.shape == ShapeKind::cylinder && scene.dimension == 2)
         v.refuse("shape", "a cylinder needs three dimensions", "use a ball (a disk) or a capsule in a 2D scene");
     check_shape_keys(v, v.text("shape"), body.shape);
-    if (body.shape == Shape::box)
+    if (body.shape == ShapeKind::box)
         body.size = v.triple("size");
     if (v.given("radius"))
         body.radius = v.number("radius");
     if (v.given("length"))
         body.length = v.number("length");
-    if (body.shape == Shape::half_space) {
+    if (body.shape == ShapeKind::half_space) {
         body.normal = v.triple("normal");
         if (body.normal == Triple{})
             v.refuse("normal", "a normal of length 0", "give the direction out of the solid");
     }
     body.inside_out = v.known("inside_out") && v.flag("inside_out");
-    if (body.shape != Shape::mesh)
+    if (body.shape != ShapeKind::mesh)
         return;
     body.mesh_scale = v.number("scale");
     body.mesh_file = resolved_path(scene, v.text("file"));
@@ -138,7 +138,7 @@ void read_mass(const Values& v, bool moves, BodyScene& body)
     }
     if (body.motion != Motion::free)
         return;
-    if (body.shape == Shape::half_space)
+    if (body.shape == ShapeKind::half_space)
         v.refuse("shape", "a half-space has no bounds and cannot be free", "add motion = \"fixed\" or motion = \"prescribed\"");
     if (body.inside_out && !body.mass)
         v.refuse("inside_out", "the mass of a free body whose solid has no bounds does not follow from a density",
@@ -150,7 +150,7 @@ void read_mass(const Values& v, bool moves, BodyScene& body)
 /// The key that names the motion's file, or null: motion_file, or file unless that is the mesh.
 const char* motion_key(const Values& v, const BodyScene& body)
 {
-    const bool file = v.given("file") && body.shape != Shape::mesh;
+    const bool file = v.given("file") && body.shape != ShapeKind::mesh;
     if (file && v.given("motion_file"))
         v.refuse("motion_file", "given together with file", "keep one of them");
     return v.given("motion_file") ? "motion_file" : file ? "file" : nullptr;

@@ -12,7 +12,7 @@ constexpr std::size_t most_contacts = 100;
 constexpr double nothing = 1e-9;   // of the largest impulse, of the largest speed
 constexpr double redundant = 1e-9; // pivots below it, of rows scaled to 1
 
-enum class State { open, sticks, slides };
+enum class Mode { open, sticks, slides };
 
 template <int D>
 class Equations {
@@ -20,7 +20,7 @@ public:
     Equations(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
               const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, const std::vector<ContactImpulse<D>>& guess)
         : contacts_(contacts), twists_(twists), place_(twists.size(), -1), lambda_(static_cast<long>(D * contacts.size())),
-          state_(contacts.size(), State::open), friction_direction_(contacts.size(), Vec<D - 1>::Zero())
+          state_(contacts.size(), Mode::open), friction_direction_(contacts.size(), Vec<D - 1>::Zero())
     {
         for (std::size_t s = 0; s < twists.size(); ++s)
             if (!inertia.mobility[s].isZero(0))
@@ -60,7 +60,7 @@ public:
                 before[r] = k == 0 ? given[i].normal : given[i].tangential[k - 1];
             }
             if (guess[i].normal > 0)
-                state_[i] = c.friction > 0 && !guess[i].slides ? State::sticks : State::slides;
+                state_[i] = c.friction > 0 && !guess[i].slides ? Mode::sticks : Mode::slides;
             if (const double size = guess[i].tangential.norm(); size > 0)
                 friction_direction_[i] = guess[i].tangential / size;
         }
@@ -81,9 +81,9 @@ public:
         std::vector<long> unknown;
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
             const long r = D * static_cast<long>(i);
-            if (state_[i] != State::open)
+            if (state_[i] != Mode::open)
                 unknown.push_back(r);
-            for (int k = 1; k < D && state_[i] == State::sticks; ++k)
+            for (int k = 1; k < D && state_[i] == Mode::sticks; ++k)
                 unknown.push_back(r + k);
         }
         const long size = static_cast<long>(unknown.size());
@@ -92,7 +92,7 @@ public:
         for (long j = 0; j < size; ++j) {
             const long r = unknown[j], i = r / D;
             columns.col(j) = response_.col(r);
-            if (r % D == 0 && state_[i] == State::slides)
+            if (r % D == 0 && state_[i] == Mode::slides)
                 for (int k = 1; k < D; ++k)
                     columns.col(j) += contacts_[i].friction * friction_direction_[i][k - 1] * response_.col(r + k);
             now[j] = lambda_[r];
@@ -112,7 +112,7 @@ public:
         lambda_.setZero();
         for (long j = 0; j < size; ++j) {
             lambda_[unknown[j]] = x[j];
-            if (const long i = unknown[j] / D; unknown[j] % D == 0 && state_[i] == State::slides)
+            if (const long i = unknown[j] / D; unknown[j] % D == 0 && state_[i] == Mode::slides)
                 for (int k = 1; k < D; ++k)
                     lambda_[D * i + k] = contacts_[i].friction * x[j] * friction_direction_[i][k - 1];
         }
@@ -127,9 +127,9 @@ public:
                      impulse = std::max(nothing * lambda_.cwiseAbs().maxCoeff(), 1e-300);
         double worst = 1;
         std::size_t which = contacts_.size();
-        State next = State::open;
+        Mode next = Mode::open;
         Vec<D - 1> friction_direction = Vec<D - 1>::Zero();
-        auto look = [&](double excess, std::size_t i, State state, const Vec<D - 1>& direction) {
+        auto look = [&](double excess, std::size_t i, Mode state, const Vec<D - 1>& direction) {
             if (!(excess <= worst)) {
                 worst = excess;
                 which = i;
@@ -141,22 +141,22 @@ public:
             const Contact<D>& c = contacts_[i];
             const long r = D * static_cast<long>(i);
             const Vec<D - 1> tangential = lambda_.template segment<D - 1>(r + 1), slip = speeds_.template segment<D - 1>(r + 1);
-            const State pressing = c.friction > 0 ? State::sticks : State::slides;
-            if (state_[i] == State::open) {
+            const Mode pressing = c.friction > 0 ? Mode::sticks : Mode::slides;
+            if (state_[i] == Mode::open) {
                 look((c.least - speeds_[r]) / speed, i, pressing, friction_direction_[i]);
                 continue;
             }
-            look(-lambda_[r] / impulse, i, State::open, friction_direction_[i]);
+            look(-lambda_[r] / impulse, i, Mode::open, friction_direction_[i]);
             obeyed_ = obeyed_ && std::abs(speeds_[r] - c.target) <= speed;
-            if (state_[i] == State::sticks) {
-                look((tangential.norm() - c.friction * lambda_[r]) / impulse, i, State::slides,
+            if (state_[i] == Mode::sticks) {
+                look((tangential.norm() - c.friction * lambda_[r]) / impulse, i, Mode::slides,
                      tangential / std::max(tangential.norm(), 1e-300));
                 obeyed_ = obeyed_ && slip.norm() <= speed;
             } else if (c.friction > 0) {
                 if (slip.dot(friction_direction_[i]) > speed)
-                    look(slip.dot(friction_direction_[i]) / speed, i, State::sticks, friction_direction_[i]);
+                    look(slip.dot(friction_direction_[i]) / speed, i, Mode::sticks, friction_direction_[i]);
                 else if (D == 3 && slip.norm() > speed)
-                    look((slip + slip.norm() * friction_direction_[i]).norm() / speed, i, State::slides, -slip / slip.norm());
+                    look((slip + slip.norm() * friction_direction_[i]).norm() / speed, i, Mode::slides, -slip / slip.norm());
             }
         }
         if (which == contacts_.size())
@@ -176,7 +176,7 @@ public:
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
             const long r = D * static_cast<long>(i);
             found.impulses[i] = {std::max(lambda_[r], 0.0), lambda_.template segment<D - 1>(r + 1),
-                                 contacts_[i].friction > 0 && state_[i] != State::sticks};
+                                 contacts_[i].friction > 0 && state_[i] != Mode::sticks};
         }
         for (std::size_t s = 0; s < twists_.size(); ++s)
             if (place_[s] >= 0)
@@ -200,7 +200,7 @@ private:
     std::vector<int> place_; ///< of every solid's twist, -1: cannot move
     int count_ = 0;
     Eigen::VectorXd lambda_; ///< of every contact: normal, tangential
-    std::vector<State> state_;
+    std::vector<Mode> state_;
     std::vector<Vec<D - 1>> friction_direction_; ///< direction of friction where it slides
     Eigen::MatrixXd rows_, response_;            ///< C, G C^T
     Eigen::VectorXd V_, held_;                   ///< twists without contacts; speeds of what does not yield

@@ -75,6 +75,29 @@ std::vector<std::string> rough_gap_notes(const Scene& scene, const Coupling<D>& 
     return notes;
 }
 
+template <int D>
+std::vector<std::string> closed_gap_notes(const Scene& scene, const Coupling<D>& coupling)
+{
+    std::vector<std::string> notes;
+    std::set<FilmPair<D>> told;
+    for (const Film<D>& film : coupling.network.films) {
+        const std::string &a = coupling.solids[film.pair.master].name, &b = coupling.solids[film.pair.other].name;
+        const double roughness = scene.gap_of(a, b).roughness;
+        const bool closes = std::any_of(film.mesh.rim.begin(), film.mesh.rim.end(),
+                                        [](const RimEdge<D>& edge) { return edge.end == RimEnd::touching; });
+        if (!closes || !(roughness > 0) || !told.insert(film.pair).second)
+            continue;
+        char text[64];
+        std::snprintf(text, sizeof text, "%.3g (%.3g cells)", roughness, roughness / coupling.grid->dx());
+        notes.push_back("'" + a + "' and '" + b + "' stand still and are one solid where they are closer than gap.roughness, " +
+                        text + ": nothing leaks through there; a [[pair]] with bodies = [\"" + a + "\", \"" + b +
+                        "\"] makes it a film of that thickness");
+    }
+    return notes;
+}
+
+template std::vector<std::string> closed_gap_notes<2>(const Scene&, const Coupling<2>&);
+template std::vector<std::string> closed_gap_notes<3>(const Scene&, const Coupling<3>&);
 template std::vector<std::string> rough_gap_notes<2>(const Scene&, const Coupling<2>&);
 template std::vector<std::string> rough_gap_notes<3>(const Scene&, const Coupling<3>&);
 template std::vector<std::string> blind_end_notes<2>(const Coupling<2>&, std::set<FilmPair<2>>&);

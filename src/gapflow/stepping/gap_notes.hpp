@@ -31,4 +31,9 @@ std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<F
 template <int D>
 std::vector<std::string> rough_gap_notes(const Scene& scene, const Coupling<D>& coupling);
 
+/// Pairs that stand still and come closer than the roughness: they are one solid there, and nothing leaks through, which in a closed valve is
+/// seldom meant. One text a pair, with the remedy.
+template <int D>
+std::vector<std::string> closed_gap_notes(const Scene& scene, const Coupling<D>& coupling);
+
 } // namespace gapflow

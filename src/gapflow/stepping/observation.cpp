@@ -44,12 +44,16 @@ std::vector<GapState> gap_states(const Model<D>& model, const Coupling<D>& here,
         }
         gap.film_nodes += static_cast<int>(mesh.h.size());
         const PlacedShape<D> other = here.solids[mesh.other].shape.shifted(mesh.shift);
-        const std::size_t thinnest = std::min_element(mesh.h.begin(), mesh.h.end()) - mesh.h.begin();
-        const SurfacePoint<D> closest = other.closest(mesh.x[thinnest]);
-        if (closest.distance < gap.thickness) {
+        const double least = *std::min_element(mesh.h.begin(), mesh.h.end());
+        for (std::size_t i = 0; i < mesh.h.size(); ++i) {
+            if (mesh.h[i] != least) // h is not less than the roughness: of all nodes at it the closest
+                continue;
+            const SurfacePoint<D> closest = other.closest(mesh.x[i]);
+            if (closest.distance >= gap.thickness)
+                continue;
             gap.thickness = closest.distance;
             gap.opening_rate =
-                closest.normal.dot(velocity_at<D>(V[mesh.master], mesh.x[thinnest] - here.solids[mesh.master].centre) -
+                closest.normal.dot(velocity_at<D>(V[mesh.master], mesh.x[i] - here.solids[mesh.master].centre) -
                                    velocity_at<D>(V[mesh.other], closest.x - here.solids[mesh.other].centre - mesh.shift));
         }
         std::vector<double> pressure(mesh.h.size());

@@ -15,10 +15,10 @@ namespace gapflow {
 
 namespace {
 
-constexpr double rough = 0.01;     // in cells: a floor of a film that counts as a way out
-constexpr double touching = 1.05;  // of the floor, or of the distance at which a contact holds
-constexpr double round_off = 1e-7; // in cells, of thicknesses
-constexpr double nothing = 1e-2;   // of the fluxes around it: changes of a pocket's volume that are errors of its surface
+constexpr double rough = 0.01;           // in cells: a floor of a film that counts as a way out
+constexpr double flush_within = 1.05;    // of the floor, or of the distance at which a contact holds
+constexpr double thickness_error = 1e-7; // in cells, of thicknesses
+constexpr double no_flux = 1e-2;         // of the fluxes around it: changes of a pocket's volume that are errors of its surface
 constexpr double parting = 1e-4;   // of the largest speed: a ball held in its seat spins at the level of the solver's tolerance
 constexpr double immovable = 5e-3; // of a pocket's surface: parts of a moving body below this count as immovable
 constexpr std::size_t most_bodies = 150; // connected around a pocket; with more the check is omitted
@@ -70,7 +70,8 @@ std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<Ga
         if (floor >= rough * dx)
             continue;
         const auto contact = held.find(std::minmax(mesh.master, mesh.other));
-        const double most = touching * (contact == held.end() ? floor : std::max(floor, contact->second)) + round_off * dx;
+        const double most =
+            flush_within * (contact == held.end() ? floor : std::max(floor, contact->second)) + thickness_error * dx;
         std::vector<char> parts(mesh.h.size(), 0);
         std::vector<double> slope(mesh.h.size(),
                                   1.0); // at an edge h is along the normal of the face beside it: the surfaces are nearer
@@ -197,7 +198,7 @@ struct Pockets {
     int count() const { return static_cast<int>(parts.components.size()); }
     bool moves(int k) const
     {
-        return std::abs(balance.driven.col(k).sum()) > nothing * std::max(balance.magnitude.col(k).maxCoeff(), 1e-6 * largest);
+        return std::abs(balance.driven.col(k).sum()) > no_flux * std::max(balance.magnitude.col(k).maxCoeff(), 1e-6 * largest);
     }
     /// Whether a solid or side moves independently of the pressure.
     bool prescribed(int cause) const
@@ -233,7 +234,7 @@ Chain driven_chain(const Pockets<D>& all, const std::vector<Contact<D>>& contact
     for (int k = 0; k < all.count(); ++k)
         for (int cause = 0; cause < all.balance.driven.rows() && all.is_pocket[k]; ++cause)
             if (all.prescribed(cause) && std::abs(all.balance.driven(cause, k)) >
-                                             nothing * std::max(all.balance.magnitude(cause, k), 1e-6 * all.largest))
+                                             no_flux * std::max(all.balance.magnitude(cause, k), 1e-6 * all.largest))
                 pockets.insert(k);
     for (bool grows = !pockets.empty() && all.gives_way != GivesWay::nothing; grows;) {
         const std::size_t before = pockets.size() + bodies.size();
@@ -383,7 +384,7 @@ std::string squeeze_by(const Pockets<D>& all, const std::vector<int>& list, cons
         of_cause += c[k] * balance.driven.col(list[k]);
         most = std::max(most, std::abs(c[k]) * balance.magnitude.col(list[k]).maxCoeff());
     }
-    if (!(std::abs(of_cause.sum()) > nothing * most) || !(most > 0))
+    if (!(std::abs(of_cause.sum()) > no_flux * most) || !(most > 0))
         return {};
     long k = 0; // the pocket with the largest change
     for (long i = 0; i < wide; ++i)
@@ -395,7 +396,7 @@ std::string squeeze_by(const Pockets<D>& all, const std::vector<int>& list, cons
     const int count = static_cast<int>(solids.size());
     std::vector<std::string> causes;
     for (int cause = 0; cause < of_cause.size(); ++cause)
-        if (all.prescribed(cause) && std::abs(of_cause[cause]) > nothing * of_cause.cwiseAbs().maxCoeff())
+        if (all.prescribed(cause) && std::abs(of_cause[cause]) > no_flux * of_cause.cwiseAbs().maxCoeff())
             causes.push_back(cause < count ? "the motion of '" + solids[cause].name + "'"
                                            : "the inflow at " + side_names[cause - count]);
     return joined(causes, " and ") + " changes the volume of fluid sealed in (" +

@@ -7,28 +7,28 @@ namespace gapflow {
 
 namespace {
 
-constexpr double round_off = 1e-8; // in cells, and of the floor 1e-3: surfaces that touch
+constexpr double flush = 1e-8;     // in cells, and of the floor 1e-3: surfaces that touch
 constexpr double patch = 0.1;      // in cells: the size of a part of a film that lies flat
 constexpr double stiffness = 1e10; // relative to the masses: its inverse is the remaining part of a speed
 constexpr double same = 1e-6;      // of the largest speed
 
 // A place where two solids lie on each other: opening rate row_a . V_a + row_b . V_b.
 template <int D>
-struct Touch {
+struct Meeting {
     int a, b;
     Twist<D> row_a, row_b;
     double area;
 };
 
 template <int D>
-std::vector<Touch<D>> flat_touches(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps)
+std::vector<Meeting<D>> flat_touches(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps)
 {
     const double dx = coupling.grid->dx(), least = D == 2 ? patch * dx : patch * patch * dx * dx;
-    std::vector<Touch<D>> touches;
+    std::vector<Meeting<D>> touches;
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
-        const double floor = gaps(mesh.master, mesh.other).floor, most = floor + std::max(1e-3 * floor, round_off * dx);
-        std::vector<Touch<D>> of_film;
+        const double floor = gaps(mesh.master, mesh.other).floor, most = floor + std::max(1e-3 * floor, flush * dx);
+        std::vector<Meeting<D>> of_film;
         double area = 0;
         for (const FilmElement<D>& e : mesh.elements) {
             if (std::any_of(e.nodes.begin(), e.nodes.end(), [&](int node) { return mesh.h[node] + mesh.skin > most; }))
@@ -46,17 +46,17 @@ std::vector<Touch<D>> flat_touches(const Coupling<D>& coupling, const std::funct
 
 // Largest opening or closing rate.
 template <int D>
-double largest_rate(const std::vector<Touch<D>>& touches, const std::vector<Twist<D>>& V)
+double largest_rate(const std::vector<Meeting<D>>& touches, const std::vector<Twist<D>>& V)
 {
     double largest = 0;
-    for (const Touch<D>& t : touches)
+    for (const Meeting<D>& t : touches)
         largest = std::max(largest, std::abs(t.row_a.dot(V[t.a]) + t.row_b.dot(V[t.b])));
     return largest;
 }
 
 // The twists nearest to the given ones, in the metric of mass, with negligible rates.
 template <int D>
-std::vector<Twist<D>> without_rates(const std::vector<Touch<D>>& touches, const std::vector<RigidBody<D>>& bodies,
+std::vector<Twist<D>> without_rates(const std::vector<Meeting<D>>& touches, const std::vector<RigidBody<D>>& bodies,
                                     const std::vector<Solid<D>>& solids, bool prescribed_too, std::vector<Twist<D>> V)
 {
     constexpr int n = twist_size<D>;
@@ -68,7 +68,7 @@ std::vector<Twist<D>> without_rates(const std::vector<Touch<D>>& touches, const 
     if (count == 0)
         return V;
     double area = 0;
-    for (const Touch<D>& t : touches)
+    for (const Meeting<D>& t : touches)
         area += t.area;
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd momentum = Eigen::VectorXd::Zero(n * count);
@@ -86,7 +86,7 @@ std::vector<Twist<D>> without_rates(const std::vector<Touch<D>>& touches, const 
             momentum.segment<n>(n * place[b]) = P * (M * V[b]);
             heaviest = std::max(heaviest, bodies[b].mass);
         }
-    for (const Touch<D>& t : touches) {
+    for (const Meeting<D>& t : touches) {
         const int a = place[t.a], b = place[t.b];
         const double k = stiffness * heaviest * t.area / area;
         const double given = (a < 0 ? t.row_a.dot(V[t.a]) : 0.0) + (b < 0 ? t.row_b.dot(V[t.b]) : 0.0);

@@ -14,7 +14,7 @@ namespace gapflow {
 namespace {
 
 constexpr double least_cells = 1, enough_cells = 2;
-constexpr double touching = 1e-3; // in cells: closer surfaces are flush
+constexpr double beside = 1e-3; // in cells: closer surfaces are flush
 constexpr std::size_t most_told = 3;
 
 template <int D>
@@ -33,7 +33,7 @@ double goes_on(const std::vector<const Solid<D>*>& solids, const Vec<D>& x, cons
     while (way < most) {
         double depth = -1;
         for (const Solid<D>* solid : solids)
-            depth = std::max(depth, -solid->shape.distance(x + (way + touching * cell) * n));
+            depth = std::max(depth, -solid->shape.distance(x + (way + beside * cell) * n));
         if (depth < 0)
             break;
         way += std::max(depth, 0.05 * cell);
