@@ -280,11 +280,11 @@ void read_follow(const Values& v, Scene& scene)
                                                  [&](const Node& item) { return item.text == axis_text(axis); });
         for (int end = 0; end < 2 && follow.axes[axis]; ++end) {
             const SideScene::Kind kind = scene.sides[2 * axis + end].kind;
-            if (kind != SideScene::Kind::open && kind != SideScene::Kind::far)
+            if (kind != SideScene::Kind::open && kind != SideScene::Kind::far && kind != SideScene::Kind::inflow)
                 v.refuse("domain.follow",
                          "the side " + side_names[2 * axis + end] + " would move through the fluid along " + axis_text(axis),
                          "follow the body along other axes, as in { body = \"" + follow.body +
-                             "\", axes = [...] }, or make the sides there far or open");
+                             "\", axes = [...] }, or make the sides there far, open or inflow");
         }
     }
     scene.follow = follow;

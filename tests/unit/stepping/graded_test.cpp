@@ -265,12 +265,18 @@ TEST(FollowingGrid, KeepsUniformMotionOfViscousFluid)
     expect_uniform_motion_with_the_grid<2>(0.05);
 }
 
-// A heavy disk falls from rest: its speed after a while on a grid that follows it and on one that stays; returns the difference, relative.
-double difference_of_falls(int n)
+// A heavy disk falls from rest, far from sides or in a channel whose fluid is at rest ahead (an inflow of zero, along which the grid goes):
+// its speed after a while on a grid that follows it and on one that stays; returns the difference, relative.
+double difference_of_falls(int n, bool channel = false)
 {
     double speed[2];
     for (const bool follows : {false, true}) {
         Scene scene = graded_scene(2, 6, follows ? 1.5 : 3, n, 1.2, Kind::far);
+        if (channel) {
+            const Kind kinds[] = {Kind::wall, Kind::wall, Kind::inflow, Kind::open};
+            for (int side = 0; side < 4; ++side)
+                scene.sides[side].kind = kinds[side];
+        }
         scene.bodies = {ball(0.5, {0.013, follows ? 0.3 : 1.5, 0})};
         scene.bodies[0].motion = BodyScene::Motion::free;
         scene.bodies[0].density = 3;
@@ -279,7 +285,7 @@ double difference_of_falls(int n)
         scene.end = 2;
         scene.max_step = 0.2 / n;
         if (follows)
-            scene.follow = FollowScene{"ball", {true, true, false}};
+            scene.follow = FollowScene{"ball", {!channel, true, false}};
         Simulation<2> simulation(scene, Communicator());
         while (simulation.time() < scene.end)
             simulation.step(scene.end);
@@ -292,6 +298,14 @@ double difference_of_falls(int n)
 TEST(FollowingGrid, FallsAsOnAGridThatStays)
 {
     const double coarse = difference_of_falls(8), fine = difference_of_falls(16);
+    EXPECT_LT(coarse, 0.02);
+    EXPECT_LT(fine, 0.005);
+    EXPECT_LT(fine, coarse);
+}
+
+TEST(FollowingGrid, FallsInAChannelAsOnAGridThatStays)
+{
+    const double coarse = difference_of_falls(8, true), fine = difference_of_falls(16, true);
     EXPECT_LT(coarse, 0.02);
     EXPECT_LT(fine, 0.005);
     EXPECT_LT(fine, coarse);
