@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include "gapflow/core/text.hpp"
+#include "gapflow/scene/graded_widths.hpp"
 #include "gapflow/stepping/core_requirement.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/memory_forecast.hpp"
@@ -25,24 +26,14 @@ std::string count_text(const Scene& scene)
 }
 
 // What a graded grid comes to: its core, its widest cells and the longest ones.
-void print_grading(const Scene& scene)
+template <int D>
+void print_grading(const Scene& scene, const Grid<D>& grid)
 {
-    const CoreScene& core = *scene.core;
     std::vector<std::string> counts;
-    double widest = 1, narrowest = std::numeric_limits<double>::infinity();
-    std::array<std::array<double, 2>, 3> widths; // narrowest and widest along each axis
-    for (int axis = 0; axis < scene.dimension; ++axis) {
-        counts.push_back(
-            std::to_string(scene.cells[axis] - static_cast<int>(core.below[axis].size() + core.above[axis].size())));
-        widths[axis] = {1, 1};
-        for (const auto* list : {&core.below[axis], &core.above[axis]})
-            for (const double width : *list)
-                widths[axis] = {std::min(widths[axis][0], width), std::max(widths[axis][1], width)};
-        widest = std::max(widest, widths[axis][1]);
-        narrowest = std::min(narrowest, widths[axis][0]);
-    }
+    for (int axis = 0; axis < D; ++axis)
+        counts.push_back(std::to_string(core_cells(scene, axis)));
     std::printf("core      %s cells; outside it cells grow by up to %.3g to a width of %.6g, aspect up to %.3g\n",
-                joined(counts, " x ").c_str(), core.growth, widest * core.spacing, widest / narrowest);
+                joined(counts, " x ").c_str(), scene.core->growth, grid.largest_width() * grid.dx(), grid.largest_aspect());
 }
 
 // The gap model at the scene's start: films with their pairs, enclosed fluid, bodies too thin for the grid.
@@ -63,6 +54,8 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     const std::vector<Solid<D>>& solids = coupling.solids;
     if (!comm.root())
         return;
+    if (scene.core)
+        print_grading(scene, grid);
     for (const std::string& warning : warnings)
         std::printf("warning   %s\n", warning.c_str());
     struct Sum {
@@ -112,8 +105,6 @@ int check_command(const Scene& scene)
     if (comm.root()) {
         std::printf("scene     %s%s%s\n", scene.file.c_str(), scene.title.empty() ? "" : ": ", scene.title.c_str());
         std::printf("cells     %s = %.0f, spacing %.6g\n", count_text(scene).c_str(), cells, scene.spacing());
-        if (scene.core)
-            print_grading(scene);
         std::printf("bodies    %zu, of which %td move\n", scene.bodies.size(), moving);
         for (const CrowdScene& crowd : scene.crowds)
             std::printf("crowd     %s: %d bodies, %s\n", crowd.name.c_str(), crowd.number, names_text(scene, crowd).c_str());

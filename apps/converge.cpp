@@ -8,6 +8,7 @@
 #include "gapflow/output/convergence.hpp"
 #include "gapflow/output/file.hpp"
 #include "gapflow/output/quantity.hpp"
+#include "gapflow/scene/graded_widths.hpp"
 #include "gapflow/stepping/setup.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
 
@@ -26,13 +27,6 @@ struct Compared {
     Quantity quantity;
     std::string reference; ///< empty: the finest run
 };
-
-/// Cells along an axis, of a graded grid those of its core.
-int core_cells(const Scene& scene, int axis)
-{
-    return scene.cells[axis] -
-           (scene.core ? static_cast<int>(scene.core->below[axis].size() + scene.core->above[axis].size()) : 0);
-}
 
 /// Settings that give the scene n cells along x. A graded grid is refined as a whole: twice as many cells grow by the square root.
 std::vector<std::pair<std::string, std::string>> refined(const Scene& scene, int n)

@@ -42,4 +42,10 @@ std::vector<double> graded_widths(double length, double growth, double largest)
     return widths;
 }
 
+int core_cells(const Scene& scene, int axis)
+{
+    return scene.cells[axis] -
+           (scene.core ? static_cast<int>(scene.core->below[axis].size() + scene.core->above[axis].size()) : 0);
+}
+
 } // namespace gapflow
