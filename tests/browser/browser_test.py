@@ -72,6 +72,34 @@ forces = true
 """
 
 
+# A disk that falls with its graded grid.
+GRADED = """
+gravity = [0, -1]
+[domain]
+size = [8, 8]
+origin = [-4, -4]
+spacing = 0.1
+core = { low = [-1, -1], high = [1, 1] }
+follow = "disk"
+[domain.sides]
+x_low = "far"
+x_high = "far"
+y_low = "far"
+y_high = "far"
+[[body]]
+name = "disk"
+shape = "ball"
+radius = 0.4
+position = [0, 0]
+density = 3
+[time]
+end = 1
+max_step = 0.1
+[output]
+every = 0.5
+"""
+
+
 def comparison(folder):
     """The page of a sweep."""
     words = ["sweep", project / "examples/01_plates_pulled_apart/scene.toml", "-o", folder / "sweep", "--quiet", "--vary", "body.upper.density=2,8"]
@@ -93,11 +121,11 @@ def measured(folder):
     return [page / "report.html" for page in pages]
 
 
-def crowd(folder):
-    (folder / "crowd.toml").write_text(CROWD)
-    subprocess.run([gapflow, "run", folder / "crowd.toml", "-o", folder / "crowd", "--quiet"], check=True)
-    subprocess.run([gapflow, "report", folder / "crowd"], check=True)
-    return folder / "crowd" / "report.html"
+def page_of(folder, name, scene):
+    (folder / f"{name}.toml").write_text(scene)
+    subprocess.run([gapflow, "run", folder / f"{name}.toml", "-o", folder / name, "--quiet"], check=True)
+    subprocess.run([gapflow, "report", folder / name], check=True)
+    return folder / name / "report.html"
 
 
 def others(folder, pages):
@@ -133,5 +161,6 @@ with tempfile.TemporaryDirectory() as folder:
         subprocess.run([gapflow, "run", project / "examples" / name / "scene.toml", "-o", out, "--quiet", *sets], check=True)
         subprocess.run([gapflow, "report", out], check=True)
         pages.append(out / "report.html")
-    pages += [comparison(Path(folder)), crowd(Path(folder)), *measured(Path(folder)), *others(Path(folder), pages)]
+    pages += [comparison(Path(folder)), page_of(Path(folder), "crowd", CROWD), *measured(Path(folder)), *others(Path(folder), pages),
+              page_of(Path(folder), "graded", GRADED)]
     sys.exit(subprocess.run([node, project / "web" / "browser_test.mjs", *pages]).returncode)

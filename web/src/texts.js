@@ -9,13 +9,16 @@ function table(rows, kind = "data") {
     ...row.map((cell, i) => element(i === 0 ? "th" : "td", i === 0 ? { scope: "row" } : {}, cell))))));
 }
 
+// A run's cells along each axis; a record of an earlier version has those of a uniform grid alone.
+const cellsOf = ({ record, scene }) => record.cells ?? scene.domain.cells;
+
 export function drawFacts(run) {
   const { record, scene } = run;
   const facts = document.getElementById("facts");
   facts.append(element("span", { class: `status ${record.status}` }, record.status));
   const end = scene.time?.end;
   for (const text of [
-    `${run.dimension}D, ${list(scene.domain.cells)} cells`,
+    `${run.dimension}D, ${list(cellsOf(run) ?? [])} cells`,
     `${record.steps} ${record.steps === 1 ? "step" : "steps"} to time ${short(record.time)}${end && record.time < end ? ` of ${short(end)}` : ""}`,
     `computed in ${short(record.timings?.total_seconds)} seconds`])
     facts.append(element("span", {}, text));
@@ -66,7 +69,9 @@ export function drawScene(run) {
     })));
   const { domain, fluid, gap, contact, time } = scene;
   const rows = [
-    ["domain", `${list(domain.size)} from ${vector(domain.origin)}, ${list(domain.cells)} cells of ${short(run.domain.spacing)}`],
+    ["domain", `${list(domain.size)} from ${vector(domain.origin)}, ${list(cellsOf(run) ?? [])} cells of ${short(run.domain.spacing)}${
+      domain.core ? ` in a core from ${vector(domain.core.low)} to ${vector(domain.core.high)}, growing by ${short(domain.growth)} at most outside` : ""}`],
+    ...(domain.follow ? [["follows", `${domain.follow.body} along ${domain.follow.axes.join(", ")}`]] : []),
     ["sides", Object.entries(domain.sides).map(([name, value]) => `${name}: ${side(value)}`).join(", ")],
     ["fluid", `density ${short(fluid.density)}, viscosity ${short(fluid.viscosity)}, reference pressure ${short(fluid.reference_pressure)}`],
     ["gravity", vector(scene.gravity)],

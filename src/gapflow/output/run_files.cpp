@@ -158,6 +158,7 @@ RunFiles<D>::RunFiles(const std::filesystem::path& folder, const Simulation<D>& 
     record_.version = version;
     record_.scene_file = path_of_scene(simulation.scene());
     record_.scene = scene_as_json(simulation.scene());
+    record_.cells.assign(simulation.scene().cells.begin(), simulation.scene().cells.begin() + D);
     record_.machine = describe_machine(comm);
     record_.warnings = simulation.scene().warnings;
     on_root(comm, [&] {

@@ -168,6 +168,7 @@ void write_run_record(const std::filesystem::path& path, const RunRecord& record
     for (const auto& [name, stage] : record.stages)
         json["timings"]["stages"][name] = {{"seconds", stage.seconds}, {"count", stage.count}};
     json["peak_memory_bytes"] = {{"largest_rank", record.memory.largest_rank}, {"sum", record.memory.sum}};
+    json["cells"] = record.cells;
     json["scene_file"] = record.scene_file;
     json["scene"] = record.scene;
     // Text that is not UTF-8 (a file name in the scene) must not prevent the record.

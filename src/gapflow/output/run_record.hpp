@@ -34,6 +34,7 @@ struct RunRecord {
     std::string version;
     std::string scene_file;            ///< absolute; empty: the scene is in no file
     std::string scene;                 ///< the resolved scene, as text
+    std::vector<int> cells;            ///< of the grid along each axis
     std::string status = "running";    ///< then "done", "failed" or "interrupted"
     std::string message;               ///< reason, if failed
     std::string ended_by;              ///< the key that ended a run that is done
