@@ -19,7 +19,8 @@ export function view2d(run, host) {
   place.append(canvas);
   const say = tip(place);
   const context = canvas.getContext("2d");
-  const { origin, size } = run.domain;
+  const { size } = run.domain;
+  let origin = run.domain.origin; // goes with a grid that follows a body, and what is seen with it
   const first = !host.shared.maps;
   if (first) {
     const fields = ["pressure", "speed"].filter((name) => run.frames.some((f) => f.planes.some((p) => (name === "speed" ? p.u : p[name]))));
@@ -330,7 +331,17 @@ export function view2d(run, host) {
   }).observe(place);
   resize();
   draws.push(draw);
-  return { show: (next) => { frame = next; draw(); }, redraw: draw, canvas, scales,
+  function show(next) {
+    frame = next;
+    const low = run.domain.origin.map((x, axis) => x + (next.shift?.[axis] ?? 0));
+    if (first) {
+      view.x += low[0] - origin[0];
+      view.y += low[1] - origin[1];
+    }
+    origin = low;
+    draw();
+  }
+  return { show, redraw: draw, canvas, scales,
     gapNames: (film) => film.chains.map((chain) => near.gap(frame, chain[Math.floor(0.5 * (chain.length - 1))])),
     remove: () => draws.splice(draws.indexOf(draw), 1) };
 }

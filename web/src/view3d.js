@@ -1,7 +1,7 @@
 // The run in 3D: body surfaces, films coloured by their pressure, a slice of the field that moves. Drag turns, wheel zooms, right drag moves.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, CanvasTexture, DataTexture, DirectionalLight, DoubleSide, EdgesGeometry, BoxGeometry,
-  GreaterDepth, HemisphereLight, LinearFilter, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, NearestFilter,
+  GreaterDepth, Group, HemisphereLight, LinearFilter, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, NearestFilter,
   PerspectiveCamera, PlaneGeometry, Raycaster, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -27,10 +27,11 @@ export function view3d(run, host) {
     Object.assign(host.shared, { maps: { pressure: colours(run, "pressure"), speed: colours(run, "speed"), film: colours(run, "film") }, fields,
       state: { field: fields[0] ?? null, axis: 1, opacity: 1, at: [null, null, null], through: true }, draws: [], cameras: [] });
   }
-  const { maps, fields, state, draws, cameras } = host.shared; // at: where the slices across each axis are; null: where the run's own are
+  const { maps, fields, state, draws, cameras } = host.shared; // at: where the slices across each axis are at the start; null: where the run's own are
   const changed = () => { for (const each of draws) each(); };
   const films = run.frames.some((frame) => frame.film.thickness[2] > 0);
   let frame = null;
+  const shift = new Vector3(); // of a grid that follows a body since the start: box, slices and camera go with it
   const origin = new Vector3(...run.domain.origin), size = new Vector3(...run.domain.size), middle = origin.clone().addScaledVector(size, 0.5);
 
   // ---- things to see
@@ -40,7 +41,9 @@ export function view3d(run, host) {
   scene.add(lamp);
   const frameLines = new LineSegments(new EdgesGeometry(new BoxGeometry(size.x, size.y, size.z)), new LineBasicMaterial());
   frameLines.position.copy(middle);
-  scene.add(frameLines);
+  const box = new Group();
+  box.add(frameLines);
+  scene.add(box);
   const labels = axisNames.map((name, axis) => {
     const sprite = new Sprite(new SpriteMaterial({ depthTest: false, transparent: true }));
     const at = origin.clone();
@@ -49,9 +52,13 @@ export function view3d(run, host) {
     if (axis === 1) at.x = origin.x + size.x + 0.05 * size.length() / 1.7;
     sprite.position.copy(at);
     sprite.scale.set(0.24 * size.length(), 0.06 * size.length(), 1);
-    scene.add(sprite);
-    const ends = [origin.getComponent(axis), origin.getComponent(axis) + size.getComponent(axis)].map((v) => short(Number(v.toPrecision(4))));
-    return { name: `${name}: ${ends[0]} … ${ends[1]} (length)`, sprite };
+    box.add(sprite);
+    const text = () => {
+      const low = origin.getComponent(axis) + shift.getComponent(axis);
+      const ends = [low, low + size.getComponent(axis)].map((v) => short(Number(v.toPrecision(4))));
+      return `${name}: ${ends[0]} … ${ends[1]} (length)`;
+    };
+    return { text, sprite };
   });
   const sphere = new SphereGeometry(1, run.bodies.length > 100 ? 32 : 64, run.bodies.length > 100 ? 16 : 32);
   const bodies = run.bodies.map((body, b) => {
@@ -152,9 +159,9 @@ export function view3d(run, host) {
   cameras.push(follow);
   function lookFromStart() {
     const direction = new Vector3(0.62, -1.35, 0.62).normalize();
-    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => origin.clone().add(new Vector3(k & 1, (k >> 1) & 1, k >> 2).multiply(size)));
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => origin.clone().add(new Vector3(k & 1, (k >> 1) & 1, k >> 2).multiply(size)).add(shift));
     const up = new Vector3(0, 0, 1);
-    controls.target.copy(middle);
+    controls.target.copy(middle).add(shift);
     // The nearest place from which all corners are inside the picture, as much above as below the middle.
     for (let distance = 0.6 * size.length(); distance < 8 * size.length(); distance *= 1.03) {
       camera.position.copy(controls.target).addScaledVector(direction, distance);
@@ -180,8 +187,8 @@ export function view3d(run, host) {
   // ---- a frame
   // The run's own slice, or, elsewhere, one of the coarser values of the whole domain.
   function planeNow() {
-    const own = frame.planes.find((p) => p.axis === state.axis), at = state.at[state.axis];
-    if (at === null || at === undefined || !frame.volume || (own && Math.abs(at - own.position) < 0.5 * run.domain.spacing)) return own;
+    const own = frame.planes.find((p) => p.axis === state.axis), set = state.at[state.axis], at = set + shift.getComponent(Math.max(0, state.axis));
+    if (set === null || set === undefined || !frame.volume || (own && Math.abs(at - own.position) < 0.5 * run.domain.spacing)) return own;
     const { cells, low, spacing } = frame.volume, axis = state.axis, in_plane = [0, 1, 2].filter((a) => a !== axis);
     const layer = Math.max(0, Math.min(cells[axis] - 1, Math.floor((at - low[axis]) / spacing))), steps = [1, cells[0], cells[0] * cells[1]];
     const [nx, ny] = in_plane.map((a) => cells[a]);
@@ -255,7 +262,7 @@ export function view3d(run, host) {
   }
   function paintLabels() {
     frameLines.material.color.set(css("--soft"));
-    for (const { name, sprite } of labels) {
+    for (const { text, sprite } of labels) {
       const board = document.createElement("canvas");
       board.width = 512;
       board.height = 128;
@@ -264,7 +271,7 @@ export function view3d(run, host) {
       brush.textAlign = "center";
       brush.textBaseline = "middle";
       brush.fillStyle = css("--soft");
-      brush.fillText(name, 256, 64);
+      brush.fillText(text(), 256, 64);
       sprite.material.map?.dispose();
       sprite.material.map = new CanvasTexture(board);
       sprite.material.map.colorSpace = SRGBColorSpace;
@@ -314,7 +321,18 @@ export function view3d(run, host) {
   paintLabels();
   lookFromStart();
   draws.push(update);
-  return { show: (next) => { frame = next; update(); }, redraw: () => { paintLabels(); render(); }, canvas, scales,
+  function show(next) {
+    frame = next;
+    const way = new Vector3(...(next.shift ?? [0, 0, 0])).sub(shift);
+    if (way.lengthSq() > 0) {
+      shift.add(way);
+      box.position.copy(shift);
+      follow(camera.position.clone().add(way), controls.target.clone().add(way));
+      paintLabels();
+    }
+    update();
+  }
+  return { show, redraw: () => { paintLabels(); render(); }, canvas, scales,
     remove: () => {
       draws.splice(draws.indexOf(update), 1);
       cameras.splice(cameras.indexOf(follow), 1);

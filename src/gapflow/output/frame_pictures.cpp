@@ -231,6 +231,7 @@ Picture picture_2d(const StoredRun& run, const RunView& view, const FrameView& s
 {
     const std::vector<Panel> panels = panels_of(state, 0, ranges);
     const double ratio = view.size[1] / view.size[0];
+    const Eigen::Vector3d low = view.origin + state.shift;
     const bool stacked = ratio < 0.5;
     const int width = stacked ? 840 : std::min(400, static_cast<int>(560 / ratio)),
               height = std::max(1, static_cast<int>(width * ratio));
@@ -241,7 +242,7 @@ Picture picture_2d(const StoredRun& run, const RunView& view, const FrameView& s
     draw_header(picture, run, state);
     int left = margin, top = header;
     for (const Panel& panel : panels) {
-        const Frame2D frame{{left, top, left + width, top + height}, {view.origin[0], view.origin[1]}, width / view.size[0]};
+        const Frame2D frame{{left, top, left + width, top + height}, {low[0], low[1]}, width / view.size[0]};
         if (panel.values)
             draw_field(picture, frame, state.planes[0], *panel.values, panel.map, panel.range);
         else
@@ -333,15 +334,14 @@ void draw_film_surface(SurfaceRaster& raster, const FilmView& film, const Colour
     }
 }
 
-void draw_domain(SurfaceRaster& raster, const RunView& view)
+void draw_domain(SurfaceRaster& raster, const Eigen::Vector3d& low, const Eigen::Vector3d& size)
 {
     for (int corner = 0; corner < 8; ++corner)
         for (int axis = 0; axis < 3; ++axis) {
             if (corner >> axis & 1)
                 continue;
-            Eigen::Vector3d from =
-                view.origin + view.size.cwiseProduct(Eigen::Vector3d(corner & 1, corner >> 1 & 1, corner >> 2));
-            raster.line(from, from + view.size[axis] * Eigen::Vector3d::Unit(axis), 2, soft);
+            Eigen::Vector3d from = low + size.cwiseProduct(Eigen::Vector3d(corner & 1, corner >> 1 & 1, corner >> 2));
+            raster.line(from, from + size[axis] * Eigen::Vector3d::Unit(axis), 2, soft);
         }
 }
 
@@ -357,13 +357,14 @@ Picture picture_3d(const StoredRun& run, const RunView& view, const FrameView& s
                     paper);
     draw_header(picture, run, state);
 
-    const Camera camera(view.origin, view.size, factor * width, factor * height);
+    const Eigen::Vector3d low = view.origin + state.shift;
+    const Camera camera(low, view.size, factor * width, factor * height);
     SurfaceRaster raster(camera, factor * width, factor * height);
     raster.clear(paper);
     if (panels.front().values)
         draw_slice(raster, state.planes[axis], panels.front());
     draw_surfaces(raster, camera, view, state);
-    draw_domain(raster, view);
+    draw_domain(raster, low, view.size);
     draw_film_surface(raster, state.film, ranges.film);
     raster.draw(picture, margin, header, factor);
     int top = header + height + 8;
@@ -377,7 +378,7 @@ Picture picture_3d(const StoredRun& run, const RunView& view, const FrameView& s
         return picture;
     const int left = margin + width + space, slice_top = header + (height - slice_height) / 2;
     const Frame2D frame{{left, slice_top, left + slice_width, slice_top + slice_height},
-                        {view.origin[0], view.origin[2]},
+                        {low[0], low[2]},
                         slice_width / view.size[0]};
     const FieldPlane& plane = state.planes[axis];
     draw_field(picture, frame, plane, *panels.back().values, panels.back().map, panels.back().range);

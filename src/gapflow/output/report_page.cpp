@@ -334,6 +334,8 @@ EncodedFrame encode(const FrameView& frame, int dimension)
     Json& json = result.json;
     json["number"] = frame.number;
     json["time"] = frame.time;
+    if (!frame.shift.isZero(0))
+        json["shift"] = std::vector(frame.shift.begin(), frame.shift.end());
     json["planes"] = Json::array();
     for (const FieldPlane& plane : frame.planes) {
         Json entry = {{"axis", plane.axis},   {"position", plane.position}, {"in_plane", plane.in_plane},

@@ -299,30 +299,21 @@ Eigen::Vector3d shift_of(const StoredRun& run, const VtkContent& grid)
     return shift;
 }
 
-// The view of a run whose grid follows a body holds all of its way.
-void cover_path(const StoredRun& run, const nlohmann::ordered_json& domain, RunView& view)
+// How far the followed body has gone at a time, along the axes that the grid goes with it.
+Eigen::Vector3d way_of_grid(const StoredRun& run, const RunView& view, double time)
 {
-    view.window = view.origin;
-    view.window_size = view.size;
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();
+    const nlohmann::ordered_json& domain = run.scene->at("domain");
     if (!domain.contains("follow"))
-        return;
-    const auto& follow = domain.at("follow");
-    for (const BodyView& body : view.bodies) {
-        if (body.name != follow.at("body").get<std::string>() || body.rows.empty())
-            continue;
-        for (const auto& axis_name : follow.at("axes")) {
-            const std::string name = axis_name.get<std::string>();
-            const int axis = static_cast<int>(std::string("xyz").find(name));
-            const std::vector<double>& x = run.bodies.number(name);
-            double low = 0, high = 0;
-            for (const std::size_t row : body.rows) {
-                low = std::min(low, x[row] - x[body.rows.front()]);
-                high = std::max(high, x[row] - x[body.rows.front()]);
+        return way;
+    const nlohmann::ordered_json& follow = domain.at("follow");
+    for (const BodyView& body : view.bodies)
+        if (body.name == follow.at("body").get<std::string>() && !body.rows.empty())
+            for (const auto& name : follow.at("axes")) {
+                const int axis = static_cast<int>(std::string("xyz").find(name.get<std::string>()));
+                way[axis] = state_at(run, body, time).centre[axis] - state_at(run, body, 0).centre[axis];
             }
-            view.origin[axis] += low;
-            view.size[axis] += high - low;
-        }
-    }
+    return way;
 }
 
 } // namespace
@@ -357,7 +348,6 @@ RunView view_run(const StoredRun& run)
     for (std::size_t row = 0; row < names.size(); ++row)
         if (const auto body = by_name.find(names[row]); body != by_name.end())
             body->second->rows.push_back(row);
-    cover_path(run, scene.at("domain"), view);
     if (run.dimension == 3)
         view.slices = slices_of(run, view);
     return view;
@@ -368,16 +358,17 @@ FrameView view_frame(const StoredRun& run, const RunView& view, const RunFrame& 
     FrameView result;
     result.number = frame.number;
     result.time = frame.time;
+    result.shift = way_of_grid(run, view, frame.time);
     if (!frame.fields.empty()) {
         VtkContent image = read_vtk(run.folder / frame.fields);
         if (!image.coordinates[0].empty()) {
-            const Eigen::Vector3i cells = (view.window_size / view.spacing).array().round().cast<int>();
-            image = as_image(image, view.window + shift_of(run, image), view.spacing, cells);
+            const Eigen::Vector3i cells = (view.size / view.spacing).array().round().cast<int>();
+            image = as_image(image, view.origin + shift_of(run, image), view.spacing, cells);
         }
         if (view.dimension == 2)
             result.planes.push_back(plane_of(image, 2, 0));
         for (int axis = 0; axis < 3 && view.dimension == 3; ++axis)
-            result.planes.push_back(plane_of(image, axis, view.slices[axis]));
+            result.planes.push_back(plane_of(image, axis, view.slices[axis] + result.shift[axis]));
         for (FieldPlane& plane : result.planes)
             coarsen(plane, most_cells);
         if (view.dimension == 3 && most_volume_cells > 0)

@@ -60,6 +60,7 @@ struct FilmView {
 struct FrameView {
     int number = 0;
     double time = 0;
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of a grid that follows a body since the start: the view goes with it
     std::vector<FieldPlane> planes; ///< 2D: one; 3D: across x, y, z; none without field files
     FieldVolume volume;             ///< 3D, with field files
     FilmView film;
@@ -69,11 +70,9 @@ struct FrameView {
 struct RunView {
     int dimension = 2;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(),
-                    size = Eigen::Vector3d::Zero(); ///< of a graded grid: a window around its core
-    Eigen::Vector3d window = Eigen::Vector3d::Zero(),
-                    window_size = Eigen::Vector3d::Zero(); ///< what frames of a graded grid show at the start
+                    size = Eigen::Vector3d::Zero(); ///< at the start; of a graded grid: a window around its core
     double spacing = 0;
-    Eigen::Vector3d slices = Eigen::Vector3d::Zero(); ///< 3D: where the planes across x, y, z lie
+    Eigen::Vector3d slices = Eigen::Vector3d::Zero(); ///< 3D: where the planes across x, y, z lie at the start
     std::vector<BodyView> bodies;
 };
 
