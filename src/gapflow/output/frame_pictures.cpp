@@ -377,9 +377,8 @@ Picture picture_3d(const StoredRun& run, const RunView& view, const FrameView& s
     if (!sliced)
         return picture;
     const int left = margin + width + space, slice_top = header + (height - slice_height) / 2;
-    const Frame2D frame{{left, slice_top, left + slice_width, slice_top + slice_height},
-                        {low[0], low[2]},
-                        slice_width / view.size[0]};
+    const Frame2D frame{
+        {left, slice_top, left + slice_width, slice_top + slice_height}, {low[0], low[2]}, slice_width / view.size[0]};
     const FieldPlane& plane = state.planes[axis];
     draw_field(picture, frame, plane, *panels.back().values, panels.back().map, panels.back().range);
     draw_bodies(picture, view, state, frame, axis, plane.in_plane, plane.position);

@@ -61,8 +61,8 @@ struct FrameView {
     int number = 0;
     double time = 0;
     Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of a grid that follows a body since the start: the view goes with it
-    std::vector<FieldPlane> planes; ///< 2D: one; 3D: across x, y, z; none without field files
-    FieldVolume volume;             ///< 3D, with field files
+    std::vector<FieldPlane> planes;                  ///< 2D: one; 3D: across x, y, z; none without field files
+    FieldVolume volume;                              ///< 3D, with field files
     FilmView film;
     std::vector<Placement> placements; ///< a body each
 };

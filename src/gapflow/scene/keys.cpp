@@ -461,7 +461,7 @@ std::vector<KeyInfo> scene_keys()
                {"time.long_ways",
                 T::flag,
                 "",
-                "false",
+                "true",
                 any,
                 {},
                 "lets a gap change by any factor in a step where its films take a small share of the bodies' relative "

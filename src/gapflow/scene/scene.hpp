@@ -209,7 +209,7 @@ struct Scene {
     double max_step = 0.0;
     double cfl = 1.0;
     double gap_cfl = 0.25;
-    bool long_ways = false;             ///< gap_cfl does not hold where films hardly change the motion
+    bool long_ways = true;              ///< gap_cfl does not hold where films hardly change the motion
     std::optional<double> until_steady; ///< the run ends once the flow's unsteadiness is below it
 
     double tolerance = 1e-8;
