@@ -17,8 +17,6 @@ template <int D>
 std::optional<NarrowGap<D>> NarrowGaps<D>::narrow_gap(const Vec<D>& x)
 {
     rays_.around(x, thin_gap * grid_.dx());
-    if (const int lone = rays_.lone_image(); lone >= 0 && coupling_.solids[rays_.image(lone).solid].wall)
-        return {}; // a side of the domain, and nothing that faces it
     NarrowGap<D> gap;
     int image = -1;
     const double phi = rays_.distance(x, &image);

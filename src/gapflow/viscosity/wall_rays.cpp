@@ -11,30 +11,70 @@ namespace {
 constexpr double smallest_stride = 0.05; // in dx: solids thinner than that are missed by grazing rays only
 constexpr double accuracy = 1e-10;       // in dx
 constexpr int most_bisections = 60;
+constexpr double first_radius = 3.4; // in dx: solids within it are found first, and anew where a ray leaves them
+constexpr double slack = 1e-9;       // in dx, for round-off
 
 } // namespace
 
 template <int D>
-double WallRays<D>::distance(const Vec<D>& x, int* image) const
+void WallRays<D>::around(const Vec<D>& x, double reach)
 {
-    double least = std::numeric_limits<double>::infinity();
-    for (int i : near_) {
-        const double phi = clipper_.images()[i].shape.distance(x);
-        if (phi < least) {
-            least = phi;
-            if (image)
-                *image = i;
-        }
-    }
-    return least;
+    wanted_ = 2 * reach;
+    find(x, std::min(wanted_, first_radius * dx_));
 }
 
 template <int D>
-WallHit<D> WallRays<D>::cast(const Vec<D>& x, const Vec<D>& direction, double longest) const
+void WallRays<D>::find(const Vec<D>& x, double radius)
+{
+    centre_ = x;
+    complete_ = radius;
+    clipper_.near(x, radius, found_);
+    near_.clear();
+    nearest_ = 0;
+    for (int i : found_) {
+        near_.push_back({i, image(i).shape.distance(x)});
+        if (near_.back().phi < near_[nearest_].phi)
+            nearest_ = near_.size() - 1;
+    }
+}
+
+// A signed distance is 1-Lipschitz: at x it is no less than at the centre less the way between them. Of solids at the same distance the first.
+template <int D>
+double WallRays<D>::distance(const Vec<D>& x, int* image)
+{
+    for (;;) {
+        const double way = (x - centre_).norm() + slack * dx_;
+        double least = std::numeric_limits<double>::infinity();
+        int which = -1;
+        const auto look = [&](const Near& near) {
+            const double phi = this->image(near.image).shape.distance(x);
+            if (phi < least || (phi == least && near.image < which)) {
+                least = phi;
+                which = near.image;
+            }
+        };
+        if (!near_.empty())
+            look(near_[nearest_]);
+        for (std::size_t k = 0; k < near_.size(); ++k)
+            if (k != nearest_ && near_[k].phi - way <= least)
+                look(near_[k]);
+        if (complete_ < wanted_ && least > complete_ - way) {
+            if (way < 0.5 * dx_)
+                find(centre_, std::min(wanted_, 2 * complete_));
+            else
+                find(x, std::min(wanted_, first_radius * dx_));
+            continue;
+        }
+        if (image && which >= 0)
+            *image = which;
+        return least;
+    }
+}
+
+template <int D>
+WallHit<D> WallRays<D>::cast(const Vec<D>& x, const Vec<D>& direction, double longest)
 {
     WallHit<D> hit;
-    if (near_.empty())
-        return hit;
     double before = 0, phi_before = distance(x, &hit.image);
     if (phi_before <= 0)
         return hit;

@@ -14,25 +14,35 @@ struct WallHit {
     int image = -1; ///< index into FaceClipper::images(), -1: nothing within reach
 };
 
-/// Rays near one place of the grid: finds the solids around it once.
+/// Rays near one place of the grid: finds the solids around it once, those farther away only if a ray comes so far.
 template <int D>
 class WallRays {
 public:
     WallRays(const FaceClipper<D>& clipper, double dx) : clipper_(clipper), dx_(dx) {}
     /// From now on rays start within `reach` of x and are no longer than that.
-    void around(const Vec<D>& x, double reach) { clipper_.near(x, 2 * reach, near_); }
+    void around(const Vec<D>& x, double reach);
     /// Signed distance to the nearest solid; `image` receives it. Infinite where none is near.
-    double distance(const Vec<D>& x, int* image = nullptr) const;
+    double distance(const Vec<D>& x, int* image = nullptr);
     /// `direction`: of unit length. A start inside a solid hits it at distance 0.
-    WallHit<D> cast(const Vec<D>& x, const Vec<D>& direction, double longest) const;
-    /// The image that is near, if there is only one; else -1.
-    int lone_image() const { return near_.size() == 1 ? near_.front() : -1; }
+    WallHit<D> cast(const Vec<D>& x, const Vec<D>& direction, double longest);
     const Image<D>& image(int i) const { return clipper_.images()[i]; }
 
 private:
+    struct Near {
+        int image;
+        double phi; ///< at the centre
+    };
+
+    void find(const Vec<D>& x, double radius);
+
     const FaceClipper<D>& clipper_;
     double dx_;
-    std::vector<int> near_;
+    Vec<D> centre_;
+    double wanted_ = 0;   ///< solids beyond this count nowhere
+    double complete_ = 0; ///< those within this of the centre are listed
+    std::vector<Near> near_;
+    std::size_t nearest_ = 0; ///< to the centre
+    std::vector<int> found_;
 };
 
 } // namespace gapflow
