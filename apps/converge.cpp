@@ -140,7 +140,7 @@ std::vector<Compared> choose_quantities(const Scene& scene, const ConvergeOption
     return found;
 }
 
-struct Run {
+struct GridRun {
     int cells = 0;
     double spacing = 0;
     long steps = 0;
@@ -160,7 +160,7 @@ Series series_of(const Quantity& q, const CsvTable& bodies, const CsvTable& gaps
     return series;
 }
 
-void read_run(const std::vector<Compared>& quantities, Run& run)
+void read_quantities(const std::vector<Compared>& quantities, GridRun& run)
 {
     const CsvTable bodies = read_csv(run.folder + "/bodies.csv"), steps = read_csv(run.folder + "/steps.csv");
     run.steps = static_cast<long>(steps.rows.size()) - 1;
@@ -175,11 +175,11 @@ void read_run(const std::vector<Compared>& quantities, Run& run)
 
 /// What a quantity's end, mean, smallest and largest value approach. Those that are the same number on every grid as one before, as the end of
 /// a quantity that only grows, are told of once.
-void add_limits(std::size_t number, const std::vector<Run>& runs, ConvergenceOf& result)
+void add_limits(std::size_t number, const std::vector<GridRun>& runs, ConvergenceOf& result)
 {
     std::vector<double> spacings;
     std::vector<std::pair<std::string, std::vector<double>>> all;
-    for (const Run& run : runs) {
+    for (const GridRun& run : runs) {
         result.grids.push_back(run.cells);
         spacings.push_back(run.spacing);
         const auto of_run = numbers_of(run.series[number], result.window);
@@ -202,14 +202,14 @@ void add_limits(std::size_t number, const std::vector<Run>& runs, ConvergenceOf&
 }
 
 /// Errors of one quantity. An empty result: it does not change, so that there is nothing to divide by.
-std::optional<ConvergenceOf> compare(std::size_t number, const Compared& q, const std::vector<Run>& runs,
+std::optional<ConvergenceOf> compare(std::size_t number, const Compared& q, const std::vector<GridRun>& runs,
                                      const CsvTable* reference_file, TimeWindow window)
 {
     const bool finest = !reference_file;
     const Series reference =
         finest ? runs.back().series[number] : read_series(*reference_file, time_column(*reference_file), q.reference);
     std::vector<const Series*> all{&reference};
-    for (const Run& run : runs)
+    for (const GridRun& run : runs)
         all.push_back(&run.series[number]);
     for (const Series* series : all) {
         if (!series->time.empty()) {
@@ -272,7 +272,7 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
         scenes.back().bodies_table = Scene::BodiesTable::csv; // what is compared
         scenes.back().output_directory = scene.output_directory + "/cells_" + std::to_string(n);
     }
-    std::vector<Run> runs;
+    std::vector<GridRun> runs;
     for (const Scene& each : scenes) {
         log.info(fmt::format("run {} of {}: {} cells along x, max_step {:.4g}, gap_cfl {:.4g}, into {}", runs.size() + 1,
                              grids.size(), core_cells(each, 0), each.max_step, each.gap_cfl, each.output_directory));
@@ -281,8 +281,8 @@ int converge_command(const SceneReader& read, const ConvergeOptions& options)
         runs.push_back({core_cells(each, 0), each.spacing(), 0, each.output_directory, {}});
     }
     on_root(comm, [&] {
-        for (Run& run : runs)
-            read_run(quantities, run);
+        for (GridRun& run : runs)
+            read_quantities(quantities, run);
         std::vector<ConvergenceOf> all;
         std::vector<std::string> still;
         for (std::size_t i = 0; i < quantities.size(); ++i) {

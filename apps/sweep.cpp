@@ -41,12 +41,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-volatile std::sig_atomic_t stop_signal = 0, stop_count = 0;
+volatile std::sig_atomic_t signal_to_pass = 0, signal_count = 0;
 
-void note_signal(int signal)
+void count_signal(int signal)
 {
-    stop_signal = signal;
-    stop_count = stop_count + 1;
+    signal_to_pass = signal;
+    signal_count = signal_count + 1;
 }
 
 struct SweepRun {
@@ -289,17 +289,17 @@ public:
         int running = 0, passed_on = 0;
         auto next = runs_.begin();
         while (true) {
-            for (; next != runs_.end() && running < jobs && stop_count == 0; ++next)
+            for (; next != runs_.end() && running < jobs && signal_count == 0; ++next)
                 if (next->status == SweepRun::Status::waiting) {
                     start(*next, environment);
                     ++running;
                 }
             if (running == 0)
                 return;
-            for (; passed_on < stop_count; ++passed_on)
+            for (; passed_on < signal_count; ++passed_on)
                 for (const SweepRun& run : runs_)
                     if (run.status == SweepRun::Status::running)
-                        ::kill(run.process, stop_signal);
+                        ::kill(run.process, signal_to_pass);
             int status = 0;
             const pid_t ended = ::waitpid(-1, &status, WNOHANG);
             if (ended <= 0) {
@@ -340,7 +340,7 @@ private:
         const int code = ended ? WEXITSTATUS(status) : 0;
         if (ended && code == 0) {
             run.status = SweepRun::Status::done;
-        } else if (stop_count > 0 && (!ended || code > 128)) {
+        } else if (signal_count > 0 && (!ended || code > 128)) {
             run.status = SweepRun::Status::interrupted;
         } else {
             run.status = SweepRun::Status::failed;
@@ -440,8 +440,8 @@ int sweep_command(const SceneReader& read, const SweepOptions& options)
     log.info(fmt::format("{} runs into {}{}{}, {} at once", runs.size(), folder,
                          kept > 0 ? fmt::format(", {} of them done before", kept) : "",
                          resumed > 0 ? fmt::format(", {} go on from checkpoints", resumed) : "", jobs));
-    std::signal(SIGINT, note_signal);
-    std::signal(SIGTERM, note_signal);
+    std::signal(SIGINT, count_signal);
+    std::signal(SIGTERM, count_signal);
     Sweep sweep(std::move(runs), options, folder, asked, window, log);
     sweep(jobs);
 
@@ -455,7 +455,7 @@ int sweep_command(const SceneReader& read, const SweepOptions& options)
     if (count(sweep.runs(), SweepRun::Status::done) + failed < sweep.runs().size()) {
         log.warning(fmt::format("interrupted: {} of {} runs are done; the same command goes on with the others",
                                 count(sweep.runs(), SweepRun::Status::done), sweep.runs().size()));
-        return 128 + stop_signal;
+        return 128 + signal_to_pass;
     }
     return failed > 0 ? 1 : 0;
 }

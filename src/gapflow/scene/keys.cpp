@@ -630,9 +630,9 @@ std::string allowed_values(const KeyInfo& key, int dimension)
 }
 
 // Words that other programs have for a key.
-constexpr std::pair<const char*, const char*> other_words[] = {{"angle", "rotation"},  {"orientation", "rotation"},
-                                                               {"speed", "velocity"},  {"centre", "position"},
-                                                               {"center", "position"}, {"resolution", "cells"}};
+constexpr std::pair<const char*, const char*> other_words[] = {
+    {"angle", "rotation"},  {"orientation", "rotation"}, {"speed", "velocity"}, {"centre", "position"},
+    {"center", "position"}, {"resolution", "cells"},     {"count", "number"}};
 
 std::string nearest_key(const std::string& name, const std::vector<KeyInfo>& keys)
 {

@@ -275,6 +275,7 @@ TEST(Crowd, BadOnesAreRefused)
         {ball + "number = 2.5\n", "crowd.ball.number = 2.5: 2.5 is not a whole number"},
         {ball + "number = 0\n", "out of range"},
         {ball + "number = 3\nposition = [1, 1]\n", "crowd.toml:10:1: crowd.ball.position: unknown key"},
+        {ball + "count = 3\n", "crowd.toml:9:1: crowd.ball.count: unknown key; did you mean 'crowd.ball.number'?"},
         {ball + "number = 500\n", "have 1.963 times the region's volume; use fewer"},
         {ball + "number = 230\n",
          "find room at random; use fewer bodies, a larger region or a smaller spacing (0.001, auto); balls"},
