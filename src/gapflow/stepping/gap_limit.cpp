@@ -27,25 +27,6 @@ constexpr double driven_step = 1e-3;
 constexpr double tiny = std::numeric_limits<double>::min();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// The step up to `most` at which a share reaches 1, but not below `least`; between the ends of the last bracket along a power law, so that the result does not
-// depend on those of the first one.
-template <class F>
-double share_of_one(double least, double most, F&& share)
-{
-    double bad = share(most);
-    if (bad <= 1)
-        return most;
-    double good = 0;
-    while (most > closeness * least) {
-        const double middle = std::sqrt(least * most), there = share(middle);
-        (there <= 1 ? least : most) = middle;
-        (there <= 1 ? good : bad) = there;
-    }
-    if (!(good > 0 && bad < infinite))
-        return least;
-    return least * std::pow(most / least, std::log(1 / good) / std::log(bad / good));
-}
-
 // Opening rate of two points that face each other at the given twists (or accelerations) of the solids.
 template <int D>
 double opening(const Coupling<D>& here, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twist, const Vec<D>& out_of_other,
@@ -115,10 +96,10 @@ void GapLimit<D>::add(int number, const Film<D>& film)
                       mesh.master != mesh.other && !unstoppable && floor >= smallest_limiting_gap * dx;
 }
 
-// What the films of a pair take of the relative velocity in a step, |F|^2 / (W.F) with F their impulses on the motion W, in the metric of the
-// bodies' mobility, over what they may take; infinite if the surfaces would pass each other too far.
+// Whether the films of a pair take a small share of the relative velocity in a step, |F|^2 / (W.F) with F their impulses on the motion W, in the
+// metric of the bodies' mobility, and the surfaces do not pass each other too far.
 template <int D>
-double GapLimit<D>::share_taken(const FilmPair<D>& pair, const Pair& films, double dt) const
+bool GapLimit<D>::admits(const FilmPair<D>& pair, const Pair& films, double dt) const
 {
     const double dx = model_.grid.dx(), floor = model_.gaps(pair.master, pair.other).floor;
     const std::string &a = here_.solids[pair.master].name, &b = here_.solids[pair.other].name;
@@ -131,7 +112,7 @@ double GapLimit<D>::share_taken(const FilmPair<D>& pair, const Pair& films, doub
             const double v = opening(here_, mesh, V_, q.other_normal, q.x, q.y);
             const double speeding = opening(here_, mesh, A_, q.other_normal, q.x, q.y);
             if (q.h + dt * (v + 0.5 * dt * speeding) < hold - most_overlap * dx)
-                return infinite;
+                return false;
             meeting = std::min(meeting, time_of_closing(q.h - hold, v, speeding));
         }
     }
@@ -153,7 +134,7 @@ double GapLimit<D>::share_taken(const FilmPair<D>& pair, const Pair& films, doub
     }
     const auto impulses = impulses_on_way<D>(here_, films.films, way, W);
     if (!impulses)
-        return infinite;
+        return false;
     double power = 0, square = 0;
     for (const int side : {0, 1}) {
         const int solid = side == 0 ? pair.master : pair.other;
@@ -164,8 +145,7 @@ double GapLimit<D>::share_taken(const FilmPair<D>& pair, const Pair& films, doub
             square += impulse.dot(impulse_response(body, impulse, dt));
         }
     }
-    const double most = (rebound ? small_share_of_rebound : small_share) * power;
-    return most > 0 ? square / most : square > 0 ? infinite : 0.0;
+    return square <= (rebound ? small_share_of_rebound : small_share) * power;
 }
 
 // Pairs that ask for the smallest steps come first: their limit spares the others the search.
@@ -186,7 +166,14 @@ double GapLimit<D>::limited(double dt) const
             dt = films.by_part;
             continue;
         }
-        dt = share_of_one(films.by_part, dt, [&](double step) { return share_taken(pair, films, step); });
+        double good = films.by_part, bad = dt;
+        if (admits(pair, films, dt))
+            continue;
+        while (bad > closeness * good) {
+            const double middle = std::sqrt(good * bad);
+            (admits(pair, films, middle) ? good : bad) = middle;
+        }
+        dt = good;
     }
     return dt;
 }

@@ -30,7 +30,7 @@ private:
         bool any_factor = true;                                   ///< whether it may change by more
     };
     void add(int number, const Film<D>& film);
-    double share_taken(const FilmPair<D>& pair, const Pair& films, double dt) const;
+    bool admits(const FilmPair<D>& pair, const Pair& films, double dt) const;
 
     const Model<D>& model_;
     const State<D>& state_;

@@ -18,6 +18,7 @@ Scene plate(double density, double viscosity)
     scene.viscosity = viscosity;
     scene.sides[3].kind = SideScene::Kind::open;
     scene.max_step = 1;
+    scene.gap.roughness = 0.005 / 16;
     BodyScene box;
     box.name = "box";
     box.shape = BodyScene::ShapeKind::box;
