@@ -86,7 +86,7 @@ TEST(WallRays, EndAtTheFirstSolid)
     BallsInABox balls;
     WallRays<3> rays(balls.clipper(), dx);
     int hits = 0, misses = 0;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 600; ++i) {
         const Vec<3> x = balls.point(), direction = (2 * balls.point() - Vec<3>::Ones()).normalized();
         if (balls.distance(x) <= 0)
             continue;
