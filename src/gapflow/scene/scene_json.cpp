@@ -246,7 +246,8 @@ std::string scene_as_json(const Scene& scene)
         json["time"]["max_step"] = scene.max_step;
     json["time"]["cfl"] = scene.cfl;
     json["time"]["gap_cfl"] = scene.gap_cfl;
-    json["time"]["long_ways"] = scene.long_ways;
+    if (!scene.long_ways)
+        json["time"]["long_ways"] = false;
     if (scene.until_steady)
         json["time"]["until_steady"] = *scene.until_steady;
     json["solver"] = {{"tolerance", scene.tolerance}, {"backend", word({"multigrid", "petsc"}, scene.backend)}};
