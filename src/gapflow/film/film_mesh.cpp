@@ -319,6 +319,7 @@ FilmMeshOptions coupling_sizes(bool viscous)
         options.largest_curved = 1;
         options.curved = 0.4;
         options.smallest = viscous ? 1e-4 : 1. / 16;
+        options.straddle_open = 0.5;
         options.straddle_smooth = 1;
         options.rings = viscous ? 0.4 : 0.6;
         options.inverse = viscous;

@@ -98,6 +98,7 @@ struct FilmMeshOptions {
     double curved = 0.2;            ///< element size in sqrt(2 R h), where a surface is curved
     double smallest = 0.0;          ///< element size, in dx, never refined below; 0: default (2D 1e-4, 3D 1/32)
     double straddle = 0.125;        ///< size of elements cut by the film's end, in dx
+    double straddle_open = 0.125;   ///< the same where the bulk's fluid is beyond: at the other's edges, or where h reaches h_c
     double straddle_smooth = 0.125; ///< the same where the film ends between smooth curved surfaces (at no edge and no patch)
     double kink = 0.03;             ///< of a cut's length: how far the film's end may lie from a straight line (3D)
     double rings = 0;     ///< between a ball and a convex body: rings about the nearest point, in sqrt(2 R h) (3D); 0: none

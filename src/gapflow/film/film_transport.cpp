@@ -262,18 +262,23 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             change -= vertex[node] / D;
         return tangential<D>(change, normal_[e]);
     };
+    std::vector<std::array<Vec<D>, D>> beside(velocity.size()); // differences to the means of the elements beside each
+    for (std::size_t e = 0; e < velocity.size(); ++e)
+        for (int i = 0; i < D; ++i) {
+            const int f = facet_of_[e][i];
+            const int n = f < 0 ? -1 : facets_[f].a == static_cast<int>(e) ? facets_[f].b : facets_[f].a;
+            beside[e][i] = n < 0 ? Vec<D>(Vec<D>::Zero()) : Vec<D>(turned<D>(flux[n], normal_[n], normal_[e]) - flux[e]);
+        }
     // At no facet does the flux go further than the mean of an element beside this one: linear fields keep their slope on any mesh.
-    auto beyond = [&](int e, int facet) { return facets_[facet].a == e ? facets_[facet].b : facets_[facet].a; };
     std::vector<double> slope(velocity.size(), 1.0);
+    std::vector<std::array<Vec<D>, 2>> change_of(inner_facets_); // of a facet's two elements
     for (std::size_t f = 0; f < inner_facets_; ++f)
-        for (int e : {facets_[f].a, facets_[f].b}) {
-            const Vec<D> change = increment(e, facets_[f]);
+        for (int side = 0; side < 2; ++side) {
+            const int e = side == 0 ? facets_[f].a : facets_[f].b;
+            const Vec<D> change = change_of[f][side] = increment(e, facets_[f]);
             double along = 0;
-            for (int beside : facet_of_[e])
-                if (beside >= 0) {
-                    const int n = beyond(e, beside);
-                    along = std::max(along, change.dot(turned<D>(flux[n], normal_[n], normal_[e]) - flux[e]));
-                }
+            for (const Vec<D>& d : beside[e])
+                along = std::max(along, change.dot(d));
             const double square = change.squaredNorm();
             slope[e] = std::min(slope[e], along < square ? along / square : 1.0);
         }
@@ -287,7 +292,8 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             values[f] = facet.mouth.entering;
         } else {
             Vec<D>& change = values[f];
-            change = (flux[from] + slope[from] * increment(from, facet)) / facet.h - velocity[from];
+            const Vec<D> in_flux = f < inner_facets_ ? change_of[f][from == facet.a ? 0 : 1] : increment(from, facet);
+            change = (flux[from] + slope[from] * in_flux) / facet.h - velocity[from];
             if (to >= 0) {
                 const Vec<D> d = turned<D>(velocity[to], normal_[to], normal_[from]) - velocity[from];
                 const double square = d.squaredNorm(), along = change.dot(d);

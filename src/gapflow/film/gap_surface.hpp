@@ -72,7 +72,7 @@ public:
 
 private:
     struct Sizes {
-        double largest, largest_curved, smallest, straddle, straddle_smooth, curved;
+        double largest, largest_curved, smallest, straddle, straddle_open, straddle_smooth, curved;
     };
 
     int add_vertex(const Vec<D>& x, const Vec<D>& nudge, int patch, bool crease, bool fixed);
@@ -82,6 +82,7 @@ private:
     bool mark_at_end();
     bool varies(double h0, double h1) const;
     bool goes_out_smoothly(const Vertex& v, int patch) const;
+    double size_at_end(const Vertex& v, int patch) const;
     bool too_long(const Edge& edge, bool coarse) const;
     bool out_of_reach(int e) const;
     bool straight(int e);

@@ -25,7 +25,7 @@ template <int D>
 bool GapSurface<D>::refine_coarsely(double scale)
 {
     const FilmMeshOptions& o = test_.options;
-    sizes_ = {scale * o.largest * o.dx, scale * o.largest_curved * o.dx, 0, 0, 0, 0};
+    sizes_ = {scale * o.largest * o.dx, scale * o.largest_curved * o.dx, 0, 0, 0, 0, 0};
     return run(true);
 }
 
@@ -33,8 +33,9 @@ template <int D>
 bool GapSurface<D>::refine(double scale)
 {
     const FilmMeshOptions& o = test_.options;
-    sizes_ = {scale * o.largest * o.dx,  scale * o.largest_curved * o.dx,  scale * o.smallest * o.dx,
-              scale * o.straddle * o.dx, scale * o.straddle_smooth * o.dx, scale * o.curved};
+    sizes_ = {scale * o.largest * o.dx,  scale * o.largest_curved * o.dx, scale * o.smallest * o.dx,
+              scale * o.straddle * o.dx, scale * o.straddle_open * o.dx,  scale * o.straddle_smooth * o.dx,
+              scale * o.curved};
     return run(false);
 }
 
@@ -75,6 +76,15 @@ bool GapSurface<D>::goes_out_smoothly(const Vertex& v, int patch) const
            test_.curvature(patch, v.p.patch) > 0;
 }
 
+/// Size of elements that the gap's end cuts; `v`: their vertex that is not in it.
+template <int D>
+double GapSurface<D>::size_at_end(const Vertex& v, int patch) const
+{
+    if (goes_out_smoothly(v, patch))
+        return sizes_.straddle_smooth;
+    return v.fails == RimEnd::thickness || v.fails == RimEnd::other_edge ? sizes_.straddle_open : sizes_.straddle;
+}
+
 template <int D>
 bool GapSurface<D>::too_long(const Edge& edge, bool coarse) const
 {
@@ -86,8 +96,7 @@ bool GapSurface<D>::too_long(const Edge& edge, bool coarse) const
         return true;
     if (coarse || !(a.inside() || b.inside()))
         return false;
-    if (a.inside() != b.inside() &&
-        length > slack * (goes_out_smoothly(a.inside() ? b : a, edge.patch) ? sizes_.straddle_smooth : sizes_.straddle))
+    if (a.inside() != b.inside() && length > slack * size_at_end(a.inside() ? b : a, edge.patch))
         return true;
     if (length <= slack * sizes_.smallest)
         return false;

@@ -20,12 +20,17 @@ CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
       ground_(system.nodes, 0.0)
 {
     const Grid<D>& grid = *system.grid;
-    for (std::size_t r = 0; r < system.links.size(); ++r)
+    link_nodes_begin_.push_back(0);
+    for (std::size_t r = 0; r < system.links.size(); ++r) {
         for (const auto& [key, weight] : system.links[r].cells) {
             const Index<D> c = grid.cell_of_key(key);
             if (grid.owns(c))
-                link_cells_.push_back({static_cast<int>(r), c, weight});
+                link_cells_.push_back({static_cast<int>(r), system.component.block().offset(c), weight});
         }
+        for (const auto& [node, weight] : system.links[r].nodes)
+            link_nodes_.push_back({node, weight});
+        link_nodes_begin_.push_back(static_cast<int>(link_nodes_.size()));
+    }
     for (int column = 0; column < system.film.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, column); entry; ++entry) {
             ground_[entry.row()] += entry.value();
@@ -109,15 +114,6 @@ void CoupledOperator<D>::begin_product(UnknownVector<D>& p) const
 }
 
 template <int D>
-double CoupledOperator<D>::node_sum(const Link& link, const Eigen::VectorXd& x) const
-{
-    double sum = 0;
-    for (const auto& [node, weight] : link.nodes)
-        sum += weight * x[node];
-    return sum;
-}
-
-template <int D>
 double CoupledOperator<D>::apply(UnknownVector<D>& p, UnknownVector<D>& y, bool with_bodies) const
 {
     const Grid<D>& grid = *system_.grid;
@@ -135,8 +131,9 @@ double CoupledOperator<D>::finish_product(const UnknownVector<D>& p, UnknownVect
     const Grid<D>& grid = *system_.grid;
     const long links = static_cast<long>(system_.links.size());
     partial_.setZero();
+    const double* in_cells = p.cells.data();
     for (const LinkCell& entry : link_cells_)
-        partial_[entry.link] += entry.weight * p.cells(entry.cell);
+        partial_[entry.link] += entry.weight * in_cells[entry.cell];
     if (with_bodies)
         for (const auto& entry : system_.cell_flux)
             partial_.template segment<twist_size<D>>(links + twist_size<D> * entry.body) += p.cells(entry.row) * entry.flux;
@@ -157,15 +154,21 @@ double CoupledOperator<D>::finish_product(const UnknownVector<D>& p, UnknownVect
             total += ground_[i] * p.nodes[i] * p.nodes[i];
         }
     for (long r = 0; r < links; ++r) {
-        const Link& link = system_.links[r];
-        const double sum = partial_[r] + node_sum(link, p.nodes);
-        total += link.conductance * sum * sum;
-        partial_[r] = link.conductance * sum;
-        for (const auto& [node, weight] : link.nodes)
+        const double conductance = system_.links[r].conductance;
+        const std::span<const LinkNode> nodes(link_nodes_.data() + link_nodes_begin_[r],
+                                              link_nodes_.data() + link_nodes_begin_[r + 1]);
+        double in_nodes = 0;
+        for (const auto& [node, weight] : nodes)
+            in_nodes += weight * p.nodes[node];
+        const double sum = partial_[r] + in_nodes;
+        total += conductance * sum * sum;
+        partial_[r] = conductance * sum;
+        for (const auto& [node, weight] : nodes)
             y.nodes[node] += weight * partial_[r];
     }
+    double* out_cells = y.cells.data();
     for (const LinkCell& entry : link_cells_)
-        y.cells(entry.cell) += entry.weight * partial_[entry.link];
+        out_cells[entry.cell] += entry.weight * partial_[entry.link];
     if (with_bodies && dofs_ > 0) {
         for (const auto& entry : system_.node_flux)
             partial_.template segment<twist_size<D>>(links + twist_size<D> * entry.body) += p.nodes[entry.row] * entry.flux;
@@ -206,7 +209,7 @@ double CoupledOperator<D>::round_off(const UnknownVector<D>& p) const
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(static_cast<long>(system_.links.size()) + dofs_);
     const long links = static_cast<long>(system_.links.size());
     for (const LinkCell& entry : link_cells_)
-        sums[entry.link] += std::abs(entry.weight * p.cells(entry.cell));
+        sums[entry.link] += std::abs(entry.weight * p.cells.data()[entry.cell]);
     auto add_wrench = [&](int body, double value, const Twist<D>& flux) {
         sums.template segment<twist_size<D>>(links + twist_size<D> * body) += std::abs(value) * flux.cwiseAbs();
     };
@@ -223,7 +226,7 @@ double CoupledOperator<D>::round_off(const UnknownVector<D>& p) const
             terms.nodes[node] += link.conductance * std::abs(weight) * sums[r];
     }
     for (const LinkCell& entry : link_cells_)
-        terms.cells(entry.cell) += system_.links[entry.link].conductance * std::abs(entry.weight) * sums[entry.link];
+        terms.cells.data()[entry.cell] += system_.links[entry.link].conductance * std::abs(entry.weight) * sums[entry.link];
     auto twist = [&](int body, const Twist<D>& flux) {
         double sum = 0;
         for (int d = 0; d < twist_size<D>; ++d)
@@ -268,7 +271,8 @@ Eigen::VectorXd CoupledOperator<D>::inverse_mass(const Eigen::VectorXd& w) const
 template <int D>
 long CoupledOperator<D>::bytes() const
 {
-    long sum = static_cast<long>(link_cells_.size() * sizeof(LinkCell) + edges_.size() * sizeof(FilmEdge));
+    long sum = static_cast<long>(link_cells_.size() * sizeof(LinkCell) + link_nodes_.size() * sizeof(LinkNode) +
+                                 edges_.size() * sizeof(FilmEdge));
     for (const SharedRows<double>& values : conductance_)
         sum += values.bytes();
     return sum;

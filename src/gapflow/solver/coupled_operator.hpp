@@ -54,14 +54,16 @@ public:
 
     const std::vector<FilmEdge>& film_edges() const { return edges_; }
     const std::vector<double>& film_ground() const { return ground_; }
-    /// Weighted sum of x over a link's nodes.
-    double node_sum(const Link& link, const Eigen::VectorXd& x) const;
     long bytes() const;
 
 private:
     struct LinkCell {
         int link;
-        Index<D> cell;
+        long cell; ///< its place in a field
+        double weight;
+    };
+    struct LinkNode {
+        int node;
         double weight;
     };
     double apply(UnknownVector<D>& p, UnknownVector<D>& y, bool with_bodies) const;
@@ -70,6 +72,8 @@ private:
     int dofs_;
     std::array<SharedRows<double>, D> conductance_;
     std::vector<LinkCell> link_cells_; ///< those of this rank
+    std::vector<LinkNode> link_nodes_;
+    std::vector<int> link_nodes_begin_; ///< first of each link's, and the end
     std::vector<FilmEdge> edges_;
     std::vector<double> ground_;
     BodyResponse response_;

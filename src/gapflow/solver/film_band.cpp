@@ -129,12 +129,14 @@ void FilmBand<D>::find_cells()
     for (const OwnedCell& entry : owned_)
         ++plane_begin_[entry.cell[D - 1] - first_plane + 1];
     std::partial_sum(plane_begin_.begin(), plane_begin_.end(), plane_begin_.begin());
-    band_cells_begin_.push_back(0);
+    link_rows_begin_.push_back(0);
     for (std::size_t r = 0; r < system_.links.size(); ++r) {
+        for (const auto& [node, weight] : system_.links[r].nodes)
+            link_rows_.push_back({node, weight});
         for (const auto& [key, weight] : system_.links[r].cells) {
             const int row = row_of(key);
             if (row >= 0)
-                band_cells_.push_back({row, weight});
+                link_rows_.push_back({row, weight});
             const Index<D> c = grid.cell_of_key(key);
             if (!grid.owns(c))
                 continue;
@@ -142,7 +144,7 @@ void FilmBand<D>::find_cells()
             if (row < 0)
                 outside_links_.push_back(link_cells_.back());
         }
-        band_cells_begin_.push_back(static_cast<int>(band_cells_.size()));
+        link_rows_begin_.push_back(static_cast<int>(link_rows_.size()));
     }
 }
 
@@ -192,24 +194,21 @@ void FilmBand<D>::for_each_term(F&& f, Join&& join, std::vector<char>& fixed) co
                 f(row, column, -a);
         }
     }
-    std::vector<std::pair<int, double>> terms;
     for (std::size_t k = 0; k < system_.links.size(); ++k) {
         const Link& link = system_.links[k];
-        terms.assign(link.nodes.begin(), link.nodes.end());
+        const std::span<const LinkRow> terms = rows_of(static_cast<int>(k));
         double sum = 0, size = 0;
-        for (int i = band_cells_begin_[k]; i < band_cells_begin_[k + 1]; ++i)
-            terms.emplace_back(band_cells_[i].row, band_cells_[i].weight);
         for (const auto& [i, wi] : terms) {
             for (const auto& [j, wj] : terms)
                 if (j <= i)
                     f(i, j, link.conductance * wi * wj);
             if (link.conductance > 0)
-                join(i, terms.front().first);
+                join(i, terms.front().row);
             sum += wi;
             size += std::abs(wi);
         }
         if (!terms.empty() && link.conductance > 0 && std::abs(sum) > 1e-9 * size)
-            fixed[terms.front().first] = 1; // a mouth to an open side
+            fixed[terms.front().row] = 1; // a mouth to an open side
     }
 }
 
@@ -344,10 +343,8 @@ template <int D>
 double FilmBand<D>::sum_over_band(int link, const Eigen::VectorXd& values) const
 {
     double sum = 0;
-    for (const auto& [node, weight] : system_.links[link].nodes)
-        sum += weight * values[node];
-    for (int i = band_cells_begin_[link]; i < band_cells_begin_[link + 1]; ++i)
-        sum += band_cells_[i].weight * values[band_cells_[i].row];
+    for (const auto& [row, weight] : rows_of(link))
+        sum += weight * values[row];
     return sum;
 }
 
@@ -370,12 +367,9 @@ void FilmBand<D>::second(double scale, const Level<D>& level)
         r[size_ + entry.link] += scale * (entry.weight * level.x[entry.level_offset]);
     system_.grid->comm().sum(std::span<double>(r.data() + system_.nodes, r.size() - system_.nodes));
     for (long k = 0; k < links; ++k) {
-        const Link& link = system_.links[k];
-        const double flux = link.conductance * r[size_ + k];
-        for (const auto& [node, weight] : link.nodes)
-            r[node] -= weight * flux;
-        for (int i = band_cells_begin_[k]; i < band_cells_begin_[k + 1]; ++i)
-            r[band_cells_[i].row] -= band_cells_[i].weight * flux;
+        const double flux = system_.links[k].conductance * r[size_ + k];
+        for (const auto& [row, weight] : rows_of(static_cast<int>(k)))
+            r[row] -= weight * flux;
     }
     correction_ += solve(r.head(size_));
 }

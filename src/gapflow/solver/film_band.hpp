@@ -6,6 +6,7 @@
 #include "gapflow/solver/coupled_operator.hpp"
 #include "gapflow/solver/level.hpp"
 
+#include <span>
 #include <vector>
 
 namespace gapflow {
@@ -68,10 +69,14 @@ private:
         long level_offset;
         double weight;
     };
-    struct BandCell { ///< of a link
+    struct LinkRow { ///< row of the band that a link enters
         int row;
         double weight;
     };
+    std::span<const LinkRow> rows_of(int link) const
+    {
+        return {link_rows_.data() + link_rows_begin_[link], link_rows_.data() + link_rows_begin_[link + 1]};
+    }
     /// The weighted sum of a link over the band's nodes and cells.
     double sum_over_band(int link, const Eigen::VectorXd& values) const;
     void find_cells();
@@ -92,8 +97,8 @@ private:
     std::vector<Neighbour> outside_;               ///< this rank's
     std::vector<LinkCell> link_cells_;             ///< this rank's
     std::vector<LinkCell> outside_links_;          ///< those of them whose cells are not in the band, by links
-    std::vector<BandCell> band_cells_;             ///< the links' cells that are in the band, by links
-    std::vector<int> band_cells_begin_;            ///< first of each link's, and the end
+    std::vector<LinkRow> link_rows_;               ///< by links: nodes, then cells that are in the band
+    std::vector<int> link_rows_begin_;             ///< first of each link's, and the end
     std::vector<std::array<double, 2 * D>> faces_; ///< conductances around every band cell
     std::vector<int> block_;                       ///< number of the floating block of a row, -1: fixed from outside
     std::vector<long> block_size_;

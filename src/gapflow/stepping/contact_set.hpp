@@ -34,7 +34,6 @@ struct Contact {
     double least = 0;    ///< opening rate that the end of the step may not fall below
     double target = 0;   ///< opening rate while it holds: `least`, or a rebound
     bool closed = false, was_closed = false;
-    bool solved = false; ///< some solve of the step held it; before, it sticks, because the forecast lacks the fluid's part
     bool slides = false;
     Vec<D - 1> sliding_impulse = Vec<D - 1>::Zero(); ///< friction impulse on a along the tangents while it slides
     Vec<D - 1> lack =

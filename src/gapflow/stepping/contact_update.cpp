@@ -110,7 +110,7 @@ private:
 template <int D>
 bool slides_next(const Contact<D>& c, const ContactImpulse<D>& next)
 {
-    return c.solved && next.normal > 0 && c.friction > 0 && next.slides;
+    return next.normal > 0 && c.friction > 0 && next.slides;
 }
 
 // Of all contacts, or of `only` this one and the others as they are. `changed` receives whether the forecast has other states anywhere.
@@ -180,7 +180,6 @@ void ContactSet<D>::take_impulses(const Eigen::VectorXd& impulses)
         c.tangential.setZero();
         if (!c.closed)
             continue;
-        c.solved = true;
         c.impulse = impulses[row++];
         if (c.friction > 0 && !c.slides)
             for (int k = 0; k < D - 1; ++k)

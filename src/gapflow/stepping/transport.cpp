@@ -1,6 +1,7 @@
 #include "gapflow/stepping/transport.hpp"
 
 #include "gapflow/film/film_vorticity.hpp"
+#include "gapflow/film/key_map.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/advection.hpp"
 #include "gapflow/stepping/extrapolation_share.hpp"
@@ -81,21 +82,21 @@ std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& ther
     }
     if (std::none_of(flows_out.begin(), flows_out.end(), [](char out) { return out; }))
         return {};
+    KeyMap<char> cells; // that mouths with an outflow lead to
+    for (const Mouth<D>& mouth : mouths)
+        if (flows_out[mouth.film])
+            for (const auto& [key, weight] : mouth.cells)
+                if (std::abs(weight) >= least_weight)
+                    cells.insert(key);
     FaceField<D, std::int8_t> near(grid);
-    for (const Mouth<D>& mouth : mouths) {
-        if (!flows_out[mouth.film])
-            continue;
-        for (const auto& [key, weight] : mouth.cells) {
-            if (std::abs(weight) < least_weight)
-                continue;
-            const Index<D> c = grid.cell_of_key(key);
-            for (int axis = 0; axis < D; ++axis)
-                for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 1) + gapflow::step<D>(axis),
-                                  [&](const Index<D>& f) {
-                                      if (near[axis].block().contains(f))
-                                          near(axis, f) = 1;
-                                  });
-        }
+    for (const auto& entry : cells) {
+        const Index<D> c = grid.cell_of_key(entry.first);
+        for (int axis = 0; axis < D; ++axis)
+            for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 1) + gapflow::step<D>(axis),
+                              [&](const Index<D>& f) {
+                                  if (near[axis].block().contains(f))
+                                      near(axis, f) = 1;
+                              });
     }
     return near;
 }
