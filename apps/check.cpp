@@ -111,6 +111,8 @@ int check_command(const Scene& scene)
         std::printf("gaps      model %s, threshold %s, roughness %s\n", scene.gap.film ? "film" : "none",
                     scene.gap.threshold ? (number_text(*scene.gap.threshold) + " cells").c_str() : "auto",
                     roughness_text(scene).c_str());
+        if (scene.end <= 0 || scene.max_step <= 0)
+            std::printf("time      time.end or time.max_step is missing: 'gapflow run' needs both\n");
     }
     if (scene.dimension == 2)
         print_gaps<2>(scene, comm);

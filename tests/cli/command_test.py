@@ -119,6 +119,16 @@ class Command(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("lower - upper", done.stdout)
 
+    def test_check_tells_that_a_run_needs_a_time(self):
+        text = (EXAMPLES / "01_plates_pulled_apart" / "scene.toml").read_text()
+        self.assertNotIn("needs both", gapflow("check", EXAMPLES / "01_plates_pulled_apart" / "scene.toml").stdout)
+        for key in ("end", "max_step"):
+            scene = self.out.parent / "without.toml"
+            scene.write_text("\n".join(line for line in text.splitlines() if not line.startswith(key + " =")))
+            done = gapflow("check", scene)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("'gapflow run' needs both", done.stdout)
+
     def test_bad_use_is_status_2_with_place_and_remedy(self):
         scene = EXAMPLES / "01_plates_pulled_apart" / "scene.toml"
         for words, text in ((["run", scene, "--set", "time.endd=1"], "time.end"), (["run", "nowhere.toml"], "nowhere.toml"),
