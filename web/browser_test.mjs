@@ -1,7 +1,7 @@
 // The pages of gapflow report in a real browser, without a network: they load without an error, the slider, the keys and the play
 // button change the picture, hovering tells values, zoom works, light and dark.
 //
-//   node browser_test.mjs PAGE_2D.html PAGE_3D.html COMPARISON_2D.html CROWD.html MEASURED.html SWEEP.html [OTHER.html ...]     others need only load
+//   node browser_test.mjs PAGE_2D.html PAGE_3D.html COMPARISON_2D.html CROWD.html MEASURED.html SWEEP.html STEADY_SWEEP.html [OTHER.html ...]     others need only load
 //
 // GAPFLOW_SCREENSHOTS=FOLDER leaves screenshots there.
 //
@@ -17,7 +17,7 @@ function skip(why) {
 }
 const playwright = await import("playwright-core").catch(() => skip("no playwright-core in web/node_modules"));
 const executablePath = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find(existsSync) ?? skip("no chromium-headless-shell");
-const [page2d, page3d, comparison, crowd, measured, sweep, ...others] = process.argv.slice(2), shots = process.env.GAPFLOW_SCREENSHOTS;
+const [page2d, page3d, comparison, crowd, measured, sweep, steady, ...others] = process.argv.slice(2), shots = process.env.GAPFLOW_SCREENSHOTS;
 
 const browser = await playwright.chromium.launch({ executablePath, args: ["--no-sandbox", "--enable-unsafe-swiftshader"] });
 
@@ -244,6 +244,8 @@ try {
     assert.ok(first.every((picture, i) => picture !== end[i]), "one slider moves all");
     const titles = await page.locator(".plot h3").allInnerTexts();
     assert.ok(titles.includes("Time of a step (seconds)"), `a title says a thing once: ${titles}`);
+    assert.ok(titles.includes("Smallest film pressure: upper – lower") && !titles.some((title) => title.includes("smallest and")), `one of the two: ${titles}`);
+    assert.ok(titles.includes("upper.vy, mean over time") && !titles.some((title) => /torque|omega|angle|vx/.test(title)), `no round-off: ${titles}`);
     assert.ok(titles.includes("Velocity: upper vy") && !titles.includes("Velocity: upper vx"), `no round-off: ${titles}`);
     const legend = await page.locator(".plot", { has: page.getByText("Velocity: upper vy", { exact: true }) }).locator(".u-legend").innerText();
     assert.match(legend, /body\.upper\.density = 2:? ?0\.\d+[\s\S]*body\.upper\.density = 8:? ?0\.\d+/);
@@ -306,6 +308,13 @@ try {
     await part.getByRole("button", { name: "body.disk.position" }).click();
     assert.match((await table("disk.fx, largest"))[0], /^"body.disk.position, y",fluid.viscosity = 0.01,/);
     if (shots) await page.screenshot({ path: join(shots, "sweep.png"), fullPage: true });
+    assert.deepEqual(page.problems, []);
+    await page.context().close();
+  }
+  {
+    const page = await open(steady);
+    const titles = await page.locator("#sweep .plot h3").allInnerTexts();
+    assert.ok(titles.includes("disk.fx, last") && !titles.some((title) => title.includes("mean")), `of steady runs the last value: ${titles}`);
     assert.deepEqual(page.problems, []);
     await page.context().close();
   }

@@ -109,13 +109,15 @@ def comparison(folder):
 
 
 def measured(folder):
-    """Pages of a run and of a sweep of a scene that measures."""
+    """Pages of a run, of a sweep and of a sweep of steady runs of a scene that measures."""
     scene = folder / "measured.toml"
     scene.write_text(MEASURED)
     subprocess.run([gapflow, "run", scene, "-o", folder / "measured", "--quiet"], check=True)
     vary = ["--vary", "fluid.viscosity=0.01:0.1:3:log", "--vary", "body.disk.position=[0.7,0.5],[0.7,0.4]"]
     subprocess.run([gapflow, "sweep", scene, "-o", folder / "measured_sweep", "--quiet", *vary], check=True)
-    pages = [folder / "measured", folder / "measured_sweep"]
+    steady = ["--set", "time.until_steady=0.5", "--vary", "fluid.viscosity=0.05,0.1"]
+    subprocess.run([gapflow, "sweep", scene, "-o", folder / "steady_sweep", "--quiet", *steady], check=True)
+    pages = [folder / "measured", folder / "measured_sweep", folder / "steady_sweep"]
     for page in pages:
         subprocess.run([gapflow, "report", page], check=True)
     return [page / "report.html" for page in pages]

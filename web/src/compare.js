@@ -127,7 +127,7 @@ function drawCurves(runs, choose) {
         Object.fromEntries(kinds.map(([kind]) => [kind, measures[kind].filter((entry) => shown[kind].has(entry.name))])), own))
         for (const series of entry.series) {
           const [what, more] = entry.title.split(/(?= \()/);
-          const title = entry.sole ? entry.title : `${what}: ${series.label}${more ?? ""}`;
+          const title = entry.sole ? entry.title : series.alone ?? `${what}: ${series.label}${more ?? ""}`;
           if (lively(entry.series, { least: entry.least })?.drawn.includes(series)) alive.add(title);
           if (!found.has(title)) found.set(title, { entry, list: [] });
           found.get(title).list.push({ label: run.label, values: series.values, time: entry.time ?? time, look: run.number });

@@ -42,7 +42,8 @@ const sinceStart = (v) => v.map((x) => x - v[0]);
 
 /**
  * All plots: [{ title, unit, series: [{ label, values, raw? }], options }]. `bodies`, `gaps`, `measures`: those chosen; `of`: all bodies, by which
- * round-off is judged. A plot with `sole` has one curve, which its title names; one with `time` has times of its own.
+ * round-off is judged. A plot with `sole` has one curve, which its title names; one with `time` has times of its own. `alone`: title of a series that has a
+ * plot to itself, where several runs are compared.
  */
 export function plotsOf(run, column, bodies, gaps, measures, of) {
   const unit = units(run.dimension), names = run.dimension === 2 ? ["x", "y"] : ["x", "y", "z"];
@@ -52,7 +53,8 @@ export function plotsOf(run, column, bodies, gaps, measures, of) {
     return raw.length ? [{ label: label ? `${body.name} ${label}` : body.name, values: change(raw), raw }] : [];
   }));
   const ofGaps = (columns) => gaps.flatMap((gap) =>
-    columns.map(([name, label]) => ({ label: label ? `${gapName(gap)} ${label}` : gapName(gap), values: column(gap, name) })));
+    columns.map(([name, label, alone]) => ({ label: label ? `${gapName(gap)} ${label}` : gapName(gap), values: column(gap, name),
+      ...(alone ? { alone: `${alone}: ${gapName(gap)}` } : {}) })));
   const largest = (prefix, change = (v) => v) => {
     let most = 0;
     for (const body of of) for (const [name] of axes(prefix)) for (const v of change(column(body, name))) if (Math.abs(v) > most) most = Math.abs(v);
@@ -79,7 +81,7 @@ export function plotsOf(run, column, bodies, gaps, measures, of) {
     { title: "Torque of the fluid", unit: unit.torque, series: ofBodies(run.dimension === 2 ? [["torque", ""]] : axes("t")), least: torque },
     { title: "Gap thickness", unit: unit.length, series: ofGaps([["thickness", ""]]), log: true },
     { title: "Opening rate of gaps", unit: unit.velocity, series: ofGaps([["opening_rate", ""]]) },
-    { title: "Film pressure, smallest and largest", unit: unit.pressure, series: ofGaps([["pressure_min", "min"], ["pressure_max", "max"]]) },
+    { title: "Film pressure, smallest and largest", unit: unit.pressure, series: ofGaps([["pressure_min", "min", "Smallest film pressure"], ["pressure_max", "max", "Largest film pressure"]]) },
     { title: "Force of films", unit: unit.force, series: ofGaps([["force", ""]]) },
     { title: "Contact force", unit: unit.force, series: ofGaps([["contact_force", ""]]).filter((s) => s.values.some((v) => Number.isFinite(v) && v !== 0)) },
     ...measurePlots(run, column, measures),

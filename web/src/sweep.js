@@ -3,7 +3,7 @@ import { chooser, foremost } from "./chooser.js";
 import { curves, rangeOf } from "./curves.js";
 import { element } from "./data.js";
 import { plotList } from "./plot_list.js";
-import { unitOf } from "./units.js";
+import { unitOf, units } from "./units.js";
 
 const most = 6; // drawn at first
 const kinds = [["mean", "mean over time"], ["last", "last"], ["min", "smallest"], ["max", "largest"]];
@@ -49,9 +49,10 @@ export function drawSweep(page, where) {
   if (!quantities.length || !keys.length || keys[0].values.length < 2) return () => {};
   const place = element("div", { class: "plots" }), bars = element("div", { class: "chips" });
   where.before(element("section", { id: "sweep" }, element("h2", {}, keys.length > 1 ? "Over the keys that vary" : `Over ${keys[0].name}`), bars, place));
-  let key = 0, kind = "mean";
-  const vary = ({ mean }) => { // over their own size
-    const [low, high] = rangeOf(mean);
+  // Of runs that end once they are steady the last value is what they were made for.
+  let key = 0, kind = page.runs.every((run) => run.scene.time?.until_steady) ? "last" : "mean";
+  const vary = (quantity) => { // over their own size
+    const [low, high] = rangeOf(quantity[kind]);
     return high > low ? (high - low) / Math.max(Math.abs(low), Math.abs(high)) : 0;
   };
   const sizes = new Map(), sizeOf = (values) => Math.max(0, ...rangeOf(values).filter(Number.isFinite).map(Math.abs));
@@ -59,17 +60,23 @@ export function drawSweep(page, where) {
     const unit = unitOf(quantity.name, page.dimension);
     sizes.set(unit, Math.max(sizes.get(unit) ?? 0, ...kinds.map(([of]) => sizeOf(quantity[of]))));
   }
-  const lively = quantities.filter((quantity) => kinds.some(([of]) => {
-    const [low, high] = rangeOf(quantity[of]);
-    return high - low > 1e-9 * sizes.get(unitOf(quantity.name, page.dimension));
-  }));
+  // As in the plots over time: angles, rates and torques are round-off where they are small beside ways, velocities and forces.
+  const unit = units(page.dimension), length = Math.max(...page.runs[0].domain.size), little = 1e-6;
+  const way = Math.max(0, ...quantities.filter((q) => unitOf(q.name, page.dimension) === unit.length)
+    .flatMap((q) => q.max.map((most, run) => most - q.min[run])).filter(Number.isFinite));
+  const least = new Map([[unit.angle, (little * way) / length], [unit.rate, (little * (sizes.get(unit.velocity) ?? 0)) / length],
+    [unit.torque, little * (sizes.get(unit.force) ?? 0) * length]]);
+  const lively = quantities.filter(({ name, ...values }) => {
+    const of = unitOf(name, page.dimension);
+    return kinds.some(([kind]) => sizeOf(values[kind]) > (least.get(of) ?? 0) && rangeOf(values[kind])[1] - rangeOf(values[kind])[0] > 1e-9 * sizes.get(of));
+  });
   const still = quantities.filter((q) => !lively.includes(q)).map((q) => q.name);
   const chosen = new Set(lively.length <= 12 ? lively : foremost(lively, most, vary));
   const list = plotList(place), plots = () => list.renew(draw);
   choice(bars, "Over", keys.map(({ name }, i) => [i, name]), key, (to) => { key = to; plots(); });
   choice(bars, "Value", kinds, kind, (to) => { kind = to; plots(); });
   chooser(bars, "Quantities", lively, chosen, (quantity) => quantity.name, { text: "vary most", value: vary }, plots);
-  if (still.length) bars.append(element("p", { class: "note" }, `Not drawn, the same in all runs: ${still.join(", ")}.`));
+  if (still.length) bars.append(element("p", { class: "note" }, `Not drawn, the same in all runs or round-off: ${still.join(", ")}.`));
 
   function draw() {
     const axis = axisOf(keys[key]), others = keys.filter((_, i) => i !== key);
