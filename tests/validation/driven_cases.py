@@ -112,13 +112,14 @@ def disk_in_couette_flow(quick):
         return
     moving = {"drift": 0.2}
     for cells, length, step, options, text in (
-            (16, 4, 64, {}, ""), (32, 4, 64, {}, ""), (64, 2, 64, {}, ""), (32, 2, 64, {}, ""), (32, 1, 64, {}, ""), (32, 4, 64, {"from_rest": True}, ", disk and fluid released from rest"),
+            (16, 4, 64, {}, ""), (32, 4, 64, {}, ""), (64, 4, 64, {}, ""), (64, 2, 64, {}, ""), (32, 2, 64, {}, ""), (32, 1, 64, {}, ""), 
+            (32, 4, 64, {"from_rest": True}, ", disk and fluid released from rest"),
             (32, 8, 32, {}, ""), (32, 4, 32, {}, ""), (32, 4, 16, {}, ""), (32, 4, 32, moving, ", the channel moving by 0.2"),
             (32, 4, 16, moving, ", the channel moving by 0.2")):
         heights = in_couette_flow(cells, length, 1 / step, **options)
         errors, others = ([f"{height / of - 1:+.2%}" for height, of in zip(heights, curve)] for curve in (FENG, FENG_OTHER))
         worst = max(abs(height / of - 1) for height, of in zip(heights, FENG))
-        targeted = (cells, length, step) in ((32, 4, 64), (64, 2, 64)) and not options
+        targeted = (cells, length, step) in ((32, 4, 64), (64, 4, 64), (64, 2, 64)) and not options
         yield Row(COUETTE, f"{cells} cells a height, length {length}, step 1/{step}{text}: heights at t = 20 and 70 (figure: 0.349 and 0.476)", "≤ 2 %" if targeted else "",
                   f"{heights[0]:.4f}, {heights[1]:.4f}: {errors[0]}, {errors[1]} (other reading {others[0]}, {others[1]})", not targeted or worst <= 0.02)
 
