@@ -112,7 +112,7 @@ def disk_in_couette_flow(quick):
         return
     moving = {"drift": 0.2}
     for cells, length, step, options, text in (
-            (16, 4, 64, {}, ""), (32, 4, 64, {}, ""), (64, 4, 64, {}, ""), (64, 2, 64, {}, ""), (32, 2, 64, {}, ""), (32, 1, 64, {}, ""), 
+            (16, 4, 64, {}, ""), (32, 4, 64, {}, ""), (64, 4, 64, {}, ""), (64, 2, 64, {}, ""), (32, 2, 64, {}, ""), (32, 1, 64, {}, ""),
             (32, 4, 64, {"from_rest": True}, ", disk and fluid released from rest"),
             (32, 8, 32, {}, ""), (32, 4, 32, {}, ""), (32, 4, 16, {}, ""), (32, 4, 32, moving, ", the channel moving by 0.2"),
             (32, 4, 16, moving, ", the channel moving by 0.2")):
