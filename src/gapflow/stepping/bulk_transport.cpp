@@ -2,6 +2,7 @@
 #include "gapflow/grid/far_field.hpp"
 #include "gapflow/grid/side_faces.hpp"
 #include "gapflow/stepping/advection.hpp"
+#include "gapflow/stepping/carried_pressure.hpp"
 #include "gapflow/stepping/transport.hpp"
 
 #include <algorithm>
@@ -116,6 +117,14 @@ void complete_head_of_pressure_sides(const Model<D>& model, const Coupling<D>& t
     }
 }
 
+template <int D>
+void add(FaceField<D>& to, double factor, const FaceField<D>& more)
+{
+    for (int axis = 0; axis < D; ++axis)
+        for (long i = 0; i < to[axis].size(); ++i)
+            to[axis].data()[i] += factor * more[axis].data()[i];
+}
+
 // Fluid that comes in through a far side has no vorticity. What fades beyond the side like the pressure of fluid at rest is its whole head
 // h = p / rho + (|u|^2 - |u_infinity|^2) / 2, so d u_n / dt = -dh/dn without advection; the pressure's part is the projection's.
 template <int D>
@@ -146,7 +155,7 @@ void let_in_from_far(const Grid<D>& grid, const Vec<D>& outside, const Vec<D>& g
 template <int D>
 FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity, PastPressure<D>& past,
                             const Coupling<D>& there, const FaceFractions<D>& old, const FaceField<D, std::int8_t>* first_order,
-                            const Step& step, FaceField<D>& change)
+                            const std::vector<Twist<D>>& motion, std::size_t bodies, const Step& step, FaceField<D>& change)
 {
     const Grid<D>& grid = model.grid;
     const BoundaryVelocity<D> sides = model.sides(step.start);
@@ -161,7 +170,16 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
     advect<D>(grid, middle, velocity, velocity, 0.5 * step.dt, AdvectionScheme::semi_lagrangian, sides, nullptr, nullptr,
               grid_velocity);
     fill_velocity_ghosts(grid, middle, sides);
-    limit_to_inertia(grid, velocity, middle, change);
+    const std::optional<FaceField<D>> carrying =
+        model.viscous() ? carrying_velocity(there, motion, bodies, grid_velocity) : std::nullopt;
+    if (carrying) { // the same on a grid that moves with a body: change of the flow that goes with it
+        const FaceField<D> shown = change_along(grid, *carrying, 0.5 * step.dt, velocity);
+        add(middle, 1.0, shown);
+        limit_to_inertia(grid, velocity, middle, change);
+        add(middle, -1.0, shown);
+    } else {
+        limit_to_inertia(grid, velocity, middle, change);
+    }
     fill_velocity_ghosts(grid, change, {});
     fill_velocity_ghosts(grid, middle, sides);
     FaceField<D, std::int8_t> uncorrected;
@@ -172,6 +190,10 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
     }
     FaceField<D> u_star(grid);
     advect<D>(grid, u_star, middle, velocity, step.dt, scheme, sides, first_order, &change, grid_velocity);
+    if (carrying) {
+        add(u_star, -0.5, change_along(grid, *carrying, -step.dt, change));
+        carry(grid, *carrying, step.dt, past);
+    }
     const Vec<D> outside = to_vec<D>(model.scene.fluid_velocity);
     const bool any_pressure_side = std::any_of(model.scene.sides.begin(), model.scene.sides.end(),
                                                [](const SideScene& side) { return side.kind == SideScene::Kind::pressure; });
@@ -185,8 +207,8 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template FaceField<D> transport_bulk<D>(const Model<D>&, const FaceField<D>&, PastPressure<D>&, const Coupling<D>&,        \
-                                            const FaceFractions<D>&, const FaceField<D, std::int8_t>*, const Step&,            \
-                                            FaceField<D>&);
+                                            const FaceFractions<D>&, const FaceField<D, std::int8_t>*,                         \
+                                            const std::vector<Twist<D>>&, std::size_t, const Step&, FaceField<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -1,0 +1,27 @@
+// The last pressure around bodies that move through the grid (method, "Viscosity", "The pressure goes with the bodies"): what surrounds a body is, but for
+// slow changes, where the body has gone. With W the velocity of the body nearby, a field f of the step's start becomes f(x - dt W).
+#pragma once
+
+#include "gapflow/coupling/coupling.hpp"
+#include "gapflow/stepping/past_pressure.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace gapflow {
+
+/// W at faces, relative to the grid: the translation of the body whose surface cuts a face, and around it that of the bodies
+/// nearest. `motion`: mean of the step, of all solids, of which the first `bodies` count. None: no body moves through the grid. Collective.
+template <int D>
+std::optional<FaceField<D>> carrying_velocity(const Coupling<D>& there, const std::vector<Twist<D>>& motion, std::size_t bodies,
+                                              const Vec<D>& grid_velocity);
+
+/// (f(x + dt W) - f(x)) of velocities at faces; ghosts of f must be filled.
+template <int D>
+FaceField<D> change_along(const Grid<D>& grid, const FaceField<D>& W, double dt, const FaceField<D>& f);
+
+/// The pressure of the step's start where it is at the end. Ghosts are filled. Collective.
+template <int D>
+void carry(const Grid<D>& grid, const FaceField<D>& W, double dt, PastPressure<D>& past);
+
+} // namespace gapflow
