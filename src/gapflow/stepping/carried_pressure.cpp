@@ -20,8 +20,10 @@ Vec<D> at_face(const FaceField<D>& W, int axis, const Index<D>& f)
 {
     Vec<D> mean;
     for (int k = 0; k < D; ++k)
-        mean[k] = k == axis ? W(k, f)
-                            : 0.25 * (W(k, f) + W(k, f + step<D>(k)) + W(k, f - step<D>(axis)) + W(k, f - step<D>(axis) + step<D>(k)));
+        mean[k] =
+            k == axis
+                ? W(k, f)
+                : 0.25 * (W(k, f) + W(k, f + step<D>(k)) + W(k, f - step<D>(axis)) + W(k, f - step<D>(axis) + step<D>(k)));
     return mean;
 }
 
@@ -70,7 +72,8 @@ FaceField<D> change_along(const Grid<D>& grid, const FaceField<D>& W, double dt,
     FaceField<D> change(grid);
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& face) {
-            const Vec<D> way = (dt * at_face(W, axis, face)).cwiseMax(-longest_way * grid.dx()).cwiseMin(longest_way * grid.dx());
+            const Vec<D> way =
+                (dt * at_face(W, axis, face)).cwiseMax(-longest_way * grid.dx()).cwiseMin(longest_way * grid.dx());
             if (!way.isZero(0))
                 change(axis, face) =
                     interpolate_face<D>(grid, f[axis], axis, grid.face_centre(axis, face) + way) - f(axis, face);
