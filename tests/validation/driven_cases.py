@@ -74,14 +74,14 @@ def cylinders(quick):
                 yield error_row(ARRAYS, case, 0.03, error) if cells == 32 else Row(ARRAYS, case, "", f"{error:+.2%}", True)
 
 
-def lift_in_shear(drift, step):
+def lift_in_shear(drift, step, ranks=1):
     """Lift on a disk that goes with the fluid, between walls that all move by `drift`; Reynolds number 40 on the channel's height."""
     scene = {"domain": {"size": [1.0, 1.0], "cells": [32, 32], "sides": {**sides("x"), "y_low": {"wall": [drift - 0.5, 0.0]}, "y_high": {"wall": [drift + 0.5, 0.0]}}},
              "fluid": {"density": 1.0, "viscosity": 1 / 40, "velocity": [drift, 0.0]},
              "body": [{"name": "disk", "shape": "ball", "radius": 0.125, "position": [0.513, 0.3], "motion": "prescribed",
                        "velocity": [drift - 0.2, 0.0], "angular_velocity": -0.45}],
              "time": {"end": 3.0, "max_step": step, "cfl": 10.0}}
-    late = [b["fy"] for b in harness.run(scene)["bodies"] if b["time"] > 2]
+    late = [b["fy"] for b in harness.run(scene, ranks)["bodies"] if b["time"] > 2]
     return sum(late) / len(late)
 
 
@@ -90,6 +90,8 @@ def frames(quick):
         with_it, against = (lift_in_shear(drift, 1 / step) for drift in (0.5, -0.5))
         yield Row(FRAMES, f"step 1/{step}: lift between walls that move by +0.5, and its difference from -0.5", "≤ 0.0008",
                   f"{with_it:.5f}, {with_it - against:+.5f}", abs(with_it - against) <= 8e-4)
+    change = lift_in_shear(0.5, 1 / 16, ranks=2) - lift_in_shear(0.5, 1 / 16)
+    yield Row(FRAMES, "step 1/16, 2 ranks: change of the lift", "≤ 1e-7", f"{change:.1e}", abs(change) <= 1e-7)
 
 
 # Heights of the disk at times 20 and 70 after its release at 0.25 in figure 2 of Feng, Hu and Joseph, J. Fluid Mech. 277 (1994), as two others read it, who agree

@@ -78,6 +78,7 @@ FaceField<D> change_along(const Grid<D>& grid, const FaceField<D>& W, double dt,
                 change(axis, face) =
                     interpolate_face<D>(grid, f[axis], axis, grid.face_centre(axis, face) + way) - f(axis, face);
         });
+    exchange(grid, change);
     return change;
 }
 

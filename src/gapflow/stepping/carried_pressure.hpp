@@ -16,7 +16,7 @@ template <int D>
 std::optional<FaceField<D>> carrying_velocity(const Coupling<D>& there, const std::vector<Twist<D>>& motion, std::size_t bodies,
                                               const Vec<D>& grid_velocity);
 
-/// (f(x + dt W) - f(x)) of velocities at faces; ghosts of f must be filled.
+/// f(x + dt W) - f(x) of velocities at faces; ghosts of f must be filled, those of the result that other ranks own are. Collective.
 template <int D>
 FaceField<D> change_along(const Grid<D>& grid, const FaceField<D>& W, double dt, const FaceField<D>& f);
 
