@@ -172,14 +172,15 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
     fill_velocity_ghosts(grid, middle, sides);
     const std::optional<FaceField<D>> carrying =
         model.viscous() ? carrying_velocity(there, motion, bodies, grid_velocity) : std::nullopt;
-    if (carrying) { // the same on a grid that moves with a body: change of the flow that goes with it
-        const FaceField<D> shown = change_along(grid, *carrying, 0.5 * step.dt, velocity);
-        add(middle, 1.0, shown);
-        limit_to_inertia(grid, velocity, middle, change);
-        add(middle, -1.0, shown);
-    } else {
-        limit_to_inertia(grid, velocity, middle, change);
+    // The limit is that of a grid that goes with the bodies: on it the flow changes by so much more.
+    FaceField<D> with_bodies;
+    if (carrying) {
+        with_bodies = change_along(grid, *carrying, 0.5 * step.dt, velocity);
+        add(middle, 1.0, with_bodies);
     }
+    limit_to_inertia(grid, velocity, middle, change);
+    if (carrying)
+        add(middle, -1.0, with_bodies);
     fill_velocity_ghosts(grid, change, {});
     fill_velocity_ghosts(grid, middle, sides);
     FaceField<D, std::int8_t> uncorrected;

@@ -1,6 +1,5 @@
 #include "gapflow/stepping/carried_pressure.hpp"
 
-#include "gapflow/core/threads.hpp"
 #include "gapflow/grid/extrapolation.hpp"
 #include "gapflow/grid/interpolation.hpp"
 
