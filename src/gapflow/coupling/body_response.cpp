@@ -15,7 +15,7 @@ namespace {
 // Stiffness of a contact relative to the bodies' own, 1 / (c M^-1 c^T), and the number of passes: the factorisation loses as many digits as
 // the stiffness has; both together leave an error of 1e-15 of the speeds.
 constexpr double relative_stiffness = 1e4;
-constexpr int passes = 4;
+constexpr int passes = 12;
 
 } // namespace
 

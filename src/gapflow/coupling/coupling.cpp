@@ -255,10 +255,12 @@ void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& con
     std::vector<Eigen::Triplet<double>> entries;
     const int rows = static_cast<int>(contacts.size());
     coupling.held_speed.resize(rows);
+    coupling.held_impulse.resize(rows);
     coupling.system.contact_resistance.resize(rows);
     for (int r = 0; r < rows; ++r) {
         const HeldContact<D>& contact = contacts[r];
         coupling.held_speed[r] = contact.speed;
+        coupling.held_impulse[r] = contact.impulse;
         coupling.system.contact_resistance[r] = contact.resistance;
         auto add = [&](int solid, const Twist<D>& row) {
             const int b = coupling.free_body[solid];
@@ -312,7 +314,12 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
         if (coupling.free_body[s] >= 0)
             result[s].setZero();
     project(coupling, momentum);
+    const bool held = coupling.held_impulse.size() > 0;
+    if (held)
+        momentum += coupling.system.contact.transpose() * coupling.held_impulse;
     add_response(coupling, coupling.response(momentum, coupling.held_speed, &contact_impulse), result);
+    if (held)
+        contact_impulse += coupling.held_impulse;
     return result;
 }
 

@@ -99,6 +99,7 @@ struct Coupling {
     std::vector<DragInertia<D>> drag_inertia;
     BodyResponse response;            ///< of the free bodies: M^-1 of `system`
     Eigen::VectorXd held_speed;       ///< of the contacts in system.contact, less the share of solids that are not free
+    Eigen::VectorXd held_impulse;     ///< expected of them
     std::vector<SealedPocket> sealed; ///< components that touch no open side, but the first (largest) one
 };
 
@@ -150,6 +151,7 @@ struct HeldContact {
     Twist<D> row_a, row_b;
     double speed;
     double resistance = std::numeric_limits<double>::infinity(); ///< impulse over the remaining speed
+    double impulse = 0; ///< expected: redundant contacts share theirs as close to it as can be
 };
 
 /// Replaces the contacts that hold the free bodies; `twists`: those of the other solids. From then on M^-1 is

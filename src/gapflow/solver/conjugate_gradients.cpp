@@ -243,7 +243,7 @@ Stop iterate(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner
         alpha = zr / energy;
         loaded_size = residual;
         residual = std::sqrt(advance(grid, preconditioner, x, r, alpha, p, q, loaded_size));
-        if (k >= 4 && preconditioner.wants_bodies(expected_iterations(k + 1, residual / start, target / start))) {
+        if (k >= 4 && preconditioner.wants_bodies(k + 1, expected_iterations(k + 1, residual / start, target / start))) {
             preconditioner.add_bodies();
             ++iterations;
             return Stop::bodies_added;

@@ -118,10 +118,12 @@ void Preconditioner<D>::apply_in_place(const UnknownVector<D>& r, UnknownVector<
 }
 
 template <int D>
-bool Preconditioner<D>::wants_bodies(double remaining) const
+bool Preconditioner<D>::wants_bodies(int done, double remaining) const
 {
-    // A column costs less than an iteration.
-    return mode_ == BodyMode::automatic && matrix_.dofs() > 0 && !bodies_.ready() && remaining > 0.6 * matrix_.dofs() + 8;
+    // A column costs less than an iteration. The first iterations may reduce little where those to come do not: the more columns, the
+    // later.
+    return mode_ == BodyMode::automatic && matrix_.dofs() > 0 && !bodies_.ready() && 10 * done >= matrix_.dofs() &&
+           remaining > 0.6 * matrix_.dofs() + 8;
 }
 
 template <int D>

@@ -48,8 +48,8 @@ public:
         if (!dense_)
             band_.for_each_correction(plane, f);
     }
-    /// Whether the bodies' correction should be added now: `remaining` iterations are expected without.
-    bool wants_bodies(double remaining) const;
+    /// Whether the bodies' correction should be added now: after `done` iterations `remaining` are expected without.
+    bool wants_bodies(int done, double remaining) const;
     void add_bodies();
     bool corrects_bodies() const { return bodies_.ready(); }
     /// Takes the system's masses and contacts anew.

@@ -15,13 +15,6 @@
 
 namespace gapflow {
 
-template <int D>
-struct ContactImpulse {
-    double normal = 0;
-    Vec<D - 1> tangential = Vec<D - 1>::Zero();
-    bool slides = false; ///< friction is at its bound; of a forecast only
-};
-
 /// The solution of the laws.
 template <int D>
 struct ContactForecast {

@@ -117,8 +117,12 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
             contact.closed = contact.was_closed = known->closed;
             contact.slides = known->slides;
             contact.sliding_impulse = known->slides ? known->tangential : Vec<D - 1>::Zero();
-            contact.tangential = contact.sliding_impulse; // known from before if found again after bodies were separated
             contact.slip = known->slip;
+            if (known->closed) { // kept if found again after bodies were separated
+                contact.impulse = known->impulse;
+                contact.tangential = known->tangential;
+                contact.expected = {std::max(known->impulse, 0.0), known->tangential};
+            }
         }
         contact.point = std::move(point);
         contacts_.push_back(std::move(contact));
@@ -133,8 +137,11 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
     seen_.clear();
     seen_exact_ = one_at_a_time_ = false;
     for (Contact<D>& c : contacts_) {
-        if (last_dt > 0)
+        if (last_dt > 0) {
             c.sliding_impulse *= dt / last_dt;
+            c.expected.normal *= dt / last_dt;
+            c.expected.tangential *= dt / last_dt;
+        }
         c.approach = rate(c.normal, c, before);
         c.gained = std::abs(rate(c.normal, c, forced) - c.approach);
         c.least = -std::max(c.point.distance - c.hold, 0.0) / dt;
@@ -163,10 +170,12 @@ std::vector<HeldContact<D>> ContactSet<D>::held() const
     for (const Contact<D>& c : contacts_) {
         if (!c.closed)
             continue;
-        rows.push_back({c.point.a, c.point.b, c.normal.a, c.normal.b, c.target});
+        rows.push_back({c.point.a, c.point.b, c.normal.a, c.normal.b, c.target, rigid, c.expected.normal});
         if (c.friction > 0 && !c.slides)
-            for (const RelativeRow<D>& t : c.tangents)
-                rows.push_back({c.point.a, c.point.b, t.a, t.b, 0.0});
+            for (int k = 0; k < D - 1; ++k) {
+                const RelativeRow<D>& t = c.tangents[k];
+                rows.push_back({c.point.a, c.point.b, t.a, t.b, 0.0, rigid, c.expected.tangential[k]});
+            }
         if (resists_turning(c)) {
             const RelativeRow<D> across = row_along(c, across_pull(c));
             rows.push_back(

@@ -22,6 +22,13 @@
 namespace gapflow {
 
 template <int D>
+struct ContactImpulse {
+    double normal = 0;
+    Vec<D - 1> tangential = Vec<D - 1>::Zero();
+    bool slides = false; ///< friction is at its bound; of a forecast only
+};
+
+template <int D>
 struct Contact {
     ContactPoint<D> point;
     double hold = 0;           ///< distance at which surfaces that near each other meet: thickness or roughness
@@ -41,7 +48,8 @@ struct Contact {
     double slip = 0;        ///< speed at which it slides
     double impulse = 0;     ///< normal, on a, over the step
     Vec<D - 1> tangential = Vec<D - 1>::Zero(); ///< friction impulse on a
-    Vec<D> mark = Vec<D>::Zero();               ///< place on a in a's frame, to identify the contact in the next step
+    ContactImpulse<D> expected;   ///< while it holds: what redundant contacts' shares of a solve are the nearest to
+    Vec<D> mark = Vec<D>::Zero(); ///< place on a in a's frame, to identify the contact in the next step
 };
 
 /// Change of the contacts after a solve: `friction`: the states are the same, but sliding friction changes; `repeats`: the states

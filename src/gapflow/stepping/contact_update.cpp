@@ -160,6 +160,7 @@ void take_state(Contact<D>& c, const ContactImpulse<D>& next, const std::vector<
 {
     c.slides = slides_next(c, next);
     c.closed = next.normal > 0;
+    c.expected = next;
     if (relaxation && c.slides)
         c.sliding_impulse += *relaxation * (next.tangential - c.sliding_impulse);
     else

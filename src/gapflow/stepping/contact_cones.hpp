@@ -1,5 +1,4 @@
-// Direct solution of the laws of contact (contact_law): an active set of equations in the impulses of all contacts with a
-// positive impulse.
+// Solution of the laws of contact (contact_law) for all contacts together, where sweeps over single contacts converge slowly.
 #pragma once
 
 #include "gapflow/stepping/contact_law.hpp"
@@ -8,8 +7,8 @@
 
 namespace gapflow {
 
-/// As forecast_contacts, from the states (pressing, sliding) of `guess` on; impulses that redundant contacts may share in many ways
-/// are those nearest to its. Nothing where no set of states is found that obeys the laws, or contacts are too many.
+/// As forecast_contacts, from `guess` on; impulses that redundant contacts may share in many ways stay near its. Nothing where there are no contacts, or
+/// the inertia is not positive definite.
 template <int D>
 std::optional<ContactForecast<D>> solve_contacts(const std::vector<Contact<D>>& contacts,
                                                  const std::vector<ContactImpulse<D>>& given,

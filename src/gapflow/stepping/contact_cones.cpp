@@ -1,0 +1,376 @@
+// With K the cones |lambda_t| <= mu lambda_n of all contacts, K* their duals and u = C V - s, the laws are
+//
+//     A V = w + C^T lambda,     K ∋ lambda  |  u + mu |u_t| n ∈ K*
+//
+// (G. De Saxcé, Z.-Q. Feng, Math. Comput. Model. 28, 1998). For given mu |u_t| this is the minimum of V A V / 2 - w V under a convex constraint;
+// |u_t| is that of the pass before (V. Acary, F. Cadoux, C. Lemaréchal, J. Malick, ZAMM 91, 2011). The minimum is found by the method of
+// multipliers, lambda <- P(lambda + k (s - mu |u_t| n - C V)) with P the projection onto K, and a semismooth Newton step or two a pass for
+//
+//     A V - w - C^T P(lambda + k (s - mu |u_t| n - C V)) = 0.
+#include "gapflow/stepping/contact_cones.hpp"
+#include "gapflow/core/decompositions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+namespace {
+
+// k over that of the bodies, 1 / (c A^-1 c^T) of the row: with more the Newton steps are many, with less the passes.
+constexpr double relative_stiffness = 100;
+constexpr int most_passes = 300; // a few percent of the error remain in the worst of a pile's
+constexpr int steps_a_pass = 3;
+constexpr double step_part = 0.1;   // of a pass' first lack of balance: enough for the pass
+constexpr double same_slope = 0.03; // of k: the factor at hand will do
+constexpr double round_off = 1e-14; // of the impulses
+
+// A V - w - C^T lambda and what it is made of, for many bodies.
+template <int D>
+class Cones {
+public:
+    Cones(const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia)
+        : contacts_(contacts), twists_(twists), place_(twists.size(), -1)
+    {
+        for (std::size_t s = 0; s < twists.size(); ++s)
+            if (!inertia.mobility[s].isZero(0))
+                place_[s] = n * count_++;
+        std::vector<Eigen::Triplet<double>> entries;
+        const auto put = [&](int row, int column, const auto& block) {
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j)
+                    entries.emplace_back(row + i, column + j, block(i, j));
+        };
+        std::vector<TwistMatrix<D>> admissible(twists.size(), TwistMatrix<D>::Zero());
+        for (std::size_t s = 0; s < twists.size(); ++s)
+            if (place_[s] >= 0)
+                put(place_[s], place_[s], own_inertia(inertia.mobility[s], admissible[s]));
+        for (const FilmInertia<D>& film : inertia.films)
+            for (const auto& [i, a] : {std::pair(0, film.a), std::pair(n, film.b)})
+                for (const auto& [j, b] : {std::pair(0, film.a), std::pair(n, film.b)})
+                    if (place_[a] >= 0 && place_[b] >= 0)
+                        put(place_[a], place_[b], film.matrix.template block<n, n>(i, j));
+        A_.resize(n * count_, n * count_);
+        A_.setFromTriplets(entries.begin(), entries.end());
+        make_rows(admissible);
+        make_pattern(entries);
+    }
+
+    /// V of the twists, C^T lambda of the impulses are those of a solve: w = A V - C^T lambda.
+    void start(const std::vector<ContactImpulse<D>>& given, const std::vector<ContactImpulse<D>>& guess)
+    {
+        V_ = Eigen::VectorXd::Zero(A_.rows());
+        for (std::size_t s = 0; s < twists_.size(); ++s)
+            if (place_[s] >= 0)
+                V_.template segment<n>(place_[s]) = twists_[s];
+        lambda_ = stacked(given);
+        w_ = A_ * V_ - transpose_ * lambda_;
+        lambda_ = stacked(guess);
+        rebounds_.clear();
+        for (const Contact<D>& c : contacts_)
+            rebounds_.push_back(c.closed && c.target > c.least);
+        lambda_ = projected(lambda_);
+        follow();
+    }
+
+    /// One pass. Returns the largest change of a contact's speed, or of what its friction can do to it; nothing if the inertia is not positive
+    /// definite.
+    std::optional<double> pass()
+    {
+        const Eigen::VectorXd before = rows_ * V_;
+        Eigen::VectorXd speeds = before, trial, impulse;
+        Eigen::VectorXd lack = imbalance(V_, speeds, trial, impulse);
+        const double enough = std::max(step_part * lack.norm(), round_off * (w_.norm() + (transpose_ * impulse).norm()));
+        for (int k = 0; k < steps_a_pass && lack.norm() > enough; ++k) {
+            if (!factorise(trial))
+                return {};
+            const Eigen::VectorXd step = -factor_.solve(lack);
+            const double length = search(step, speeds, lack);
+            V_ += length * step;
+            speeds = rows_ * V_;
+            lack = imbalance(V_, speeds, trial, impulse);
+        }
+        double change = (speeds - before).template lpNorm<Eigen::Infinity>();
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            const long r = D * static_cast<long>(i);
+            if (stiffness_[static_cast<long>(i)] > 0) // where films are heavy a normal impulse hardly shows in its speed
+                change = std::max(change, contacts_[i].friction * std::abs(impulse[r] - lambda_[r]) * relative_stiffness /
+                                              stiffness_[static_cast<long>(i)]);
+        }
+        lambda_ = impulse;
+        follow();
+        return change;
+    }
+
+    ContactForecast<D> result() const
+    {
+        ContactForecast<D> found{std::vector<ContactImpulse<D>>(contacts_.size()), twists_};
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            const double normal = lambda_[D * static_cast<long>(i)];
+            const Vec<D - 1> along = lambda_.template segment<D - 1>(D * static_cast<long>(i) + 1);
+            found.impulses[i] = {normal, along,
+                                 contacts_[i].friction > 0 && along.norm() >= (1 - 1e-9) * contacts_[i].friction * normal};
+        }
+        for (std::size_t s = 0; s < twists_.size(); ++s)
+            if (place_[s] >= 0)
+                found.twists[s] = V_.template segment<n>(place_[s]);
+        return found;
+    }
+
+private:
+    static constexpr int n = twist_size<D>;
+
+    // Inverse of a mobility where it has one, and what the body can do; elsewhere its impulses do nothing.
+    static TwistMatrix<D> own_inertia(const TwistMatrix<D>& mobility, TwistMatrix<D>& admissible)
+    {
+        const SymmetricEigen<n> eigen = symmetric_eigen<n>(mobility);
+        const double most = eigen.values.maxCoeff();
+        TwistMatrix<D> inertia = TwistMatrix<D>::Zero();
+        for (int k = 0; k < n; ++k) {
+            const TwistMatrix<D> part = eigen.vectors.col(k) * eigen.vectors.col(k).transpose();
+            const bool moves = eigen.values[k] > 1e-12 * most;
+            inertia += part / (moves ? eigen.values[k] : most);
+            if (moves)
+                admissible += part;
+        }
+        return inertia;
+    }
+
+    void make_rows(const std::vector<TwistMatrix<D>>& admissible)
+    {
+        const long size = D * static_cast<long>(contacts_.size());
+        given_speed_ = Eigen::VectorXd::Zero(size);
+        stiffness_.resize(static_cast<long>(contacts_.size()));
+        std::vector<Eigen::Triplet<double>> entries;
+        const Eigen::VectorXd diagonal = A_.diagonal();
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            const Contact<D>& c = contacts_[i];
+            Vec<D> mobility = Vec<D>::Zero();
+            for (int k = 0; k < D; ++k) {
+                const RelativeRow<D>& row = k == 0 ? c.normal : c.tangents[k - 1];
+                const int r = D * static_cast<int>(i) + k;
+                for (const auto& [solid, part] : {std::pair(c.point.a, row.a), std::pair(c.point.b, row.b)}) {
+                    if (place_[solid] < 0) {
+                        given_speed_[r] += part.dot(twists_[solid]);
+                        continue;
+                    }
+                    const Twist<D> moved = admissible[solid] * part;
+                    for (int j = 0; j < n; ++j) {
+                        entries.emplace_back(r, place_[solid] + j, moved[j]);
+                        mobility[k] += moved[j] * moved[j] / diagonal[place_[solid] + j];
+                    }
+                }
+            }
+            const double most = mobility.maxCoeff();
+            stiffness_[static_cast<long>(i)] = most > 0 ? relative_stiffness / most : 0.0;
+        }
+        rows_.resize(size, A_.rows());
+        rows_.setFromTriplets(entries.begin(), entries.end());
+        transpose_ = rows_.transpose();
+    }
+
+    // H = A + C^T S C has the same pattern whatever S: entries of A, and a block for each contact.
+    void make_pattern(std::vector<Eigen::Triplet<double>>& entries)
+    {
+        for (const Contact<D>& c : contacts_)
+            for (int a : {c.point.a, c.point.b})
+                for (int b : {c.point.a, c.point.b})
+                    if (place_[a] >= 0 && place_[b] >= 0)
+                        for (int i = 0; i < n; ++i)
+                            for (int j = 0; j < n; ++j)
+                                entries.emplace_back(place_[a] + i, place_[b] + j, 0.0);
+        H_.resize(A_.rows(), A_.rows());
+        H_.setFromTriplets(entries.begin(), entries.end());
+        H_.makeCompressed();
+        inertia_.assign(H_.valuePtr(), H_.valuePtr() + H_.nonZeros());
+        factor_.analyse(H_);
+    }
+
+    // First entry of a body's block in a column of H.
+    double* block_column(int row, int column)
+    {
+        const int* begin = H_.innerIndexPtr() + H_.outerIndexPtr()[column];
+        const int* end = H_.innerIndexPtr() + H_.outerIndexPtr()[column + 1];
+        return H_.valuePtr() + (std::lower_bound(begin, end, row) - H_.innerIndexPtr());
+    }
+
+    Eigen::VectorXd stacked(const std::vector<ContactImpulse<D>>& impulses) const
+    {
+        Eigen::VectorXd all(D * static_cast<long>(impulses.size()));
+        for (std::size_t i = 0; i < impulses.size(); ++i)
+            all.template segment<D>(D * static_cast<long>(i)) << impulses[i].normal, impulses[i].tangential;
+        return all;
+    }
+
+    // What the speeds are measured from, and whether contacts rebound, after the last impulses.
+    void follow()
+    {
+        const Eigen::VectorXd speeds = rows_ * V_ + given_speed_;
+        least_ = -given_speed_;
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            const Contact<D>& c = contacts_[i];
+            const long r = D * static_cast<long>(i);
+            rebounds_[i] = c.target > c.least && lambda_[r] > 0; // what closes in an impact leaves with its rebound
+            least_[r] += (rebounds_[i] ? c.target : c.least) - c.friction * speeds.template segment<D - 1>(r + 1).norm();
+        }
+    }
+
+    // The nearest impulses in the cones.
+    Eigen::VectorXd projected(const Eigen::VectorXd& trial) const
+    {
+        Eigen::VectorXd impulse = trial;
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            const long r = D * static_cast<long>(i);
+            const double friction = contacts_[i].friction;
+            auto along = impulse.template segment<D - 1>(r + 1);
+            const double size = along.norm();
+            if (friction > 0 && size <= friction * trial[r])
+                continue;
+            impulse[r] = std::max(0.0, (trial[r] + friction * size) / (1 + friction * friction));
+            if (size > 0)
+                along *= friction * impulse[r] / size;
+        }
+        return impulse;
+    }
+
+    Eigen::VectorXd imbalance(const Eigen::VectorXd& V, const Eigen::VectorXd& speeds, Eigen::VectorXd& trial,
+                              Eigen::VectorXd& impulse) const
+    {
+        trial = lambda_;
+        for (long i = 0; i < stiffness_.size(); ++i)
+            trial.template segment<D>(D * i) +=
+                stiffness_[i] * (least_.template segment<D>(D * i) - speeds.template segment<D>(D * i));
+        impulse = projected(trial);
+        return A_ * V - w_ - transpose_ * impulse;
+    }
+
+    // Derivative of a contact's projection.
+    Eigen::Matrix<double, D, D> slope(std::size_t i, const Eigen::VectorXd& trial) const
+    {
+        const long r = D * static_cast<long>(i);
+        const double friction = contacts_[i].friction;
+        const Vec<D - 1> along = trial.template segment<D - 1>(r + 1);
+        const double size = along.norm(), normal = (trial[r] + friction * size) / (1 + friction * friction);
+        Eigen::Matrix<double, D, D> J = Eigen::Matrix<double, D, D>::Zero();
+        if (friction > 0 && size <= friction * trial[r])
+            return Eigen::Matrix<double, D, D>::Identity();
+        if (normal <= 0)
+            return J;
+        Vec<D> edge = Vec<D>::Zero();
+        edge[0] = 1;
+        if (size > 0)
+            edge.template tail<D - 1>() = friction * along / size;
+        J = edge * edge.transpose() / (1 + friction * friction);
+        if (D == 3 && size > 0)
+            J.template bottomRightCorner<D - 1, D - 1>() +=
+                friction * normal / size *
+                (Eigen::Matrix<double, D - 1, D - 1>::Identity() - along * along.transpose() / (size * size));
+        return J;
+    }
+
+    // H at the trial impulses, unless that at hand is about the same. False if it is not positive definite.
+    bool factorise(const Eigen::VectorXd& trial)
+    {
+        std::vector<Eigen::Matrix<double, D, D>> slopes;
+        bool same = slopes_.size() == contacts_.size();
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            slopes.push_back(slope(i, trial));
+            same = same && (slopes[i] - slopes_[i]).cwiseAbs().maxCoeff() <= same_slope;
+        }
+        if (same)
+            return true;
+        std::copy(inertia_.begin(), inertia_.end(), H_.valuePtr());
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            const Contact<D>& c = contacts_[i];
+            if (slopes[i].isZero(0))
+                continue;
+            Eigen::Matrix<double, D, n> part[2];
+            const int solid[] = {c.point.a, c.point.b};
+            for (int e = 0; e < 2; ++e)
+                if (place_[solid[e]] >= 0)
+                    for (int j = 0; j < n; ++j)
+                        for (int k = 0; k < D; ++k)
+                            part[e](k, j) = rows_.coeff(D * static_cast<long>(i) + k, place_[solid[e]] + j);
+            for (int e = 0; e < 2; ++e)
+                for (int f = 0; f < 2; ++f)
+                    if (place_[solid[e]] >= 0 && place_[solid[f]] >= 0) {
+                        const TwistMatrix<D> block =
+                            stiffness_[static_cast<long>(i)] * part[e].transpose() * slopes[i] * part[f];
+                        for (int j = 0; j < n; ++j) {
+                            double* to = block_column(place_[solid[e]], place_[solid[f]] + j);
+                            for (int k = 0; k < n; ++k)
+                                to[k] += block(k, j);
+                        }
+                    }
+        }
+        slopes_ = std::move(slopes);
+        return factor_.factorise(H_);
+    }
+
+    // Length of a step: the slope of the minimised function along it grows with the length.
+    double search(const Eigen::VectorXd& step, const Eigen::VectorXd& speeds, const Eigen::VectorXd& lack) const
+    {
+        constexpr double enough = 0.3;
+        constexpr int most_tries = 20;
+        const Eigen::VectorXd faster = rows_ * step;
+        Eigen::VectorXd trial, impulse;
+        const auto slope_at = [&](double t) { return imbalance(V_ + t * step, speeds + t * faster, trial, impulse).dot(step); };
+        const double at_start = lack.dot(step);
+        double t = 1, low = 0, at_low = at_start, high = 1, at_high = slope_at(1);
+        for (int tries = 0; tries < most_tries && at_high > -enough * at_start; ++tries) {
+            const double span = high - low;
+            t = std::clamp(low - at_low * span / (at_high - at_low), low + 0.02 * span, high - 0.02 * span);
+            const double now = slope_at(t);
+            if (std::abs(now) <= -enough * at_start)
+                break;
+            (now < 0 ? low : high) = t;
+            (now < 0 ? at_low : at_high) = now;
+        }
+        return t;
+    }
+
+    const std::vector<Contact<D>>& contacts_;
+    const std::vector<Twist<D>>& twists_;
+    std::vector<int> place_; ///< of every solid's twist, -1: cannot move
+    int count_ = 0;
+    Eigen::SparseMatrix<double> A_, H_, rows_, transpose_; ///< A, A + C^T S C, C, C^T
+    std::vector<double> inertia_;                          ///< values of A in the pattern of H
+    std::vector<Eigen::Matrix<double, D, D>> slopes_;      ///< S / k of the factor at hand
+    SparseCholesky factor_;
+    Eigen::VectorXd stiffness_;           ///< k of every contact
+    Eigen::VectorXd given_speed_, least_; ///< of every row: speed that solids make which do not yield; s - mu |u_t| n less it
+    Eigen::VectorXd V_, w_, lambda_;
+    std::vector<char> rebounds_;
+};
+
+} // namespace
+
+template <int D>
+std::optional<ContactForecast<D>> solve_contacts(const std::vector<Contact<D>>& contacts,
+                                                 const std::vector<ContactImpulse<D>>& given,
+                                                 const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia,
+                                                 const std::vector<ContactImpulse<D>>& guess, double accuracy)
+{
+    if (contacts.empty())
+        return {};
+    Cones<D> cones(contacts, twists, inertia);
+    cones.start(given, guess);
+    for (int pass = 0; pass < most_passes; ++pass) {
+        const std::optional<double> change = cones.pass();
+        if (!change)
+            return {};
+        if (pass > 0 && *change < accuracy)
+            return cones.result();
+    }
+    return cones.result();
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::optional<ContactForecast<D>> solve_contacts<D>(                                                              \
+        const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&, const std::vector<Twist<D>>&,                   \
+        const NearInertia<D>&, const std::vector<ContactImpulse<D>>&, double);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow
