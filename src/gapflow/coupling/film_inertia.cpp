@@ -2,7 +2,6 @@
 #include "gapflow/core/decompositions.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace gapflow {
@@ -11,9 +10,6 @@ namespace {
 
 constexpr int most_nodes = 4000; // films with more are left out: not worth a second factorisation
 constexpr double shift = 1e-10;  // relative, on the diagonal: for films without a way out
-// Inertia of a film over that of its bodies, at most: a film of no thickness has an infinite one, and the sharing of impulses between it and
-// contacts that hold the same bodies has no accuracy then.
-constexpr double heaviest = 100;
 
 template <int D>
 using PairRow = Eigen::Matrix<double, 2 * twist_size<D>, 1>;
@@ -115,28 +111,6 @@ void add_pressure(const Coupling<D>& coupling, const std::vector<char>& is_void,
     }
 }
 
-// As if the film acted through a spring of `heaviest` times the bodies' inertia: in terms of the bodies' own inertia, f becomes f / (1 + f / heaviest).
-template <int D>
-void limit(FilmInertia<D>& film, const std::vector<TwistMatrix<D>>& mobility)
-{
-    constexpr int n = twist_size<D>;
-    Eigen::MatrixXd root = Eigen::MatrixXd::Zero(2 * n, 2 * n), inverse = root;
-    for (const auto& [first, solid] : {std::pair(0, film.a), std::pair(n, film.b)}) {
-        const SymmetricEigen<n> eigen = symmetric_eigen<n>(mobility[solid]);
-        for (int k = 0; k < n; ++k)
-            if (eigen.values[k] > 1e-12 * eigen.values[n - 1]) {
-                const TwistMatrix<D> part = eigen.vectors.col(k) * eigen.vectors.col(k).transpose();
-                root.block(first, first, n, n) += std::sqrt(eigen.values[k]) * part;
-                inverse.block(first, first, n, n) += part / std::sqrt(eigen.values[k]);
-            }
-    }
-    const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(root * film.matrix * root);
-    const Eigen::VectorXd limited =
-        eigen.values.unaryExpr([](double f) { return std::max(f, 0.0) / (1 + std::max(f, 0.0) / heaviest); });
-    const Eigen::MatrixXd vectors = inverse * eigen.vectors;
-    film.matrix = vectors * limited.asDiagonal() * vectors.transpose();
-}
-
 } // namespace
 
 template <int D>
@@ -157,8 +131,6 @@ NearInertia<D> near_inertia(const Coupling<D>& coupling, const std::vector<Twist
         pairs.add(drag.inertia);
     add_pressure(coupling, is_void, pairs);
     inertia.films = pairs.list();
-    for (FilmInertia<D>& film : inertia.films)
-        limit(film, inertia.mobility);
     return inertia;
 }
 

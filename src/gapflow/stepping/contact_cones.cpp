@@ -19,11 +19,37 @@ namespace {
 
 // k over that of the bodies, 1 / (c A^-1 c^T) of the row: with more the Newton steps are many, with less the passes.
 constexpr double relative_stiffness = 100;
-constexpr int most_passes = 300; // a few percent of the error remain in the worst of a pile's
+constexpr int most_passes = 300; // what is left then is less than ten thousand sweeps leave
 constexpr int steps_a_pass = 3;
 constexpr double step_part = 0.1;   // of a pass' first lack of balance: enough for the pass
 constexpr double same_slope = 0.03; // of k: the factor at hand will do
 constexpr double round_off = 1e-14; // of the impulses
+
+// Inertia of a film over that of its bodies, at most: a film of no thickness has an infinite one, and how it shares an impulse with contacts that
+// hold the same bodies has no accuracy then.
+constexpr double heaviest = 1e4;
+
+// As if the film acted through a spring of `heaviest` times the bodies' inertia: in terms of the bodies' own inertia, f becomes f / (1 + f / heaviest).
+template <int D>
+PairMatrix<D> limited_inertia(const FilmInertia<D>& film, const std::vector<TwistMatrix<D>>& mobility)
+{
+    constexpr int n = twist_size<D>;
+    Eigen::MatrixXd root = Eigen::MatrixXd::Zero(2 * n, 2 * n), inverse = root;
+    for (const auto& [first, solid] : {std::pair(0, film.a), std::pair(n, film.b)}) {
+        const SymmetricEigen<n> eigen = symmetric_eigen<n>(mobility[solid]);
+        for (int k = 0; k < n; ++k)
+            if (eigen.values[k] > 1e-12 * eigen.values[n - 1]) {
+                const TwistMatrix<D> part = eigen.vectors.col(k) * eigen.vectors.col(k).transpose();
+                root.block(first, first, n, n) += std::sqrt(eigen.values[k]) * part;
+                inverse.block(first, first, n, n) += part / std::sqrt(eigen.values[k]);
+            }
+    }
+    const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(root * film.matrix * root);
+    const Eigen::VectorXd limited =
+        eigen.values.unaryExpr([](double f) { return std::max(f, 0.0) / (1 + std::max(f, 0.0) / heaviest); });
+    const Eigen::MatrixXd vectors = inverse * eigen.vectors;
+    return vectors * limited.asDiagonal() * vectors.transpose();
+}
 
 // A V - w - C^T lambda and what it is made of, for many bodies.
 template <int D>
@@ -45,11 +71,13 @@ public:
         for (std::size_t s = 0; s < twists.size(); ++s)
             if (place_[s] >= 0)
                 put(place_[s], place_[s], own_inertia(inertia.mobility[s], admissible[s]));
-        for (const FilmInertia<D>& film : inertia.films)
+        for (const FilmInertia<D>& film : inertia.films) {
+            const PairMatrix<D> matrix = limited_inertia(film, inertia.mobility);
             for (const auto& [i, a] : {std::pair(0, film.a), std::pair(n, film.b)})
                 for (const auto& [j, b] : {std::pair(0, film.a), std::pair(n, film.b)})
                     if (place_[a] >= 0 && place_[b] >= 0)
-                        put(place_[a], place_[b], film.matrix.template block<n, n>(i, j));
+                        put(place_[a], place_[b], matrix.template block<n, n>(i, j));
+        }
         A_.resize(n * count_, n * count_);
         A_.setFromTriplets(entries.begin(), entries.end());
         make_rows(admissible);
@@ -73,8 +101,7 @@ public:
         follow();
     }
 
-    /// One pass. Returns the largest change of a contact's speed, or of what its friction can do to it; nothing if the inertia is not positive
-    /// definite.
+    /// One pass. Returns the largest change of a contact's speed, or nothing if the inertia is not positive definite.
     std::optional<double> pass()
     {
         const Eigen::VectorXd before = rows_ * V_;
@@ -90,16 +117,9 @@ public:
             speeds = rows_ * V_;
             lack = imbalance(V_, speeds, trial, impulse);
         }
-        double change = (speeds - before).template lpNorm<Eigen::Infinity>();
-        for (std::size_t i = 0; i < contacts_.size(); ++i) {
-            const long r = D * static_cast<long>(i);
-            if (stiffness_[static_cast<long>(i)] > 0) // where films are heavy a normal impulse hardly shows in its speed
-                change = std::max(change, contacts_[i].friction * std::abs(impulse[r] - lambda_[r]) * relative_stiffness /
-                                              stiffness_[static_cast<long>(i)]);
-        }
         lambda_ = impulse;
         follow();
-        return change;
+        return (speeds - before).template lpNorm<Eigen::Infinity>();
     }
 
     ContactForecast<D> result() const
@@ -346,27 +366,31 @@ private:
 } // namespace
 
 template <int D>
-std::optional<ContactForecast<D>> solve_contacts(const std::vector<Contact<D>>& contacts,
-                                                 const std::vector<ContactImpulse<D>>& given,
-                                                 const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia,
-                                                 const std::vector<ContactImpulse<D>>& guess, double accuracy)
+std::optional<ContactForecast<D>> solve_cones(const std::vector<Contact<D>>& contacts,
+                                              const std::vector<ContactImpulse<D>>& given, const std::vector<Twist<D>>& twists,
+                                              const NearInertia<D>& inertia, const std::vector<ContactImpulse<D>>& guess,
+                                              double accuracy)
 {
     if (contacts.empty())
         return {};
     Cones<D> cones(contacts, twists, inertia);
     cones.start(given, guess);
+    double before = 0;
     for (int pass = 0; pass < most_passes; ++pass) {
         const std::optional<double> change = cones.pass();
-        if (!change)
+        if (!change || !std::isfinite(*change))
             return {};
-        if (pass > 0 && *change < accuracy)
-            return cones.result();
+        // What is still to come, if changes go on to fall as they do.
+        const double left = *change < before ? *change * *change / (before - *change) : *change;
+        if (pass > 1 && left < accuracy)
+            break;
+        before = *change;
     }
     return cones.result();
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template std::optional<ContactForecast<D>> solve_contacts<D>(                                                              \
+    template std::optional<ContactForecast<D>> solve_cones<D>(                                                                 \
         const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&, const std::vector<Twist<D>>&,                   \
         const NearInertia<D>&, const std::vector<ContactImpulse<D>>&, double);
 GAPFLOW_INSTANTIATE(2)

@@ -1,12 +1,14 @@
 // Projected Gauss-Seidel over the contacts, in alternating order, a contact's normal before its tangents (J. J. Moreau, M.
 // Jean, "Numerical treatment of contact and friction: the contact dynamics method", 1996). Bodies' twists are kept, so a sweep costs the number of
 // contacts. Where forces have several ways to go, or heavy films and bodies lie on light ones, the sweeps converge slowly; all contacts are then
-// solved for together (contact_cones).
+// solved for together: directly (contact_equations), or by the method of multipliers if they are many (contact_cones).
 #include "gapflow/stepping/contact_law.hpp"
 
 #include "gapflow/stepping/contact_cones.hpp"
+#include "gapflow/stepping/contact_equations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -14,8 +16,12 @@ namespace gapflow {
 
 namespace {
 
-constexpr int most_sweeps = 100;
+constexpr int most_sweeps = 10000;
 constexpr double round_off = 1e-14; // of the largest change of a speed
+constexpr std::size_t most_equations = 100;
+// After so many sweeps all contacts are solved for together.
+constexpr std::array<int, 3> together = {500, 2000, 5000};
+
 template <int D>
 using PairTwist = Eigen::Matrix<double, 2 * twist_size<D>, 1>;
 
@@ -23,7 +29,7 @@ using PairTwist = Eigen::Matrix<double, 2 * twist_size<D>, 1>;
 // bound and force can cycle.
 double relaxation_in(int sweep)
 {
-    return sweep < 50 ? 1.0 : 0.3;
+    return sweep < 50 ? 1.0 : sweep < 500 ? 0.3 : 0.1;
 }
 
 // A film in the sweeps. Without contacts the response of its two bodies to an impulse w is V = R w, R = (1 + M^-1 F)^-1 M^-1.
@@ -197,10 +203,15 @@ ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, co
         for (int f = 0; f < sweeps.films() && largest > 0; ++f)
             largest = std::max(largest, sweeps.settle_film(sweep % 2 == 0 ? f : sweeps.films() - 1 - f));
         if (largest < std::max(accuracy, round_off * fastest))
-            return result;
+            break;
         fastest = std::max(fastest, largest);
+        if (std::find(together.begin(), together.end(), sweep) != together.end()) {
+            const auto solve = contacts.size() <= most_equations ? solve_contacts<D> : solve_cones<D>;
+            if (auto solved = solve(contacts, given, twists, inertia, result.impulses, accuracy))
+                return *std::move(solved);
+        }
     }
-    return solve_contacts<D>(contacts, given, twists, inertia, result.impulses, accuracy).value_or(std::move(result));
+    return result;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
