@@ -117,12 +117,8 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
             contact.closed = contact.was_closed = known->closed;
             contact.slides = known->slides;
             contact.sliding_impulse = known->slides ? known->tangential : Vec<D - 1>::Zero();
+            contact.tangential = contact.sliding_impulse; // known from before if found again after bodies were separated
             contact.slip = known->slip;
-            if (known->closed) { // kept if found again after bodies were separated
-                contact.impulse = known->impulse;
-                contact.tangential = known->tangential;
-                contact.expected = {std::max(known->impulse, 0.0), known->tangential};
-            }
         }
         contact.point = std::move(point);
         contacts_.push_back(std::move(contact));
@@ -137,11 +133,8 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
     seen_.clear();
     seen_exact_ = one_at_a_time_ = false;
     for (Contact<D>& c : contacts_) {
-        if (last_dt > 0) {
+        if (last_dt > 0)
             c.sliding_impulse *= dt / last_dt;
-            c.expected.normal *= dt / last_dt;
-            c.expected.tangential *= dt / last_dt;
-        }
         c.approach = rate(c.normal, c, before);
         c.gained = std::abs(rate(c.normal, c, forced) - c.approach);
         c.least = -std::max(c.point.distance - c.hold, 0.0) / dt;

@@ -1,5 +1,6 @@
 // Contact inside the coupled solve: rest, impact, friction, stacks.
 #include "gapflow/stepping/added_mass.hpp"
+#include "gapflow/stepping/contact_cones.hpp"
 #include "gapflow/stepping/contact_law.hpp"
 #include "gapflow/stepping/simulation.hpp"
 
@@ -503,6 +504,73 @@ TEST(ContactLaw, StackOnHeavyFilmsObeysTheLaws)
     EXPECT_GT(largest, 0);
     for (int b : {0, 1})
         EXPECT_LT(left[b].norm(), 1e-6 * largest) << b;
+}
+
+// A pyramid of bricks, each on two of the course below and each course twice as heavy as that: forces have many ways to go. It stands.
+TEST(ContactCones, PyramidStands)
+{
+    constexpr int courses = 10;
+    constexpr double width = 1, height = 0.5, speed = 0.01;
+    const TwistMatrix<2> unit = Eigen::Vector3d(1, 1, 12 / (width * width + height * height)).asDiagonal();
+    NearInertia<2> inertia;
+    std::vector<Contact<2>> contacts;
+    const auto touch = [&](int upper, int lower, double arm_upper,
+                           double arm_lower) { // the upper one's lower side, from its centre
+        Contact<2> c;
+        c.point.a = upper;
+        c.point.b = lower;
+        const bool floor = lower == 0;
+        c.normal = {Twist<2>(0, 1, arm_upper), floor ? Twist<2>(Twist<2>::Zero()) : Twist<2>(0, -1, -arm_lower)};
+        c.tangents[0] = {Twist<2>(1, 0, height / 2), floor ? Twist<2>(Twist<2>::Zero()) : Twist<2>(-1, 0, height / 2)};
+        c.friction = 0.3;
+        contacts.push_back(c);
+    };
+    inertia.mobility.push_back(TwistMatrix<2>::Zero()); // the floor
+    int first_below = 0;
+    for (int course = 0; course < courses; ++course) {
+        const int first = static_cast<int>(inertia.mobility.size());
+        for (int i = 0; i < courses - course; ++i) {
+            const int brick = first + i;
+            inertia.mobility.push_back(unit / std::exp2(course));
+            if (course == 0) {
+                touch(brick, 0, -width / 2, 0);
+                touch(brick, 0, width / 2, 0);
+                continue;
+            }
+            for (double side : {-1.0, 1.0}) // each covers half of the brick below
+                for (double end : {0.0, 1.0})
+                    touch(brick, first_below + i + (side > 0), side * end * width / 2, side * (end - 1) * width / 2);
+        }
+        first_below = first;
+    }
+    const std::size_t bricks = inertia.mobility.size() - 1;
+    std::vector<Twist<2>> falling(bricks + 1, Twist<2>(0, -speed, 0));
+    falling[0].setZero();
+    const std::vector<ContactImpulse<2>> none(contacts.size());
+    const std::optional<ContactForecast<2>> solved = solve_cones<2>(contacts, none, falling, inertia, none, 1e-10 * speed);
+    ASSERT_TRUE(solved);
+    const ContactForecast<2>& found = *solved;
+    for (std::size_t b = 0; b <= bricks; ++b)
+        EXPECT_LT(found.twists[b].norm(), 1e-5 * speed) << b;
+    double carried = 0, weight = 0;
+    std::vector<Twist<2>> left(bricks + 1, Twist<2>::Zero()); // of every brick's momentum balance
+    for (std::size_t b = 1; b <= bricks; ++b)
+        left[b] = inertia.mobility[b].inverse() * Twist<2>(found.twists[b] - falling[b]);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact<2>& c = contacts[i];
+        const ContactImpulse<2>& impulse = found.impulses[i];
+        EXPECT_GE(impulse.normal, 0);
+        EXPECT_LE(std::abs(impulse.tangential[0]), c.friction * impulse.normal * (1 + 1e-9));
+        left[c.point.a] -= impulse.normal * c.normal.a + impulse.tangential[0] * c.tangents[0].a;
+        left[c.point.b] -= impulse.normal * c.normal.b + impulse.tangential[0] * c.tangents[0].b;
+        if (c.point.b == 0)
+            carried += impulse.normal;
+    }
+    for (std::size_t b = 1; b <= bricks; ++b) {
+        EXPECT_LT(left[b].norm(), 1e-6 * bricks * speed) << b;
+        weight += speed / inertia.mobility[b](0, 0);
+    }
+    EXPECT_NEAR(carried, weight, 1e-5 * weight);
 }
 
 } // namespace
