@@ -18,18 +18,18 @@ namespace gapflow {
 namespace {
 
 // k over that of the bodies, 1 / (c A^-1 c^T) of the row: with more the Newton steps are many, with less the passes.
-constexpr double relative_stiffness = 100;
-constexpr int most_passes = 300; // the worst of a pile's still move by 1e-9 of the largest speed a pass then
+constexpr double cone_stiffness = 100;
+constexpr int most_cone_passes = 300; // the worst of a pile's still move by 1e-9 of the largest speed a pass then
 constexpr int steps_a_pass = 3;
-constexpr double step_part = 0.1;   // of a pass' first lack of balance: enough for the pass
-constexpr double same_slope = 0.03; // of k: the factor at hand will do
-constexpr double round_off = 1e-14; // of the impulses
+constexpr double step_part = 0.1;           // of a pass' first lack of balance: enough for the pass
+constexpr double same_slope = 0.03;         // of k: the factor at hand will do
+constexpr double impulse_round_off = 1e-14; // of the impulses
 
 // Inertia of a film over that of its bodies, at most: a film of no thickness has an infinite one, and how it shares an impulse with contacts that
 // hold the same bodies has no accuracy then.
-constexpr double heaviest = 1e4;
+constexpr double heaviest_film = 1e4;
 
-// As if the film acted through a spring of `heaviest` times the bodies' inertia: in terms of the bodies' own inertia, f becomes f / (1 + f / heaviest).
+// As if the film acted through a spring of `heaviest_film` times the bodies' inertia: in terms of the bodies' own inertia, f becomes f / (1 + f / heaviest_film).
 template <int D>
 PairMatrix<D> limited_inertia(const FilmInertia<D>& film, const std::vector<TwistMatrix<D>>& mobility)
 {
@@ -46,7 +46,7 @@ PairMatrix<D> limited_inertia(const FilmInertia<D>& film, const std::vector<Twis
     }
     const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(root * film.matrix * root);
     const Eigen::VectorXd limited =
-        eigen.values.unaryExpr([](double f) { return std::max(f, 0.0) / (1 + std::max(f, 0.0) / heaviest); });
+        eigen.values.unaryExpr([](double f) { return std::max(f, 0.0) / (1 + std::max(f, 0.0) / heaviest_film); });
     const Eigen::MatrixXd vectors = inverse * eigen.vectors;
     return vectors * limited.asDiagonal() * vectors.transpose();
 }
@@ -107,7 +107,8 @@ public:
         const Eigen::VectorXd before = rows_ * V_;
         Eigen::VectorXd speeds = before, trial, impulse;
         Eigen::VectorXd lack = imbalance(V_, speeds, trial, impulse);
-        const double enough = std::max(step_part * lack.norm(), round_off * (w_.norm() + (transpose_ * impulse).norm()));
+        const double enough =
+            std::max(step_part * lack.norm(), impulse_round_off * (w_.norm() + (transpose_ * impulse).norm()));
         for (int k = 0; k < steps_a_pass && lack.norm() > enough; ++k) {
             if (!factorise(trial))
                 return {};
@@ -182,7 +183,7 @@ private:
                 }
             }
             const double most = mobility.maxCoeff();
-            stiffness_[static_cast<long>(i)] = most > 0 ? relative_stiffness / most : 0.0;
+            stiffness_[static_cast<long>(i)] = most > 0 ? cone_stiffness / most : 0.0;
         }
         rows_.resize(size, A_.rows());
         rows_.setFromTriplets(entries.begin(), entries.end());
@@ -376,7 +377,7 @@ std::optional<ContactForecast<D>> solve_cones(const std::vector<Contact<D>>& con
     Cones<D> cones(contacts, twists, inertia);
     cones.start(given, guess);
     double before = 0;
-    for (int pass = 0; pass < most_passes; ++pass) {
+    for (int pass = 0; pass < most_cone_passes; ++pass) {
         const std::optional<double> change = cones.pass();
         if (!change || !std::isfinite(*change))
             return {};
