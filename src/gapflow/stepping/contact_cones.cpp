@@ -11,6 +11,7 @@
 #include "gapflow/core/decompositions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gapflow {
@@ -29,21 +30,45 @@ constexpr double impulse_round_off = 1e-14; // of the impulses
 // hold the same bodies has no accuracy then.
 constexpr double heaviest_film = 1e4;
 
-// As if the film acted through a spring of `heaviest_film` times the bodies' inertia: in terms of the bodies' own inertia, f becomes f / (1 + f / heaviest_film).
+// What a body's mobility says: its inverse and the roots of both where it has one, and what the body can do. All 0 of one that cannot move.
 template <int D>
-PairMatrix<D> limited_inertia(const FilmInertia<D>& film, const std::vector<TwistMatrix<D>>& mobility)
+struct OwnInertia {
+    TwistMatrix<D> inertia = TwistMatrix<D>::Zero(); ///< positive definite: impulses elsewhere do nothing
+    TwistMatrix<D> root = TwistMatrix<D>::Zero(), inverse_root = TwistMatrix<D>::Zero();
+    TwistMatrix<D> admissible = TwistMatrix<D>::Zero();
+};
+
+template <int D>
+OwnInertia<D> own_inertia(const TwistMatrix<D>& mobility)
+{
+    constexpr int n = twist_size<D>;
+    const SymmetricEigen<n> eigen = symmetric_eigen<n>(mobility);
+    const double most = eigen.values[n - 1];
+    OwnInertia<D> own;
+    for (int k = 0; k < n; ++k) {
+        const TwistMatrix<D> part = eigen.vectors.col(k) * eigen.vectors.col(k).transpose();
+        if (eigen.values[k] > 1e-12 * most) {
+            own.inertia += part / eigen.values[k];
+            own.root += std::sqrt(eigen.values[k]) * part;
+            own.inverse_root += part / std::sqrt(eigen.values[k]);
+            own.admissible += part;
+        } else {
+            own.inertia += part / most;
+        }
+    }
+    return own;
+}
+
+// As if the film acted through a spring of `heaviest_film` times the bodies' inertia: in terms of that, f becomes f / (1 + f / heaviest_film).
+template <int D>
+PairMatrix<D> limited_inertia(const FilmInertia<D>& film, const OwnInertia<D>& a, const OwnInertia<D>& b)
 {
     constexpr int n = twist_size<D>;
     Eigen::MatrixXd root = Eigen::MatrixXd::Zero(2 * n, 2 * n), inverse = root;
-    for (const auto& [first, solid] : {std::pair(0, film.a), std::pair(n, film.b)}) {
-        const SymmetricEigen<n> eigen = symmetric_eigen<n>(mobility[solid]);
-        for (int k = 0; k < n; ++k)
-            if (eigen.values[k] > 1e-12 * eigen.values[n - 1]) {
-                const TwistMatrix<D> part = eigen.vectors.col(k) * eigen.vectors.col(k).transpose();
-                root.block(first, first, n, n) += std::sqrt(eigen.values[k]) * part;
-                inverse.block(first, first, n, n) += part / std::sqrt(eigen.values[k]);
-            }
-    }
+    root.topLeftCorner(n, n) = a.root;
+    root.bottomRightCorner(n, n) = b.root;
+    inverse.topLeftCorner(n, n) = a.inverse_root;
+    inverse.bottomRightCorner(n, n) = b.inverse_root;
     const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(root * film.matrix * root);
     const Eigen::VectorXd limited =
         eigen.values.unaryExpr([](double f) { return std::max(f, 0.0) / (1 + std::max(f, 0.0) / heaviest_film); });
@@ -58,29 +83,32 @@ public:
     Cones(const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia)
         : contacts_(contacts), twists_(twists), place_(twists.size(), -1)
     {
+        int count = 0;
+        std::vector<OwnInertia<D>> own(twists.size());
         for (std::size_t s = 0; s < twists.size(); ++s)
-            if (!inertia.mobility[s].isZero(0))
-                place_[s] = n * count_++;
+            if (!inertia.mobility[s].isZero(0)) {
+                place_[s] = n * count++;
+                own[s] = own_inertia<D>(inertia.mobility[s]);
+            }
         std::vector<Eigen::Triplet<double>> entries;
         const auto put = [&](int row, int column, const auto& block) {
             for (int i = 0; i < n; ++i)
                 for (int j = 0; j < n; ++j)
                     entries.emplace_back(row + i, column + j, block(i, j));
         };
-        std::vector<TwistMatrix<D>> admissible(twists.size(), TwistMatrix<D>::Zero());
         for (std::size_t s = 0; s < twists.size(); ++s)
             if (place_[s] >= 0)
-                put(place_[s], place_[s], own_inertia(inertia.mobility[s], admissible[s]));
+                put(place_[s], place_[s], own[s].inertia);
         for (const FilmInertia<D>& film : inertia.films) {
-            const PairMatrix<D> matrix = limited_inertia(film, inertia.mobility);
+            const PairMatrix<D> matrix = limited_inertia<D>(film, own[film.a], own[film.b]);
             for (const auto& [i, a] : {std::pair(0, film.a), std::pair(n, film.b)})
                 for (const auto& [j, b] : {std::pair(0, film.a), std::pair(n, film.b)})
                     if (place_[a] >= 0 && place_[b] >= 0)
                         put(place_[a], place_[b], matrix.template block<n, n>(i, j));
         }
-        A_.resize(n * count_, n * count_);
+        A_.resize(n * count, n * count);
         A_.setFromTriplets(entries.begin(), entries.end());
-        make_rows(admissible);
+        make_rows(own);
         make_pattern(entries);
     }
 
@@ -93,11 +121,7 @@ public:
                 V_.template segment<n>(place_[s]) = twists_[s];
         lambda_ = stacked(given);
         w_ = A_ * V_ - transpose_ * lambda_;
-        lambda_ = stacked(guess);
-        rebounds_.clear();
-        for (const Contact<D>& c : contacts_)
-            rebounds_.push_back(c.closed && c.target > c.least);
-        lambda_ = projected(lambda_);
+        lambda_ = projected(stacked(guess));
         follow();
     }
 
@@ -140,28 +164,14 @@ public:
 
 private:
     static constexpr int n = twist_size<D>;
+    using Part = Eigen::Matrix<double, D, n>; ///< a contact's rows for one of its bodies
 
-    // Inverse of a mobility where it has one, and what the body can do; elsewhere its impulses do nothing.
-    static TwistMatrix<D> own_inertia(const TwistMatrix<D>& mobility, TwistMatrix<D>& admissible)
-    {
-        const SymmetricEigen<n> eigen = symmetric_eigen<n>(mobility);
-        const double most = eigen.values.maxCoeff();
-        TwistMatrix<D> inertia = TwistMatrix<D>::Zero();
-        for (int k = 0; k < n; ++k) {
-            const TwistMatrix<D> part = eigen.vectors.col(k) * eigen.vectors.col(k).transpose();
-            const bool moves = eigen.values[k] > 1e-12 * most;
-            inertia += part / (moves ? eigen.values[k] : most);
-            if (moves)
-                admissible += part;
-        }
-        return inertia;
-    }
-
-    void make_rows(const std::vector<TwistMatrix<D>>& admissible)
+    void make_rows(const std::vector<OwnInertia<D>>& own)
     {
         const long size = D * static_cast<long>(contacts_.size());
         given_speed_ = Eigen::VectorXd::Zero(size);
         stiffness_.resize(static_cast<long>(contacts_.size()));
+        parts_.assign(contacts_.size(), {Part::Zero(), Part::Zero()});
         std::vector<Eigen::Triplet<double>> entries;
         const Eigen::VectorXd diagonal = A_.diagonal();
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -170,12 +180,15 @@ private:
             for (int k = 0; k < D; ++k) {
                 const RelativeRow<D>& row = k == 0 ? c.normal : c.tangents[k - 1];
                 const int r = D * static_cast<int>(i) + k;
-                for (const auto& [solid, part] : {std::pair(c.point.a, row.a), std::pair(c.point.b, row.b)}) {
+                for (int e = 0; e < 2; ++e) {
+                    const int solid = e == 0 ? c.point.a : c.point.b;
+                    const Twist<D>& part = e == 0 ? row.a : row.b;
                     if (place_[solid] < 0) {
                         given_speed_[r] += part.dot(twists_[solid]);
                         continue;
                     }
-                    const Twist<D> moved = admissible[solid] * part;
+                    const Twist<D> moved = own[solid].admissible * part;
+                    parts_[i][e].row(k) = moved.transpose();
                     for (int j = 0; j < n; ++j) {
                         entries.emplace_back(r, place_[solid] + j, moved[j]);
                         mobility[k] += moved[j] * moved[j] / diagonal[place_[solid] + j];
@@ -231,8 +244,8 @@ private:
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
             const Contact<D>& c = contacts_[i];
             const long r = D * static_cast<long>(i);
-            rebounds_[i] = c.target > c.least && lambda_[r] > 0; // what closes in an impact leaves with its rebound
-            least_[r] += (rebounds_[i] ? c.target : c.least) - c.friction * speeds.template segment<D - 1>(r + 1).norm();
+            const bool rebounds = c.target > c.least && lambda_[r] > 0; // what closes in an impact leaves with its rebound
+            least_[r] += (rebounds ? c.target : c.least) - c.friction * speeds.template segment<D - 1>(r + 1).norm();
         }
     }
 
@@ -305,13 +318,8 @@ private:
             const Contact<D>& c = contacts_[i];
             if (slopes[i].isZero(0))
                 continue;
-            Eigen::Matrix<double, D, n> part[2];
+            const std::array<Part, 2>& part = parts_[i];
             const int solid[] = {c.point.a, c.point.b};
-            for (int e = 0; e < 2; ++e)
-                if (place_[solid[e]] >= 0)
-                    for (int j = 0; j < n; ++j)
-                        for (int k = 0; k < D; ++k)
-                            part[e](k, j) = rows_.coeff(D * static_cast<long>(i) + k, place_[solid[e]] + j);
             for (int e = 0; e < 2; ++e)
                 for (int f = 0; f < 2; ++f)
                     if (place_[solid[e]] >= 0 && place_[solid[f]] >= 0) {
@@ -352,16 +360,15 @@ private:
 
     const std::vector<Contact<D>>& contacts_;
     const std::vector<Twist<D>>& twists_;
-    std::vector<int> place_; ///< of every solid's twist, -1: cannot move
-    int count_ = 0;
+    std::vector<int> place_;                               ///< of every solid's twist, -1: cannot move
     Eigen::SparseMatrix<double> A_, H_, rows_, transpose_; ///< A, A + C^T S C, C, C^T
+    std::vector<std::array<Part, 2>> parts_;               ///< of C, by contact
     std::vector<double> inertia_;                          ///< values of A in the pattern of H
     std::vector<Eigen::Matrix<double, D, D>> slopes_;      ///< S / k of the factor at hand
     SparseCholesky factor_;
     Eigen::VectorXd stiffness_;           ///< k of every contact
     Eigen::VectorXd given_speed_, least_; ///< of every row: speed that solids make which do not yield; s - mu |u_t| n less it
     Eigen::VectorXd V_, w_, lambda_;
-    std::vector<char> rebounds_;
 };
 
 } // namespace
