@@ -96,6 +96,18 @@ class Warnings(unittest.TestCase):
                     done = gapflow(*words, *sets)
                     self.assertEqual("their film counts as 0.000156 (0.005 cells) thick" in done.stdout + done.stderr, told, done.stdout + done.stderr)
 
+    def test_many_gaps_thinner_than_the_default_roughness_are_counted(self):
+        radius = 2.5 / 32
+        balls, x = "", 0.1 + radius
+        for k, gap in enumerate((3e-4, 1e-4, 4e-4, 2e-4, 0.0)):  # of a cell, to the next one; 0.005 is the roughness
+            balls += f'[[body]]\nname = "ball{k}"\nshape = "ball"\nradius = {radius!r}\nposition = [{x!r}, 0.5]\ndensity = 2\n'
+            x += 2 * radius + gap / 32
+        self.scene.write_text('[domain]\nsize = [1, 1]\ncells = [32, 32]\n[time]\nend = 0.002\nmax_step = 0.001\n' + balls.replace("[[body]]", "\n[[body]]"))
+        told = gapflow("check", self.scene).stdout
+        named = [{m[1], m[2]} for m in re.finditer(r"'ball(\d)' and 'ball(\d)' are .* their film counts as", told)]
+        self.assertEqual(named, [{"1", "2"}, {"3", "4"}, {"0", "1"}], told)  # the gap between 2 and 3 is the widest
+        self.assertIn("so it is with 1 more pair", told)
+
     def test_solids_that_stand_still_and_touch_have_no_film(self):
         seat = PLATE.format(thickness=4 / 32, more='motion = "fixed"').replace("position = [0.5, 0.5]", "position = [0.5, 0.0625]").replace("force = [0, 1]", "")
         ball = '[[body]]\nname = "ball"\nshape = "ball"\nradius = 0.2\nposition = [0.5, 0.34]\ndensity = 2\n'

@@ -63,38 +63,6 @@ Eigen::VectorXd LeastNormSolver::solve(const Eigen::VectorXd& b) const
     return b.size() > 0 ? Eigen::VectorXd(factor_.solve(b)) : b;
 }
 
-void SparseCholesky::analyse(const Matrix& a)
-{
-    factor_.analyzePattern(a);
-}
-
-bool SparseCholesky::factorise(const Matrix& a)
-{
-    factor_.factorize(a);
-    return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
-}
-
-bool SparseCholesky::compute(const Matrix& a)
-{
-    analyse(a);
-    return factorise(a);
-}
-
-Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
-{
-    return factor_.solve(b);
-}
-
-Eigen::MatrixXd SparseCholesky::solve_columns(const Eigen::MatrixXd& b) const
-{
-    return factor_.solve(b);
-}
-
-long SparseCholesky::entries() const
-{
-    return static_cast<long>(factor_.matrixL().nestedExpression().nonZeros());
-}
-
 template Eigen::Vector2d symmetric_eigenvalues<2>(const Eigen::Matrix2d&);
 template Eigen::Vector3d symmetric_eigenvalues<3>(const Eigen::Matrix3d&);
 template SymmetricEigen<3> symmetric_eigen<3>(const Eigen::Matrix3d&);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 
 #include <optional>
 
@@ -53,27 +52,6 @@ public:
 
 private:
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factor_;
-};
-
-/// Cholesky factorisation of a sparse symmetric matrix with an order of elimination that keeps it sparse.
-class SparseCholesky {
-public:
-    using Matrix = Eigen::SparseMatrix<double>;
-
-    /// Chooses the order of elimination for matrices of this pattern.
-    void analyse(const Matrix& a);
-    /// Factorises a matrix of the analysed pattern. False if it is not positive definite.
-    [[nodiscard]] bool factorise(const Matrix& a);
-    /// Both, for a pattern that is used once.
-    [[nodiscard]] bool compute(const Matrix& a);
-    /// The solution of the matrix factorised last.
-    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-    Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const;
-    /// Entries of the factor.
-    long entries() const;
-
-private:
-    Eigen::SimplicialLDLT<Matrix> factor_;
 };
 
 } // namespace gapflow

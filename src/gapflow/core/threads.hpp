@@ -48,6 +48,17 @@ void for_each_part(long n, F&& f)
     for_each_part_of(thread_count(), n, f);
 }
 
+/// Calls f(0) .. f(n - 1), in any order, on all threads: pieces of work of different size.
+template <class F>
+void for_each_job(int n, F&& f)
+{
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic)
+#endif
+    for (int i = 0; i < n; ++i)
+        f(i);
+}
+
 /// Calls f(k) for low <= k < high.
 template <class F>
 void for_each_plane(int low, int high, F&& f)

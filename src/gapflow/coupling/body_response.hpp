@@ -24,8 +24,8 @@ public:
 
 private:
     using Factor = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
-    std::shared_ptr<const Factor> factor_; ///< of M + C^T diag(stiffness) C
-    Eigen::SparseMatrix<double> contact_;
+    std::shared_ptr<const Factor> factor_;               ///< of M + C^T diag(stiffness) C
+    Eigen::SparseMatrix<double> contact_, contact_size_; ///< C, |C|
     Eigen::VectorXd stiffness_;
     Eigen::VectorXd rigid_; ///< 1 for rigid rows, else 0
 };

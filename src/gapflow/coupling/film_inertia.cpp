@@ -1,5 +1,5 @@
 #include "gapflow/coupling/film_inertia.hpp"
-#include "gapflow/core/decompositions.hpp"
+#include "gapflow/core/sparse_cholesky.hpp"
 
 #include <algorithm>
 #include <map>

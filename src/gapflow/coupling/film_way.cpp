@@ -1,6 +1,6 @@
 #include "gapflow/coupling/film_way.hpp"
 
-#include "gapflow/core/decompositions.hpp"
+#include "gapflow/core/sparse_cholesky.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "gapflow/film/film_momentum.hpp"
 
+#include "gapflow/core/threads.hpp"
 #include "gapflow/film/film_transport.hpp"
-#include "gapflow/film/for_each_job.hpp"
 
 #include <algorithm>
 #include <cmath>

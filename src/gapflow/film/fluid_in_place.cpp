@@ -1,6 +1,6 @@
 #include "gapflow/film/fluid_in_place.hpp"
 
-#include "gapflow/film/for_each_job.hpp"
+#include "gapflow/core/threads.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // The films' half of the Schwarz pair: a direct solve of all film nodes together with a band of cells around their mouths.
 #pragma once
 
-#include "gapflow/core/decompositions.hpp"
+#include "gapflow/core/sparse_cholesky.hpp"
 #include "gapflow/film/key_map.hpp"
 #include "gapflow/solver/coupled_operator.hpp"
 #include "gapflow/solver/level.hpp"

@@ -1,7 +1,7 @@
 // Projection onto the complement of the null space of the coupled system (method, "The coupled system").
 #pragma once
 
-#include "gapflow/core/decompositions.hpp"
+#include "gapflow/core/sparse_cholesky.hpp"
 #include "gapflow/solver/coupled_operator.hpp"
 
 namespace gapflow {

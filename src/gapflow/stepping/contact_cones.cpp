@@ -9,6 +9,7 @@
 //     A V - w - C^T P(lambda + k (s - mu |u_t| n - C V)) = 0.
 #include "gapflow/stepping/contact_cones.hpp"
 #include "gapflow/core/decompositions.hpp"
+#include "gapflow/core/sparse_cholesky.hpp"
 
 #include <algorithm>
 #include <array>

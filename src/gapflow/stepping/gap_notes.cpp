@@ -58,12 +58,21 @@ std::vector<std::string> rough_gap_notes(const Scene& scene, const Coupling<D>& 
             double& known = least.try_emplace(film.pair, distance).first->second;
             known = std::min(known, distance);
         }
-    std::vector<std::string> notes;
+    constexpr std::size_t most = 3; // with more pairs the closest are named, and the others counted
+    std::vector<std::pair<double, FilmPair<D>>> thin;
     for (const auto& [pair, distance] : least) {
+        const GapScene& gap = scene.gap_of(coupling.solids[pair.master].name, coupling.solids[pair.other].name);
+        if (gap.automatic_roughness && distance > touch * dx && distance < gap.roughness)
+            thin.emplace_back(distance, pair);
+    }
+    const std::size_t named = std::min(thin.size(), most);
+    std::partial_sort(thin.begin(), thin.begin() + static_cast<long>(named), thin.end(),
+                      [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> notes;
+    for (std::size_t k = 0; k < named; ++k) {
+        const auto& [distance, pair] = thin[k];
         const std::string &a = coupling.solids[pair.master].name, &b = coupling.solids[pair.other].name;
         const GapScene& gap = scene.gap_of(a, b);
-        if (!gap.automatic_roughness || distance <= touch * dx || distance >= gap.roughness)
-            continue;
         char text[300];
         std::snprintf(text, sizeof text,
                       " are %.3g (%.3g cells) apart, and their film counts as %.3g (%.3g cells) thick, which gap.roughness is "
@@ -72,6 +81,9 @@ std::vector<std::string> rough_gap_notes(const Scene& scene, const Coupling<D>& 
                       distance, distance / dx, gap.roughness, gap.roughness / dx);
         notes.push_back("'" + a + "' and '" + b + "'" + text);
     }
+    if (thin.size() > named)
+        notes.push_back("so it is with " + std::to_string(thin.size() - named) +
+                        (thin.size() - named == 1 ? " more pair, whose gap is wider" : " more pairs, whose gaps are wider"));
     return notes;
 }
 

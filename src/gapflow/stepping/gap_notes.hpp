@@ -27,7 +27,7 @@ template <int D>
 std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<FilmPair<D>>& told);
 
 /// Pairs that are apart, but by less than the roughness that they have by default: their films count as thicker than they are. One text a pair,
-/// with the remedy.
+/// with the remedy, for the three closest; one more counts the others.
 template <int D>
 std::vector<std::string> rough_gap_notes(const Scene& scene, const Coupling<D>& coupling);
 

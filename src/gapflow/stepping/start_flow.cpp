@@ -1,5 +1,5 @@
 #include "gapflow/stepping/start_flow.hpp"
-#include "gapflow/core/decompositions.hpp"
+#include "gapflow/core/sparse_cholesky.hpp"
 
 #include <algorithm>
 

@@ -47,10 +47,6 @@ TEST(Decompositions, AnIndefiniteMatrixHasNoPositiveDefiniteSolution)
     EXPECT_TRUE((a * *positive_definite_solution(a, b)).isApprox(b, 1e-14));
     a(1, 1) = -2;
     EXPECT_FALSE(positive_definite_solution(a, b));
-    SparseCholesky factor;
-    const Eigen::SparseMatrix<double> sparse = a.sparseView();
-    factor.analyse(sparse);
-    EXPECT_FALSE(factor.factorise(sparse));
 }
 
 TEST(Decompositions, RightSingularVectorsSpanTheKernel)
@@ -71,22 +67,6 @@ TEST(Decompositions, LeastNormSharesBetweenEqualUnknowns)
     a << 1, 1, 1, 1;
     EXPECT_TRUE(LeastNormSolver(a, 1e-10).solve(Eigen::Vector2d(2, 2)).isApprox(Eigen::Vector2d(1, 1), 1e-14));
     EXPECT_EQ(LeastNormSolver(Eigen::MatrixXd(0, 0), 1e-10).solve(Eigen::VectorXd(0)).size(), 0);
-}
-
-TEST(Decompositions, SparseFactorIsUsedAgainForOtherEntries)
-{
-    Eigen::SparseMatrix<double> a(3, 3);
-    for (int i = 0; i < 3; ++i)
-        a.insert(i, i) = 2;
-    a.insert(0, 1) = a.insert(1, 0) = -1;
-    SparseCholesky factor;
-    factor.analyse(a);
-    const Eigen::VectorXd b = Eigen::Vector3d(1, 2, 3);
-    for (double scale : {1.0, 5.0}) {
-        ASSERT_TRUE(factor.factorise(scale * a));
-        EXPECT_TRUE((scale * (a * factor.solve(b))).isApprox(b, 1e-14));
-    }
-    EXPECT_EQ(factor.entries(), 1); // below the diagonal
 }
 
 } // namespace

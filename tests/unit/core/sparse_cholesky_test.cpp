@@ -1,0 +1,105 @@
+// SparseCholesky (core/sparse_cholesky.hpp) in one piece, and cut into subtrees.
+#include "gapflow/core/sparse_cholesky.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace gapflow {
+namespace {
+
+// Lower triangle of the five-point Laplacian on n x n places, plus `ground` on the diagonal, in an order that jumps.
+Eigen::SparseMatrix<double> laplacian(int n, double ground)
+{
+    const auto row = [n](int i, int j) { return static_cast<int>((static_cast<long>(i * n + j) * 7919) % (n * n)); };
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            entries.emplace_back(row(i, j), row(i, j), 4 + ground);
+            for (const auto& [k, l] : {std::pair(i + 1, j), std::pair(i, j + 1)})
+                if (k < n && l < n)
+                    entries.emplace_back(std::max(row(i, j), row(k, l)), std::min(row(i, j), row(k, l)), -1.0);
+        }
+    Eigen::SparseMatrix<double> a(n * n, n * n);
+    a.setFromTriplets(entries.begin(), entries.end());
+    return a;
+}
+
+Eigen::VectorXd waves(long n)
+{
+    return Eigen::VectorXd::NullaryExpr(n, [](long i) { return std::sin(1 + 0.37 * static_cast<double>(i * i % 1009)); });
+}
+
+TEST(SparseCholesky, IsUsedAgainForOtherEntries)
+{
+    for (int n : {1, 12, 170}) { // 170: large enough to be cut
+        SparseCholesky factor;
+        factor.analyse(laplacian(n, 0.1));
+        const Eigen::VectorXd b = waves(n * n);
+        for (double ground : {0.1, 1e-6, 3.0}) {
+            const Eigen::SparseMatrix<double> a = laplacian(n, ground);
+            ASSERT_TRUE(factor.factorise(a));
+            const Eigen::VectorXd x = factor.solve(b);
+            EXPECT_LT((a.selfadjointView<Eigen::Lower>() * x - b).norm(), 1e-12 * b.norm()) << n << " " << ground;
+            EXPECT_LT((factor.solve_columns(b) - x).norm(), 1e-12 * x.norm()) << n << " " << ground;
+        }
+    }
+}
+
+TEST(SparseCholesky, PiecesFollowEachOther) // two Laplacians side by side: two trees, each with its own top
+{
+    const Eigen::SparseMatrix<double> one = laplacian(130, 0.1);
+    const long n = one.rows();
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int column = 0; column < n; ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(one, column); entry; ++entry)
+            for (long shift : {0L, n})
+                entries.emplace_back(static_cast<int>(entry.row() + shift), static_cast<int>(column + shift), entry.value());
+    Eigen::SparseMatrix<double> two(2 * n, 2 * n);
+    two.setFromTriplets(entries.begin(), entries.end());
+    SparseCholesky factor;
+    ASSERT_TRUE(factor.compute(two));
+    const Eigen::VectorXd b = waves(2 * n);
+    EXPECT_LT((two.selfadjointView<Eigen::Lower>() * factor.solve(b) - b).norm(), 1e-12 * b.norm());
+}
+
+TEST(SparseCholesky, IndefiniteMatrixIsRefused)
+{
+    SparseCholesky factor;
+    for (int n : {12, 170}) {
+        factor.analyse(laplacian(n, 0.0));
+        EXPECT_FALSE(factor.factorise(laplacian(n, -1.0)));
+    }
+}
+
+TEST(SparseCholesky, ThreadsGiveTheSameBits)
+{
+#ifdef _OPENMP
+    const int threads = omp_get_max_threads();
+    SparseCholesky factor;
+    ASSERT_TRUE(factor.compute(laplacian(170, 0.1)));
+    const Eigen::VectorXd b = waves(170 * 170);
+    omp_set_num_threads(1);
+    const Eigen::VectorXd x = factor.solve(b);
+    for (int count : {2, 3}) {
+        omp_set_num_threads(count);
+        EXPECT_EQ(factor.solve(b), x) << count;
+    }
+    omp_set_num_threads(threads);
+#else
+    GTEST_SKIP() << "without OpenMP";
+#endif
+}
+
+TEST(SparseCholesky, EntriesAreThoseBelowTheDiagonal)
+{
+    SparseCholesky factor;
+    ASSERT_TRUE(factor.compute(laplacian(2, 0.1)));
+    EXPECT_EQ(factor.entries(), 5); // a ring of four places fills in one entry
+}
+
+} // namespace
+} // namespace gapflow
