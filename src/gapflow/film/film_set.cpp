@@ -195,7 +195,8 @@ std::vector<FilmPair<D>> close_pairs(const Grid<D>& grid, std::span<const Solid<
     std::vector<std::array<bool, D>> endless(
         solids.size()); // axes along which the solid is its own image, as a wall along itself
     for (std::size_t s = 0; s < solids.size(); ++s) {
-        radius[s] = bounding_radius(world_bounds(solids[s].shape));
+        radius[s] = bounding_radius(
+            solids[s].shape.shape().bounds()); // in the body's axes: equal bodies have the same bits wherever they are
         const Vec<D> x = grid.origin() + 0.5 * size;
         for (int axis = 0; axis < D; ++axis)
             endless[s][axis] = !std::isfinite(radius[s]) &&

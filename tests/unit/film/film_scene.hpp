@@ -29,7 +29,12 @@ public:
         return scene_.add(name, make_box<D>(high - low), gapflow::testing::pose<D>(0.5 * (low + high)));
     }
 
-    /// After all boxes are there.
+    int add_ball(const std::string& name, double radius, const Vec<D>& centre)
+    {
+        return scene_.add(name, make_ball<D>(radius), gapflow::testing::pose<D>(centre));
+    }
+
+    /// After all bodies are there.
     void clip()
     {
         clipper_ = std::make_unique<FaceClipper<D>>(grid_, scene_.solids, FractionMode::cut_cell);
