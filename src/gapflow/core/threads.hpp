@@ -53,7 +53,7 @@ template <class F>
 void for_each_job(int n, F&& f)
 {
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (n > 1)
 #endif
     for (int i = 0; i < n; ++i)
         f(i);
