@@ -20,10 +20,12 @@ constexpr double surplus_bound = 1.5;
 constexpr double smallest_patch = 0.25;
 // A mouth takes over the flux of an old one within this many cells.
 constexpr double mouth_reach = 2.0;
-// In dx: a point of the master that lies further beyond a film's end does not belong to it. The master's surface rises over an element's plane
-// by less than this share of the element's size; what is further off is another surface.
+// In dx: a point of the master that lies further beyond a film's end does not belong to it; nor further than the film is thick there. The master's surface
+// rises over an element's plane by less than this share of the element's size; what is further off is another surface.
 constexpr double beyond_end = 0.05;
 constexpr double rise = 0.25;
+// The same where films touch, in dx.
+constexpr double round_off = 1e-9;
 // Shape functions less than this are round-off.
 constexpr double at_vertex = 1e-6;
 // Films of up to this many elements are searched without bins.
@@ -241,7 +243,8 @@ bool FilmHistory<D>::belongs(const Place& place, const Vec<D>& x_body) const
     Vec<D> in_plane = Vec<D>::Zero();
     for (int i = 0; i < D; ++i)
         in_plane += place.shape[i] * x_[elements_[place.element][i]];
-    const double off = (x_body - in_plane).norm(), end = beyond_end * dx_;
+    const double off = (x_body - in_plane).norm();
+    const double end = std::max(std::min(beyond_end * dx_, thickness(place)), round_off * dx_);
     return off < rise * radius_[place.element] + end && place.distance * place.distance - off * off < end * end;
 }
 

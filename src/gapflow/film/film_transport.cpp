@@ -364,12 +364,13 @@ Carried<D> FilmTransport<D>::low() const
             from[to].push_back(static_cast<int>(f));
         }
     }
-    // Where they need more volume than there is, the start's energy is shared by it.
+    // Where they need more volume than there is, it shares the start's energy; and the start's momentum relative to the master, of which the step takes
+    // what is across the film.
     for (std::size_t e = 0; e < start_.size(); ++e) {
         stays[e] = std::max(stays[e], 0.0);
-        const double scale = stays[e] > start_volume_[e] ? std::sqrt(start_volume_[e] / stays[e]) : 1.0;
-        result.velocity.push_back(scale * start_[e].velocity + dt_ * start_[e].inertial);
-        result.world.push_back(start_[e].world);
+        const double known = stays[e] > start_volume_[e] ? start_volume_[e] / stays[e] : 1.0;
+        result.velocity.push_back(std::sqrt(known) * start_[e].velocity + dt_ * start_[e].inertial);
+        result.world.push_back(known * start_[e].world + (1 - known) * start_[e].master);
     }
     std::vector<Vec<D>>&u = result.velocity, &w = result.world;
     const std::vector<Vec<D>> first = u, first_world = w;

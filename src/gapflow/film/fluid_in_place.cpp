@@ -149,9 +149,9 @@ std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::sp
                 const FilmElement<D>& e = film.mesh.elements[i];
                 const std::size_t at = film.first_element + i;
                 FluidInPlace<D>& place = result[at];
+                const Vec<D> U = place.master = old.master_velocity(master.to_body(e.centroid_master));
                 if (place.volume <= 0)
                     continue;
-                const Vec<D> x = master.to_body(e.centroid_master), U = old.master_velocity(x);
                 const Vec<D> n = master.rotation().transpose() * e.normal;
                 const double length = normal[at].norm();
                 const Vec<D> before = length > 0 ? Vec<D>(old.rotation().transpose() * normal[at] / length) : n;

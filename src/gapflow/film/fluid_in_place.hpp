@@ -26,6 +26,7 @@ struct FluidInPlace {
     Vec<D> increment = Vec<D>::Zero();    ///< acceleration in the last step over what was put in place
     Vec<D> inertial = Vec<D>::Zero();     ///< acceleration relative to a master that turns: centrifugal and Coriolis
     Vec<D> world = Vec<D>::Zero();        ///< w, mean over the volume; world axes
+    Vec<D> master = Vec<D>::Zero();       ///< of the old master there; world axes
     double volume = 0;                    ///< old volume there
     double covered = 0;                   ///< new volume where there was no film
 };

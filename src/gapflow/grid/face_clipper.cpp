@@ -349,15 +349,18 @@ void FaceClipper<D>::near(const Vec<D>& x, double reach, std::vector<int>& resul
                 result.push_back(i);
         return;
     }
-    const Index<D> first = bins.bin_of(low), last = bins.bin_of(high);
-    for_each_index<D>(first, last + Index<D>::Ones(), [&](const Index<D>& bin) {
-        const std::span<const int> images = bins.images_in(bin);
-        result.insert(result.end(), images.begin(), images.end());
+    static thread_local std::vector<char> listed;
+    listed.resize(std::max(listed.size(), data_->images.size()), 0);
+    for_each_index<D>(bins.bin_of(low), bins.bin_of(high) + Index<D>::Ones(), [&](const Index<D>& bin) {
+        for (const int image : bins.images_in(bin))
+            if (!listed[image]) {
+                listed[image] = 1;
+                result.push_back(image);
+            }
     });
-    if (first != last) {
-        std::sort(result.begin(), result.end());
-        result.erase(std::unique(result.begin(), result.end()), result.end());
-    }
+    std::sort(result.begin(), result.end());
+    for (const int image : result)
+        listed[image] = 0;
 }
 
 template <int D>

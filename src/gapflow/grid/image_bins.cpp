@@ -9,7 +9,7 @@ ImageBins<D>::ImageBins(const Grid<D>& grid, const std::vector<Image<D>>& images
 {
     if (grid.cells().template cast<double>().prod() > 3e7)
         width_ = 8;
-    padding_ = width_; // at least the margin, and whole bins
+    padding_ = (margin + width_ - 1) / width_ * width_; // whole bins
     const Index<D> cells = grid.cells() + Index<D>::Constant(padding_ + margin + width_ - 1);
     bins_ = Block<D>(Index<D>::Zero(), cells / width_);
     spans_.resize(bins_.size);

@@ -445,5 +445,40 @@ TEST(FilmTransport, AnyFluxesAddNoEnergyAtFirstOrder3D)
     no_energy_by_any_fluxes<3>();
 }
 
+// Elements of a millionth of the volume that their fluxes ask for: the momentum that the step takes across the film is the fluid's that was there, and not
+// that of as much fluid as there should be.
+template <int D>
+void volume_without_momentum()
+{
+    const GapOfPlates<D> gap({});
+    std::mt19937 random(4);
+    const std::vector<Vec<D>> fast = gap.random_velocities(random), none(fast.size(), Vec<D>::Zero());
+    std::vector<FluidInPlace<D>> start = gap.filled(none);
+    double before = 0;
+    const Vec<D> master = Vec<D>::Constant(0.3);
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        start[i].volume *= 1e-6;
+        start[i].master = master;
+        start[i].world = master + 1e4 * fast[i];
+        before += start[i].volume * (start[i].world - master).norm();
+    }
+    const auto [low, high] = transport<D>(gap, start, none, {}, 0.1);
+    Vec<D> after = Vec<D>::Zero();
+    for (std::size_t i = 0; i < start.size(); ++i)
+        after += gap.elements()[i].volume * (low.world[i] - master);
+    EXPECT_GT(before, 0);
+    EXPECT_LE(after.norm(), (1 + 1e-9) * before);
+}
+
+TEST(FilmTransport, VolumeThatIsNotThereHasNoMomentum2D)
+{
+    volume_without_momentum<2>();
+}
+
+TEST(FilmTransport, VolumeThatIsNotThereHasNoMomentum3D)
+{
+    volume_without_momentum<3>();
+}
+
 } // namespace
 } // namespace gapflow::test
