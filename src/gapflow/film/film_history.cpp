@@ -90,7 +90,8 @@ FilmHistory<D>::FilmHistory(const Solid<D>& master, const Twist<D>& master_twist
             idle_.push_back(!idle.empty() && idle[film->first_element + e]);
             weight.push_back(idle_.back() ? 0.0 : element.volume);
             h_mean_.push_back(element.volume / element.measure);
-            const Vec<D> relative = w[film->first_element + e] - master_velocity(centroid);
+            // Where the master's velocity is added again: on its surface, not on the element's plane.
+            const Vec<D> relative = w[film->first_element + e] - master_velocity(master.shape.to_body(element.centroid_master));
             flux_.push_back(h_mean_.back() * relative);
             volumes_.push_back(element.volume);
         }
