@@ -20,12 +20,12 @@ constexpr double surplus_bound = 1.5;
 constexpr double smallest_patch = 0.25;
 // A mouth takes over the flux of an old one within this many cells.
 constexpr double mouth_reach = 2.0;
-// In dx: a point of the master that lies further beyond a film's end does not belong to it; nor further than the film is thick there. The master's surface
-// rises over an element's plane by less than this share of the element's size; what is further off is another surface.
+// In dx: a point of the master that lies further beyond a film's end than this, or than the film is thick there, does not belong to it. Where surfaces
+// touch, points over an element are still found at it, within round-off.
 constexpr double beyond_end = 0.05;
-constexpr double rise = 0.25;
-// The same where films touch, in dx.
 constexpr double round_off = 1e-9;
+// The master's surface rises over an element's plane by less than this share of the element's size; what is further off is another surface.
+constexpr double rise = 0.25;
 // Shape functions less than this are round-off.
 constexpr double at_vertex = 1e-6;
 // Films of up to this many elements are searched without bins.

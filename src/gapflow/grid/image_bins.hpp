@@ -15,8 +15,8 @@ namespace gapflow {
 template <int D>
 class ImageBins {
 public:
-    static constexpr int margin =
-        12; ///< cells around the domain: as far as most rays of the viscous step look from a face on its sides
+    /// Cells around the domain: as far as most rays of the viscous step look from a face on its sides.
+    static constexpr int margin = 12;
 
     ImageBins() = default;
     ImageBins(const Grid<D>& grid, const std::vector<Image<D>>& images);
