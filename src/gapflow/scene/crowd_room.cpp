@@ -180,18 +180,20 @@ double Region<D>::volume() const
 template <int D>
 bool Region<D>::holds(const Hull<D>& hull, const Vec<D>& at) const
 {
+    const double round_off = 1e-12 * (low.cwiseAbs() + high.cwiseAbs()).sum(); // inside() puts balls on the region's surface
     return std::all_of(hull.points.begin(), hull.points.end(), [&](const Vec<D>& from_centre) {
         const Vec<D> x = at + from_centre;
+        const double size = hull.radius - round_off;
         if (kind == Kind::box) {
             for (int i = 0; i < D; ++i)
-                if (!endless[i] && (x[i] - hull.radius < low[i] || x[i] + hull.radius > high[i]))
+                if (!endless[i] && (x[i] - size < low[i] || x[i] + size > high[i]))
                     return false;
             return true;
         }
         if (kind == Kind::ball)
-            return (x - centre).norm() + hull.radius <= radius;
+            return (x - centre).norm() + size <= radius;
         const double along = (x - centre).dot(axis);
-        return std::abs(along) + hull.radius <= 0.5 * length && (x - centre - along * axis).norm() + hull.radius <= radius;
+        return std::abs(along) + size <= 0.5 * length && (x - centre - along * axis).norm() + size <= radius;
     });
 }
 

@@ -140,6 +140,10 @@ TEST(Crowd, DenseBallsAndDisks)
     EXPECT_NEAR(balls.crowds[0].spacing, 0.001, 1e-15) << "a hundredth of the diameter";
     const Scene boxed = scene_of(solid_domain + crowd(ball + "volume_fraction = 0.45\n"));
     EXPECT_GE(smallest_gap(boxed), 0.001 - 1e-12);
+    // Pushed against a plane of the region that no sum of doubles meets exactly.
+    const Scene layer = scene_of(solid_domain + periodic_3d +
+                                 crowd(ball + "number = 380\nregion = { low = [0, 0, 0.17], high = [1, 1, 0.77] }\n"));
+    EXPECT_GE(smallest_gap(layer), 0.001 - 1e-12);
     const Scene disks = scene_of(flat_domain + periodic_2d + crowd(ball + "volume_fraction = 0.7\n"));
     EXPECT_GE(smallest_gap(disks), 0.001 - 1e-12);
     // Shuffled: the gaps of nearest neighbours are not all as small as allowed.
