@@ -4,8 +4,8 @@
 
 #include "gapflow/core/timer.hpp"
 #include "gapflow/coupling/body_response.hpp"
-#include "gapflow/coupling/mouth_cells.hpp"
 #include "gapflow/coupling/system.hpp"
+#include "gapflow/film/mouth_cells.hpp"
 #include "gapflow/film/mouths.hpp"
 #include "gapflow/grid/face_fractions.hpp"
 

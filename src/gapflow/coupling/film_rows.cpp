@@ -1,9 +1,9 @@
 #include "gapflow/coupling/film_rows.hpp"
 
 #include "gapflow/coupling/film_drag.hpp"
-#include "gapflow/coupling/mouth_cells.hpp"
 #include "gapflow/film/film_cells.hpp"
 #include "gapflow/film/film_motion.hpp"
+#include "gapflow/film/mouth_cells.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -23,7 +23,8 @@ public:
     void assemble()
     {
         rows_.nodes.assign(network_.nodes, {});
-        closed_areas_.assign(network_.films.size(), {});
+        if (D == 2 && !coupling_.mouth_drag.empty())
+            closed_areas_ = closed_areas(grid_, network_);
         find_mouths();
         assemble_elements();
         assemble_closed_faces();
@@ -83,10 +84,15 @@ private:
         for (const Film<D>& f : network_.films) {
             const FilmMesh<D>& mesh = f.mesh;
             for (const FilmElement<D>& e : mesh.elements) {
-                for (int i = 0; i < D; ++i)
-                    rows_.add_node(f.first_node + e.nodes[i], mesh.master,
-                                   e.volume * wrench<D>(e.gradient[i], e.centroid - centre(mesh.master)));
                 const NormalRows<D> normal = normal_rows<D>(mesh, e, coupling_.solids);
+                const Twist<D> across = wrench<D>(e.normal, e.centroid - centre(mesh.master));
+                for (int i = 0; i < D; ++i) {
+                    const double lean = e.gradient[i].dot(e.lean);
+                    rows_.add_node(f.first_node + e.nodes[i], mesh.master,
+                                   e.volume * wrench<D>(e.gradient[i], e.centroid - centre(mesh.master)) +
+                                       lean * (normal.master - across));
+                    rows_.add_node(f.first_node + e.nodes[i], mesh.other, lean * normal.other);
+                }
                 coupling_.normal_inertia.push_back(
                     {mesh.master, mesh.other, normal.master, normal.other, coupling_.density * e.volume});
                 if (!coupling_.element_drag.empty())
@@ -178,8 +184,6 @@ private:
         const Vec<D> area = sign * faces_.open(side.axis, side.face) * grid_.face_area() * unit<D>(side.axis);
         closed_flux_[key].push_back(
             {master, wrench<D>(area, x - centre(master)), centre(master) - grid_.dx() * offset.template cast<double>()});
-        if (D == 2 && network_.cells.kind(key, CellKind::bulk) != CellKind::film)
-            closed_areas_[k].push_back({key, x, area});
     }
 
     struct CellFlux {
@@ -449,7 +453,7 @@ void add_mouth(const Coupling<D>& coupling, std::size_t r, double share, FluxRow
     const Film<D>& film = coupling.network.films[mouth.film];
     const FilmMesh<D>& mesh = film.mesh;
     const std::vector<CarriedCell>& behind = coupling.cells_behind[r];
-    const Vec<D> flux = share * mouth.length * mouth.h * mouth.outward;
+    const Vec<D> flux = share * mouth.length * mouth.section;
     const Vec<D> other_centre = coupling.solids[mesh.other].centre + mesh.shift;
     const Vec<D> at_master = mouth.x - coupling.solids[mesh.master].centre, at_other = mouth.x - other_centre;
     if (!coupling.mouth_drag.empty()) {
@@ -473,7 +477,7 @@ void add_mouth(const Coupling<D>& coupling, std::size_t r, double share, FluxRow
             for (const auto& [key, weight] : mouth.cells)
                 add({key, weight, 0.0}, 1 - drag.theta);
     }
-    const Twist<D> carried = share * mouth.length * mouth.h * wrench<D>(mouth.outward, at_master);
+    const Twist<D> carried = share * mouth.length * wrench<D>(mouth.section, at_master);
     for (int i = 0; i < D - 1; ++i)
         rows.add_node(mouth.nodes[i], mesh.master, -mouth.shape[i] * carried);
     if (behind.empty())

@@ -90,6 +90,7 @@ FilmHistory<D>::FilmHistory(const Solid<D>& master, const Twist<D>& master_twist
             idle_.push_back(!idle.empty() && idle[film->first_element + e]);
             weight.push_back(idle_.back() ? 0.0 : element.volume);
             h_mean_.push_back(element.volume / element.measure);
+            cosine_.push_back(element.cosine());
             // Where the master's velocity is added again: on its surface, not on the element's plane.
             const Vec<D> relative = w[film->first_element + e] - master_velocity(master.shape.to_body(element.centroid_master));
             flux_.push_back(h_mean_.back() * relative);
@@ -312,13 +313,13 @@ double FilmHistory<D>::thickness(const Place& place) const
 {
     double h = 0, mean = 0, bubble = 0, least = std::numeric_limits<double>::infinity(), most = 0;
     for (int i = 0; i < D; ++i) {
-        const int node = elements_[place.element][i];
-        h += std::clamp(place.shape[i], -1.0, 2.0) * h_[node];
-        mean += h_[node] / D;
+        const double at_node = cosine_[place.element] * h_[elements_[place.element][i]];
+        h += std::clamp(place.shape[i], -1.0, 2.0) * at_node;
+        mean += at_node / D;
         for (int j = 0; j < i; ++j)
             bubble += (D == 2 ? 6 : 4) * std::clamp(place.shape[i], 0.0, 1.0) * std::clamp(place.shape[j], 0.0, 1.0);
-        least = std::min(least, h_[node]);
-        most = std::max(most, h_[node]);
+        least = std::min(least, at_node);
+        most = std::max(most, at_node);
     }
     return std::clamp(h + bubble * (h_mean_[place.element] - mean), 0.5 * least, 2 * most);
 }

@@ -21,11 +21,11 @@ template <int D>
 class FilmHistory {
 public:
     struct OldMouth {
-        Vec<D> place;           ///< in the master's frame
-        Vec<D> outward;         ///< world axes, at the time
-        double h, resistance;   ///< thickness, R
-        double flux;            ///< absolute, out of the film, per length of rim
-        Vec<D> master_velocity; ///< world, of the master there
+        Vec<D> place;            ///< in the master's frame
+        Vec<D> outward, section; ///< world axes, at the time (Mouth)
+        double resistance;       ///< R
+        double flux;             ///< absolute, out of the film, per length of rim
+        Vec<D> master_velocity;  ///< world, of the master there
         MouthKind kind;
     };
 
@@ -116,13 +116,13 @@ private:
     std::vector<Vec<D>> centroid_;           ///< master's frame
     std::vector<double> radius_;             ///< of elements about their centroids
     std::vector<double> speed_; ///< |w - U_m| around a vertex: root of the mean square over the volume of the elements around
-    std::vector<double> h_, h_mean_;         ///< thickness at the vertices, mean over the elements
-    std::vector<double> volumes_, slope_;    ///< of elements; share of the fitted slope of the flux that makes no new extremum
-    std::vector<Vec<D>> increment_;          ///< of elements, world axes; or none
-    std::vector<char> idle_;                 ///< elements excluded from the reconstruction
-    std::vector<Vec<D>> normal_;             ///< of elements, world axes
-    std::vector<Vec<D>> flux_, flux_vertex_; ///< h (w - U_m), of elements and vertices
-    std::vector<Vec<D>> acceleration_;       ///< by the pressure, of elements, world axes; or none
+    std::vector<double> h_, h_mean_, cosine_; ///< h at the vertices; of the elements: mean thickness, FilmElement::cosine()
+    std::vector<double> volumes_, slope_;     ///< of elements; share of the fitted slope of the flux that makes no new extremum
+    std::vector<Vec<D>> increment_;           ///< of elements, world axes; or none
+    std::vector<char> idle_;                  ///< elements excluded from the reconstruction
+    std::vector<Vec<D>> normal_;              ///< of elements, world axes
+    std::vector<Vec<D>> flux_, flux_vertex_;  ///< h (w - U_m), of elements and vertices
+    std::vector<Vec<D>> acceleration_;        ///< by the pressure, of elements, world axes; or none
     KeyMap<std::vector<int>> bins_;
 };
 

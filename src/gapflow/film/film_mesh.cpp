@@ -315,6 +315,7 @@ template <int D>
 FilmMeshOptions coupling_sizes(bool viscous)
 {
     FilmMeshOptions options;
+    options.viscous = viscous;
     if (D == 3) {
         options.largest_curved = 1;
         options.curved = 0.4;
@@ -339,19 +340,25 @@ std::vector<FilmMesh<D>> film_meshes(const PlacedShape<D>& master, const PlacedS
     if (test.options.smallest <= 0)
         test.options.smallest = D == 2 ? 1e-4 : 1. / 32;
 
-    if constexpr (D == 3)
-        if (const auto cut = ring_cut(test))
-            return ring_films(test, *cut);
-    const GapSurface<D> surface(test, base ? *base : master.shape().surface_mesh());
-    if (surface.elements().empty())
-        return {};
-    double scale = 1;
-    auto films = films_at_scale(surface, scale);
-    while (!films && scale < 1e6) {
-        scale *= D == 2 ? 2 : std::sqrt(2.0);
-        films = films_at_scale(surface, scale);
-    }
-    return films ? std::move(*films) : std::vector<FilmMesh<D>>{};
+    const auto meshes = [&]() -> std::vector<FilmMesh<D>> {
+        if constexpr (D == 3)
+            if (const auto cut = ring_cut(test))
+                return ring_films(test, *cut);
+        const GapSurface<D> surface(test, base ? *base : master.shape().surface_mesh());
+        if (surface.elements().empty())
+            return {};
+        double scale = 1;
+        auto films = films_at_scale(surface, scale);
+        while (!films && scale < 1e6) {
+            scale *= D == 2 ? 2 : std::sqrt(2.0);
+            films = films_at_scale(surface, scale);
+        }
+        return films ? std::move(*films) : std::vector<FilmMesh<D>>{};
+    };
+    std::vector<FilmMesh<D>> films = meshes();
+    for (FilmMesh<D>& film : films)
+        film.viscous = options.viscous;
+    return films;
 }
 
 template <int D>
@@ -362,13 +369,20 @@ void take_skin_off(FilmMesh<D>& mesh, double skin)
         return;
     for (double& h : mesh.h)
         h -= skin;
-    for (FilmElement<D>& e : mesh.elements)
+    std::vector<double> across; // of each element: n.d, and the tangent of that angle
+    std::vector<Vec<D>> lean;
+    for (FilmElement<D>& e : mesh.elements) {
+        lean.push_back(e.lean / e.volume);
+        across.push_back(e.cosine());
         e.volume = e.inverse = 0;
+    }
     for (FilmPoint<D>& point : mesh.points) {
         point.h -= skin;
-        mesh.elements[point.element].volume += point.weight * point.h;
-        mesh.elements[point.element].inverse += point.weight / point.h;
+        mesh.elements[point.element].volume += point.weight * point.h * across[point.element];
+        mesh.elements[point.element].inverse += point.weight / (point.h * across[point.element]);
     }
+    for (std::size_t k = 0; k < mesh.elements.size(); ++k)
+        mesh.elements[k].lean = mesh.elements[k].volume * lean[k];
     for (FilmElement<D>& e : mesh.elements)
         e.inverse = std::max(e.inverse, e.measure * e.measure / e.volume);
 }

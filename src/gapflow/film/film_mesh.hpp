@@ -9,6 +9,7 @@
 #include "gapflow/geometry/pose.hpp"
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -40,11 +41,15 @@ struct FilmElement {
     Vec<D> into_other;              ///< unit normal into the other, mean over the element's points
     Vec<D> place_on_other;          ///< the points' mean position on the other
     double measure;                 ///< area (2D: length) at mid-gap
-    double volume;                  ///< S = int h
-    double inverse;                 ///< I = int 1/h, exact for h linear over each quadrature point's piece
+    double
+        volume; ///< S = int h n.d, d the unit vector along which h is measured, to the other: the volume of its part of the gap
+    Vec<D> lean;    ///< tangential part of int h d: S times the tangent of the angle between d and the normal
+    double inverse; ///< I = int 1/(h n.d), exact for h linear over each quadrature point's piece
     double lateral; ///< over which the gap doubles: sqrt(2 h R), least h of its nodes; infinite between flat surfaces
     bool coarse;    ///< larger than the gap's lateral scale requires: uses the harmonic conductance
 
+    /// Of the angle between d and the normal.
+    double cosine() const { return 1 / std::sqrt(1 + lean.squaredNorm() / (volume * volume)); }
     /// Conductance at density 1 times the gradients' product: S, on coarse elements the harmonic mean's (measure)^2 / I.
     double conductance() const { return coarse ? measure * measure / inverse : volume; }
 };
@@ -84,8 +89,9 @@ struct FilmMesh {
     std::vector<FilmElement<D>> elements;
     std::vector<RimEdge<D>> rim;
     std::vector<FilmPoint<D>> points;
-    bool flat = false;   ///< both surfaces flat here
-    bool capped = false; ///< the limit on nodes keeps elements coarser than required
+    bool viscous = false; ///< FilmMeshOptions::viscous
+    bool flat = false;    ///< both surfaces flat here
+    bool capped = false;  ///< the limit on nodes keeps elements coarser than required
 };
 
 struct FilmMeshOptions {
@@ -104,7 +110,9 @@ struct FilmMeshOptions {
     double rings = 0;     ///< between a ball and a convex body: rings about the nearest point, in sqrt(2 R h) (3D); 0: none
     double spacing = 0.0; ///< of quadrature points, in dx; 0: default (1/8 in 2D; 3D: 1/4, where both are flat 1/2)
     double ratio = 1.5;   ///< largest change of h over an element
-    bool inverse = true;  ///< int 1/h of all elements to the accuracy of int h; else of coarse ones alone (3D)
+    bool viscous =
+        false; ///< S = int h and no lean: what drag does in wedges is measured along h (method, "Films of viscous fluid")
+    bool inverse = true; ///< int 1/h of all elements to the accuracy of int h; else of coarse ones alone (3D)
     int node_cap = 100000;
     Vec<3> origin = Vec<3>::Zero(); ///< of the grid, to cut points at its planes
 };

@@ -109,6 +109,9 @@ public:
             const FluidInPlace<D>& place = place_[i];
             carrying[i] =
                 0.5 * ((place.volume + place.covered) * place.velocity + e.volume * (place.reference + dt_ * place.increment));
+            const PlacedShape<D>& master = solids_[network_.films[k].pair.master].shape;
+            const Vec<D> U = moving_with(*history_[k], master.to_body(e.centroid_master), R);
+            carrying[i] -= e.normal.dot(place.world - U) * (R.transpose() * e.lean);
         });
         mouth_fluxes(expected);
         std::vector<Carried<D>> low(history_.size()), high(history_.size());
@@ -124,9 +127,9 @@ public:
             high[k] = transport.high();
         });
         struct Sum {
-            double low = 0, high = 0; // work of transport against the expected velocities, what leaves less what enters
-            double low_out = 0, high_out = 0, debt = 0;
-            bool gains = false; // already at first order
+            double low = 0, high = 0;         // work of transport against the expected velocities, what leaves less what enters
+            double in = 0, out = 0, debt = 0; // what enters and leaves at first order
+            double kept = 1;                  // the share of transport with which the films gain no more than what stays
         };
         std::map<const FilmHistory<D>*, Sum> sums;
         std::vector<Vec<D>> of_low(network_.elements), of_high(network_.elements);
@@ -145,13 +148,14 @@ public:
                 Sum& sum = sums[history_[k]];
                 sum.low -= low[k].in;
                 sum.high -= high[k].in;
-                sum.low_out += low[k].out;
-                sum.high_out += high[k].out;
+                sum.in += low[k].in;
+                sum.out += low[k].out;
                 sum.debt = std::max(debt(network_.films[k].pair), 0.0);
             }
         for (auto& [old, sum] : sums) { // what leaves may be kept to pay a debt
-            sum.gains = sum.low > 0;
             sum.low += sum.debt;
+            if (sum.low > 0 && sum.high + sum.debt > 0)
+                sum.kept = std::clamp((sum.in - sum.out - sum.debt) / (sum.low + sum.in - sum.debt), 0.0, 1.0);
             sum.high += sum.debt;
         }
         for_each_element([&](std::size_t k, std::size_t i, const FilmElement<D>& e) {
@@ -165,7 +169,7 @@ public:
                                                       : 0.0;
             const std::size_t own = i - network_.films[k].first_element;
             flow.velocity[i] =
-                sum.gains && share == 0 ? account.reference[i] : Vec<D>((1 - share) * of_low[i] + share * of_high[i]);
+                account.reference[i] + sum.kept * ((1 - share) * of_low[i] + share * of_high[i] - account.reference[i]);
             flow.normal[i] = low[k].world[own].dot(e.normal);
             gives_[history_[k]] -= e.volume * expected[i].dot(flow.velocity[i] - account.reference[i]);
         });
@@ -245,13 +249,12 @@ public:
                 scale = 1 / (1 + a);
                 q *= scale;
             }
-            flow.mouth.push_back(q + (history_[mouth.film] ? mouth.length * mouth.h * mouth.outward.dot(carried_[r]) : 0.0));
+            flow.mouth.push_back(q + (history_[mouth.film] ? mouth.length * mouth.section.dot(carried_[r]) : 0.0));
             flow.mouth_scale.push_back(scale);
             flow.account.gain.push_back(gain);
             flow.account.predicted.push_back(predicted_flux_[r]);
             flow.account.kept.push_back(start_flux_[r]);
-            flow.account.carried.push_back(history_[mouth.film] ? mouth.length * mouth.h * mouth.outward.dot(carried_[r])
-                                                                : 0.0);
+            flow.account.carried.push_back(history_[mouth.film] ? mouth.length * mouth.section.dot(carried_[r]) : 0.0);
         }
     }
 
@@ -279,10 +282,9 @@ private:
             const Mouth<D>& mouth = mouths_[r];
             const Film<D>& film = network_.films[mouth.film];
             const FilmHistory<D>* history = history_[mouth.film];
-            const double section = mouth.length * mouth.h;
             if (!history) {
                 carried_.push_back(Vec<D>::Zero());
-                start_flux_.push_back(section * mouth.outward.dot(bulk_at_mouth_[r]));
+                start_flux_.push_back(mouth.length * mouth.section.dot(bulk_at_mouth_[r]));
                 mean_flux_.push_back(start_flux_.back());
                 speed_.push_back(0);
                 mouth_flow_.push_back({});
@@ -299,22 +301,26 @@ private:
             const Vec<D> across = end.normal.dot(place.world - U) * end.normal; // what the walls carry it with
             const auto* old = history->nearest_mouth(x, mouth.outward);
             // The mouth's flux at the start, and with the energy that it had; volume times speed of the film's end at the start and expected.
-            double flux = section * before, q = flux, h = mouth.h, start = before, expects = after;
+            const double swept = mouth.length * mouth.section.dot(across); // part of the flux
+            double flux = mouth.length * mouth.section.dot(reference_[at]) + swept, q = flux,
+                   h = mouth.section.dot(mouth.outward), start = before, expects = after;
             if (old) {
-                flux = mouth.length * (old->flux - old->h * old->outward.dot(old->master_velocity));
-                q = std::sqrt(old->resistance / mouth.resistance) * flux;
-                h = 0.5 * (h + old->h);
+                flux = mouth.length * (old->flux - old->section.dot(old->master_velocity));
+                q = D == 2 && mouth.kind == MouthKind::smooth && !film.mesh.viscous
+                        ? flux
+                        : std::sqrt(old->resistance / mouth.resistance) * flux;
+                h = 0.5 * (h + old->section.dot(old->outward));
                 start = (place.volume + place.covered) * mouth.outward.dot(master.rotation() * place.velocity);
                 expects = end.volume * after;
             }
-            const double predicted = start != 0 && expects * start > 0 ? flux * expects / start : flux;
+            const double predicted = start != 0 && expects * start > 0 ? swept + (flux - swept) * expects / start : flux;
             carried_.push_back(U);
             start_flux_.push_back(q);
             predicted_flux_[r] = predicted;
             mean_flux_.push_back(0.5 * (flux + predicted));
             // Through mouths much thinner than their film the speed q/h has no meaning: no more than the film's own at its end.
-            const double through = std::abs(mean_flux_.back()) / (mouth.length * h),
-                         in_film = 2 * 0.5 * std::abs(before + after);
+            const double along = mean_flux_.back() - swept; // with the film's own speed
+            const double through = std::abs(along) / (mouth.length * h), in_film = 2 * 0.5 * std::abs(before + after);
             double speed = std::min(through, in_film);
             // What enters by a smooth end without a head comes as the bulk brings it.
             if (mouth.kind == MouthKind::smooth && law_(film.pair.master, film.pair.other).jet && mean_flux_.back() < 0)

@@ -1,6 +1,7 @@
 #include "gapflow/film/film_motion.hpp"
 
 #include "gapflow/core/threads.hpp"
+#include "gapflow/film/film_quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@ namespace {
 
 // Of the angle between an element's normal and the other's, which is 30 degrees at most where there is a film; else its mean normal is unreliable.
 constexpr double least_cosine = 0.5;
+// Walls at an angle of less than the root of this, in radians, contribute alike.
+constexpr double parallel = 0.01;
 
 } // namespace
 
@@ -22,7 +25,16 @@ NormalRows<D> normal_rows(const FilmMesh<D>& mesh, const FilmElement<D>& e, std:
     const Vec<D> other_centre = solids[mesh.other].centre + mesh.shift;
     const double across = e.normal.dot(e.into_other);
     const bool known = across > least_cosine;
-    const Vec<D> normal = known ? Vec<D>(e.into_other / (2 * across)) : Vec<D>(0.5 * e.normal);
+    Vec<D> normal = known ? Vec<D>(e.into_other / (2 * across)) : Vec<D>(0.5 * e.normal);
+    if (known && !mesh.viscous) {
+        std::array<Vec<D>, D> x;
+        for (int i = 0; i < D; ++i)
+            x[i] = mesh.x[e.nodes[i]];
+        Vec<D> of_master = area_vector<D>(x).normalized();
+        const Vec<D> of_normal = e.normal - e.normal.dot(of_master) * of_master,
+                     of_other = e.into_other - e.into_other.dot(of_master) * of_master;
+        normal = (of_normal.dot(of_other) + parallel / (2 * across)) / (of_other.squaredNorm() + parallel) * e.into_other;
+    }
     const Vec<D>& place = known ? e.place_on_other : e.centroid;
     return {wrench<D>(e.normal, e.centroid - centre) - wrench<D>(normal, place - centre),
             wrench<D>(normal, place - other_centre)};
@@ -75,7 +87,7 @@ FilmHistories<D> remember_films(const FilmNetwork<D>& network, std::span<const S
         const Mouth<D>& c = network.rim.mouths[r];
         const FilmPair<D>& pair = network.films[c.film].pair;
         const Solid<D>& master = solids[pair.master];
-        histories[number[c.film]]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.h, c.resistance,
+        histories[number[c.film]]->mouths.push_back({master.shape.to_body(c.x), c.outward, c.section, c.resistance,
                                                      mouth[r] / c.length,
                                                      velocity_at<D>(twists[pair.master], c.x - master.centre), c.kind});
     }

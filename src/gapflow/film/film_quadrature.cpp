@@ -19,6 +19,7 @@ template <int D>
 constexpr int most_for_ratio = D == 2 ? 8 : 1; ///< ... as long as an element needs no more divisions along an edge
 constexpr int most_for_inverse = 6;            ///< the same for the integral of 1/h alone (3D)
 constexpr int most_divisions = 64;
+constexpr double least_cosine = 0.5; ///< between an element's normal and the other's at a point
 // A corner of an element within this of a plane of the grid, in dx, counts as on it, as it does for fractions: a film that ends there would
 // touch the cells beyond or not by the round-off of its bodies' positions.
 constexpr double on_plane = 1e-6;
@@ -160,7 +161,7 @@ void divide(const std::array<Vec<3>, 3>& y, int q, const FilmMeshOptions& o, std
 /// surfaces. The small difference of both over the whole element is shared evenly, so the sum stays the chord's.
 void bend_areas(const Vec<2>& area, const std::array<Vec<2>, 2>& y, std::span<FilmPoint<2>> points)
 {
-    constexpr double least_cosine = 0.5, straight = 1e-12;
+    constexpr double straight = 1e-12;
     const double size = area.norm();
     const Vec<2> normal = points.front().other_normal;
     const bool curved = std::any_of(points.begin(), points.end(),
@@ -267,7 +268,16 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
     const Vec<D> area = area_vector<D>(y);
     [[maybe_unused]] const std::size_t first_point = film.points.size();
     element.volume = element.inverse = 0;
+    element.lean = Vec<D>::Zero();
     element.into_other = element.place_on_other = Vec<D>::Zero();
+    // What is across the gap of a distance along the other's normal, and what is along the film.
+    const auto across = [&](const FilmPoint<D>& p) {
+        return o.viscous ? 1.0 : std::max(-p.other_normal.dot(element.normal), least_cosine);
+    };
+    const auto along = [&](const FilmPoint<D>& p) {
+        return o.viscous ? Vec<D>(Vec<D>::Zero())
+                         : Vec<D>(p.other_normal.dot(element.normal) * element.normal - p.other_normal);
+    };
     for (const Piece<D>& piece : pieces) {
         FilmPoint<D>& p = film.points.emplace_back();
         p.element = e;
@@ -280,20 +290,24 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
             for (const auto& end_shape : piece.ends) {
                 FilmPoint<2> end;
                 gap(end_shape, end);
-                element.inverse += 0.5 * p.weight * mean_inverse(p.h, end.h);
+                element.inverse += 0.5 * p.weight * mean_inverse(p.h, end.h) / across(p);
             }
-        element.volume += p.weight * p.h;
+        element.volume += p.weight * p.h * across(p);
+        element.lean += p.weight * p.h * along(p);
         element.into_other -= piece.fraction * p.other_normal;
         element.place_on_other += piece.fraction * p.y;
         if (D == 3 && for_inverse == divisions)
-            element.inverse += p.weight / p.h;
+            element.inverse += p.weight / (p.h * across(p));
     }
     element.into_other.normalize();
     if constexpr (D == 2)
         if (!flat && pieces.size() > 1)
             bend_areas(area, y, std::span(film.points).subspan(first_point));
-    if (D == 3 && pieces.size() == 1)
-        element.volume = element.measure * (0.75 * film.points.back().h + 0.25 * (h[0] + h[1] + h[D - 1]) / 3);
+    if (D == 3 && pieces.size() == 1) {
+        const double mean = 0.75 * film.points.back().h + 0.25 * (h[0] + h[1] + h[D - 1]) / 3;
+        element.volume = element.measure * mean * across(film.points.back());
+        element.lean = element.measure * mean * along(film.points.back());
+    }
     if constexpr (D == 3)
         if (for_inverse > divisions) {
             pieces.clear();
@@ -301,7 +315,7 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
             for (const Piece<3>& piece : pieces) {
                 FilmPoint<3> p;
                 gap(piece.centre, p);
-                element.inverse += piece.fraction * element.measure / p.h;
+                element.inverse += piece.fraction * element.measure / (p.h * across(p));
             }
         }
     // int h int 1/h >= measure^2, also where the midpoint rule for h misses its kink at the floor

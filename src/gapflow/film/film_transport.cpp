@@ -59,6 +59,8 @@ FilmTransport<D>::FilmTransport(const FilmNetwork<D>& network, int number, const
     for (Facet& facet : facets_) {
         for (int node : facet.nodes)
             facet.h += mesh_.h[node] / (D - 1);
+        facet.h *= facet.b < 0 ? mesh_.elements[facet.a].cosine()
+                               : 0.5 * (mesh_.elements[facet.a].cosine() + mesh_.elements[facet.b].cosine());
         facet.h = std::max(facet.h, mean_h_[facet.a] / steepest);
         if (facet.b >= 0)
             facet.h = std::max(facet.h, mean_h_[facet.b] / steepest);

@@ -120,10 +120,11 @@ std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::sp
                     result[e].covered += scale * q.weight * q.h;
                     continue;
                 }
-                const double old_volume = scale * q.weight * sample.h;
+                const double across = scale / film.mesh.elements[q.element].cosine();
+                const double old_volume = across * q.weight * sample.h;
                 taken[sample.element] += old_volume;
                 covered[sample.element] += q.weight * on_master[q.element];
-                deposits.push_back({{e, sample.element, old_volume, scale * q.weight * q.h, scale * q.weight}, sample.flux});
+                deposits.push_back({{e, sample.element, old_volume, scale * q.weight * q.h, across * q.weight}, sample.flux});
             }
         }
         std::vector<Vec<D>> normal(network.elements, Vec<D>::Zero()); // of the old film at the new elements

@@ -1,5 +1,6 @@
 #include "gapflow/film/mouths.hpp"
 
+#include "gapflow/film/mouth_cells.hpp"
 #include "gapflow/film/mouth_stencil.hpp"
 #include "gapflow/film/rim_joints.hpp"
 #include "gapflow/film/rim_points.hpp"
@@ -19,7 +20,25 @@ constexpr double mouth_radius = 0.8;        // r in the mouth formulas, in dx: t
 constexpr double open_resistance = 0.2;     // of a mouth on an open side
 constexpr double minimum_resistance = 0.02; // keeps wide mouths positive
 constexpr double touching = 1e-6;           // distance to a third body that closes a rim, in dx
+constexpr double least_channel = 0.1;       // beyond a smooth mouth, in dx
 constexpr double joint_reach = 1.5;         // in (h + h_other), else in dx
+
+// Beyond a smooth end the gap continues as a channel up to the stencil's point: the weighted mean of its cells along the
+// rim's outward direction, plus the loss from returning the flux to cells that lie apart, their variance over dx (f (1 - f)
+// dx for a sample a fraction f between two cells).
+template <int D>
+double channel_resistance(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& outward, double h,
+                          const std::vector<std::pair<long, double>>& cells)
+{
+    double mean = 0, square = 0;
+    for (const auto& [key, weight] : cells) {
+        const double s = Vec<D>(grid.nearest_image(grid.cell_centre(grid.cell_of_key(key)) - x)).dot(outward);
+        mean += weight * s;
+        square += weight * s * s;
+    }
+    const double length = std::max(mean + (square - mean * mean) / grid.dx(), least_channel * grid.dx());
+    return std::max(length / h, minimum_resistance);
+}
 
 template <int D>
 class MouthFinder {
@@ -228,11 +247,26 @@ private:
         return result;
     }
 
+    // The line across the gap leads along the other's normal, which may lean out of the film or into it.
+    Vec<D> section(const FilmMesh<D>& mesh, const RimPoint<D>& point) const
+    {
+        const FilmElement<D>& end = mesh.elements[point.edge->element];
+        const Vec<D>& nu = point.edge->outward;
+        Vec<D> across = Vec<D>::Zero();
+        for (int i = 0; i < D - 1; ++i)
+            across += point.shape[i] * (mesh.y[point.edge->nodes[i]] - mesh.x[point.edge->nodes[i]]);
+        const double length = across.norm();
+        if (mesh.viscous || length < 1e-3 * point.h)
+            return point.h * nu;
+        across /= length;
+        return point.h * (std::max(across.dot(end.normal), 0.5) * nu - across.dot(nu) * end.normal);
+    }
+
     void append_mouth(const RimPoint<D>& point, MouthKind kind, std::vector<std::pair<long, double>> cells, End& end) const
     {
         const Film<D>& film = films_[point.film];
         const double resistance = kind == MouthKind::smooth
-                                      ? std::max(channel_length(point, cells) / point.h, minimum_resistance)
+                                      ? channel_resistance(grid_, point.x, point.edge->outward, point.h, cells)
                                       : mouth_resistance(kind, point.h, grid_.dx());
         end.mouth = {point.film,
                      kind,
@@ -241,25 +275,11 @@ private:
                      point.shape,
                      point.x,
                      point.edge->outward,
+                     section(film.mesh, point),
                      point.length,
                      point.h,
                      resistance,
                      std::move(cells)};
-    }
-
-    // Beyond a smooth end the gap continues as a channel up to the stencil's point: the weighted mean of its cells along the
-    // rim's outward direction, plus the loss from returning the flux to cells that lie apart, their variance over dx (f (1 - f)
-    // dx for a sample a fraction f between two cells).
-    double channel_length(const RimPoint<D>& point, const std::vector<std::pair<long, double>>& cells) const
-    {
-        double mean = 0, square = 0;
-        for (const auto& [key, weight] : cells) {
-            const Vec<D> to = grid_.nearest_image(grid_.cell_centre(grid_.cell_of_key(key)) - point.x);
-            const double s = to.dot(point.edge->outward);
-            mean += weight * s;
-            square += weight * s * s;
-        }
-        return std::max(mean + (square - mean * mean) / grid_.dx(), 0.1 * grid_.dx());
     }
 
     // The block of four cells per side around a cell.
@@ -302,6 +322,58 @@ double mouth_resistance(MouthKind kind, double h, double dx)
         return std::max((sample_distance + 1.0 / 6.0) * dx / h, minimum_resistance);
     return open_resistance;
 }
+
+namespace {
+
+// Smooth mouths of films without viscosity lead to the cells behind the faces that the film closes there. For the grid these faces move with the master,
+// and so does the film's end: with other cells a master that turns about its centre would drive a flux from one to the other.
+template <int D>
+void lead_behind_closed_faces(const Grid<D>& grid, FilmNetwork<D>& network)
+{
+    if (std::all_of(network.films.begin(), network.films.end(), [](const Film<D>& film) { return film.mesh.viscous; }))
+        return;
+    const std::vector<std::vector<ClosedArea<D>>> closed = closed_areas(grid, network);
+    std::vector<std::vector<Vec<D>>> places(network.films.size());
+    for (const Mouth<D>& mouth : network.rim.mouths)
+        if (!mouth.cells.empty())
+            places[mouth.film].push_back(mouth.x);
+    for (Mouth<D>& mouth : network.rim.mouths) {
+        const Film<D>& film = network.films[mouth.film];
+        if (mouth.kind != MouthKind::smooth || film.mesh.viscous || mouth.cells.empty())
+            continue;
+        const std::vector<CarriedCell> behind = cells_behind<D>(mouth, film, closed[mouth.film], places[mouth.film], grid.dx());
+        if (behind.empty() ||
+            std::any_of(behind.begin(), behind.end(), [](const CarriedCell& cell) { return cell.weight < 0; }))
+            continue;
+        // Where the cells lie back from the rim, in part those of the interpolation beyond it.
+        const auto way = [&](long key) {
+            return Vec<D>(grid.nearest_image(grid.cell_centre(grid.cell_of_key(key)) - mouth.x)).dot(mouth.outward);
+        };
+        double back = 0, beyond = 0;
+        for (const CarriedCell& cell : behind)
+            back += cell.weight * way(cell.key);
+        for (const auto& [key, weight] : mouth.cells)
+            beyond += weight * way(key);
+        const double least = least_channel * grid.dx();
+        const double share = back >= least     ? 0.0
+                             : beyond <= least ? 1.0
+                                               : (least - back) / (beyond - back); // of the interpolation
+        for (auto& entry : mouth.cells)
+            entry.second *= share;
+        for (const CarriedCell& cell : behind) {
+            const auto known = std::find_if(mouth.cells.begin(), mouth.cells.end(),
+                                            [&](const auto& entry) { return entry.first == cell.key; });
+            if (known != mouth.cells.end())
+                known->second += (1 - share) * cell.weight;
+            else
+                mouth.cells.emplace_back(cell.key, (1 - share) * cell.weight);
+        }
+        std::erase_if(mouth.cells, [](const auto& entry) { return entry.second == 0; });
+        mouth.resistance = channel_resistance(grid, mouth.x, mouth.outward, mouth.h, mouth.cells);
+    }
+}
+
+} // namespace
 
 template <int D>
 FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
@@ -346,6 +418,8 @@ FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>>
         network.nodes += static_cast<int>(film.mesh.h.size());
         network.elements += static_cast<int>(film.mesh.elements.size());
     }
+    if (D == 2)
+        lead_behind_closed_faces(grid, network);
     return network;
 }
 

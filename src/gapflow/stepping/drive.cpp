@@ -155,7 +155,7 @@ void drive_fluid(const Model<D>& model, const Coupling<D>& there, const Drive<D>
         }
     for (std::size_t r = 0; r < u.mouth.size(); ++r) {
         const Mouth<D>& mouth = there.network.rim.mouths[r];
-        const double flux = mouth.length * mouth.h * mouth.outward.dot(impulse);
+        const double flux = mouth.length * mouth.section.dot(impulse);
         u.mouth[r] += star.mouth_factor[r] * flux;
         account.kept[r] += flux;
     }

@@ -89,7 +89,7 @@ void reverse_films(const FilmNetwork<D>& network, std::span<const Solid<D>> soli
         const Film<D>& film = network.films[mouth.film];
         if (!reversing.contains(film.pair))
             continue;
-        const double along = mouth.length * mouth.h * mouth.outward.dot(carried(film, mouth.x));
+        const double along = mouth.length * mouth.section.dot(carried(film, mouth.x));
         flow.mouth[r] = 2 * along - (account.carried[r] + account.kept[r]);
         flow.mouth_scale[r] = 1;
         account.gain[r] = 0;

@@ -56,7 +56,7 @@ template <int D>
 double carried_flux(const Coupling<D>& coupling, const Mouth<D>& mouth, const std::vector<Twist<D>>& twists)
 {
     const int master = coupling.network.films[mouth.film].mesh.master;
-    return mouth.length * mouth.h * mouth.outward.dot(velocity_at<D>(twists[master], mouth.x - coupling.solids[master].centre));
+    return mouth.length * mouth.section.dot(velocity_at<D>(twists[master], mouth.x - coupling.solids[master].centre));
 }
 
 template <int D>
@@ -89,8 +89,7 @@ void limit_inflow(const Coupling<D>& coupling, const VoidSet<D>& voids, const Fi
         if (!sharp || !(at_void || film.mesh.skin > 0) || history == histories.end())
             continue;
         const PlacedShape<D>& master = coupling.solids[film.pair.master].shape;
-        const double along =
-            mouth.length * mouth.h * mouth.outward.dot(history->second->master_velocity(master.to_body(mouth.x)));
+        const double along = mouth.length * mouth.section.dot(history->second->master_velocity(master.to_body(mouth.x)));
         double& q = flow.mouth[r];
         double& scale = flow.mouth_scale[r];
         const double before = (q - (1 - scale) * along) / scale; // q^n, without the head that advection took

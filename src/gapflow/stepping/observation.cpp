@@ -176,7 +176,7 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
     for (std::size_t r = 0; r < mouths.size(); ++r) {
         const Mouth<D>& mouth = mouths[r];
         const double q = state.velocity.mouth[r];
-        add(rho * mouth.resistance * mouth.h * q * mouth.outward, mouth.x);
+        add(rho * mouth.resistance * q * mouth.section, mouth.x);
         budget.energy_film += 0.5 * rho * mouth.resistance * q * q / mouth.length;
     }
     for (const RigidBody<D>& body : state.bodies)

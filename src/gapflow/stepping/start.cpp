@@ -54,7 +54,7 @@ void fill_films(const Coupling<D>& here, const Vec<D>& u0, const std::vector<Twi
             u.film.push_back(u0 - u0.dot(e.normal) * e.normal);
     u.film_normal = wall_normal_speed<D>(here.network, here.solids, V);
     for (const Mouth<D>& mouth : here.network.rim.mouths)
-        u.mouth.push_back(mouth.length * mouth.h * mouth.outward.dot(u0));
+        u.mouth.push_back(mouth.length * mouth.section.dot(u0));
 }
 
 } // namespace

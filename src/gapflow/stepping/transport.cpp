@@ -77,7 +77,7 @@ std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& ther
         const Mouth<D>& mouth = mouths[r];
         const int master = there.network.films[mouth.film].mesh.master;
         const Vec<D> U = velocity_at<D>(V[master], mouth.x - there.solids[master].centre);
-        if (flux[r] > mouth.length * mouth.h * mouth.outward.dot(U))
+        if (flux[r] > mouth.length * mouth.section.dot(U))
             flows_out[mouth.film] = 1;
     }
     if (std::none_of(flows_out.begin(), flows_out.end(), [](char out) { return out; }))

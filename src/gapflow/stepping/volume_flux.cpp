@@ -1,5 +1,6 @@
 #include "gapflow/stepping/volume_flux.hpp"
 
+#include "gapflow/film/film_motion.hpp"
 #include "gapflow/stepping/flooding.hpp"
 
 #include <algorithm>
@@ -241,6 +242,7 @@ Sums films_through(const Flows<D>& flows, const PlanePart<D>& plane)
     const Coupling<D>& here = flows.here();
     const FilmNetwork<D>& network = here.network;
     const std::vector<Twist<D>>& V = flows.twists();
+    const std::vector<double> across = wall_normal_speed<D>(network, here.solids, V);
     Sums sums;
     const auto ramp_at = [&](const Vec<D>& way) { return plane.ramp(plane.height(way)); };
     for (const Film<D>& film : network.films) {
@@ -252,9 +254,12 @@ Sums films_through(const Flows<D>& flows, const PlanePart<D>& plane)
                 continue;
             const Vec<D> u = flows.state().velocity.film[film.first_element + e] -
                              velocity_at<D>(V[mesh.master], element.centroid - here.solids[mesh.master].centre);
+            const double normal =
+                across[film.first_element + e] -
+                element.normal.dot(velocity_at<D>(V[mesh.master], element.centroid - here.solids[mesh.master].centre));
             double flux = 0;
             for (int i = 0; i < D; ++i)
-                flux += element.volume * u.dot(element.gradient[i]) *
+                flux += (element.volume * u - normal * element.lean).dot(element.gradient[i]) *
                         ramp_at(middle + mesh.mid[element.nodes[i]] - element.centroid);
             sums.add_film(flux);
         }

@@ -110,7 +110,7 @@ Twist<D> momentum(const World<D>& world, const FluidVelocity<D>& u, const std::v
         }
     for (std::size_t r = 0; r < u.mouth.size(); ++r) {
         const Mouth<D>& mouth = c.network.rim.mouths[r];
-        sum += wrench<D>(c.density * mouth.resistance * mouth.h * u.mouth[r] * mouth.outward, mouth.x);
+        sum += wrench<D>(c.density * mouth.resistance * u.mouth[r] * mouth.section, mouth.x);
     }
     for (std::size_t b = 0; b < world.bodies.size(); ++b) {
         const Twist<D> m = world.mass[b] * twists[b];
@@ -136,7 +136,7 @@ FluidVelocity<D> velocity_of(const World<D>& world, const std::function<Vec<D>(c
             u.film_normal.push_back(v.dot(e.normal));
         }
     for (const Mouth<D>& mouth : c.network.rim.mouths)
-        u.mouth.push_back(mouth.length * mouth.h * mouth.outward.dot(field(mouth.x)));
+        u.mouth.push_back(mouth.length * mouth.section.dot(field(mouth.x)));
     return u;
 }
 
@@ -255,6 +255,69 @@ TEST(Momentum, PeriodicBox3D)
     expect_momentum<3>(periodic_box(3), 3);
 }
 
+// Two disks or balls a quarter of a cell or so apart, off the grid's axes, a film of time steps between them.
+Scene two_balls(int dimension)
+{
+    Scene scene;
+    scene.dimension = dimension;
+    const int n = dimension == 2 ? 64 : 32;
+    const double size = dimension == 2 ? 4.0 : 2.0, gap = 0.05, half = 0.4 + 0.5 * gap, angle = 0.107;
+    scene.size = {size, size, dimension == 2 ? 0.0 : size};
+    scene.cells = {n, n, dimension == 2 ? 1 : n};
+    for (int side : {-1, 1}) {
+        BodyScene ball = body(side < 0 ? "left" : "right", BodyScene::ShapeKind::ball,
+                              {0.5 * size + 0.003 + side * half * std::cos(angle),
+                               0.5 * size + 0.011 + side * half * std::sin(angle), dimension == 2 ? 0 : 0.5 * size + 0.02});
+        ball.radius = 0.4;
+        scene.bodies.push_back(ball);
+    }
+    return scene;
+}
+
+// A ball that turns about its centre moves no fluid: next to no flux into the film's nodes, whether it bears the film or not, and in 2D no moment of a
+// pressure that is linear in space.
+template <int D>
+void expect_no_flux_of_spin(double flux_allowed, double moment_allowed)
+{
+    const World<D> world(two_balls(D), true);
+    const Coupling<D>& c = world.coupling;
+    ASSERT_EQ(c.network.films.size(), 1u);
+    const FilmMesh<D>& mesh = c.network.films[0].mesh;
+    for (int b : {0, 1}) {
+        const Vec<D>& centre = c.solids[b].centre;
+        const auto spin = [](const Twist<D>& flux) { return flux.template tail<spin_size<D>>().norm(); };
+        std::vector<Twist<D>> of_node(c.network.nodes, Twist<D>::Zero());
+        for (const auto& entry : c.node_flux)
+            if (entry.body == b)
+                of_node[entry.row] += entry.flux;
+        double into_nodes = 0, section = 0;
+        for (const Twist<D>& flux : of_node)
+            into_nodes += spin(flux);
+        for (const Mouth<D>& mouth : c.network.rim.mouths)
+            section += mouth.length * spin(wrench<D>(mouth.section, mouth.x - centre));
+        EXPECT_LT(into_nodes, flux_allowed * section) << "body " << b;
+        for (int axis = 0; axis < D; ++axis) {
+            Twist<D> sum = Twist<D>::Zero();
+            for (const auto& entry : c.cell_flux)
+                if (entry.body == b)
+                    sum += (world.grid.cell_centre(entry.row)[axis] - centre[axis]) * entry.flux;
+            for (int i = 0; i < c.network.nodes; ++i)
+                sum += (mesh.mid[i][axis] - centre[axis]) * of_node[i];
+            EXPECT_LT(spin(sum), moment_allowed) << "body " << b << " axis " << axis;
+        }
+    }
+}
+
+// With a volume of the film of int h, without the part of the flux that leans, 0.24 and 3e-3.
+TEST(Identities, ABallThatTurnsMovesNoFluid2D)
+{
+    expect_no_flux_of_spin<2>(0.1, 3e-4);
+}
+TEST(Identities, ABallThatTurnsMovesNoFluid3D)
+{
+    expect_no_flux_of_spin<3>(0.05, 2e-3);
+}
+
 Scene constrained(Scene scene, const std::array<bool, 6>& free)
 {
     scene.bodies[1].free = free;
@@ -270,7 +333,8 @@ Scene hinged(Scene scene, const Triple& point, const Triple& axis)
 TEST(Momentum, OfAllButAReactionWithDirectionsHeld2D)
 {
     expect_momentum<2>(constrained(ball_in_container(2, 1e-3), {false, true, false, false, false, false}), twist_size<2>, 1);
-    expect_momentum<2>(constrained(ball_in_container(2, 1e-3), {true, true, false, false, false, false}), twist_size<2>, 1);
+    // (The fluid does not turn a ball: no reaction.)
+    expect_momentum<2>(constrained(periodic_box(2), {true, true, false, false, false, false}), 2, 1);
 }
 TEST(Momentum, OfAllButAReactionWithDirectionsHeld3D)
 {

@@ -198,7 +198,13 @@ TEST(FilmHistory, MouthsGoOn)
     const Plates<2> plates(3, 7, 10);
     FilmHistory<2> history = plates.history(stretching<2>);
     for (double x : {3.0, 6.0, 7.0})
-        history.mouths.push_back({{x, 0}, x == 3 ? Vec<2>(-1, 0) : Vec<2>(1, 0), 0.2, 1.0, x, {0, 0}, MouthKind::edge_edge});
+        history.mouths.push_back({{x, 0},
+                                  x == 3 ? Vec<2>(-1, 0) : Vec<2>(1, 0),
+                                  x == 3 ? Vec<2>(-0.2, 0) : Vec<2>(0.2, 0),
+                                  1.0,
+                                  x,
+                                  {0, 0},
+                                  MouthKind::edge_edge});
     EXPECT_EQ(history.nearest_mouth({6.9, 0}, {1, 0}), &history.mouths[2]);
     EXPECT_EQ(history.nearest_mouth({6.2, 0}, {0.8, 0.6}), &history.mouths[1]);
     EXPECT_EQ(history.nearest_mouth({3.5, 0}, {1, 0}), nullptr); // the near one leads out to the other side

@@ -99,7 +99,8 @@ void check_film(const FilmMesh<D>& film, const FilmMeshOptions& options)
         ASSERT_TRUE(film.h[i] >= options.floor && film.h[i] <= options.threshold * (1 + 1e-7)) << film.h[i];
         ASSERT_LT((film.mid[i] - 0.5 * (film.x[i] + film.y[i])).norm(), 1e-12 * (1 + film.x[i].norm()));
     }
-    std::vector<double> fraction(film.elements.size(), 0), volume(fraction);
+    std::vector<double> fraction(film.elements.size(), 0), volume(fraction), across(fraction);
+    std::vector<Vec<D>> lean(film.elements.size(), Vec<D>::Zero());
     std::vector<int> pieces(film.elements.size(), 0);
     std::vector<Vec<D>> share(film.elements.size(), Vec<D>::Zero());
     std::vector<Spin<D>> turn(film.elements.size(), Spin<D>::Zero()); // about the mean of the closest points
@@ -109,7 +110,11 @@ void check_film(const FilmMesh<D>& film, const FilmMeshOptions& options)
         ASSERT_NEAR(p.other_normal.norm(), 1, 1e-12);
         const auto& e = film.elements[p.element];
         fraction[p.element] += p.weight / e.measure;
-        volume[p.element] += p.weight * p.h;
+        const Vec<D>& normal = film.elements[p.element].normal;
+        across[p.element] = options.viscous ? 1.0 : std::max(-p.other_normal.dot(normal), 0.5);
+        volume[p.element] += p.weight * p.h * across[p.element];
+        if (!options.viscous)
+            lean[p.element] -= p.weight * p.h * (p.other_normal - p.other_normal.dot(normal) * normal);
         ++pieces[p.element];
         share[p.element] += p.area;
         Vec<D> mean = Vec<D>::Zero();
@@ -134,8 +139,10 @@ void check_film(const FilmMesh<D>& film, const FilmMeshOptions& options)
         ASSERT_LT(size, (options.largest + 0.3 * options.straddle) * options.dx);
         ASSERT_NEAR(fraction[i], 1, 1e-13);
         if (D == 3 && pieces[i] == 1) // a triangle's corners count by a twelfth each
-            volume[i] =
-                0.75 * volume[i] + 0.25 * e.measure * (film.h[e.nodes[0]] + film.h[e.nodes[1]] + film.h[e.nodes[D - 1]]) / 3;
+            volume[i] = 0.75 * volume[i] +
+                        0.25 * e.measure * across[i] * (film.h[e.nodes[0]] + film.h[e.nodes[1]] + film.h[e.nodes[D - 1]]) / 3;
+        else
+            ASSERT_LT((lean[i] - e.lean).norm(), 1e-13 * e.volume);
         ASSERT_NEAR(volume[i], e.volume, 1e-13 * e.volume);
         ASSERT_LT((share[i] - simplex_area<D>(y)).norm(), 1e-14 * options.dx);
         ASSERT_LT(turn[i].norm(), 1e-12 * options.dx * options.dx);

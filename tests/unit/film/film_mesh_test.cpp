@@ -155,8 +155,9 @@ TEST(FilmMesh, WedgeEndsWhereThicknessIsReached)
     }
     EXPECT_NEAR(length, (1 - lowest) / std::sin(slope), 1e-11);
     const double mid = area(films2[0]) / length;
-    EXPECT_NEAR(inverse, std::log(1 / lowest) / std::sin(slope) * mid, 1e-9);
-    EXPECT_NEAR(volume2, 0.5 * length * (1 + lowest) * mid, 1e-11);
+    const double across = std::cos(std::atan(0.5 * std::tan(slope))); // between the middle's normal and the wall's
+    EXPECT_NEAR(inverse, std::log(1 / lowest) / std::sin(slope) * mid / across, 1e-9);
+    EXPECT_NEAR(volume2, 0.5 * length * (1 + lowest) * std::cos(slope), 1e-11);
 
     const auto box3 = make_box<3>({8, 6, 4});
     const auto wall3 = make_half_space<3>(unit<3>(2));

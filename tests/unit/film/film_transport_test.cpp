@@ -301,12 +301,14 @@ TEST(FilmTransport, SteadyFlowInAWedgeIsSecondOrder)
             const std::vector<double>& h = gap.film().mesh.h;
             double slope = 0;
             for (int k = 0; k < 2; ++k)
-                slope += h[e.nodes[k]] * e.gradient[k].dot(along);
+                slope += e.cosine() * h[e.nodes[k]] * e.gradient[k].dot(along);
             start[i].acceleration = -speed(e) * speed(e) * e.measure / e.volume * slope * along; // u u_s
         }
         std::vector<MouthFlow<2>> mouths;
-        for (const Mouth<2>& mouth : gap.network.rim.mouths)
-            mouths.push_back({std::copysign(q, mouth.outward[0]), Vec<2>(q / mouth.h * along), Vec<2>(q / mouth.h * along)});
+        for (const Mouth<2>& mouth : gap.network.rim.mouths) {
+            const Vec<2> through = q / (mouth.h * gap.elements()[mouth.element].cosine()) * along;
+            mouths.push_back({std::copysign(q, mouth.outward[0]), through, through});
+        }
         const std::vector<Vec<2>> carried = transport(gap, start, flow_of(gap, u), mouths, dt).high.velocity;
         double error = 0, length = 0, largest = 0;
         for (std::size_t i = 0; i < u.size(); ++i) {

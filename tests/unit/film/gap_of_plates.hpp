@@ -75,6 +75,7 @@ public:
                 mouth.h += film().mesh.h[node] / (D - 1);
             }
             mouth.outward = rim.outward;
+            mouth.section = mouth.h * rim.outward;
             mouth.length = rim.length;
             network.rim.mouths.push_back(mouth);
         }

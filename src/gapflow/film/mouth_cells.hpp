@@ -16,6 +16,10 @@ struct ClosedArea {
     Vec<D> area; ///< normal times open area, out of the cell
 };
 
+/// The faces that each film closes, from all cells that are no film's.
+template <int D>
+std::vector<std::vector<ClosedArea<D>>> closed_areas(const Grid<D>& grid, const FilmNetwork<D>& network);
+
 /// The cell gets the share weight + lean of the flux that the master drags out of a mouth, weight - lean of the other wall's. Weights sum to 1, leans to 0.
 struct CarriedCell {
     long key;
