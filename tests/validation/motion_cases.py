@@ -503,7 +503,7 @@ def contact_cases(quick):
         dx = 4.0 / cells
         scene = {"domain": {"size": [4.0] * dimension, "cells": [cells] * dimension}, "contact": {"thickness": thickness},
                  "body": [{"name": "ball", "shape": "ball", "radius": 0.5, "position": place, "density": 2.0, "force": down}],
-                 "time": {"end": 1.5 if dimension == 2 else 0.262, "max_step": 0.02, "cfl": 0.5, "gap_cfl": 0.25}, "output": {"every": 1.5}}
+                 "time": {"end": 1.5 if dimension == 2 else 0.29, "max_step": 0.02, "cfl": 0.5, "gap_cfl": 0.25}, "output": {"every": 1.5}}
         name = f"{dimension}D ball pushed onto a wall, {cells} cells, thickness {thickness:g}"
         try:
             result = harness.run(scene)
