@@ -64,12 +64,10 @@ private:
     void find_mouths()
     {
         mouths_.assign(network_.films.size(), {});
-        mouth_places_.assign(network_.films.size(), {});
+        mouth_places_ = mouth_places(network_);
         for (const Mouth<D>& mouth : network_.rim.mouths)
-            if (!mouth.cells.empty()) {
+            if (!mouth.cells.empty())
                 mouths_[mouth.film].push_back(&mouth);
-                mouth_places_[mouth.film].push_back(mouth.x);
-            }
     }
 
     // Stiffness S / rho grad N_i . grad N_j (harmonic on coarse elements), the flux that moves with the master, and
@@ -157,33 +155,11 @@ private:
     // From outside film k a closed face is part of the film's master.
     void assemble_closed_faces()
     {
-        const auto& cells = network_.cells.cells;
-        for (const auto& [key, cell] : cells) {
-            const Index<D> c = grid_.cell_of_key(key);
-            for (const CellSide<D>& side : sides_of(grid_, c)) {
-                if (!side.inside)
-                    continue;
-                const int* closed = network_.cells.closed.find(faces_.key(side.axis, side.face));
-                if (!closed)
-                    continue;
-                const int k = *closed;
-                const long beyond = grid_.key(grid_.wrapped(side.cell));
-                const Index<D> offset = cell.offset(k);
-                if (!(cell.kind == CellKind::film && cell.owner == k))
-                    add_closed(key, k, side, offset, 2 * side.end - 1);
-                if (!cells.contains(beyond))
-                    add_closed(beyond, k, side, offset, 1 - 2 * side.end);
-            }
-        }
-    }
-
-    void add_closed(long key, int k, const CellSide<D>& side, const Index<D>& offset, int sign)
-    {
-        const Vec<D> x = faces_.open_centroid(side.axis, side.face) + grid_.dx() * offset.template cast<double>();
-        const int master = film(k).mesh.master;
-        const Vec<D> area = sign * faces_.open(side.axis, side.face) * grid_.face_area() * unit<D>(side.axis);
-        closed_flux_[key].push_back(
-            {master, wrench<D>(area, x - centre(master)), centre(master) - grid_.dx() * offset.template cast<double>()});
+        for_each_closed_face(grid_, network_, [&](int k, const ClosedArea<D>& face, const Index<D>& offset) {
+            const int master = film(k).mesh.master;
+            closed_flux_[face.key].push_back({master, wrench<D>(face.area, face.x - centre(master)),
+                                              centre(master) - grid_.dx() * offset.template cast<double>()});
+        });
     }
 
     struct CellFlux {

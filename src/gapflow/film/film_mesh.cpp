@@ -149,6 +149,7 @@ private:
         FilmMesh<D> film;
         film.other_patch = test_.label.empty() ? 0 : test_.label.front();
         film.flat = true;
+        film.viscous = test_.options.viscous;
         film.elements.reserve(piece.size());
         film.points.reserve((D == 2 ? 4 : 2) * piece.size());
         number_.resize(cut_.nodes.size(), -1);
@@ -340,25 +341,19 @@ std::vector<FilmMesh<D>> film_meshes(const PlacedShape<D>& master, const PlacedS
     if (test.options.smallest <= 0)
         test.options.smallest = D == 2 ? 1e-4 : 1. / 32;
 
-    const auto meshes = [&]() -> std::vector<FilmMesh<D>> {
-        if constexpr (D == 3)
-            if (const auto cut = ring_cut(test))
-                return ring_films(test, *cut);
-        const GapSurface<D> surface(test, base ? *base : master.shape().surface_mesh());
-        if (surface.elements().empty())
-            return {};
-        double scale = 1;
-        auto films = films_at_scale(surface, scale);
-        while (!films && scale < 1e6) {
-            scale *= D == 2 ? 2 : std::sqrt(2.0);
-            films = films_at_scale(surface, scale);
-        }
-        return films ? std::move(*films) : std::vector<FilmMesh<D>>{};
-    };
-    std::vector<FilmMesh<D>> films = meshes();
-    for (FilmMesh<D>& film : films)
-        film.viscous = options.viscous;
-    return films;
+    if constexpr (D == 3)
+        if (const auto cut = ring_cut(test))
+            return ring_films(test, *cut);
+    const GapSurface<D> surface(test, base ? *base : master.shape().surface_mesh());
+    if (surface.elements().empty())
+        return {};
+    double scale = 1;
+    auto films = films_at_scale(surface, scale);
+    while (!films && scale < 1e6) {
+        scale *= D == 2 ? 2 : std::sqrt(2.0);
+        films = films_at_scale(surface, scale);
+    }
+    return films ? std::move(*films) : std::vector<FilmMesh<D>>{};
 }
 
 template <int D>
@@ -381,10 +376,11 @@ void take_skin_off(FilmMesh<D>& mesh, double skin)
         mesh.elements[point.element].volume += point.weight * point.h * across[point.element];
         mesh.elements[point.element].inverse += point.weight / (point.h * across[point.element]);
     }
-    for (std::size_t k = 0; k < mesh.elements.size(); ++k)
-        mesh.elements[k].lean = mesh.elements[k].volume * lean[k];
-    for (FilmElement<D>& e : mesh.elements)
+    for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+        FilmElement<D>& e = mesh.elements[k];
+        e.lean = e.volume * lean[k];
         e.inverse = std::max(e.inverse, e.measure * e.measure / e.volume);
+    }
 }
 
 template void take_skin_off<2>(FilmMesh<2>&, double);

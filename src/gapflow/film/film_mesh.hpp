@@ -30,6 +30,10 @@ enum class RimEnd {
     patch        ///< the closest point jumps to another patch of the other body
 };
 
+/// Least cosine that counts between an element's normal and the other's. Films end where the surfaces' normals differ by 60 degrees, and the element's lies
+/// between; only an element that is no plane in its gap exceeds that, and has a volume still.
+inline constexpr double least_cosine = 0.5;
+
 template <int D>
 struct FilmElement {
     std::array<int, D> nodes;
@@ -41,8 +45,7 @@ struct FilmElement {
     Vec<D> into_other;              ///< unit normal into the other, mean over the element's points
     Vec<D> place_on_other;          ///< the points' mean position on the other
     double measure;                 ///< area (2D: length) at mid-gap
-    double
-        volume; ///< S = int h n.d, d the unit vector along which h is measured, to the other: the volume of its part of the gap
+    double volume;  ///< S = int h n.d of its part of the gap, d the unit vector to the other along which h is measured
     Vec<D> lean;    ///< tangential part of int h d: S times the tangent of the angle between d and the normal
     double inverse; ///< I = int 1/(h n.d), exact for h linear over each quadrature point's piece
     double lateral; ///< over which the gap doubles: sqrt(2 h R), least h of its nodes; infinite between flat surfaces

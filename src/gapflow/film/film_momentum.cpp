@@ -61,6 +61,7 @@ public:
         account.reference.resize(network_.elements);
         account.master.assign(network_.elements, Vec<D>::Zero());
         reference_.assign(network_.elements, Vec<D>::Zero());
+        across_.assign(network_.elements, 0.0);
         for_each_element([&](std::size_t k, std::size_t i, const FilmElement<D>& e) {
             FluidInPlace<D>& place = place_[i];
             if (!history_[k]) {
@@ -82,6 +83,7 @@ public:
                 place.reference += place.covered / e.volume * along;
             }
             reference_[i] = R * place.reference;
+            across_[i] = e.normal.dot(place.world - U);
             account.master[i] = tangential<D>(U, e.normal);
             account.reference[i] = account.master[i] + reference_[i];
         });
@@ -109,9 +111,7 @@ public:
             const FluidInPlace<D>& place = place_[i];
             carrying[i] =
                 0.5 * ((place.volume + place.covered) * place.velocity + e.volume * (place.reference + dt_ * place.increment));
-            const PlacedShape<D>& master = solids_[network_.films[k].pair.master].shape;
-            const Vec<D> U = moving_with(*history_[k], master.to_body(e.centroid_master), R);
-            carrying[i] -= e.normal.dot(place.world - U) * (R.transpose() * e.lean);
+            carrying[i] -= across_[i] * (R.transpose() * e.lean);
         });
         mouth_fluxes(expected);
         std::vector<Carried<D>> low(history_.size()), high(history_.size());
@@ -341,6 +341,7 @@ private:
     std::vector<const FilmHistory<D>*> history_; // of each film's pair; null: none
     std::vector<FluidInPlace<D>> place_;
     std::vector<Vec<D>> reference_;               // of elements, relative to the master, world axes
+    std::vector<double> across_;                  // of elements, their speed across the film relative to the master
     std::vector<Vec<D>> bulk_at_mouth_, carried_; // at mouths: the bulk's velocity, the master's
     std::vector<double> start_flux_, predicted_flux_, mean_flux_, speed_;
     std::vector<MouthFlow<D>> mouth_flow_;

@@ -11,8 +11,6 @@ namespace gapflow {
 
 namespace {
 
-// Of the angle between an element's normal and the other's, which is 30 degrees at most where there is a film; else its mean normal is unreliable.
-constexpr double least_cosine = 0.5;
 // Walls at an angle of less than the root of this, in radians, contribute alike.
 constexpr double parallel = 0.01;
 
@@ -25,12 +23,13 @@ NormalRows<D> normal_rows(const FilmMesh<D>& mesh, const FilmElement<D>& e, std:
     const Vec<D> other_centre = solids[mesh.other].centre + mesh.shift;
     const double across = e.normal.dot(e.into_other);
     const bool known = across > least_cosine;
+    // If not known, the other's mean normal is unreliable.
     Vec<D> normal = known ? Vec<D>(e.into_other / (2 * across)) : Vec<D>(0.5 * e.normal);
     if (known && !mesh.viscous) {
         std::array<Vec<D>, D> x;
         for (int i = 0; i < D; ++i)
             x[i] = mesh.x[e.nodes[i]];
-        Vec<D> of_master = area_vector<D>(x).normalized();
+        const Vec<D> of_master = area_vector<D>(x).normalized();
         const Vec<D> of_normal = e.normal - e.normal.dot(of_master) * of_master,
                      of_other = e.into_other - e.into_other.dot(of_master) * of_master;
         normal = (of_normal.dot(of_other) + parallel / (2 * across)) / (of_other.squaredNorm() + parallel) * e.into_other;

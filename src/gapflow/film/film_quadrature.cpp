@@ -19,7 +19,6 @@ template <int D>
 constexpr int most_for_ratio = D == 2 ? 8 : 1; ///< ... as long as an element needs no more divisions along an edge
 constexpr int most_for_inverse = 6;            ///< the same for the integral of 1/h alone (3D)
 constexpr int most_divisions = 64;
-constexpr double least_across = 0.5; ///< between an element's normal and the other's at a point
 // A corner of an element within this of a plane of the grid, in dx, counts as on it, as it does for fractions: a film that ends there would
 // touch the cells beyond or not by the round-off of its bodies' positions.
 constexpr double on_plane = 1e-6;
@@ -173,7 +172,7 @@ void bend_areas(const Vec<2>& area, const std::array<Vec<2>, 2>& y, std::span<Fi
     double weight = 0;
     Twist<2> sum = Twist<2>::Zero();
     const auto own = [&](const FilmPoint<2>& p) {
-        const double cosine = std::max(-p.other_normal.dot(area) / size, least_across);
+        const double cosine = std::max(-p.other_normal.dot(area) / size, least_cosine);
         return wrench<2>(Vec<2>(-p.weight * size / cosine * p.other_normal), p.y - centre);
     };
     for (const FilmPoint<2>& p : points) {
@@ -272,7 +271,7 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
     element.into_other = element.place_on_other = Vec<D>::Zero();
     // What is across the gap of a distance along the other's normal, and what is along the film.
     const auto across = [&](const FilmPoint<D>& p) {
-        return o.viscous ? 1.0 : std::max(-p.other_normal.dot(element.normal), least_across);
+        return o.viscous ? 1.0 : std::max(-p.other_normal.dot(element.normal), least_cosine);
     };
     const auto along = [&](const FilmPoint<D>& p) {
         return o.viscous ? Vec<D>(Vec<D>::Zero())

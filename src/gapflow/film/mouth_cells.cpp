@@ -35,23 +35,21 @@ template <int D>
 std::vector<std::vector<ClosedArea<D>>> closed_areas(const Grid<D>& grid, const FilmNetwork<D>& network)
 {
     std::vector<std::vector<ClosedArea<D>>> areas(network.films.size());
-    const FilmCells<D>& cells = network.cells;
-    const FaceCache<D>& faces = *network.faces;
-    for (const auto& [key, cell] : cells.cells)
-        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
-            const int* closed = side.inside ? cells.closed.find(faces.key(side.axis, side.face)) : nullptr;
-            if (!closed)
-                continue;
-            const Vec<D> x =
-                faces.open_centroid(side.axis, side.face) + grid.dx() * cell.offset(*closed).template cast<double>();
-            const Vec<D> area = (2 * side.end - 1) * faces.open(side.axis, side.face) * grid.face_area() * unit<D>(side.axis);
-            const long beyond = grid.key(grid.wrapped(side.cell));
-            if (cell.kind != CellKind::film)
-                areas[*closed].push_back({key, x, area});
-            if (!cells.cells.contains(beyond))
-                areas[*closed].push_back({beyond, x, -area});
-        }
+    for_each_closed_face(grid, network, [&](int film, const ClosedArea<D>& face, const Index<D>&) {
+        if (network.cells.kind(face.key, CellKind::bulk) != CellKind::film)
+            areas[film].push_back(face);
+    });
     return areas;
+}
+
+template <int D>
+std::vector<std::vector<Vec<D>>> mouth_places(const FilmNetwork<D>& network)
+{
+    std::vector<std::vector<Vec<D>>> places(network.films.size());
+    for (const Mouth<D>& mouth : network.rim.mouths)
+        if (!mouth.cells.empty())
+            places[mouth.film].push_back(mouth.x);
+    return places;
 }
 
 template <int D>
@@ -109,6 +107,7 @@ std::vector<CarriedCell> cells_around(const Grid<D>& grid, const Mouth<D>& mouth
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<std::vector<ClosedArea<D>>> closed_areas<D>(const Grid<D>&, const FilmNetwork<D>&);                   \
+    template std::vector<std::vector<Vec<D>>> mouth_places<D>(const FilmNetwork<D>&);                                          \
     template std::vector<CarriedCell> cells_behind<D>(const Mouth<D>&, const Film<D>&, std::span<const ClosedArea<D>>,         \
                                                       std::span<const Vec<D>>, double);                                        \
     template std::vector<CarriedCell> cells_around<D>(const Grid<D>&, const Mouth<D>&, const Film<D>&);

@@ -1,4 +1,4 @@
-// Cells that the flux dragged along by a mouth's walls enters (method, "Films of viscous fluid").
+// The faces that films close, and the cells behind those at a mouth (method, "Mouths and joints", "Films of viscous fluid").
 #pragma once
 
 #include "gapflow/film/mouths.hpp"
@@ -16,9 +16,34 @@ struct ClosedArea {
     Vec<D> area; ///< normal times open area, out of the cell
 };
 
+/// Calls f(film, face, offset) for every face that a film closes, from each cell beside it that is not the film's own; `offset`: of the film's frame, in cells.
+template <int D, class F>
+void for_each_closed_face(const Grid<D>& grid, const FilmNetwork<D>& network, F&& f)
+{
+    const FilmCells<D>& cells = network.cells;
+    const FaceCache<D>& faces = *network.faces;
+    for (const auto& [key, cell] : cells.cells)
+        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
+            const int* closed = side.inside ? cells.closed.find(faces.key(side.axis, side.face)) : nullptr;
+            if (!closed)
+                continue;
+            const Index<D> offset = cell.offset(*closed);
+            const Vec<D> x = faces.open_centroid(side.axis, side.face) + grid.dx() * offset.template cast<double>();
+            const Vec<D> area = (2 * side.end - 1) * faces.open(side.axis, side.face) * grid.face_area() * unit<D>(side.axis);
+            if (!(cell.kind == CellKind::film && cell.owner == *closed))
+                f(*closed, ClosedArea<D>{key, x, area}, offset);
+            if (const long beyond = grid.key(grid.wrapped(side.cell)); !cells.cells.contains(beyond))
+                f(*closed, ClosedArea<D>{beyond, x, -area}, offset);
+        }
+}
+
 /// The faces that each film closes, from all cells that are no film's.
 template <int D>
 std::vector<std::vector<ClosedArea<D>>> closed_areas(const Grid<D>& grid, const FilmNetwork<D>& network);
+
+/// Of each film, the places of its mouths that lead to cells.
+template <int D>
+std::vector<std::vector<Vec<D>>> mouth_places(const FilmNetwork<D>& network);
 
 /// The cell gets the share weight + lean of the flux that the master drags out of a mouth, weight - lean of the other wall's. Weights sum to 1, leans to 0.
 struct CarriedCell {

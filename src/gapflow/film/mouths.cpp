@@ -23,6 +23,22 @@ constexpr double touching = 1e-6;           // distance to a third body that clo
 constexpr double least_channel = 0.1;       // beyond a smooth mouth, in dx
 constexpr double joint_reach = 1.5;         // in (h + h_other), else in dx
 
+void add_weight(std::vector<std::pair<long, double>>& cells, long key, double weight)
+{
+    const auto known = std::find_if(cells.begin(), cells.end(), [&](const auto& entry) { return entry.first == key; });
+    if (known != cells.end())
+        known->second += weight;
+    else
+        cells.emplace_back(key, weight);
+}
+
+// From the rim's point x along its outward direction to a cell's centre.
+template <int D>
+double way_beyond(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& outward, long key)
+{
+    return Vec<D>(grid.nearest_image(grid.cell_centre(grid.cell_of_key(key)) - x)).dot(outward);
+}
+
 // Beyond a smooth end the gap continues as a channel up to the stencil's point: the weighted mean of its cells along the
 // rim's outward direction, plus the loss from returning the flux to cells that lie apart, their variance over dx (f (1 - f)
 // dx for a sample a fraction f between two cells).
@@ -32,7 +48,7 @@ double channel_resistance(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& ou
 {
     double mean = 0, square = 0;
     for (const auto& [key, weight] : cells) {
-        const double s = Vec<D>(grid.nearest_image(grid.cell_centre(grid.cell_of_key(key)) - x)).dot(outward);
+        const double s = way_beyond(grid, x, outward, key);
         mean += weight * s;
         square += weight * s * s;
     }
@@ -224,42 +240,41 @@ private:
         const int count = static_cast<int>(std::ceil(point.h / grid_.dx() - 1e-9));
         if (point.h <= 2 * grid_.dx() || kind_of_rim(point) != MouthKind::smooth)
             return mouth_stencil(*states_, y);
-        const FilmMesh<D>& mesh = films_[point.film].mesh;
-        Vec<D> across = Vec<D>::Zero();
-        for (int i = 0; i < D - 1; ++i)
-            across += point.shape[i] * (mesh.y[point.edge->nodes[i]] - mesh.x[point.edge->nodes[i]]);
+        const Vec<D> across = way_across(point);
         std::vector<std::pair<long, double>> result;
         int found = 0;
         for (int k = 0; k < count; ++k) {
             const auto cells = mouth_stencil(*states_, Vec<D>(y + ((k + 0.5) / count - 0.5) * across));
             found += !cells.empty();
-            for (const auto& [key, weight] : cells) {
-                const auto known =
-                    std::find_if(result.begin(), result.end(), [&](const auto& entry) { return entry.first == key; });
-                if (known != result.end())
-                    known->second += weight;
-                else
-                    result.emplace_back(key, weight);
-            }
+            for (const auto& [key, weight] : cells)
+                add_weight(result, key, weight);
         }
         for (auto& entry : result)
             entry.second /= found;
         return result;
     }
 
-    // The line across the gap leads along the other's normal, which may lean out of the film or into it.
-    Vec<D> section(const FilmMesh<D>& mesh, const RimPoint<D>& point) const
+    // From the master to the other.
+    Vec<D> way_across(const RimPoint<D>& point) const
     {
-        const FilmElement<D>& end = mesh.elements[point.edge->element];
-        const Vec<D>& nu = point.edge->outward;
+        const FilmMesh<D>& mesh = films_[point.film].mesh;
         Vec<D> across = Vec<D>::Zero();
         for (int i = 0; i < D - 1; ++i)
             across += point.shape[i] * (mesh.y[point.edge->nodes[i]] - mesh.x[point.edge->nodes[i]]);
+        return across;
+    }
+
+    // The line across the gap leads along the other's normal, which may lean out of the film or into it.
+    Vec<D> section(const RimPoint<D>& point) const
+    {
+        const FilmMesh<D>& mesh = films_[point.film].mesh;
+        const Vec<D>&normal = mesh.elements[point.edge->element].normal, &nu = point.edge->outward;
+        Vec<D> across = way_across(point);
         const double length = across.norm();
         if (mesh.viscous || length < 1e-3 * point.h)
             return point.h * nu;
         across /= length;
-        return point.h * (std::max(across.dot(end.normal), 0.5) * nu - across.dot(nu) * end.normal);
+        return point.h * (std::max(across.dot(normal), least_cosine) * nu - across.dot(nu) * normal);
     }
 
     void append_mouth(const RimPoint<D>& point, MouthKind kind, std::vector<std::pair<long, double>> cells, End& end) const
@@ -275,7 +290,7 @@ private:
                      point.shape,
                      point.x,
                      point.edge->outward,
-                     section(film.mesh, point),
+                     section(point),
                      point.length,
                      point.h,
                      resistance,
@@ -333,10 +348,7 @@ void lead_behind_closed_faces(const Grid<D>& grid, FilmNetwork<D>& network)
     if (std::all_of(network.films.begin(), network.films.end(), [](const Film<D>& film) { return film.mesh.viscous; }))
         return;
     const std::vector<std::vector<ClosedArea<D>>> closed = closed_areas(grid, network);
-    std::vector<std::vector<Vec<D>>> places(network.films.size());
-    for (const Mouth<D>& mouth : network.rim.mouths)
-        if (!mouth.cells.empty())
-            places[mouth.film].push_back(mouth.x);
+    const std::vector<std::vector<Vec<D>>> places = mouth_places(network);
     for (Mouth<D>& mouth : network.rim.mouths) {
         const Film<D>& film = network.films[mouth.film];
         if (mouth.kind != MouthKind::smooth || film.mesh.viscous || mouth.cells.empty())
@@ -346,28 +358,19 @@ void lead_behind_closed_faces(const Grid<D>& grid, FilmNetwork<D>& network)
             std::any_of(behind.begin(), behind.end(), [](const CarriedCell& cell) { return cell.weight < 0; }))
             continue;
         // Where the cells lie back from the rim, in part those of the interpolation beyond it.
-        const auto way = [&](long key) {
-            return Vec<D>(grid.nearest_image(grid.cell_centre(grid.cell_of_key(key)) - mouth.x)).dot(mouth.outward);
-        };
         double back = 0, beyond = 0;
         for (const CarriedCell& cell : behind)
-            back += cell.weight * way(cell.key);
+            back += cell.weight * way_beyond(grid, mouth.x, mouth.outward, cell.key);
         for (const auto& [key, weight] : mouth.cells)
-            beyond += weight * way(key);
+            beyond += weight * way_beyond(grid, mouth.x, mouth.outward, key);
         const double least = least_channel * grid.dx();
         const double share = back >= least     ? 0.0
                              : beyond <= least ? 1.0
                                                : (least - back) / (beyond - back); // of the interpolation
         for (auto& entry : mouth.cells)
             entry.second *= share;
-        for (const CarriedCell& cell : behind) {
-            const auto known = std::find_if(mouth.cells.begin(), mouth.cells.end(),
-                                            [&](const auto& entry) { return entry.first == cell.key; });
-            if (known != mouth.cells.end())
-                known->second += (1 - share) * cell.weight;
-            else
-                mouth.cells.emplace_back(cell.key, (1 - share) * cell.weight);
-        }
+        for (const CarriedCell& cell : behind)
+            add_weight(mouth.cells, cell.key, (1 - share) * cell.weight);
         std::erase_if(mouth.cells, [](const auto& entry) { return entry.second == 0; });
         mouth.resistance = channel_resistance(grid, mouth.x, mouth.outward, mouth.h, mouth.cells);
     }

@@ -24,12 +24,11 @@ template <int D>
 struct Mouth {
     int film;
     MouthKind kind;
-    std::array<int, D - 1> nodes;    ///< numbers among all film nodes
-    int element;                     ///< of its film, at whose edge it lies
-    std::array<double, D - 1> shape; ///< shape functions of these nodes at x
-    Vec<D> x, outward;               ///< at mid-gap; unit, in the film's tangent plane
-    Vec<D>
-        section; ///< area vector of the gap there over the length, out of the film: h times the normal of the line across the gap
+    std::array<int, D - 1> nodes;               ///< numbers among all film nodes
+    int element;                                ///< of its film, at whose edge it lies
+    std::array<double, D - 1> shape;            ///< shape functions of these nodes at x
+    Vec<D> x, outward;                          ///< at mid-gap; unit, in the film's tangent plane
+    Vec<D> section;                             ///< area vector of the gap at x over the length, out of the film
     double length, h, resistance;               ///< share of the rim (2D: 1), thickness, R
     std::vector<std::pair<long, double>> cells; ///< Grid::key, weight; sum 1. Empty on open and inflow sides
 };

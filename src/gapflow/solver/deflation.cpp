@@ -19,9 +19,8 @@ namespace gapflow {
 
 namespace {
 
-constexpr double round_off = 1e-12; // of a level's energy with free bodies
-
 constexpr int full_parts = 48;
+constexpr double round_off = 1e-12; // of a level's energy with free bodies
 constexpr double weak_mouths =
     1e-6; // relative to the film's conductances: below, the band's own solve does not resolve the film's level
 
@@ -246,7 +245,7 @@ void Deflation<D>::update_bodies()
             twists.col(k) = matrix_.inverse_mass(flux_.col(k));
         energy += flux_.transpose() * twists;
         // A level that drives only bodies which contacts hold is a null vector: what is left of its energy is round-off, which the pseudo-inverse would scale up.
-        const Eigen::VectorXd mass = Eigen::MatrixXd(system_.mass).diagonal();
+        const Eigen::VectorXd mass = system_.mass.diagonal();
         for (int k = 0; k < full_; ++k)
             if (energy(k, k) <= round_off * (energy_(k, k) + flux_.col(k).cwiseAbs2().cwiseQuotient(mass).sum())) {
                 energy.row(k).setZero();

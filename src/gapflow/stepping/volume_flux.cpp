@@ -242,7 +242,6 @@ Sums films_through(const Flows<D>& flows, const PlanePart<D>& plane)
     const Coupling<D>& here = flows.here();
     const FilmNetwork<D>& network = here.network;
     const std::vector<Twist<D>>& V = flows.twists();
-    const std::vector<double> across = wall_normal_speed<D>(network, here.solids, V);
     Sums sums;
     const auto ramp_at = [&](const Vec<D>& way) { return plane.ramp(plane.height(way)); };
     for (const Film<D>& film : network.films) {
@@ -252,14 +251,13 @@ Sums films_through(const Flows<D>& flows, const PlanePart<D>& plane)
             const Vec<D> middle = plane.way(element.centroid);
             if (std::abs(plane.height(middle)) > plane.reach() + 2 * flows.grid().dx() || !plane.holds(middle))
                 continue;
-            const Vec<D> u = flows.state().velocity.film[film.first_element + e] -
-                             velocity_at<D>(V[mesh.master], element.centroid - here.solids[mesh.master].centre);
-            const double normal =
-                across[film.first_element + e] -
-                element.normal.dot(velocity_at<D>(V[mesh.master], element.centroid - here.solids[mesh.master].centre));
+            const Vec<D> U = velocity_at<D>(V[mesh.master], element.centroid - here.solids[mesh.master].centre);
+            const Vec<D> u = flows.state().velocity.film[film.first_element + e] - U;
+            const NormalRows<D> rows = normal_rows<D>(mesh, element, here.solids);
+            const double across = rows.master.dot(V[mesh.master]) + rows.other.dot(V[mesh.other]) - element.normal.dot(U);
             double flux = 0;
             for (int i = 0; i < D; ++i)
-                flux += (element.volume * u - normal * element.lean).dot(element.gradient[i]) *
+                flux += (element.volume * u - across * element.lean).dot(element.gradient[i]) *
                         ramp_at(middle + mesh.mid[element.nodes[i]] - element.centroid);
             sums.add_film(flux);
         }
