@@ -5,7 +5,11 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -34,6 +38,21 @@ std::vector<std::string> environment_variables()
     for (char** variable = environ; *variable; ++variable)
         variables.emplace_back(*variable);
     return variables;
+}
+
+void let_threads_sleep([[maybe_unused]] char** argv)
+{
+#ifdef _OPENMP
+    const char* threads = std::getenv("OMP_NUM_THREADS");
+    if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT") || (threads && std::string_view(threads) == "1"))
+        return;
+    std::error_code failure;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failure);
+    if (failure)
+        return;
+    ::setenv("GOMP_SPINCOUNT", "1000", 1);
+    ::execv(program.c_str(), argv); // returns where it fails: then this process goes on
+#endif
 }
 
 int start_program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,

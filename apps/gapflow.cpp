@@ -324,6 +324,7 @@ int command(int argc, char** argv, std::vector<std::string> environment)
 int main(int argc, char** argv)
 {
     using namespace gapflow;
+    let_threads_sleep(argv);
     std::signal(SIGXFSZ, SIG_IGN);                                // a file beyond its size limit is an error of the write
     std::vector<std::string> variables = environment_variables(); // before MPI adds to them
     const Environment environment;

@@ -13,6 +13,10 @@ MPI, unless the process has done so already, and the end of the process ends it.
 from __future__ import annotations
 
 import atexit as _atexit
+import os as _os
+
+if "OMP_WAIT_POLICY" not in _os.environ:  # read as the library is loaded: threads that wait for each other soon sleep, as the command's do
+    _os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 
 from . import _core
 from ._core import ComputationError, InputError

@@ -1,6 +1,7 @@
 """The command as a user types it: examples in short, files, exit codes, messages. Usage: command_test.py GAPFLOW EXAMPLES"""
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -149,6 +150,18 @@ class Command(unittest.TestCase):
             self.assertEqual(run.returncode, status)
             self.assertEqual(json.loads((self.out / "run.json").read_text())["status"], "interrupted")
             os.remove(self.out / "steps.csv")
+
+    def test_waiting_threads_sleep_unless_told_how_to_wait(self):
+        def looks(**more):
+            own = {k: v for k, v in os.environ.items() if not k.startswith(("OMP_", "GOMP_"))}
+            shown = gapflow("--version", env={**own, "OMP_DISPLAY_ENV": "verbose", **more}).stderr
+            found = re.findall(r"GOMP_SPINCOUNT = '(\d+)'", shown)
+            if not found:
+                self.skipTest("built without OpenMP, or with another one than GCC's")
+            return int(found[-1])
+        self.assertEqual(looks(), 1000)
+        self.assertEqual(looks(GOMP_SPINCOUNT="20"), 20)
+        self.assertGreater(looks(OMP_WAIT_POLICY="active"), 1000)
 
 
 if __name__ == "__main__":
