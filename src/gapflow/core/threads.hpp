@@ -59,6 +59,15 @@ void for_each_job(int n, F&& f)
         f(i);
 }
 
+/// The results of f(begin, end) for chunks of this size that make up 0 <= i < n, in their order: the same for any number of threads.
+template <class F>
+auto each_chunk(long n, long size, F&& f)
+{
+    std::vector<decltype(f(0L, 0L))> results((n + size - 1) / size);
+    for_each_job(static_cast<int>(results.size()), [&](int k) { results[k] = f(k * size, std::min(n, (k + 1) * size)); });
+    return results;
+}
+
 /// Calls f(k) for low <= k < high.
 template <class F>
 void for_each_plane(int low, int high, F&& f)

@@ -150,20 +150,25 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
                       admissible_mass<D>(coupling.solids[s].admissible, mass[s], mass[s](0, 0)));
         }
     std::map<std::pair<int, int>, TwistMatrix<D>> blocks;
+    std::pair<int, int> last[4]; // elements of a film come one after the other
+    TwistMatrix<D>* last_block[4] = {};
     auto add_inertia = [&](const NormalInertia<D>& inertia) {
         const int a = coupling.free_body[inertia.master], b = coupling.free_body[inertia.other];
         const Twist<D> row_a = coupling.solids[inertia.master].admissible * inertia.row_master;
         const Twist<D> row_b = coupling.solids[inertia.other].admissible * inertia.row_other;
-        auto add = [&](int i, const Twist<D>& row_i, int j, const Twist<D>& row_j) {
+        auto add = [&](int k, int i, const Twist<D>& row_i, int j, const Twist<D>& row_j) {
             if (i < 0 || j < 0)
                 return;
-            auto [it, is_new] = blocks.try_emplace({i, j}, TwistMatrix<D>::Zero());
-            it->second += inertia.mass * row_i * row_j.transpose();
+            if (!last_block[k] || last[k] != std::pair(i, j)) {
+                last[k] = {i, j};
+                last_block[k] = &blocks.try_emplace({i, j}, TwistMatrix<D>::Zero()).first->second;
+            }
+            *last_block[k] += inertia.mass * row_i * row_j.transpose();
         };
-        add(a, row_a, a, row_a);
-        add(a, row_a, b, row_b);
-        add(b, row_b, a, row_a);
-        add(b, row_b, b, row_b);
+        add(0, a, row_a, a, row_a);
+        add(1, a, row_a, b, row_b);
+        add(2, b, row_b, a, row_a);
+        add(3, b, row_b, b, row_b);
     };
     for (const NormalInertia<D>& inertia : coupling.normal_inertia)
         add_inertia(inertia);

@@ -1,5 +1,6 @@
 #include "gapflow/coupling/film_rows.hpp"
 
+#include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/film/film_cells.hpp"
 #include "gapflow/film/film_motion.hpp"
@@ -11,6 +12,8 @@
 namespace gapflow {
 
 namespace {
+
+constexpr long items_a_chunk = 256; // of a thread's work
 
 template <int D>
 class FilmAssembler {
@@ -34,6 +37,13 @@ public:
     }
 
 private:
+    struct Third {
+        long key;
+        int solid;
+        Twist<D> flux;
+        Vec<D> centre;
+    };
+
     const Film<D>& film(int k) const { return network_.films[k]; }
     const Vec<D>& centre(int solid) const { return coupling_.solids[solid].centre; }
     Vec<D> other_centre(const FilmMesh<D>& mesh) const { return centre(mesh.other) + mesh.shift; }
@@ -74,14 +84,13 @@ private:
     // inertia across the gap.
     void assemble_elements()
     {
-        coupling_.normal_inertia.clear();
-        coupling_.normal_inertia.reserve(network_.elements);
-        Eigen::SparseMatrix<double>& matrix = coupling_.system.film;
-        matrix.resize(network_.nodes, network_.nodes);
-        matrix.reserve(static_cast<long>(D == 2 ? 3 : 8) * network_.nodes);
-        for (const Film<D>& f : network_.films) {
+        coupling_.normal_inertia.resize(network_.elements);
+        std::vector<std::vector<Column>> columns(network_.films.size());
+        for_each_job(static_cast<int>(network_.films.size()), [&](int k) {
+            const Film<D>& f = film(k);
             const FilmMesh<D>& mesh = f.mesh;
-            for (const FilmElement<D>& e : mesh.elements) {
+            for (std::size_t number = 0; number < mesh.elements.size(); ++number) {
+                const FilmElement<D>& e = mesh.elements[number];
                 const NormalRows<D> normal = normal_rows<D>(mesh, e, coupling_.solids);
                 const Twist<D> across = wrench<D>(e.normal, e.centroid - centre(mesh.master));
                 for (int i = 0; i < D; ++i) {
@@ -91,13 +100,23 @@ private:
                                        lean * (normal.master - across));
                     rows_.add_node(f.first_node + e.nodes[i], mesh.other, lean * normal.other);
                 }
-                coupling_.normal_inertia.push_back(
-                    {mesh.master, mesh.other, normal.master, normal.other, coupling_.density * e.volume});
+                coupling_.normal_inertia[f.first_element + number] = {mesh.master, mesh.other, normal.master, normal.other,
+                                                                      coupling_.density * e.volume};
                 if (!coupling_.element_drag.empty())
                     add_entrainment(f, e);
             }
-            append_stiffness(f, matrix);
-        }
+            columns[k] = stiffness(f);
+        });
+        Eigen::SparseMatrix<double>& matrix = coupling_.system.film;
+        matrix.resize(network_.nodes, network_.nodes);
+        matrix.reserve(static_cast<long>(D == 2 ? 3 : 8) * network_.nodes);
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            for (std::size_t j = 0; j < columns[k].size(); ++j) {
+                const int first = network_.films[k].first_node, column = first + static_cast<int>(j);
+                matrix.startVec(column);
+                for (const auto& [i, value] : columns[k][j])
+                    matrix.insertBack(first + i, column) = value;
+            }
         matrix.finalize();
     }
 
@@ -113,8 +132,10 @@ private:
         }
     }
 
-    // Appends the columns of a film's nodes, which are connected to each other only.
-    void append_stiffness(const Film<D>& f, Eigen::SparseMatrix<double>& matrix)
+    using Column = InlineVector<std::pair<int, double>, D == 2 ? 3 : 8>; // entries by the film's nodes, in their order
+
+    // The columns of a film's nodes, which are connected to each other only.
+    std::vector<Column> stiffness(const Film<D>& f) const
     {
         const FilmMesh<D>& mesh = f.mesh;
         const int n = static_cast<int>(mesh.h.size());
@@ -128,9 +149,9 @@ private:
         for (int k = 0; k < static_cast<int>(mesh.elements.size()); ++k)
             for (int node : mesh.elements[k].nodes)
                 around[next[node]++] = k;
-        std::vector<std::pair<int, double>> column;
+        std::vector<Column> columns(n);
         for (int j = 0; j < n; ++j) {
-            column.clear();
+            Column& column = columns[j];
             for (int at = first[j]; at < first[j + 1]; ++at) {
                 const FilmElement<D>& e = mesh.elements[around[at]];
                 const int mine = static_cast<int>(std::find(e.nodes.begin(), e.nodes.end(), j) - e.nodes.begin());
@@ -140,16 +161,14 @@ private:
                     const auto known =
                         std::find_if(column.begin(), column.end(), [&](const auto& c) { return c.first == e.nodes[i]; });
                     if (known == column.end())
-                        column.emplace_back(e.nodes[i], value);
+                        column.push_back({e.nodes[i], value});
                     else
                         known->second += value;
                 }
             }
             std::sort(column.begin(), column.end());
-            matrix.startVec(f.first_node + j);
-            for (const auto& [i, value] : column)
-                matrix.insertBack(f.first_node + i, f.first_node + j) = value;
         }
+        return columns;
     }
 
     // From outside film k a closed face is part of the film's master.
@@ -203,47 +222,103 @@ private:
         const KeyMap<FilmCell<D>>& cells = network_.cells.cells;
         std::vector<Twist<D>> remainder(cells.size(),
                                         Twist<D>::Zero()); // of film cells: own J of the other wall less what its points took
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            const auto& [key, cell] = cells.item(static_cast<int>(i));
-            if (cell.kind != CellKind::film)
-                continue;
-            const FilmMesh<D>& mesh = film(cell.owner).mesh;
-            const Vec<D> here = grid_.dx() * cell.offset(cell.owner).template cast<double>();
-            for (const CellFlux& flux : own_flux(grid_.cell_of_key(key)))
-                add_in_film_cell_of(key, mesh, flux, here, remainder[i]);
-            if (const auto* closed = closed_flux_.find(key))
-                for (const CellFlux& flux : *closed)
-                    add_in_film_cell_of(key, mesh, flux, here, remainder[i]);
-        }
+        for (const std::vector<Third>&thirds :
+             each_chunk(static_cast<long>(cells.size()), items_a_chunk, [&](long begin, long end) {
+                 std::vector<Third> thirds;
+                 for (long i = begin; i < end; ++i)
+                     add_own_flux(cells.item(static_cast<int>(i)), remainder[i], thirds);
+                 return thirds;
+             }))
+            third_.insert(third_.end(), thirds.begin(), thirds.end());
         std::vector<Twist<D>> lost(network_.films.size(), Twist<D>::Zero());
-        for (int k = 0; k < static_cast<int>(network_.films.size()); ++k) {
-            const FilmMesh<D>& mesh = film(k).mesh;
-            for (const FilmPoint<D>& point : mesh.points) {
-                const Twist<D> flux = wrench<D>(point.area, point.area_centroid - other_centre(mesh));
-                add_at_point(k, point, mesh.other, other_centre(mesh), flux, 1.0);
-                const Index<D> c = grid_.wrapped(grid_.cell_of(point.y + 1e-9 * grid_.dx() * point.other_normal));
-                const long key = grid_.in_domain(c) ? grid_.key(c) : -1;
-                const int i = cells.index(key);
-                const CellKind kind = key < 0  ? CellKind::solid
-                                      : i >= 0 ? cells.item(i).second.kind
-                                               : kind_of(faces_, network_.cells, c);
-                if (kind == CellKind::bulk || kind == CellKind::mixed)
-                    add_relative(to_cell(key), mesh, mesh.other, other_centre(mesh), flux, -1.0);
-                else if (kind == CellKind::film && cells.item(i).second.owner == k)
-                    remainder[i] -= flux;
-                else if (kind == CellKind::film)
-                    add_in_film_cell(cells.item(i).second, k, c, flux, -1.0);
-                else
-                    lost[k] -= flux;
-            }
-        }
+        assemble_points(remainder, lost);
+        const std::vector<int> nearest = nearest_mouths();
         for (std::size_t i = 0; i < cells.size(); ++i)
-            if (cells.item(static_cast<int>(i)).second.kind == CellKind::film)
-                add_to_nearest_mouth(cells.item(static_cast<int>(i)).first, cells.item(static_cast<int>(i)).second,
-                                     remainder[i], lost);
+            if (const auto& [key, cell] = cells.item(static_cast<int>(i)); cell.kind == CellKind::film)
+                add_to_mouth(cell.owner, nearest[i], remainder[i], lost);
         for (int k = 0; k < static_cast<int>(network_.films.size()); ++k)
             if (!lost[k].isZero(0))
                 spread(k, lost[k]);
+    }
+
+    // What solids' own surfaces give a film cell: the other wall's flux to `remainder`, third bodies' to `thirds`.
+    void add_own_flux(const typename KeyMap<FilmCell<D>>::Item& item, Twist<D>& remainder, std::vector<Third>& thirds) const
+    {
+        const auto& [key, cell] = item;
+        if (cell.kind != CellKind::film)
+            return;
+        const FilmMesh<D>& mesh = film(cell.owner).mesh;
+        const Vec<D> here = grid_.dx() * cell.offset(cell.owner).template cast<double>();
+        for (const CellFlux& flux : own_flux(grid_.cell_of_key(key)))
+            add_in_film_cell_of(key, mesh, flux, here, remainder, thirds);
+        if (const auto* closed = closed_flux_.find(key))
+            for (const CellFlux& flux : *closed)
+                add_in_film_cell_of(key, mesh, flux, here, remainder, thirds);
+    }
+
+    // Flux of a film's point that leaves for a cell of the grid or for another film.
+    struct Leaving {
+        int film;
+        long key;  // of the cell
+        int owner; // film of that cell, -1: of the grid
+        Twist<D> flux;
+    };
+
+    // The points of each film on its own nodes and cells, films on threads. What leaves for nodes of other films comes in the films' order too.
+    void assemble_points(std::vector<Twist<D>>& remainder, std::vector<Twist<D>>& lost)
+    {
+        const int films = static_cast<int>(network_.films.size());
+        std::vector<std::vector<Leaving>> leaving(films);
+        for_each_job(films, [&](int k) { leaving[k] = leaving_points(k, remainder, lost[k]); });
+        for (const std::vector<Leaving>& of_film : leaving)
+            for (const Leaving& point : of_film)
+                if (point.owner > point.film)
+                    add_leaving(point);
+        for_each_job(films, [&](int k) {
+            const FilmMesh<D>& mesh = film(k).mesh;
+            for (const FilmPoint<D>& point : mesh.points)
+                add_at_point(k, point, mesh.other, other_centre(mesh),
+                             wrench<D>(point.area, point.area_centroid - other_centre(mesh)), 1.0);
+        });
+        for (const std::vector<Leaving>& of_film : leaving)
+            for (const Leaving& point : of_film)
+                if (point.owner < point.film)
+                    add_leaving(point);
+    }
+
+    // Takes the fluxes of a film's points off its own cells; returns those of points whose closest one lies elsewhere.
+    std::vector<Leaving> leaving_points(int k, std::vector<Twist<D>>& remainder, Twist<D>& lost) const
+    {
+        const KeyMap<FilmCell<D>>& cells = network_.cells.cells;
+        const FilmMesh<D>& mesh = film(k).mesh;
+        std::vector<Leaving> leaving;
+        for (const FilmPoint<D>& point : mesh.points) {
+            const Twist<D> flux = wrench<D>(point.area, point.area_centroid - other_centre(mesh));
+            const Index<D> c = grid_.wrapped(grid_.cell_of(point.y + 1e-9 * grid_.dx() * point.other_normal));
+            const long key = grid_.in_domain(c) ? grid_.key(c) : -1;
+            const int i = cells.index(key);
+            const CellKind kind = key < 0  ? CellKind::solid
+                                  : i >= 0 ? cells.item(i).second.kind
+                                           : kind_of(faces_, network_.cells, c);
+            if (kind == CellKind::bulk || kind == CellKind::mixed)
+                leaving.push_back({k, key, -1, flux});
+            else if (kind == CellKind::film && cells.item(i).second.owner == k)
+                remainder[i] -= flux;
+            else if (kind == CellKind::film)
+                leaving.push_back({k, key, cells.item(i).second.owner, flux});
+            else
+                lost -= flux;
+        }
+        return leaving;
+    }
+
+    void add_leaving(const Leaving& point)
+    {
+        const FilmMesh<D>& mesh = film(point.film).mesh;
+        if (point.owner < 0)
+            add_relative(to_cell(point.key), mesh, mesh.other, other_centre(mesh), point.flux, -1.0);
+        else
+            add_in_film_cell(*network_.cells.cells.find(point.key), point.film, grid_.cell_of_key(point.key), point.flux, -1.0);
     }
 
     // Over all mouths of a film; without any over its points.
@@ -261,37 +336,52 @@ private:
                 add_at_point(k, point, mesh.other, other_centre(mesh), flux, 1.0 / static_cast<double>(mesh.points.size()));
     }
 
+    // Of each film cell the nearest of its film's mouths, -1 without any.
+    std::vector<int> nearest_mouths() const
+    {
+        const KeyMap<FilmCell<D>>& cells = network_.cells.cells;
+        std::vector<int> nearest(cells.size(), -1);
+        for_each_part(static_cast<long>(cells.size()), [&](long begin, long end) {
+            for (long k = begin; k < end; ++k) {
+                const auto& [key, cell] = cells.item(static_cast<int>(k));
+                if (cell.kind != CellKind::film)
+                    continue;
+                const Vec<D> x = grid_.cell_centre(grid_.cell_of_key(key) + cell.offset(cell.owner));
+                const std::vector<Vec<D>>& places = mouth_places_[cell.owner];
+                double least = std::numeric_limits<double>::infinity();
+                for (std::size_t i = 0; i < places.size(); ++i)
+                    if (const double distance = (places[i] - x).squaredNorm(); distance < least) {
+                        least = distance;
+                        nearest[k] = static_cast<int>(i);
+                    }
+            }
+        });
+        return nearest;
+    }
+
     // A film cell's remainder leaves through the nearest mouth of its film (spread over all mouths it would short-circuit
     // pockets that several films enclose); without mouths it is spread over the film.
-    void add_to_nearest_mouth(long key, const FilmCell<D>& cell, const Twist<D>& rest, std::vector<Twist<D>>& lost)
+    void add_to_mouth(int owner, int mouth, const Twist<D>& rest, std::vector<Twist<D>>& lost)
     {
-        const Vec<D> x = grid_.cell_centre(grid_.cell_of_key(key) + cell.offset(cell.owner));
-        const std::vector<Vec<D>>& places = mouth_places_[cell.owner];
-        std::size_t nearest = 0;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < places.size(); ++i)
-            if (const double distance = (places[i] - x).squaredNorm(); distance < least) {
-                least = distance;
-                nearest = i;
-            }
-        if (places.empty()) {
-            lost[cell.owner] += rest;
+        if (mouth < 0) {
+            lost[owner] += rest;
             return;
         }
-        const FilmMesh<D>& mesh = film(cell.owner).mesh;
-        for (const auto& [to, weight] : mouths_[cell.owner][nearest]->cells)
+        const FilmMesh<D>& mesh = film(owner).mesh;
+        for (const auto& [to, weight] : mouths_[owner][mouth]->cells)
             add_relative(to_cell(to), mesh, mesh.other, other_centre(mesh), rest, weight);
     }
 
     // Flux of a solid out of a film cell: the other wall's into `rest`, the master's vanishes, third bodies' for later.
-    void add_in_film_cell_of(long key, const FilmMesh<D>& mesh, const CellFlux& flux, const Vec<D>& here, Twist<D>& rest)
+    void add_in_film_cell_of(long key, const FilmMesh<D>& mesh, const CellFlux& flux, const Vec<D>& here, Twist<D>& rest,
+                             std::vector<Third>& thirds) const
     {
         const double half = 0.5 * grid_.size().minCoeff();
         if (flux.solid == mesh.other &&
             (coupling_.solids[flux.solid].wall || (flux.centre + here - other_centre(mesh)).norm() < half))
             rest += flux.flux;
         else if (flux.solid != mesh.master)
-            third_.push_back({key, flux.solid, flux.flux, flux.centre + here});
+            thirds.push_back({key, flux.solid, flux.flux, flux.centre + here});
     }
 
     void add_at_point(int k, const FilmPoint<D>& point, int solid, const Vec<D>& solid_centre, const Twist<D>& flux,
@@ -327,13 +417,16 @@ private:
     // A third body's flux in a film cell goes to the nearest point's nodes, relative to the master.
     void assemble_third_bodies()
     {
-        for (const Third& third : third_) {
-            if (third.flux.template head<D>().norm() <= 1e-14 * grid_.face_area())
-                continue;
-            const FilmCell<D>& cell = *network_.cells.cells.find(third.key);
-            add_at_point(cell.owner, nearest_point(cell, grid_.cell_of_key(third.key)), third.solid, third.centre, third.flux,
-                         1.0);
-        }
+        std::erase_if(third_,
+                      [&](const Third& third) { return third.flux.template head<D>().norm() <= 1e-14 * grid_.face_area(); });
+        std::vector<const FilmPoint<D>*> nearest(third_.size());
+        for_each_part(static_cast<long>(third_.size()), [&](long begin, long end) {
+            for (long i = begin; i < end; ++i)
+                nearest[i] = &nearest_point(*network_.cells.cells.find(third_[i].key), grid_.cell_of_key(third_[i].key));
+        });
+        for (std::size_t i = 0; i < third_.size(); ++i)
+            add_at_point(network_.cells.cells.find(third_[i].key)->owner, *nearest[i], third_[i].solid, third_[i].centre,
+                         third_[i].flux, 1.0);
         for (const auto& [key, fluxes] : closed_flux_) { // bulk and mixed cells beside closed faces
             if (network_.cells.kind(key, CellKind::bulk) == CellKind::film)
                 continue;
@@ -375,13 +468,6 @@ private:
             links.push_back(std::move(link));
         }
     }
-
-    struct Third {
-        long key;
-        int solid;
-        Twist<D> flux;
-        Vec<D> centre;
-    };
 
     Coupling<D>& coupling_;
     FluxRows<D>& rows_;

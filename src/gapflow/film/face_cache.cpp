@@ -1,6 +1,7 @@
 #include "gapflow/film/face_cache.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace gapflow {
 
@@ -30,11 +31,18 @@ bool FaceCache<D>::mine(int axis, const Index<D>& stored) const
 template <int D>
 const ClippedFace<D>& FaceCache<D>::clipped(int axis, const Index<D>& stored) const
 {
-    const auto [number, is_new] = numbers_.insert(key(axis, stored));
-    if (is_new) {
-        number = static_cast<int>(faces_.size());
-        clipper_->clip(axis, stored, faces_.emplace_back());
+    const long k = key(axis, stored);
+    {
+        const std::lock_guard lock(mutex_);
+        if (const int* number = numbers_.find(k))
+            return faces_[*number];
     }
+    ClippedFace<D> face;
+    clipper_->clip(axis, stored, face);
+    const std::lock_guard lock(mutex_);
+    const auto [number, is_new] = numbers_.insert(k, static_cast<int>(faces_.size()));
+    if (is_new)
+        faces_.push_back(std::move(face));
     return faces_[number];
 }
 
@@ -97,9 +105,15 @@ Vec<D> FaceCache<D>::open_point(int axis, const Index<D>& f) const
     const std::span<const SolidPart<D>> parts = this->parts(axis, s);
     if (const Vec<D> centroid = open_centroid(axis, s); centroid_stands(parts, centroid))
         return centroid + displacement(f);
-    const auto [point, is_new] = open_points_.insert(key(axis, s));
-    if (is_new)
-        point = clipper_->deepest_open_centroid(axis, s);
+    const long k = key(axis, s);
+    {
+        const std::lock_guard lock(mutex_);
+        if (const Vec<D>* point = open_points_.find(k))
+            return *point + displacement(f);
+    }
+    const Vec<D> point = clipper_->deepest_open_centroid(axis, s);
+    const std::lock_guard lock(mutex_);
+    open_points_.insert(k, point);
     return point + displacement(f);
 }
 

@@ -5,12 +5,13 @@
 #include "gapflow/grid/face_fractions.hpp"
 
 #include <deque>
+#include <mutex>
 #include <span>
 
 namespace gapflow {
 
 /// The grid's clipped faces for the films: any face of the domain, the same on every rank. Indices may lie outside the domain along
-/// periodic axes.
+/// periodic axes. Threads may ask at once.
 template <int D>
 class FaceCache {
 public:
@@ -44,6 +45,7 @@ private:
     const FaceClipper<D>* clipper_;
     std::span<const Solid<D>> solids_;
     const FaceFractions<D>* fractions_;
+    mutable std::mutex mutex_;    ///< of what follows
     mutable KeyMap<int> numbers_; ///< of other ranks' faces in faces_
     mutable std::deque<ClippedFace<D>> faces_;
     mutable KeyMap<Vec<D>> open_points_;

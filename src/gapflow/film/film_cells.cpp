@@ -18,6 +18,8 @@ constexpr double beside_plane = 1e-6;
 // Sum of open fractions below which a mixed cell's faces to other mixed cells are reopened.
 constexpr double strangled_aperture = 0.25;
 
+constexpr long cells_a_chunk = 256; // of a thread's work
+
 // Largest grid component that a film absorbs.
 template <int D>
 constexpr int pocket_cells = D == 2 ? 9 : 27;
@@ -174,7 +176,7 @@ struct Classifier {
                              [](const Touch<D>& a, const Touch<D>& b) { return a.points > b.points; });
     }
 
-    void set_kind(long key, FilmCell<D>& cell)
+    void set_kind(long key, FilmCell<D>& cell) const
     {
         const OpenPoints<D> points = open_points(grid.cell_of_key(key));
         cell.owner = cell.touches[0].film;
@@ -190,14 +192,26 @@ struct Classifier {
         cell.kind = together ? CellKind::film : CellKind::mixed;
     }
 
-    // Makes a cell that no film touches a cell of the film of `touch`.
-    void add_film_cell(long key, const Touch<D>& touch)
+    using Taken = std::vector<std::pair<long, Touch<D>>>; // cells' keys, and the film that takes each
+
+    // Calls find(i, taken) for 0 <= i < n, on threads, and makes the cells that it lists film, in the order of i; the first to take one has it.
+    template <class F>
+    void add_film_cells(long n, F&& find)
     {
-        FilmCell<D> cell;
-        cell.kind = CellKind::film;
-        cell.owner = touch.film;
-        cell.touches.push_back({touch.film, 0, touch.offset});
-        result.cells.insert(key, cell);
+        const auto chunks = each_chunk(n, cells_a_chunk, [&](long begin, long end) {
+            Taken taken;
+            for (long i = begin; i < end; ++i)
+                find(static_cast<int>(i), taken);
+            return taken;
+        });
+        for (const Taken& chunk : chunks)
+            for (const auto& [key, touch] : chunk) {
+                FilmCell<D> cell;
+                cell.kind = CellKind::film;
+                cell.owner = touch.film;
+                cell.touches.push_back({touch.film, 0, touch.offset});
+                result.cells.insert(key, cell);
+            }
     }
 
     // Calls f(neighbour's key, touch of `cell` by `film` seen from there) for a cell of the domain displaced by d.
@@ -212,10 +226,10 @@ struct Classifier {
     // Bulk cells beside film cells that lie wholly in the same gap.
     void take_neighbours()
     {
-        std::vector<std::pair<long, Touch<D>>> taken;
-        for (const auto& [key, cell] : result.cells) {
+        add_film_cells(static_cast<long>(result.cells.size()), [&](int i, Taken& taken) {
+            const auto& [key, cell] = result.cells.item(i);
             if (cell.kind != CellKind::film)
-                continue;
+                return;
             for (int side = 0; side < 2 * D; ++side)
                 seen_from(grid.cell_of_key(key), cell, cell.owner, (side % 2 ? 1 : -1) * step<D>(side / 2),
                           [&](const Index<D>& beyond, const Touch<D>& touch) {
@@ -225,9 +239,7 @@ struct Classifier {
                               if (points.size > 0 && holds(touch, points))
                                   taken.emplace_back(grid.key(beyond), touch);
                           });
-        }
-        for (const auto& [key, touch] : taken)
-            add_film_cell(key, touch);
+        });
     }
 
     // Closed cells with a body flux that no film touches (contact surfaces on a grid plane), up to two cells from one. Each goes to the film of the
@@ -246,14 +258,12 @@ struct Classifier {
                     if (const Index<D> w = grid.wrapped(Index<D>(cell + distance * step<D>(axis))); grid.in_domain(w))
                         around.insert(grid.key(w));
             }
-        std::vector<std::pair<long, Touch<D>>> taken;
-        for (const auto& entry : around)
-            if (const Index<D> cell = grid.cell_of_key(entry.first);
-                is_closed_surface(cell) && !result.cells.contains(entry.first))
+        add_film_cells(static_cast<long>(around.size()), [&](int i, Taken& taken) {
+            const long key = around.item(i).first;
+            if (const Index<D> cell = grid.cell_of_key(key); is_closed_surface(cell) && !result.cells.contains(key))
                 if (const std::optional<Touch<D>> touch = first_taker(cell))
-                    taken.emplace_back(entry.first, *touch);
-        for (const auto& [key, touch] : taken)
-            add_film_cell(key, touch);
+                    taken.emplace_back(key, *touch);
+        });
     }
 
     // The touch, seen from a closed cell, of the first cell within two steps whose film's solids both meet in it.
@@ -285,8 +295,12 @@ FilmCells<D> classify_cells(const FaceCache<D>& faces, const FilmGaps<D>& gaps)
     FilmCells<D> result;
     Classifier<D> classifier{faces, gaps, faces.grid(), result};
     classifier.count_touches();
-    for (auto& [key, cell] : result.cells)
-        classifier.set_kind(key, cell);
+    for_each_part(static_cast<long>(result.cells.size()), [&](long begin, long end) {
+        for (long i = begin; i < end; ++i) {
+            auto& [key, cell] = result.cells.item(static_cast<int>(i));
+            classifier.set_kind(key, cell);
+        }
+    });
     classifier.take_neighbours();
     classifier.take_orphans();
     result.cells.sort();
@@ -375,7 +389,7 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
     auto holds = [&](const FilmCell<D>& cell, int film, const Vec<D>& x) {
         return gaps.holds(film, x + grid.dx() * cell.offset(film).template cast<double>());
     };
-    for (const auto& [key, cell] : cells.cells) {
+    const auto close = [&](long key, const FilmCell<D>& cell, std::vector<std::pair<long, int>>& closed) {
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
             if (!side.inside || faces.open(side.axis, side.face) <= 0)
                 continue;
@@ -403,17 +417,26 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
                 }
             }
             if (owner >= 0)
-                cells.closed.insert(faces.key(side.axis, side.face), owner);
+                closed.emplace_back(faces.key(side.axis, side.face), owner);
         }
-    }
+    };
+    const auto chunks = each_chunk(static_cast<long>(cells.cells.size()), cells_a_chunk, [&](long begin, long end) {
+        std::vector<std::pair<long, int>> closed;
+        for (long i = begin; i < end; ++i)
+            close(cells.cells.item(static_cast<int>(i)).first, cells.cells.item(static_cast<int>(i)).second, closed);
+        return closed;
+    });
+    for (const auto& chunk : chunks)
+        for (const auto& [face, owner] : chunk)
+            cells.closed.insert(face, owner);
     reopen_strangled(faces, cells);
 }
 
 template <int D>
-std::vector<long> absorb_pockets(const FaceCache<D>& faces, CellStates<D>& states, const std::vector<long>& reached,
-                                 FilmCells<D>& cells)
+std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<long>& reached, FilmCells<D>& cells)
 {
     const Grid<D>& grid = faces.grid();
+    CellStates<D> states(faces, cells);
     KeyMap<char> done, large; // cells of components already visited; of those that are not pockets
     KeyMap<char> reach;
     for (long key : reached)
@@ -492,7 +515,7 @@ std::vector<long> absorb_pockets(const FaceCache<D>& faces, CellStates<D>& state
     template CellKind kind_of<D>(const FaceCache<D>&, const FilmCells<D>&, const Index<D>&);                                   \
     template double open_after_closing<D>(const FaceCache<D>&, const FilmCells<D>&, int, const Index<D>&);                     \
     template void close_faces<D>(const FaceCache<D>&, const FilmGaps<D>&, FilmCells<D>&);                                      \
-    template std::vector<long> absorb_pockets<D>(const FaceCache<D>&, CellStates<D>&, const std::vector<long>&, FilmCells<D>&);
+    template std::vector<long> absorb_pockets<D>(const FaceCache<D>&, const std::vector<long>&, FilmCells<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -123,8 +123,7 @@ private:
 /// Turns small components of the grid that touch a film and that no mouth reaches into film; `reached` are the keys of
 /// cells in mouths' stencils. Returns the keys of the cells that changed (close_faces and the mouths must then be redone).
 template <int D>
-std::vector<long> absorb_pockets(const FaceCache<D>& faces, CellStates<D>& states, const std::vector<long>& reached,
-                                 FilmCells<D>& cells);
+std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<long>& reached, FilmCells<D>& cells);
 
 /// Kind of any cell of the domain, near films or not.
 template <int D>

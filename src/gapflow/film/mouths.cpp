@@ -1,5 +1,6 @@
 #include "gapflow/film/mouths.hpp"
 
+#include "gapflow/core/threads.hpp"
 #include "gapflow/film/mouth_cells.hpp"
 #include "gapflow/film/mouth_stencil.hpp"
 #include "gapflow/film/rim_joints.hpp"
@@ -66,9 +67,8 @@ public:
     }
 
     /// Finds the type of end at each point of the rims; after the first call only for points near cells that changed since.
-    void find(CellStates<D>& states, const std::vector<long>& changed)
+    void find(const FaceCache<D>& faces, const std::vector<long>& changed)
     {
-        states_ = &states;
         KeyMap<char> near;
         for (long key : changed)
             for_each_index<D>(Index<D>::Constant(-2), Index<D>::Constant(3), [&](const Index<D>& d) {
@@ -76,11 +76,14 @@ public:
                     grid_.cell_of_key(key) + d.unaryExpr([](int k) { return k * std::abs(k); }); // -4, -1, 0, 1, 4
                 near.insert(block(c));
             });
-        for (std::size_t i = 0; i < points_.size(); ++i)
-            if (!found_ || near.contains(block(grid_.cell_of(points_[i].x)))) {
-                ends_[i] = {};
-                place(points_[i], ends_[i]);
-            }
+        for_each_part(static_cast<long>(points_.size()), [&](long begin, long end) {
+            Around around{CellStates<D>(faces, cells_), {}};
+            for (long i = begin; i < end; ++i)
+                if (!found_ || near.contains(block(grid_.cell_of(points_[i].x)))) {
+                    ends_[i] = {};
+                    place(points_[i], around, ends_[i]);
+                }
+        });
         found_ = true;
     }
 
@@ -127,19 +130,25 @@ private:
         std::vector<Joint<D>> joints;
     };
 
+    /// What a thread knows of the places that it has come by.
+    struct Around {
+        CellStates<D> states;
+        std::vector<int> candidates;
+    };
+
     // First match: closed, side of the domain, free mouth, joint of neighbours, mouth, joint within reach, blind.
-    void place(const RimPoint<D>& point, End& end)
+    void place(const RimPoint<D>& point, Around& around, End& end) const
     {
         const double dx = grid_.dx();
-        if (closed(point)) {
+        if (closed(point, around)) {
             end.closed = true;
             return;
         }
         if (add_side_mouth(point, end))
             return;
         const Vec<D> y = point.x + sample_distance * dx * point.edge->outward;
-        std::vector<std::pair<long, double>> cells = stencil_across(point, y);
-        if (!cells.empty() && is_free(point, y)) {
+        std::vector<std::pair<long, double>> cells = stencil_across(point, y, around.states);
+        if (!cells.empty() && is_free(point, y, around)) {
             append_mouth(point, kind_of_rim(point), std::move(cells), end);
             return;
         }
@@ -152,11 +161,11 @@ private:
     }
 
     // The rim abuts a third solid: a point further out would lie in it. Or the surfaces touch there and are one solid.
-    bool closed(const RimPoint<D>& point)
+    bool closed(const RimPoint<D>& point, Around& around) const
     {
         if (point.edge->end == RimEnd::touching)
             return true;
-        return any_third(point, point.x, [&](const PlacedShape<D>& shape) {
+        return any_third(point, point.x, around, [&](const PlacedShape<D>& shape) {
             if (shape.distance(point.x) > touching * grid_.dx())
                 return false;
             const Vec<D> beyond = point.x + 1e-3 * grid_.dx() * point.edge->outward;
@@ -164,7 +173,7 @@ private:
         });
     }
 
-    bool add_side_mouth(const RimPoint<D>& point, End& result)
+    bool add_side_mouth(const RimPoint<D>& point, End& result) const
     {
         for (int axis = 0; axis < D; ++axis)
             for (int end = 0; end < 2; ++end) {
@@ -180,11 +189,11 @@ private:
     }
 
     // Neither in a solid nor in another film's gap.
-    bool is_free(const RimPoint<D>& point, const Vec<D>& y)
+    bool is_free(const RimPoint<D>& point, const Vec<D>& y, Around& around) const
     {
         const FilmPair<D>& own = films_[point.film].pair;
         if (gaps_.master(point.film).distance(y) < 0 || gaps_.other(point.film).distance(y) < 0 ||
-            any_third(point, y, [&](const PlacedShape<D>& shape) { return shape.distance(y) < 0; }))
+            any_third(point, y, around, [&](const PlacedShape<D>& shape) { return shape.distance(y) < 0; }))
             return false;
         const Index<D> c = grid_.cell_of(y), w = grid_.wrapped(c);
         if (!grid_.in_domain(w))
@@ -198,16 +207,16 @@ private:
 
     // Calls test for solids near x that are not the film's own pair; images are moved next to x.
     template <class Test>
-    bool any_third(const RimPoint<D>& point, const Vec<D>& x, Test&& test)
+    bool any_third(const RimPoint<D>& point, const Vec<D>& x, Around& around, Test&& test) const
     {
         const Vec<D> size = grid_.size();
         Vec<D> wrap = Vec<D>::Zero();
         for (int axis = 0; axis < D; ++axis)
             if (grid_.periodic(axis))
                 wrap[axis] = -std::floor((x[axis] - grid_.origin()[axis]) / size[axis]) * size[axis];
-        clipper_.near(x + wrap, grid_.dx(), candidates_);
+        clipper_.near(x + wrap, grid_.dx(), around.candidates);
         const FilmMesh<D>& mesh = films_[point.film].mesh;
-        for (int i : candidates_) {
+        for (int i : around.candidates) {
             const Image<D>& image = clipper_.images()[i];
             const Vec<D> shift = image.shift - wrap;
             const double same = 1e-9 * size.norm();
@@ -235,16 +244,16 @@ private:
 
     // A mouth thicker than two cells that continues as a channel is connected to all cells across it: the mean of several stencils, one for
     // each cell of thickness. With a single stencil in the middle the flow would converge to it, and this transverse flow would drag on the walls.
-    std::vector<std::pair<long, double>> stencil_across(const RimPoint<D>& point, const Vec<D>& y)
+    std::vector<std::pair<long, double>> stencil_across(const RimPoint<D>& point, const Vec<D>& y, CellStates<D>& states) const
     {
         const int count = static_cast<int>(std::ceil(point.h / grid_.dx() - 1e-9));
         if (point.h <= 2 * grid_.dx() || kind_of_rim(point) != MouthKind::smooth)
-            return mouth_stencil(*states_, y);
+            return mouth_stencil(states, y);
         const Vec<D> across = way_across(point);
         std::vector<std::pair<long, double>> result;
         int found = 0;
         for (int k = 0; k < count; ++k) {
-            const auto cells = mouth_stencil(*states_, Vec<D>(y + ((k + 0.5) / count - 0.5) * across));
+            const auto cells = mouth_stencil(states, Vec<D>(y + ((k + 0.5) / count - 0.5) * across));
             found += !cells.empty();
             for (const auto& [key, weight] : cells)
                 add_weight(result, key, weight);
@@ -308,12 +317,10 @@ private:
     const FilmGaps<D>& gaps_;
     std::span<const Film<D>> films_;
     const FilmCells<D>& cells_;
-    CellStates<D>* states_ = nullptr;
     std::vector<RimPoint<D>> points_;
     std::vector<End> ends_;
     RimJoints<D> joints_;
     bool found_ = false;
-    std::vector<int> candidates_;
 };
 
 } // namespace
@@ -394,9 +401,8 @@ FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>>
         std::vector<long> changed;
         for (int pass = 0; pass < 10; ++pass) {
             close_faces<D>(*faces, gaps, network.cells);
-            CellStates<D> states(*faces, network.cells);
-            finder.find(states, changed);
-            changed = absorb_pockets(*faces, states, finder.reached(), network.cells);
+            finder.find(*faces, changed);
+            changed = absorb_pockets(*faces, finder.reached(), network.cells);
             if (changed.empty())
                 break;
         }

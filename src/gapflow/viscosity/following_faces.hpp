@@ -5,16 +5,18 @@
 #include "gapflow/viscosity/viscous_faces.hpp"
 #include "gapflow/viscosity/viscous_terms.hpp"
 
+#include <optional>
+
 namespace gapflow {
 
 template <int D>
 class FollowingFaces {
 public:
     /// All must last. `system`: has its active faces; gets the following ones.
-    FollowingFaces(const Coupling<D>& coupling, const FaceField<D>& u_star, ViscousFaces<D>& faces, NarrowGaps<D>& gaps,
+    FollowingFaces(const Coupling<D>& coupling, const FaceField<D>& u_star, const ViscousFaces<D>& faces, NarrowGaps<D>& gaps,
                    ViscousTerms<D>& terms, ViscousSystem<D>& system)
         : coupling_(coupling), grid_(*coupling.grid), fractions_(*coupling.fractions), u_star_(u_star), faces_(faces),
-          rays_(faces.rays()), gaps_(gaps), terms_(terms), system_(system)
+          gaps_(gaps), terms_(terms), system_(system)
     {
     }
 
@@ -22,15 +24,23 @@ public:
     void add(int axis);
 
 private:
-    Index<D> leader_of(int axis, const Index<D>& f, const LatticeFace<D>& face, FollowingFace<D>& following);
-    void follow_solids(int axis, const Vec<D>& x, double area, FollowingFace<D>& following);
+    /// A following face, and what this rank adds of it.
+    struct Followed {
+        FollowingFace<D> face;
+        bool mine, leads;
+        double passed_on; ///< to the leader
+    };
+
+    std::optional<Followed> follow(WallRays<D>& rays, int axis, const Index<D>& f) const;
+    Index<D> leader_of(WallRays<D>& rays, int axis, const Index<D>& f, const LatticeFace<D>& face,
+                       FollowingFace<D>& following) const;
+    void follow_solids(WallRays<D>& rays, int axis, const Vec<D>& x, double area, FollowingFace<D>& following) const;
 
     const Coupling<D>& coupling_;
     const Grid<D>& grid_;
     const FaceFractions<D>& fractions_;
     const FaceField<D>& u_star_;
-    ViscousFaces<D>& faces_;
-    WallRays<D>& rays_;
+    const ViscousFaces<D>& faces_;
     NarrowGaps<D>& gaps_;
     ViscousTerms<D>& terms_;
     ViscousSystem<D>& system_;

@@ -14,20 +14,20 @@ constexpr double opposed = -0.5;
 } // namespace
 
 template <int D>
-std::optional<NarrowGap<D>> NarrowGaps<D>::narrow_gap(const Vec<D>& x)
+std::optional<NarrowGap<D>> NarrowGaps<D>::narrow_gap(WallRays<D>& rays, const Vec<D>& x) const
 {
-    rays_.around(x, thin_gap * grid_.dx());
+    rays.around(x, thin_gap * grid_.dx());
     NarrowGap<D> gap;
     int image = -1;
-    const double phi = rays_.distance(x, &image);
+    const double phi = rays.distance(x, &image);
     if (image < 0 || phi <= least_distance * grid_.dx() || phi > ray_length * grid_.dx())
         return {};
-    const SurfacePoint<D> wall = rays_.image(image).shape.closest(x);
-    const WallHit<D> far = rays_.cast(x, wall.normal, thin_gap * grid_.dx() - phi);
+    const SurfacePoint<D> wall = faces_.image(image).shape.closest(x);
+    const WallHit<D> far = rays.cast(x, wall.normal, thin_gap * grid_.dx() - phi);
     if (far.image < 0)
         return {};
     const Vec<D> beyond = x + far.distance * wall.normal;
-    if (wall.normal.dot(rays_.image(far.image).shape.closest(beyond).normal) > opposed)
+    if (wall.normal.dot(faces_.image(far.image).shape.closest(beyond).normal) > opposed)
         return {};
     gap.image = {image, far.image};
     gap.foot = {wall.x, beyond};
@@ -50,41 +50,40 @@ double NarrowGaps<D>::face_mean(const NarrowGap<D>& gap, int axis, const Vec<D>&
 
 // The lattice's value in the same flow at a face of the gap.
 template <int D>
-double NarrowGaps<D>::lattice_value(const NarrowGap<D>& gap, int axis, const Index<D>& f)
+double NarrowGaps<D>::lattice_value(WallRays<D>& rays, const NarrowGap<D>& gap, int axis, const Index<D>& f) const
 {
     const int cut = fractions_.cut(axis, f);
     if (cut < 0)
         return face_mean(gap, axis, grid_.face_centre(axis, f), 1.0);
-    const LatticeFace<D> face = faces_.examine(axis, f);
+    const LatticeFace<D> face = faces_.examine(rays, axis, f);
     const ClippedFace<D>& part = fractions_.faces[cut];
     return face_mean(gap, axis, part.open_centroid, part.open) / face.share;
 }
 
 template <int D>
-bool NarrowGaps<D>::find(int axis, const Index<D>& f, long at, double share)
+std::optional<NarrowGap<D>> NarrowGaps<D>::find(WallRays<D>& rays, int axis, const Index<D>& f, double share) const
 {
-    std::optional<NarrowGap<D>> gap = narrow_gap(grid_.face_centre(axis, f));
+    std::optional<NarrowGap<D>> gap = narrow_gap(rays, grid_.face_centre(axis, f));
     if (!gap)
-        return false;
-    gap->value = lattice_value(*gap, axis, f);
+        return {};
+    gap->value = lattice_value(rays, *gap, axis, f);
     if (!(gap->value > 0))
-        return false;
+        return {};
     gap->lacking = share * coupling_.open(axis, f);
     for (int k = 0; k < D; ++k)
         for (int end = 0; end < 2; ++end) {
             const int sign = 2 * end - 1;
             const Index<D> g = f + sign * step<D>(k);
             if (system_.active(axis, g)) {
-                gap->lacking -= gap->value - lattice_value(*gap, axis, g);
+                gap->lacking -= gap->value - lattice_value(rays, *gap, axis, g);
                 continue;
             }
-            rays_.around(gap->x, ray_length * grid_.dx());
-            const WallHit<D> hit = rays_.cast(gap->x, sign * unit<D>(k), ray_length * grid_.dx());
+            rays.around(gap->x, ray_length * grid_.dx());
+            const WallHit<D> hit = rays.cast(gap->x, sign * unit<D>(k), ray_length * grid_.dx());
             if (hit.image >= 0)
                 gap->lacking -= gap->value / std::max(hit.distance / grid_.dx(), least_distance);
         }
-    gaps_.try_emplace({axis, at}, *gap);
-    return true;
+    return gap;
 }
 
 template <int D>
@@ -102,7 +101,7 @@ void NarrowGaps<D>::add_drag(int axis, long at, const NarrowGap<D>& gap, Viscous
     ViscousTerm<D> term{axis, at, system_.edge * gap.lacking / gap.value, 1, 0, {-1, -1}, {}};
     const double part = gap.near / gap.width;
     for (int k = 0; k < 2; ++k) {
-        term.solid[k] = rays_.image(gap.image[k]).solid;
+        term.solid[k] = faces_.image(gap.image[k]).solid;
         term.row[k] = -(k == 0 ? 1 - part : part) * faces_.row(gap.image[k], axis, gap.foot[k]);
     }
     terms.add(term);
@@ -116,14 +115,15 @@ void NarrowGaps<D>::add_drag(ViscousTerms<D>& terms)
 }
 
 template <int D>
-double NarrowGaps<D>::stiffen(int axis, const Index<D>& f, const LatticeFace<D>& face, const Index<D>& leader,
-                              FollowingFace<D>& following)
+double NarrowGaps<D>::stiffen(WallRays<D>& rays, int axis, const Index<D>& f, const LatticeFace<D>& face,
+                              const Index<D>& leader, FollowingFace<D>& following) const
 {
-    const std::optional<NarrowGap<D>> gap = narrow_gap(grid_.face_centre(axis, leader));
+    const std::optional<NarrowGap<D>> gap = narrow_gap(rays, grid_.face_centre(axis, leader));
     const double open = coupling_.open(axis, f);
     if (!gap)
         return 0;
-    const double led = following.share * lattice_value(*gap, axis, leader), own = face_mean(*gap, axis, face.centroid, open);
+    const double led = following.share * lattice_value(rays, *gap, axis, leader),
+                 own = face_mean(*gap, axis, face.centroid, open);
     if (own > led * (1 + 1e-6))
         following.stiffness = std::max(following.stiffness, system_.edge * open / (own - led));
     return following.share * open;

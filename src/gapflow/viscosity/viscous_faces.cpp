@@ -78,7 +78,7 @@ double ViscousFaces<D>::share_beside_walls(int axis, const Index<D>& f) const
 }
 
 template <int D>
-LatticeFace<D> ViscousFaces<D>::examine(int axis, const Index<D>& f)
+LatticeFace<D> ViscousFaces<D>::examine(WallRays<D>& rays, int axis, const Index<D>& f) const
 {
     LatticeFace<D> face;
     if (!is_open(axis, f))
@@ -90,15 +90,15 @@ LatticeFace<D> ViscousFaces<D>::examine(int axis, const Index<D>& f)
     const Vec<D> x = grid_.face_centre(axis, f);
     face.centroid = fractions_.faces[cut].open_centroid;
     face.shift = face.centroid - x;
-    rays_.around(x, reach(f));
-    if (rays_.distance(x) <= least_distance * grid_.dx()) {
+    rays.around(x, reach(f));
+    if (rays.distance(x) <= least_distance * grid_.dx()) {
         face.role = FaceRole::following;
         return face;
     }
     const double length = face.shift.norm();
     if (length < 1e-6 * grid_.dx())
         return face;
-    const WallHit<D> hit = rays_.cast(x, -face.shift / length, reach(f));
+    const WallHit<D> hit = rays.cast(x, -face.shift / length, reach(f));
     if (hit.image < 0)
         return face;
     face.share = 1 + length / std::max(hit.distance, least_distance * grid_.dx());
@@ -144,8 +144,12 @@ void ViscousFaces<D>::classify(FaceField<D, std::int8_t>& active)
                 if (to[f[0] - row[0]] && (fractions_.cut(axis, f) >= 0 || on_side(axis, f)))
                     others.emplace_back(axis, f);
         });
-    for (const auto& [axis, f] : others)
-        active(axis, f) = examine(axis, f).role == FaceRole::active;
+    for_each_part(static_cast<long>(others.size()), [&](long begin, long end) {
+        WallRays<D> rays = this->rays();
+        for (long i = begin; i < end; ++i)
+            active(others[i].first, others[i].second) =
+                examine(rays, others[i].first, others[i].second).role == FaceRole::active;
+    });
     exchange(grid_, active, 1);
 }
 

@@ -33,7 +33,7 @@ template <int D>
 class ViscousFaces {
 public:
     explicit ViscousFaces(const Coupling<D>& coupling)
-        : coupling_(coupling), grid_(*coupling.grid), fractions_(*coupling.fractions), rays_(*coupling.clipper, grid_.dx()),
+        : coupling_(coupling), grid_(*coupling.grid), fractions_(*coupling.fractions),
           cell_mass_(coupling.density * std::pow(grid_.dx(), D))
     {
         find_walls();
@@ -43,7 +43,7 @@ public:
     /// Whole faces by rows; those that surfaces cut, and those on sides of the domain, one by one. Collective.
     void classify(FaceField<D, std::int8_t>& active);
     /// Role of a cut face in the lattice. Any face of this rank or of the ghost layer: the same on all ranks. Moves the rays.
-    LatticeFace<D> examine(int axis, const Index<D>& f);
+    LatticeFace<D> examine(WallRays<D>& rays, int axis, const Index<D>& f) const;
 
     bool on_side(int axis, const Index<D>& f) const
     {
@@ -77,7 +77,7 @@ public:
     /// Row of the velocity component along `axis` of a solid's image at x.
     Twist<D> row(int image, int axis, const Vec<D>& x) const
     {
-        const Image<D>& at = rays_.image(image);
+        const Image<D>& at = this->image(image);
         return wrench<D>(unit<D>(axis), x - coupling_.solids[at.solid].centre - at.shift);
     }
     Twist<D> wall_row(int solid, int axis, const Vec<D>& x) const
@@ -86,7 +86,9 @@ public:
     }
     /// Solid of a wall of the domain.
     int wall(int axis, int end) const { return wall_[2 * axis + end]; }
-    WallRays<D>& rays() { return rays_; }
+    const Image<D>& image(int i) const { return coupling_.clipper->images()[i]; }
+    /// A thread has its own.
+    WallRays<D> rays() const { return WallRays<D>(*coupling_.clipper, grid_.dx()); }
 
 private:
     void find_walls();
@@ -98,7 +100,6 @@ private:
     const Coupling<D>& coupling_;
     const Grid<D>& grid_;
     const FaceFractions<D>& fractions_;
-    WallRays<D> rays_;
     double cell_mass_; ///< rho dx^D
     std::array<int, 2 * D> wall_;
     CellField<D, std::int8_t> surface_;

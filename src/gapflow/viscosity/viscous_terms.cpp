@@ -19,25 +19,33 @@ void append(int a, int b, const TwistMatrix<D>& block, std::vector<Eigen::Triple
 
 } // namespace
 
+// Less the known motion of solids that are not free.
 template <int D>
-void ViscousTerms<D>::add(const ViscousTerm<D>& term)
+double ViscousTerms<D>::target_of(const ViscousTerm<D>& term) const
 {
     double target = term.target;
-    bool any = false;
-    for (int k = 0; k < 2; ++k) {
-        const int s = term.solid[k];
-        if (s < 0)
-            continue;
-        if (coupling_.free_body[s] < 0)
+    for (int k = 0; k < 2; ++k)
+        if (const int s = term.solid[k]; s >= 0 && coupling_.free_body[s] < 0)
             target -= term.row[k].dot(bodies_.twists[s]);
-        any = any || !coupling_.solids[s].wall;
-    }
-    system_.constant += term.stiffness * target * target;
+    return target;
+}
+
+template <int D>
+double ViscousTerms<D>::add_to_lattice(const ViscousTerm<D>& term) const
+{
+    const double target = target_of(term);
     if (term.at >= 0) {
         system_.diagonal[term.axis].data()[term.at] += term.stiffness * term.weight * term.weight;
         system_.rhs[term.axis].data()[term.at] += term.stiffness * term.weight * target;
     }
-    if (any)
+    return term.stiffness * target * target;
+}
+
+template <int D>
+void ViscousTerms<D>::add_to_bodies(const ViscousTerm<D>& term)
+{
+    const double target = target_of(term);
+    if (std::any_of(term.solid.begin(), term.solid.end(), [&](int s) { return s >= 0 && !coupling_.solids[s].wall; }))
         system_.terms.push_back(term);
     for (int i = 0; i < 2; ++i) {
         const int a = term.solid[i] < 0 ? -1 : coupling_.free_body[term.solid[i]];
@@ -57,6 +65,10 @@ void ViscousTerms<D>::add(const ViscousTerm<D>& term)
 template <int D>
 void ViscousTerms<D>::add_block(int a, int b, const TwistMatrix<D>& block)
 {
+    if (a == b) {
+        own_blocks_[a] += block;
+        return;
+    }
     auto [at, is_new] = blocks_.try_emplace({a, b}, block);
     if (!is_new)
         at->second += block;
@@ -86,10 +98,8 @@ void ViscousTerms<D>::finish()
     // Every rank adds up the same blocks in the same order.
     std::vector<double> sums(static_cast<std::size_t>(dofs) * n + dofs, 0.0);
     std::vector<Eigen::Triplet<double>> entries;
-    for (int b = 0; b < coupling_.system.bodies; ++b) {
-        if (const auto known = blocks_.find({b, b}); known != blocks_.end())
-            std::copy_n(known->second.data(), n * n, sums.data() + static_cast<std::size_t>(b) * n * n);
-    }
+    for (int b = 0; b < coupling_.system.bodies; ++b)
+        std::copy_n(own_blocks_[b].data(), n * n, sums.data() + static_cast<std::size_t>(b) * n * n);
     Eigen::Map<Eigen::VectorXd>(&sums[static_cast<std::size_t>(dofs) * n], dofs) = body_rhs_;
     grid_.comm().sum(sums);
     body_rhs_ = Eigen::Map<Eigen::VectorXd>(&sums[static_cast<std::size_t>(dofs) * n], dofs);
@@ -120,12 +130,11 @@ void ViscousTerms<D>::add_blocks_between_bodies(std::vector<Eigen::Triplet<doubl
 {
     const int bodies = coupling_.system.bodies;
     std::vector<double> mine;
-    for (const auto& [place, block] : blocks_)
-        if (place.first != place.second) {
-            mine.push_back(place.first);
-            mine.push_back(place.second);
-            mine.insert(mine.end(), block.data(), block.data() + n * n);
-        }
+    for (const auto& [place, block] : blocks_) {
+        mine.push_back(place.first);
+        mine.push_back(place.second);
+        mine.insert(mine.end(), block.data(), block.data() + n * n);
+    }
     std::vector<double> counts(grid_.comm().size(), 0.0);
     counts[grid_.comm().rank()] = static_cast<double>(mine.size());
     grid_.comm().sum(counts);

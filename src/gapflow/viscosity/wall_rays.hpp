@@ -37,6 +37,7 @@ private:
 
     const FaceClipper<D>& clipper_;
     double dx_;
+    bool listed_ = false;
     Vec<D> centre_;
     double wanted_ = 0;   ///< solids beyond this count nowhere
     double complete_ = 0; ///< those within this of the centre are listed
