@@ -21,6 +21,7 @@ namespace {
 
 constexpr int full_parts = 48;
 constexpr double round_off = 1e-12; // of a level's energy with free bodies
+constexpr double negligible_part = 1e-8; // of a level, in its extension: films pass on their neighbours' levels, less and less
 constexpr double weak_mouths =
     1e-6; // relative to the film's conductances: below, the band's own solve does not resolve the film's level
 
@@ -141,9 +142,10 @@ void Deflation<D>::column(int k, UnknownVector<D>& z) const
 template <int D>
 void Deflation<D>::extend_over_band()
 {
-    extension_ = Eigen::MatrixXd::Zero(band_.size(), full_);
+    extension_.resize(full_, band_.size());
     if (band_.empty())
         return;
+    std::vector<Eigen::Triplet<double>> entries;
     std::vector<char> film_column(columns_, 0);
     for (int k : node_part_)
         if (k >= 0)
@@ -152,13 +154,21 @@ void Deflation<D>::extend_over_band()
     for (int k = 0; k < full_; ++k) {
         if (film_column[k])
             continue;
+        column(k, z); // not extended yet
+        Eigen::VectorXd extension = Eigen::VectorXd::Zero(band_.size());
         for (int pass = 0; pass < 2; ++pass) { // refined once: the factor carries a small shift
-            column(k, z);
             matrix_.apply_fluid(z, y);
-            extension_.col(k) -= band_.solve(band_.gather(y));
+            const Eigen::VectorXd more = -band_.solve(band_.gather(y));
+            extension += more;
+            z.nodes += more.head(system_.nodes);
+            for (const auto& entry : band_.owned())
+                z.cells(entry.cell) += more[entry.row];
         }
+        for (int row = 0; row < band_.size(); ++row)
+            if (std::abs(extension[row]) > negligible_part)
+                entries.emplace_back(k, row, extension[row]);
     }
-    extension_rows_ = extension_.transpose();
+    extension_.setFromTriplets(entries.begin(), entries.end());
 }
 
 template <int D>
@@ -276,13 +286,17 @@ Eigen::VectorXd Deflation<D>::restricted(const UnknownVector<D>& r) const
                 sums[part[i] + 1] += row[i];
         },
         r.cells, part_);
+    const auto add = [&](int row, double value) {
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(extension_, row); entry; ++entry)
+            sums[entry.row() + 1] += value * entry.value();
+    };
     for (const auto& entry : band_.owned())
-        sums.segment(1, full_) += r.cells(entry.cell) * extension_rows_.col(entry.row);
+        add(entry.row, r.cells(entry.cell));
     grid.comm().sum(std::span<double>(sums.data() + 1, columns_));
     for (int i = 0; i < system_.nodes; ++i) {
         sums[node_part_[i] + 1] += r.nodes[i];
         if (!band_.empty())
-            sums.segment(1, full_) += r.nodes[i] * extension_rows_.col(i);
+            add(i, r.nodes[i]);
     }
     return sums.tail(columns_);
 }
@@ -301,12 +315,12 @@ void Deflation<D>::prolong(const Eigen::VectorXd& c, UnknownVector<D>& z) const
         z.cells, part_);
     for (int i = 0; i < system_.nodes; ++i)
         z.nodes[i] += value[node_part_[i] + 1];
-    if (band_.empty() || full_ == 0)
+    if (extension_.nonZeros() == 0)
         return;
-    const Eigen::VectorXd on_band = extension_ * c.head(full_);
-    z.nodes += on_band.head(system_.nodes);
+    for (int i = 0; i < system_.nodes; ++i)
+        z.nodes[i] += extended(i, c);
     for (const auto& entry : band_.owned())
-        z.cells(entry.cell) += on_band[entry.row];
+        z.cells(entry.cell) += extended(entry.row, c);
 }
 
 template <int D>

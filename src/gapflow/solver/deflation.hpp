@@ -22,7 +22,11 @@ public:
     void update_bodies();
     /// z += Z (Z^T A Z)^+ Z^T r. Collective.
     void add_correction(const UnknownVector<D>& r, UnknownVector<D>& z) const;
-    long bytes() const { return static_cast<long>(sizeof(int)) * part_.size(); }
+    long bytes() const
+    {
+        return static_cast<long>(sizeof(int)) * part_.size() +
+               static_cast<long>(sizeof(int) + sizeof(double)) * extension_.nonZeros();
+    }
 
 private:
     bool all_constants_null() const;
@@ -33,6 +37,14 @@ private:
     /// Unit vector k, extended to all unknowns.
     void column(int k, UnknownVector<D>& z) const;
     void extend_over_band();
+    /// The extension times c, of one unknown of the band.
+    double extended(int row, const Eigen::VectorXd& c) const
+    {
+        double sum = 0;
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(extension_, row); entry; ++entry)
+            sum += entry.value() * c[entry.row()];
+        return sum;
+    }
     void set_up_fluid();
     /// Of each column: sums of magnitudes, to distinguish an energy from round-off.
     struct Magnitudes {
@@ -54,9 +66,8 @@ private:
     int full_ = 0;                   ///< columns with a full energy matrix, the first ones
     CellField<D, int> part_;         ///< column of each cell's constant, -1: none
     std::vector<int> node_part_;     ///< column of each node's constant, -1: none
-    Eigen::MatrixXd extension_;      ///< band unknowns x full_: harmonic extension minus the constants
-    Eigen::MatrixXd extension_rows_; ///< its transpose: the columns' values at one unknown lie side by side
-    Eigen::MatrixXd energy_, flux_;  ///< Z^T L Z and K^T Z of the full columns
+    Eigen::SparseMatrix<double> extension_; ///< full_ x band unknowns: harmonic extension minus the constants
+    Eigen::MatrixXd energy_, flux_;         ///< Z^T L Z and K^T Z of the full columns
     Magnitudes magnitudes_;
     Eigen::MatrixXd inverse_energy_;   ///< full_ x full_
     Eigen::VectorXd inverse_diagonal_; ///< of the others
