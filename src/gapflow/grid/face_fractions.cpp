@@ -65,12 +65,14 @@ public:
                 visit(first.cwiseMax(low_), (first + Index<D>::Constant(bins.width())).cwiseMin(end), 0, work);
             });
         });
-        for (Work& work : works)
-            take(work);
-        clip_beyond_periodic_sides();
+        for (const Work& work : works)
+            number(work);
+        works.push_back(beyond_periodic_sides());
+        number(works.back());
         list_surface_cells();
         close_sides();
         complete_hulls();
+        gather(works);
         for (int axis = 0; axis < D; ++axis)
             for (int *cut = result_.cut[axis].data(), *last = cut + result_.cut[axis].size(); cut != last; ++cut)
                 *cut = std::max(*cut, -1);
@@ -87,18 +89,32 @@ private:
         ClippedFace<D> parts;
     };
 
-    // Appends its result.
-    void take(Work& work)
+    // Numbers its faces after all before.
+    void number(const Work& work)
     {
-        const int before = static_cast<int>(result_.faces.size());
         for (const Index<D>& cell : work.surface_cells)
             for (int axis = 0; axis < D; ++axis)
                 if ((cell.array() < faces_end_[axis].array()).all() && result_.cut(axis, cell) >= 0)
-                    result_.cut(axis, cell) += before;
+                    result_.cut(axis, cell) += count_;
         surface_cells_.insert(surface_cells_.end(), work.surface_cells.begin(), work.surface_cells.end());
-        result_.faces.insert(result_.faces.end(), std::make_move_iterator(work.faces.begin()),
-                             std::make_move_iterator(work.faces.end()));
-        work = {};
+        count_ += static_cast<int>(work.faces.size());
+    }
+
+    // The faces in the order of their numbers; their memory, the most there is in crowds, is asked for once.
+    void gather(std::vector<Work>& works)
+    {
+        result_.faces.reserve(count_);
+        for (Work& work : works) {
+            result_.faces.insert(result_.faces.end(), std::make_move_iterator(work.faces.begin()),
+                                 std::make_move_iterator(work.faces.end()));
+            work = {};
+        }
+        const std::size_t before = result_.faces.size();
+        result_.faces.resize(count_);
+        for_each_part(static_cast<long>(whole_.size()), [&](long begin, long end) {
+            for (long i = begin; i < end; ++i)
+                data_.clip(whole_[i].first, whole_[i].second, result_.faces[before + i]);
+        });
     }
 
     void add_candidates_around(const Index<D>& bin, std::vector<int>& candidates)
@@ -207,26 +223,27 @@ private:
         }
     }
 
-    int add_entry()
+    // An entry for a face that lies wholly in a solid.
+    void add_entry(int axis, const Index<D>& face)
     {
-        result_.faces.push_back(parts_);
-        return static_cast<int>(result_.faces.size()) - 1;
+        result_.cut(axis, face) = count_++;
+        whole_.emplace_back(axis, face);
     }
 
     // A container has no images: beyond a periodic side its faces are those that they wrap to, not what lies there.
-    void clip_beyond_periodic_sides()
+    Work beyond_periodic_sides()
     {
+        Work work;
         const bool containers = std::any_of(data_.images.begin(), data_.images.end(),
                                             [](const Image<D>& image) { return image.shape.shape().inside_out(); });
         if (!containers)
-            return;
-        Work work;
+            return work;
         for_each_index<D>(low_, high_ + Index<D>::Ones(), [&](const Index<D>& cell) {
             for (int axis = 0; axis < D; ++axis)
                 if (grid_.periodic(axis) && (cell[axis] < 0 || cell[axis] >= grid_.cells()[axis]))
                     return clip_cell(cell, work);
         });
-        take(work);
+        return work;
     }
 
     void list_surface_cells()
@@ -255,9 +272,8 @@ private:
                 from[axis] = place;
                 to[axis] = place + 1;
                 for_each_index<D>(from, to, [&](const Index<D>& f) {
-                    data_.clip(axis, f, parts_);
                     result_.open(axis, f) = 0;
-                    result_.cut(axis, f) = add_entry();
+                    add_entry(axis, f);
                     surface_cells_.push_back(end ? Index<D>(f - step<D>(axis)) : f);
                 });
             }
@@ -285,10 +301,8 @@ private:
         });
         for (const Index<D>& cell : surface_cells_)
             for_each_face(cell, [&](int axis, const Index<D>& face) {
-                if (result_.cut(axis, face) < -1) {
-                    data_.clip(axis, face, parts_);
-                    result_.cut(axis, face) = add_entry();
-                }
+                if (result_.cut(axis, face) < -1)
+                    add_entry(axis, face);
             });
     }
 
@@ -299,7 +313,8 @@ private:
     std::array<Index<D>, D> faces_end_; ///< faces normal to an axis: low_ <= f < faces_end_
     double padding_;
     std::vector<Index<D>> surface_cells_;
-    ClippedFace<D> parts_;
+    int count_ = 0;                               ///< of entries so far
+    std::vector<std::pair<int, Index<D>>> whole_; ///< faces that lie wholly in a solid: the last entries
 };
 
 } // namespace

@@ -36,7 +36,7 @@ template <int D>
 struct ClippedFace {
     double open = 1.0;
     Vec<D> open_centroid;                ///< face centre where open = 0
-    InlineVector<SolidPart<D>, 2> solid; ///< at most one part a solid image, in the order of the solids' names
+    InlineVector<SolidPart<D>, 1> solid; ///< at most one part a solid image, in the order of the solids' names
 };
 
 template <int D>

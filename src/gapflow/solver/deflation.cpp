@@ -20,7 +20,7 @@ namespace gapflow {
 namespace {
 
 constexpr int full_parts = 48;
-constexpr double round_off = 1e-12; // of a level's energy with free bodies
+constexpr double round_off = 1e-12;      // of a level's energy with free bodies
 constexpr double negligible_part = 1e-8; // of a level, in its extension: films pass on their neighbours' levels, less and less
 constexpr double weak_mouths =
     1e-6; // relative to the film's conductances: below, the band's own solve does not resolve the film's level

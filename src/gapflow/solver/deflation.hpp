@@ -63,9 +63,9 @@ private:
     const FilmBand<D>& band_;
     int columns_ = 0; ///< 0 if all of them are null vectors
     int all_columns_ = 0;
-    int full_ = 0;                   ///< columns with a full energy matrix, the first ones
-    CellField<D, int> part_;         ///< column of each cell's constant, -1: none
-    std::vector<int> node_part_;     ///< column of each node's constant, -1: none
+    int full_ = 0;                          ///< columns with a full energy matrix, the first ones
+    CellField<D, int> part_;                ///< column of each cell's constant, -1: none
+    std::vector<int> node_part_;            ///< column of each node's constant, -1: none
     Eigen::SparseMatrix<double> extension_; ///< full_ x band unknowns: harmonic extension minus the constants
     Eigen::MatrixXd energy_, flux_;         ///< Z^T L Z and K^T Z of the full columns
     Magnitudes magnitudes_;
