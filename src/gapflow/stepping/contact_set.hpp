@@ -52,6 +52,12 @@ struct Contact {
     Vec<D> mark = Vec<D>::Zero(); ///< place on a in a's frame, to identify the contact in the next step
 };
 
+/// What counts as nothing when the laws of contact are tested.
+struct ContactAccuracy {
+    double contact = 0;  ///< impulses and speeds, of the largest ones
+    double friction = 0; ///< sliding friction, of the largest bound of friction on the body
+};
+
 /// Change of the contacts after a solve: `friction`: the states are the same, but sliding friction changes; `repeats`: the states
 /// are those of an earlier round.
 enum class ContactChange { none, friction, states, repeats };
@@ -85,7 +91,7 @@ public:
     /// Takes the twists and the impulses of held() that a solve gave, to full tolerance if `exact`. Unless nothing changes the solve must be
     /// repeated.
     ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia,
-                         double accuracy, bool exact, int round);
+                         const ContactAccuracy& accuracy, bool exact, int round);
 
     /// Resets cycle detection, because voids changed.
     void forget_rounds() { seen_.clear(); }
@@ -128,6 +134,7 @@ private:
     double relaxation_ = 1; ///< of the pulls in the step's last round
     std::set<States> seen_; ///< used in the step's last solves, since the last change of tolerance
     bool seen_exact_ = false;
+    int repetitions_ = 0; ///< of states of exact solves in the step
     bool one_at_a_time_ = false;
 };
 

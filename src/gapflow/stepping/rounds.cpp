@@ -12,9 +12,10 @@ double Rounds::tolerance(double full, bool holds) const
     return holds ? settled_tolerance * full : full;
 }
 
-double Rounds::accuracy(double tolerance) const
+ContactAccuracy Rounds::accuracy(double tolerance) const
 {
-    return std::max({10 * tolerance, 1e-6 * std::exp2(round_ - 20), circles_ > 0 ? 1e-6 * std::exp2(circles_ - 1) : 0.0});
+    return {std::max(10 * tolerance, least_accuracy * std::exp2(0.5 * exact_rounds_)),
+            std::min(friction_accuracy * std::exp2(exact_rounds_), most_friction)};
 }
 
 bool Rounds::go_on(ContactChange contacts, bool voids)
@@ -22,7 +23,7 @@ bool Rounds::go_on(ContactChange contacts, bool voids)
     if (!sets_)
         return false;
     const bool exactly = exact();
-    circles_ += exactly && contacts == ContactChange::repeats;
+    exact_rounds_ += exactly;
     voids_changed_ = voids;
     changed_ = voids || contacts != ContactChange::none;
     unsettled_ = last();

@@ -26,9 +26,9 @@ public:
     bool exact() const { return level_ == rough_tolerances.size() || (round_ == 0 && expect_none_); }
     /// Of the round's solve, relative. `full`: of one without sets; `holds`: something is held by contacts or voids.
     double tolerance(double full, bool holds) const;
-    /// Threshold below which a contact's impulse counts as zero, relative to the largest. Contacts with negligible impulses may
-    /// alternate without end, so it grows with the rounds and with each repetition.
-    double accuracy(double tolerance) const;
+    /// Contacts with negligible impulses may alternate without end, and the friction of contacts that share their force in many ways may follow
+    /// shares that never settle: both grow with each exact solve.
+    ContactAccuracy accuracy(double tolerance) const;
     /// Whether voids may change all at once; later, one at a time.
     bool voids_at_once() const { return round_ < void_rounds_at_once; }
 
@@ -46,6 +46,7 @@ public:
 private:
     // While contacts change, their solves go to this relative residual only; and so many times at most.
     static constexpr std::array<double, 3> rough_tolerances = {1e-2, 1e-4, 1e-6};
+    static constexpr double least_accuracy = 1e-6, friction_accuracy = 1e-3, most_friction = 0.05;
     // Part of the tolerance once they do not change: the contacts' forces are small compared with the weights that the fluid
     // supports.
     static constexpr double settled_tolerance = 0.1;
@@ -53,8 +54,8 @@ private:
     static constexpr int void_rounds_at_once = 40;
 
     int round_ = 0;
-    std::size_t level_; ///< rough tolerances at which the sets did not change
-    int circles_ = 0;   ///< number of repetitions of earlier sets, in exact solves
+    std::size_t level_;    ///< rough tolerances at which the sets did not change
+    int exact_rounds_ = 0; ///< so far
     bool sets_, expect_none_, changed_ = true, voids_changed_, unsettled_ = false;
 };
 

@@ -198,11 +198,10 @@ TEST(AbsorbPockets, TakesSmallPartsThatNoConduitReaches)
         for (const bool reached : {false, true}) {
             Classified<2> found(*scene, with_lid);
             ASSERT_EQ(count(found.cells), (std::map<CellKind, int>{{CellKind::film, 4}}));
-            CellStates<2> states(scene->faces(), found.cells);
             std::vector<long> reach;
             if (reached)
                 reach.push_back(scene->grid().key({6, 7}));
-            std::vector<long> changed = absorb_pockets<2>(scene->faces(), states, reach, found.cells);
+            std::vector<long> changed = absorb_pockets<2>(scene->faces(), reach, found.cells);
             EXPECT_EQ(changed.size(), depth == 3 && !reached ? 9u : 0u) << depth;
             std::sort(changed.begin(), changed.end());
             EXPECT_EQ(std::unique(changed.begin(), changed.end()), changed.end());

@@ -440,6 +440,40 @@ TEST(ContactLaw, FilmHoldsBackWhatLetsGo)
     }
 }
 
+// A light block in the corner of a wall and a floor, on films that weigh a million times as much as it (random scene 257). Each film is set to the
+// body's motion in turn, and contacts between the two must not take the other film's push for a speed to stop.
+TEST(ContactLaw, BlockInACornerBetweenTwoFilms)
+{
+    NearInertia<2> inertia;
+    inertia.mobility = {Eigen::Vector3d(35.7, 35.7, 19236).asDiagonal(), TwistMatrix<2>::Zero(), TwistMatrix<2>::Zero()};
+    inertia.films = {{0, 1, PairMatrix<2>::Zero()}, {0, 2, PairMatrix<2>::Zero()}};
+    inertia.films[0].matrix.topLeftCorner<3, 3>() << 17691.5, 13.1229, 280.068, 13.1229, 0.0172863, 0.277007, 280.068, 0.277007,
+        7.06939;
+    inertia.films[1].matrix.topLeftCorner<3, 3>() << 0.0108383, 5.15948, 0.0687193, 5.15948, 4348.67, 43.4734, 0.0687193,
+        43.4734, 0.683689;
+    std::vector<Contact<2>> contacts;
+    for (int wall : {1, 2})
+        for (double arm : {-1.0, 1.0}) {
+            Contact<2> c;
+            c.point.a = 0;
+            c.point.b = wall;
+            c.normal = {wall == 1 ? Twist<2>(-1, 0, 0.0632 * arm) : Twist<2>(0, 1, 0.0396 * arm), Twist<2>::Zero()};
+            contacts.push_back(c);
+        }
+    const std::vector<Twist<2>> start{Twist<2>(5e-6, -5e-5, -3e-4), Twist<2>::Zero(), Twist<2>::Zero()};
+    const std::vector<ContactImpulse<2>> none(contacts.size());
+    const ContactForecast<2> found = forecast_contacts<2>(contacts, none, start, inertia, 1e-12);
+    double most = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const double speed = contacts[i].normal.a.dot(found.twists[0]);
+        EXPECT_GE(speed, -1e-9);
+        EXPECT_NEAR(found.impulses[i].normal > 0 ? speed : 0, 0, 1e-9);
+        most = std::max(most, found.impulses[i].normal);
+    }
+    EXPECT_LT(most, 1);
+    EXPECT_GT(most, 1e-6);
+}
+
 // Between flat faces of length L, h apart, ideal flow weighs rho L^3 / (12 h) against squeezing and rho L^5 / (720 h) against turning.
 // A light block under a heavy one, on films that resist a million times as much as either: the laws hold, and bodies and films answer.
 TEST(ContactLaw, StackOnHeavyFilmsObeysTheLaws)

@@ -67,8 +67,8 @@ TEST(Rounds, WhatNeverSettlesEnds)
         ++count;
         if (rounds.number() > Rounds::most_rounds / 2 + 1) {
             EXPECT_TRUE(rounds.exact());
-            EXPECT_GT(rounds.accuracy(full), accuracy);
-            accuracy = rounds.accuracy(full);
+            EXPECT_GT(rounds.accuracy(full).contact, accuracy);
+            accuracy = rounds.accuracy(full).contact;
         }
     }
     EXPECT_EQ(count, Rounds::most_rounds + 1);
