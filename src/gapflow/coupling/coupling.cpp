@@ -15,7 +15,7 @@ namespace gapflow {
 namespace {
 
 // Relative size below which a contact's row, after constraints, cannot move its body.
-constexpr double round_off = 1e-12;
+constexpr double idle_row = 1e-12;
 
 // Kinds of this rank's cells and their ghosts, the faces open on the grid, and their conductance a |f| / (rho dx).
 template <int D>
@@ -274,7 +274,7 @@ void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& con
                 return;
             }
             const Twist<D> admissible = coupling.solids[solid].admissible * row;
-            if (admissible.norm() > round_off * row.norm())
+            if (admissible.norm() > idle_row * row.norm())
                 for (int k = 0; k < n; ++k)
                     entries.emplace_back(r, n * b + k, admissible[k]);
         };

@@ -8,12 +8,6 @@
 
 namespace gapflow {
 
-namespace {
-
-constexpr long faces_a_chunk = 256; // of a thread's work
-
-} // namespace
-
 template <int D>
 void FollowingFaces<D>::add(int axis)
 {

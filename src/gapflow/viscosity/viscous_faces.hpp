@@ -15,6 +15,8 @@ namespace gapflow {
 constexpr double ray_length = 1.7;
 // No surface counts as nearer to a lattice point than this, in dx.
 constexpr double least_distance = 1e-3;
+// Faces that a thread looks at in a row.
+constexpr long faces_a_chunk = 256;
 
 enum class FaceRole { none, active, following };
 

@@ -34,7 +34,6 @@ ViscousSystem<D> empty_system(const Coupling<D>& coupling, double viscosity, dou
     return system;
 }
 
-constexpr long faces_a_chunk = 256; // of a thread's work
 constexpr long chunks_at_once = 64; // what they give is kept until all are there
 
 // The lattice's points and edges.
