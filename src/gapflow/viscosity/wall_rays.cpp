@@ -21,14 +21,13 @@ void WallRays<D>::around(const Vec<D>& x, double reach)
 {
     wanted_ = 2 * reach;
     const double radius = std::min(wanted_, first_radius * dx_);
-    if (!listed_ || x != centre_ || complete_ < radius || complete_ > wanted_)
+    if (complete_ < radius || complete_ > wanted_ || x != centre_)
         find(x, radius);
 }
 
 template <int D>
 void WallRays<D>::find(const Vec<D>& x, double radius)
 {
-    listed_ = true;
     centre_ = x;
     complete_ = radius;
     clipper_.near(x, radius, found_);

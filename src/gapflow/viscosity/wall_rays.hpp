@@ -37,10 +37,9 @@ private:
 
     const FaceClipper<D>& clipper_;
     double dx_;
-    bool listed_ = false;
     Vec<D> centre_;
     double wanted_ = 0;   ///< solids beyond this count nowhere
-    double complete_ = 0; ///< those within this of the centre are listed
+    double complete_ = 0; ///< those within this of the centre are listed; 0: no list yet
     std::vector<Near> near_;
     std::size_t nearest_ = 0; ///< to the centre
     std::vector<int> found_;
