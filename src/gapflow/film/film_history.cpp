@@ -13,8 +13,6 @@ namespace gapflow {
 namespace {
 
 constexpr int longest_walk = 100; // elements: a longer walk may be a cycle
-// Interpolated velocities relative to the master exceed those of the surrounding elements by this factor at most.
-constexpr double surplus_bound = 1.5;
 // Speeds are means over the elements around a vertex, and over at least the gap's own thickness, or this in dx: on smaller lengths the film
 // model has no meaning. (A film's end cuts elements of a hundredth of a cell, which have a negligible flux at any speed.)
 constexpr double smallest_patch = 0.25;
@@ -325,21 +323,6 @@ double FilmHistory<D>::thickness(const Place& place) const
 }
 
 template <int D>
-Vec<D> FilmHistory<D>::vertex_velocity(const Vec<D>& x_body, const Place& place) const
-{
-    // Beyond the film the flux is extrapolated linearly over one element's length.
-    Vec<D> flux = Vec<D>::Zero();
-    for (int i = 0; i < D; ++i)
-        flux += std::clamp(place.shape[i], -1.0, 2.0) * flux_vertex_[elements_[place.element][i]];
-    // Where the gap closes to a tip the division amplifies errors: limits the speed to about that of the surrounding elements.
-    Vec<D> relative = flux / thickness(place);
-    const double bound = surplus_bound * speed_about(place.element);
-    if (relative.norm() > bound)
-        relative *= bound / relative.norm();
-    return master_velocity(x_body) + relative;
-}
-
-template <int D>
 double FilmHistory<D>::at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const
 {
     const Place place = locate(x_body, hint);
@@ -371,11 +354,15 @@ Vec<D> FilmHistory<D>::master_velocity(const Vec<D>& x_body) const
 }
 
 template <int D>
-Vec<D> FilmHistory<D>::at(const Vec<D>& x_body, int& hint) const
+typename FilmHistory<D>::Flow FilmHistory<D>::at(const Vec<D>& x_body, int& hint) const
 {
     const Place place = locate(x_body, hint);
     hint = place.element;
-    return vertex_velocity(x_body, place);
+    // Beyond the film the flux is extrapolated linearly over one element's length.
+    Vec<D> flux = Vec<D>::Zero();
+    for (int i = 0; i < D; ++i)
+        flux += std::clamp(place.shape[i], -1.0, 2.0) * flux_vertex_[elements_[place.element][i]];
+    return {master_velocity(x_body), flux, normal_[place.element], thickness(place)};
 }
 
 template <int D>

@@ -70,9 +70,16 @@ public:
     Spin<D> spin() const { return twist_.template tail<spin_size<D>>(); }
     /// The master's reference point in its frame.
     const Vec<D>& centre() const { return centre_body_; }
-    /// Old velocity (world axes) at a point of the master's frame, extrapolated linearly beyond the film. `hint`: an element near it, or -1; on
-    /// return the one nearest to the point.
-    Vec<D> at(const Vec<D>& x_body, int& hint) const;
+    /// What flows at a point of the master's frame, extrapolated linearly beyond the film; world axes.
+    struct Flow {
+        Vec<D> of_master; ///< velocity of the master
+        Vec<D> flux;      ///< h (w - U_m)
+        Vec<D> normal;    ///< of the nearest element
+        double h;
+        Vec<D> velocity() const { return of_master + flux / h; }
+    };
+    /// `hint`: an element near the point, or -1; on return the one nearest to it.
+    Flow at(const Vec<D>& x_body, int& hint) const;
     /// A field given at the vertices, linear over the elements, at a point of the master's frame; 0 where there was no film. `hint` as
     /// above.
     double at_vertices(std::span<const double> field, const Vec<D>& x_body, int& hint) const;
@@ -100,7 +107,6 @@ private:
     void join_elements();
     double thickness(const Place& place) const;
     void limit_slopes();
-    Vec<D> vertex_velocity(const Vec<D>& x_body, const Place& place) const;
     void fit_vertices(const std::vector<double>& weight);
     Index<D> bin(const Vec<D>& x_body) const;
     long bin_key(const Index<D>& bin) const;

@@ -110,7 +110,11 @@ void paint_films(const Coupling<D>& c, Reconstruction<D>& into, FaceField<D, std
             const Vec<D> x = grid.face_centre(side.axis, Index<D>(side.face + cell.offset(cell.owner)));
             // From the master's surface, on which the memory lies: next to it there is no need to search.
             const Vec<D> on_master = master.to_body(master.closest(x).x);
-            into.painted(side.axis, f) = memory.at(on_master, near[cell.owner])[side.axis];
+            const typename FilmHistory<D>::Flow flow = memory.at(on_master, near[cell.owner]);
+            // The film may be only a part of what is open there: the face carries the film's flux.
+            const double across = std::sqrt(std::max(0.0, 1 - flow.normal[side.axis] * flow.normal[side.axis])),
+                         width = across * c.fractions->open(side.axis, f) * grid.dx();
+            into.painted(side.axis, f) = flow.of_master[side.axis] + flow.flux[side.axis] / std::max(width, flow.h);
             valid(side.axis, f) = 1;
             into.film_faces(side.axis, f) = 1;
         }

@@ -1,0 +1,57 @@
+// What a film leaves behind in the grid when it ends.
+#include "gapflow/stepping/reconstruction.hpp"
+
+#include "gapflow/stepping/start.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace gapflow {
+namespace {
+
+// A corner 1e-4 cells over the floor, and a film in the wedge beside it, all of one flux. The corner lies anywhere in its cell, so faces
+// that the film leaves may be open a hundred times as wide as the film is thick. No face gets more than the film's flux.
+TEST(Reconstruction, AFaceTakesNoMoreThanTheFlux)
+{
+    const double dx = 0.1, flux = 1e-3;
+    int faces = 0;
+    for (double angle : {5.0, 20.0, 30.0, 40.0, 45.0})
+        for (int k = 0; k < 10; ++k) {
+            Scene scene;
+            scene.size = {2, 2, 0};
+            scene.cells = {20, 20, 1};
+            BodyScene box;
+            box.name = "box";
+            box.shape = BodyScene::ShapeKind::box;
+            box.motion = BodyScene::Motion::fixed;
+            box.size = {0.6, 0.5, 0};
+            box.angle = angle / 180 * std::numbers::pi;
+            box.position = {1 + 0.1 * k * dx,
+                            1e-4 * dx + 0.5 * (box.size[0] * std::sin(box.angle) + box.size[1] * std::cos(box.angle)), 0};
+            scene.bodies = {box};
+            const Model<2> model(scene, Communicator());
+            State<2> state(model);
+            StepReport report;
+            StageTimers timers;
+            const Start<2> at = start(model, state, report, timers);
+            state.velocity.film.clear();
+            for (const Film<2>& film : at.here.network.films)
+                for (const FilmElement<2>& e : film.mesh.elements)
+                    state.velocity.film.emplace_back(flux / (e.volume / e.measure) * Vec<2>(-e.normal[1], e.normal[0]));
+            const Reconstruction<2> beyond = reconstruct(model, at.here, state, at.twists);
+            for (int axis = 0; axis < 2; ++axis)
+                for_each_index<2>(model.grid.low(), owned_faces_end(model.grid, axis), [&](const Index<2>& f) {
+                    if (!beyond.film_faces(axis, f))
+                        return;
+                    ++faces;
+                    EXPECT_LT(std::abs(beyond.painted(axis, f)) * at.here.fractions->open(axis, f) * dx, 1.01 * flux)
+                        << "axis " << axis << ", face " << f.transpose() << ", angle " << angle << ", place " << k;
+                });
+        }
+    EXPECT_GT(faces, 500);
+}
+
+} // namespace
+} // namespace gapflow
