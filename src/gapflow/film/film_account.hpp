@@ -9,8 +9,8 @@
 
 namespace gapflow {
 
-/// Energy over the density that a pair's films gained in transport and at their mouths against what was expected, by pair; none: 0. The next
-/// step takes it back, or gives it back where it is negative.
+/// Energy over the density that a pair's films gained in transport and at their mouths against what was expected, by pair, positive; none:
+/// 0. The next step takes it back.
 template <int D>
 using FilmDebts = std::map<FilmPair<D>, double>;
 

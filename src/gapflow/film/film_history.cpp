@@ -13,6 +13,8 @@ namespace gapflow {
 namespace {
 
 constexpr int longest_walk = 100; // elements: a longer walk may be a cycle
+// Interpolated velocities relative to the master exceed those of the surrounding elements by this factor at most.
+constexpr double surplus_bound = 1.5;
 // Speeds are means over the elements around a vertex, and over at least the gap's own thickness, or this in dx: on smaller lengths the film
 // model has no meaning. (A film's end cuts elements of a hundredth of a cell, which have a negligible flux at any speed.)
 constexpr double smallest_patch = 0.25;
@@ -362,7 +364,11 @@ typename FilmHistory<D>::Flow FilmHistory<D>::at(const Vec<D>& x_body, int& hint
     Vec<D> flux = Vec<D>::Zero();
     for (int i = 0; i < D; ++i)
         flux += std::clamp(place.shape[i], -1.0, 2.0) * flux_vertex_[elements_[place.element][i]];
-    return {master_velocity(x_body), flux, normal_[place.element], thickness(place)};
+    // Where the gap closes to a tip the division amplifies errors: limits the speed to about that of the surrounding elements.
+    const double h = thickness(place), bound = surplus_bound * h * speed_about(place.element);
+    if (flux.norm() > bound)
+        flux *= bound / flux.norm();
+    return {master_velocity(x_body), flux, normal_[place.element], h};
 }
 
 template <int D>

@@ -11,6 +11,13 @@ namespace gapflow {
 
 namespace {
 
+template <int D>
+double debt_of(const FilmDebts<D>& debts, const FilmPair<D>& pair)
+{
+    const auto it = debts.find(pair);
+    return it == debts.end() ? 0.0 : it->second;
+}
+
 double square(double x)
 {
     return x * x;
@@ -95,10 +102,6 @@ public:
     void carry(const FilmDebts<D>& debts, FilmFlow<D>& flow)
     {
         FilmAccount<D>& account = flow.account;
-        auto debt = [&](const FilmPair<D>& pair) {
-            const auto it = debts.find(pair);
-            return it == debts.end() ? 0.0 : it->second;
-        };
         std::vector<Vec<D>> expected(network_.elements),
             carrying(
                 network_
@@ -150,7 +153,7 @@ public:
                 sum.high -= high[k].in;
                 sum.in += low[k].in;
                 sum.out += low[k].out;
-                sum.debt = std::max(debt(network_.films[k].pair), 0.0);
+                sum.debt = debt_of(debts, network_.films[k].pair);
             }
         for (auto& [old, sum] : sums) { // what leaves may be kept to pay a debt
             sum.low += sum.debt;
@@ -219,8 +222,7 @@ public:
             double debt = 0;
             for (std::size_t k = 0; k < history_.size(); ++k)
                 if (history_[k] == old)
-                    if (auto it = debts.find(network_.films[k].pair); it != debts.end())
-                        debt = it->second;
+                    debt = debt_of(debts, network_.films[k].pair);
             const double gives = gives_.at(old) + sum.bulk - debt, left = sum.in + gives;
             double in = 1, out = sum.out > 0 ? std::clamp(left / sum.out, 0.0, 1.0) : 0.0;
             if (sum.in > 0 && (left < 0 || !sum.leaves))
