@@ -17,7 +17,7 @@ constexpr double merge = 0.01;
 constexpr double same_place = 0.5;
 // An approach below this times the change by the step's forces is resting contact, not impact.
 constexpr double resting = 2.0;
-// A contact whose opening rate changes by less than this times the change by the forces does not count as an impact.
+// A contact whose opening rate changes by less than this times what the forces change of the velocity there does not count as an impact.
 constexpr double smooth = 0.05;
 constexpr double crushing = 1e-2; // of the largest speed about: a held contact that closes faster is an error
 
@@ -137,7 +137,9 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
         if (last_dt > 0)
             c.sliding_impulse *= dt / last_dt;
         c.approach = rate(c.normal, c, before);
-        c.gained = std::abs(rate(c.normal, c, forced) - c.approach);
+        c.gained = c.forced = std::abs(rate(c.normal, c, forced) - c.approach);
+        for (const RelativeRow<D>& t : c.tangents)
+            c.forced = std::hypot(c.forced, rate(t, c, forced) - rate(t, c, before));
         c.least = -std::max(c.point.distance - c.hold, 0.0) / dt;
         const bool impact = c.restitution > 0 && c.approach < -resting * c.gained && c.approach < 0;
         // Of the speed that fluid in the gap leaves until they meet.
@@ -246,7 +248,7 @@ bool ContactSet<D>::impact_on(int solid) const
 {
     return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
         return (c.point.a == solid || c.point.b == solid) &&
-               (c.closed != c.was_closed || (c.closed && std::abs(c.target - c.approach) > smooth * c.gained));
+               (c.closed != c.was_closed || (c.closed && std::abs(c.target - c.approach) > smooth * c.forced));
     });
 }
 
@@ -272,6 +274,7 @@ void ContactSet<D>::list_state(StateArchive& archive)
         }
         list("approach", c.approach);
         list("gained", c.gained);
+        list("forced", c.forced);
         list("least", c.least);
         list("target", c.target);
         list("closed", c.closed);

@@ -38,6 +38,7 @@ struct Contact {
     std::array<RelativeRow<D>, D - 1> tangents;
     double approach = 0; ///< opening rate before the step
     double gained = 0;   ///< its change by the explicit forces in the step, magnitude
+    double forced = 0;   ///< change of the whole relative velocity by them
     double least = 0;    ///< opening rate that the end of the step may not fall below
     double target = 0;   ///< opening rate while it holds: `least`, or a rebound
     bool closed = false, was_closed = false;

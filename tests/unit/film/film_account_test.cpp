@@ -214,10 +214,10 @@ Account gaining(double gain, double planned)
 TEST(FilmAccount, GainsBeyondThePlanAreMispredicted)
 {
     const std::set<FilmPair<2>> none, first{first_pair};
-    EXPECT_EQ(gaining(0.21, 0).mispredicted(), first); // 0.2 % of the energy
-    EXPECT_EQ(gaining(0.19, 0).mispredicted(), none);
-    EXPECT_EQ(gaining(5, 4.9).mispredicted(), none); // was planned
-    EXPECT_EQ(gaining(5, 4.7).mispredicted(), first);
+    EXPECT_EQ(gaining(2.1, 0).mispredicted(), first); // 2 % of the energy
+    EXPECT_EQ(gaining(1.9, 0).mispredicted(), none);
+    EXPECT_EQ(gaining(5, 4).mispredicted(), none); // was planned
+    EXPECT_EQ(gaining(5, 2.5).mispredicted(), first);
     EXPECT_EQ(gaining(1, -5).mispredicted(), first); // was meant to lose
     EXPECT_EQ(gaining(-1, -50).mispredicted(), none);
     Account rebounds = gaining(50, 0), unplanned = gaining(50, 0);

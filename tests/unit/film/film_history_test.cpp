@@ -59,7 +59,8 @@ void gives_back()
             Vec<D> x = at<D>(4.3, plates.height());
             x[0] = aside;
             int hint = start;
-            EXPECT_LT((history.at(plates.body(x), hint).velocity() - stretching<D>(x)).norm(), 1e-6) << aside << " from " << start;
+            EXPECT_LT((history.at(plates.body(x), hint).velocity() - stretching<D>(x)).norm(), 1e-6)
+                << aside << " from " << start;
             ASSERT_TRUE(hint >= 0 && hint < history.elements());
             EXPECT_LT(std::abs(plates.film().mesh.elements[hint].centroid_master[0] - aside), 0.5);
             EXPECT_NEAR(history.speed_about(hint), 1 + 0.2 * aside, 0.12); // at a vertex of an element of half a cell

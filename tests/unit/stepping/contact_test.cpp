@@ -361,6 +361,28 @@ TEST(ContactSet, BallSlidesUpAWallThatItHasMet)
     EXPECT_NEAR(simulation.bodies()[0].pose.position[0], 1 - 0.09 - 1e-3, 1e-6);
 }
 
+// A heavy box in a tank's upper corner falls along the side wall, which only the fluid presses it to: that is no impact, and its place goes
+// on in second order.
+TEST(ContactSet, BoxFallsAlongAWallAsFreely)
+{
+    Scene scene = tank(2);
+    scene.sides[3].kind = SideScene::Kind::wall;
+    scene.bodies = {box("box", {0.27, 0.285, 0}, {0.135, 1 - 0.1425, 0})};
+    scene.bodies[0].density = 700;
+    scene.gap.automatic_roughness = true;
+    scene.gap.roughness = automatic_roughness / 16;
+    scene.max_step = 0.0085;
+    Simulation<2> simulation(scene, Communicator());
+    const auto& body = simulation.bodies()[0];
+    const double from = body.pose.position[1], pull = 1 - 1 / 700.0;
+    while (simulation.time() < 0.4)
+        simulation.step(0.4);
+    EXPECT_GT(from - body.pose.position[1], 0.07);
+    const double gained = 0.5 * body.twist.head<2>().squaredNorm() / (pull * (from - body.pose.position[1]));
+    EXPECT_LT(gained, 1.003);
+    EXPECT_GT(gained, 0.98);
+}
+
 // Boxes that tumble onto each other: the bodies' own laws forecast what holds, sticks and slides.
 TEST(ContactSet, TumblingBoxesTakeFewIterations)
 {
