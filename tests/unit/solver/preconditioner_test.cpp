@@ -47,6 +47,21 @@ TEST(Preconditioner, SymmetricAndPositiveOnTheGrid)
     }
 }
 
+// Where iterations converge at first and stall later, few seem to be left for ever.
+TEST(Preconditioner, StalledIterationsAskForTheBodies)
+{
+    const auto test = build(two_bodies<2>(16, 1.0, SideKind::wall)); // six degrees of freedom
+    const CoupledOperator<2> matrix(test->system);
+    Preconditioner<2> preconditioner(matrix, BodyMode::automatic), never(matrix, BodyMode::never);
+    ASSERT_FALSE(preconditioner.corrects_bodies());
+    EXPECT_FALSE(preconditioner.wants_bodies(10, 2));
+    EXPECT_TRUE(preconditioner.wants_bodies(10, 20));
+    EXPECT_TRUE(preconditioner.wants_bodies(60, 2));
+    EXPECT_FALSE(never.wants_bodies(60, 20));
+    preconditioner.add_bodies();
+    EXPECT_FALSE(preconditioner.wants_bodies(60, 20));
+}
+
 TEST(Preconditioner, SymmetricAndPositiveWithFilms)
 {
     for (double film : {1e-4, 1.0, 1e4})
