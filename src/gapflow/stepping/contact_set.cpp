@@ -17,8 +17,6 @@ constexpr double merge = 0.01;
 constexpr double same_place = 0.5;
 // An approach below this times the change by the step's forces is resting contact, not impact.
 constexpr double resting = 2.0;
-// A contact whose opening rate changes by less than this times what the forces change of the velocity there does not count as an impact.
-constexpr double smooth = 0.05;
 constexpr double crushing = 1e-2; // of the largest speed about: a held contact that closes faster is an error
 
 template <int D>
@@ -243,13 +241,40 @@ void ContactSet<D>::hold_back(int a, int b)
             c.target = std::min(c.target, c.least);
 }
 
+namespace {
+
+template <int D>
+bool is_impact(const Contact<D>& c)
+{
+    return c.closed != c.was_closed || (c.closed && std::abs(c.target - c.approach) > slight_impact * c.forced);
+}
+
+} // namespace
+
 template <int D>
 bool ContactSet<D>::impact_on(int solid) const
 {
     return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
-        return (c.point.a == solid || c.point.b == solid) &&
-               (c.closed != c.was_closed || (c.closed && std::abs(c.target - c.approach) > smooth * c.forced));
+        return (c.point.a == solid || c.point.b == solid) && is_impact(c);
     });
+}
+
+template <int D>
+std::vector<Twist<D>> ContactSet<D>::impact_impulses(std::size_t solids) const
+{
+    std::vector<Twist<D>> impulses(solids, Twist<D>::Zero());
+    for (const Contact<D>& c : contacts_) {
+        if (!c.closed || !is_impact(c))
+            continue;
+        const auto add = [&](const RelativeRow<D>& row, double impulse) {
+            impulses[c.point.a] += impulse * row.a;
+            impulses[c.point.b] += impulse * row.b;
+        };
+        add(c.normal, c.impulse);
+        for (int k = 0; k < D - 1; ++k)
+            add(c.tangents[k], c.tangential[k]);
+    }
+    return impulses;
 }
 
 template <int D>

@@ -21,6 +21,9 @@
 
 namespace gapflow {
 
+/// What impacts change of a velocity counts as nothing below this share of what forces change in the step.
+constexpr double slight_impact = 0.05;
+
 template <int D>
 struct ContactImpulse {
     double normal = 0;
@@ -111,6 +114,8 @@ public:
     /// Whether a contact of this solid closed, opened, rebounded or was brought to rest in the step: then the change of its
     /// twist is not an acceleration to extrapolate.
     bool impact_on(int solid) const;
+    /// Impulses of the contacts with an impact on every solid, friction included, about its centre.
+    std::vector<Twist<D>> impact_impulses(std::size_t solids) const;
     /// The contacts of the last step.
     void list_state(StateArchive& archive);
 

@@ -7,6 +7,7 @@
 #include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/motion.hpp"
+#include "gapflow/stepping/rehearsal.hpp"
 #include "gapflow/stepping/side_pressure.hpp"
 #include "gapflow/stepping/start.hpp"
 #include "gapflow/stepping/steadiness.hpp"
@@ -14,6 +15,9 @@
 #include "gapflow/stepping/step_end.hpp"
 #include "gapflow/stepping/step_size.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
+
+#include <utility>
+#include <vector>
 
 namespace gapflow {
 
@@ -54,11 +58,7 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const St
     StateArchive archive(stored);
     list_state(archive, model_, state_);
     archive.finish();
-    if (scene.follow)
-        place_grid<D>(model_, Vec<D>(state_.grid_shift), Vec<D>(state_.grid_velocity), state_);
-    here_ = configure_stored(model_, state_, stages_);
-    fill_velocity_ghosts(model_.grid, state_.velocity.grid, model_.sides(state_.time));
-    exchange(model_.grid, state_.pressure.impulse.cells);
+    restore_configuration();
     const std::vector<Twist<D>> V = model_.twists(state_.bodies);
     beyond_ = reconstruct(model_, *here_, state_, V);
     report(V, initial_report_);
@@ -77,19 +77,67 @@ StoredState Simulation<D>::state() const
     return stored;
 }
 
+// What follows from a state that is not the last step's.
+template <int D>
+void Simulation<D>::restore_configuration()
+{
+    if (model_.scene.follow)
+        place_grid<D>(model_, Vec<D>(state_.grid_shift), Vec<D>(state_.grid_velocity), state_);
+    here_ = configure_stored(model_, state_, stages_);
+    fill_velocity_ghosts(model_.grid, state_.velocity.grid, model_.sides(state_.time));
+    exchange(model_.grid, state_.pressure.impulse.cells);
+}
+
 template <int D>
 StepReport Simulation<D>::step(double next_output)
 {
     const Stopwatch watch;
     StepReport report;
-    LongWays<D> ways;
-    const Step step = choose_step(model_, state_, *here_, beyond_.histories, next_output, ways);
-    state_.long_ways = std::move(ways);
-    state_.drive = next_drive(model_, *here_, state_, step);
+    if (state_.steps == 0 && rehearses(model_, *here_))
+        rehearse(next_output);
     const std::vector<Whereabouts> places = whereabouts(model_, state_.bodies);
     std::optional<EarlierFlow<D>> earlier;
     if (model_.scene.until_steady)
         earlier.emplace(model_, state_);
+    advance(next_output, BulkViscosity::acts, report);
+    if (earlier)
+        report.unsteadiness = unsteadiness(model_, *here_, *earlier, state_);
+    follow_departures(places, report);
+    this->report(model_.twists(state_.bodies), report);
+    report.seconds = watch.seconds();
+    return report;
+}
+
+// The first step before it is made, for what it expects. The viscous step starts from the pressure of the step before: without one a light body
+// drags the fluid with the velocity that it would have without added mass, ten and more times too fast. So that pressure comes from a step in
+// which the bulk's viscosity does not act; one in which it does follows, for accelerations are far smaller with it where viscosity is large.
+template <int D>
+void Simulation<D>::rehearse(double next_output)
+{
+    std::vector<BulkViscosity> passes{BulkViscosity::is_left_out};
+    if (model_.viscous())
+        passes.push_back(BulkViscosity::acts);
+    for (BulkViscosity viscosity : passes) {
+        State<D> start = state_;
+        StepReport unused;
+        advance(next_output, viscosity, unused);
+        const auto films = elements_of_films(*here_);
+        here_.reset();
+        State<D> after = std::exchange(state_, std::move(start));
+        restore_configuration();
+        expect(state_, std::move(after), films == elements_of_films(*here_));
+        beyond_ = reconstruct(model_, *here_, state_, model_.twists(state_.bodies));
+    }
+}
+
+// A time step to the new state and configuration.
+template <int D>
+void Simulation<D>::advance(double next_output, BulkViscosity viscosity, StepReport& report)
+{
+    LongWays<D> ways;
+    const Step step = choose_step(model_, state_, *here_, beyond_.histories, next_output, ways);
+    state_.long_ways = std::move(ways);
+    state_.drive = next_drive(model_, *here_, state_, step);
     LastPressure<D> past = recall_pressure(model_, *here_, step, state_);
     state_.turned = model_.viscous() ? std::set<FilmPair<D>>()
                                      : reversing_films<D>(*here_, model_.twists(state_.bodies), state_.acceleration,
@@ -108,10 +156,12 @@ StepReport Simulation<D>::step(double next_output)
     star.twists =
         forced_twists(model_, state_.bodies, state_.drive, star.pressure_change, *left.fractions, *there.fractions, step);
     Diffusion<D> diffusion;
-    if (model_.viscous())
+    if (model_.viscous() && viscosity == BulkViscosity::acts)
         diffusion = timed(stages_, "viscosity", [&] {
             return diffuse(model_, state_.bodies, state_.contacts, mass, past, there, step, star, report);
         });
+    else if (model_.viscous())
+        diffusion.divergence = CellField<D>(model_.grid);
     const std::vector<Twist<D>> V_star = star.twists;
     push_from_beyond(model_, state_.bodies, there, step, star);
     Projected<D> end = project(model_, there, std::move(star), mass, step, state_, report, stages_);
@@ -120,12 +170,6 @@ StepReport Simulation<D>::step(double next_output)
     take_up(model_, there, std::move(end), mass, V_star, std::move(past), diffusion, step, state_);
     here_ = std::move(there);
     beyond_ = timed(stages_, "continuation", [&] { return reconstruct(model_, *here_, state_, model_.twists(state_.bodies)); });
-    if (earlier)
-        report.unsteadiness = unsteadiness(model_, *here_, *earlier, state_);
-    follow_departures(places, report);
-    this->report(model_.twists(state_.bodies), report);
-    report.seconds = watch.seconds();
-    return report;
 }
 
 template <int D>

@@ -78,6 +78,10 @@ public:
     const StageTimers& stages() const { return stages_; }
 
 private:
+    enum class BulkViscosity { acts, is_left_out };
+    void restore_configuration();
+    void rehearse(double next_output);
+    void advance(double next_output, BulkViscosity viscosity, StepReport& report);
     void report(const std::vector<Twist<D>>& V, StepReport& report);
     void follow_departures(const std::vector<Whereabouts>& before, StepReport& report);
 

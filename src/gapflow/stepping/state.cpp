@@ -53,11 +53,16 @@ State<D>::State(const Model<D>& model) : bodies(model.bodies)
 }
 
 template <int D>
+bool was_reversed(const State<D>& state, int solid)
+{
+    return std::any_of(state.turned.begin(), state.turned.end(),
+                       [&](const FilmPair<D>& pair) { return pair.master == solid || pair.other == solid; });
+}
+
+template <int D>
 bool met_something(const State<D>& state, int solid)
 {
-    return state.contacts.impact_on(solid) ||
-           std::any_of(state.turned.begin(), state.turned.end(),
-                       [&](const FilmPair<D>& pair) { return pair.master == solid || pair.other == solid; });
+    return state.contacts.impact_on(solid) || was_reversed(state, solid);
 }
 
 template <int D>
@@ -147,6 +152,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template struct PressureHistory<D>;                                                                                        \
     template struct State<D>;                                                                                                  \
+    template bool was_reversed<D>(const State<D>&, int);                                                                       \
     template bool met_something<D>(const State<D>&, int);                                                                      \
     template void list_state<D>(StateArchive&, const Model<D>&, State<D>&);
 GAPFLOW_INSTANTIATE(2)

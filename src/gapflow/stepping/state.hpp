@@ -78,6 +78,10 @@ struct State {
     explicit State(const Model<D>& model);
 };
 
+/// Whether a film of the solid was reversed in the last step.
+template <int D>
+bool was_reversed(const State<D>& state, int solid);
+
 /// Whether a contact or the reversal of a film changed the solid's velocity in the last step abruptly: then the change is not
 /// an acceleration to extrapolate.
 template <int D>
