@@ -254,9 +254,8 @@ bool is_impact(const Contact<D>& c)
 template <int D>
 bool ContactSet<D>::impact_on(int solid) const
 {
-    return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
-        return (c.point.a == solid || c.point.b == solid) && is_impact(c);
-    });
+    return std::any_of(contacts_.begin(), contacts_.end(),
+                       [&](const Contact<D>& c) { return (c.point.a == solid || c.point.b == solid) && is_impact(c); });
 }
 
 template <int D>

@@ -1,43 +1,61 @@
 #include "gapflow/stepping/rehearsal.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace gapflow {
 
-template <int D>
-bool rehearses(const Model<D>& model, const Coupling<D>& here)
-{
-    return model.viscous() || !here.network.films.empty() ||
-           std::any_of(model.bodies.begin(), model.bodies.end(), [](const RigidBody<D>& body) { return body.motion == Motion::free; });
-}
+namespace {
 
 template <int D>
 std::vector<std::pair<FilmPair<D>, std::size_t>> elements_of_films(const Coupling<D>& coupling)
 {
-    std::vector<std::pair<FilmPair<D>, std::size_t>> counts;
+    std::vector<std::pair<FilmPair<D>, std::size_t>> films;
     for (const Film<D>& film : coupling.network.films)
-        counts.emplace_back(film.pair, film.mesh.elements.size());
-    return counts;
+        films.emplace_back(film.pair, film.mesh.elements.size());
+    return films;
+}
+
+} // namespace
+
+template <int D>
+bool expects_anything(const Model<D>& model, const Coupling<D>& here)
+{
+    return model.viscous() || !here.network.films.empty() ||
+           std::any_of(model.bodies.begin(), model.bodies.end(),
+                       [](const RigidBody<D>& body) { return body.motion == Motion::free; });
 }
 
 template <int D>
-void expect(State<D>& start, State<D>&& after, bool same_films)
+Expectations<D> expectations(State<D>& after, const Coupling<D>& there)
 {
-    start.acceleration = std::move(after.acceleration);
-    for (std::size_t b = 0; b < start.bodies.size(); ++b) {
-        start.bodies[b].acceleration = after.bodies[b].acceleration;
-        start.bodies[b].angular_momentum_rate = after.bodies[b].angular_momentum_rate;
-    }
-    start.pressure.bulk = std::move(after.pressure.bulk);
-    start.pressure.force = std::move(after.pressure.force);
-    if (same_films)
-        start.film_increment = std::move(after.film_increment);
+    Expectations<D> found;
+    found.acceleration = std::move(after.acceleration);
+    for (const RigidBody<D>& body : after.bodies)
+        found.rates.emplace_back(body.acceleration, body.angular_momentum_rate);
+    found.pressure = std::move(after.pressure.bulk);
+    found.force = std::move(after.pressure.force);
+    found.film_increment = std::move(after.film_increment);
+    found.films = elements_of_films(there);
+    return found;
+}
+
+template <int D>
+void expect(Expectations<D> found, const Coupling<D>& here, State<D>& state)
+{
+    state.acceleration = std::move(found.acceleration);
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        std::tie(state.bodies[b].acceleration, state.bodies[b].angular_momentum_rate) = found.rates[b];
+    state.pressure.bulk = std::move(found.pressure);
+    state.pressure.force = std::move(found.force);
+    if (found.films == elements_of_films(here))
+        state.film_increment = std::move(found.film_increment);
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template bool rehearses<D>(const Model<D>&, const Coupling<D>&);                                                           \
-    template std::vector<std::pair<FilmPair<D>, std::size_t>> elements_of_films<D>(const Coupling<D>&);                        \
-    template void expect<D>(State<D>&, State<D>&&, bool);
+    template bool expects_anything<D>(const Model<D>&, const Coupling<D>&);                                                    \
+    template Expectations<D> expectations<D>(State<D>&, const Coupling<D>&);                                                   \
+    template void expect<D>(Expectations<D>, const Coupling<D>&, State<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

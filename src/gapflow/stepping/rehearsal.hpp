@@ -1,5 +1,5 @@
-// The first step's expectations (method, "The time step"). A step extrapolates what the step before found; the first one has none before it.
-// So it is made beforehand, from a copy of the state: what that finds is what the first step expects.
+// What the first step expects (method, "The time step", stage 3). Each step extrapolates what the step before found, and the first one has none
+// before it: so a step is made from a copy of the state at the start, and of its result only what the first step extrapolates is kept.
 #pragma once
 
 #include "gapflow/stepping/state.hpp"
@@ -9,17 +9,27 @@
 
 namespace gapflow {
 
-/// Whether the first step expects anything: accelerations of bodies or films, or the pressure of viscous fluid.
+/// Whether the first step extrapolates anything: accelerations of bodies or films, or the pressure of viscous fluid.
 template <int D>
-bool rehearses(const Model<D>& model, const Coupling<D>& here);
+bool expects_anything(const Model<D>& model, const Coupling<D>& here);
 
-/// Elements of each film, in order: films whose elements correspond have the same list.
+/// What a step found that the next one extrapolates. (Of the bulk's pressure only the part that viscous fluid needs.)
 template <int D>
-std::vector<std::pair<FilmPair<D>, std::size_t>> elements_of_films(const Coupling<D>& coupling);
+struct Expectations {
+    std::vector<Twist<D>> acceleration;                     ///< of all solids
+    std::vector<std::pair<Vec<D>, Spin<D>>> rates;          ///< of every body: acceleration, rate of its angular momentum
+    PastPressure<D> pressure;                               ///< of viscous fluid
+    std::vector<Twist<D>> force;                            ///< the same on every body
+    std::vector<Vec<D>> film_increment;                     ///< of the elements of `films`
+    std::vector<std::pair<FilmPair<D>, std::size_t>> films; ///< pair and number of elements of each film, in order
+};
 
-/// The state `start` expects the accelerations and, in viscous fluid, the pressure and its forces that a step from it to `after` found.
-/// `same_films`: their films' elements correspond.
+/// Those after a step, in the configuration `there` to which it led. `after` is invalid then.
 template <int D>
-void expect(State<D>& start, State<D>&& after, bool same_films);
+Expectations<D> expectations(State<D>& after, const Coupling<D>& there);
+
+/// Puts them into another state, of the configuration `here`: the films' only where all films have the same elements.
+template <int D>
+void expect(Expectations<D> found, const Coupling<D>& here, State<D>& state);
 
 } // namespace gapflow

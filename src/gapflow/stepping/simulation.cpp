@@ -93,7 +93,7 @@ StepReport Simulation<D>::step(double next_output)
 {
     const Stopwatch watch;
     StepReport report;
-    if (state_.steps == 0 && rehearses(model_, *here_))
+    if (state_.steps == 0 && expects_anything(model_, *here_))
         rehearse(next_output);
     const std::vector<Whereabouts> places = whereabouts(model_, state_.bodies);
     std::optional<EarlierFlow<D>> earlier;
@@ -108,24 +108,24 @@ StepReport Simulation<D>::step(double next_output)
     return report;
 }
 
-// The first step before it is made, for what it expects. The viscous step starts from the pressure of the step before: without one a light body
-// drags the fluid with the velocity that it would have without added mass, ten and more times too fast. So that pressure comes from a step in
-// which the bulk's viscosity does not act; one in which it does follows, for accelerations are far smaller with it where viscosity is large.
+// The viscous step starts from the pressure of the step before: without one a light body drags the fluid with the velocity that it would have
+// without added mass, ten and more times too fast. So that pressure comes from a step in which the bulk's viscosity does not act; one in which it
+// does follows, because with much viscosity accelerations over a step are far smaller.
 template <int D>
 void Simulation<D>::rehearse(double next_output)
 {
-    std::vector<BulkViscosity> passes{BulkViscosity::is_left_out};
+    std::vector<BulkViscosity> steps{BulkViscosity::is_left_out};
     if (model_.viscous())
-        passes.push_back(BulkViscosity::acts);
-    for (BulkViscosity viscosity : passes) {
-        State<D> start = state_;
+        steps.push_back(BulkViscosity::acts);
+    for (BulkViscosity viscosity : steps) {
+        const State<D> start = state_;
         StepReport unused;
         advance(next_output, viscosity, unused);
-        const auto films = elements_of_films(*here_);
+        Expectations<D> found = expectations(state_, *here_);
         here_.reset();
-        State<D> after = std::exchange(state_, std::move(start));
+        state_ = start; // copied: who keeps a reference to a body has the same one afterwards
         restore_configuration();
-        expect(state_, std::move(after), films == elements_of_films(*here_));
+        expect(std::move(found), *here_, state_);
         beyond_ = reconstruct(model_, *here_, state_, model_.twists(state_.bodies));
     }
 }

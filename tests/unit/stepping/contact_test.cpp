@@ -383,6 +383,34 @@ TEST(ContactSet, BoxFallsAlongAWallAsFreely)
     EXPECT_GT(gained, 0.98);
 }
 
+// A heavy ball pushes a light one down: a contact that closes changes nothing of the heavy one's fall, which goes on in second order.
+TEST(ContactSet, AHeavyBallThatStrikesALightOneFallsOn)
+{
+    Scene scene = tank(2);
+    scene.gap.roughness = 1e-3;
+    scene.max_step = 0.02;
+    for (double y : {0.8, 0.5 - 2e-3}) {
+        BodyScene ball;
+        ball.name = y > 0.6 ? "heavy" : "light";
+        ball.shape = BodyScene::ShapeKind::ball;
+        ball.radius = y > 0.6 ? 0.2 : 0.1;
+        ball.position = {1 + (y > 0.6 ? 0 : 0.03), y, 0};
+        ball.density = y > 0.6 ? 1e4 : 3;
+        scene.bodies.push_back(ball);
+    }
+    Simulation<2> simulation(scene, Communicator());
+    const double from = simulation.bodies()[0].pose.position[1], pull = 1 - 1e-4;
+    int closed = 0;
+    while (simulation.time() < 0.2) {
+        simulation.step(0.2);
+        for (const GapState& gap : simulation.gaps())
+            closed += gap.contact_force > 0;
+    }
+    EXPECT_GT(closed, 0);
+    const RigidBody<2>& heavy = simulation.bodies()[0];
+    EXPECT_NEAR(0.5 * heavy.twist.head<2>().squaredNorm() / (pull * (from - heavy.pose.position[1])), 1, 2e-3);
+}
+
 // Boxes that tumble onto each other: the bodies' own laws forecast what holds, sticks and slides.
 TEST(ContactSet, TumblingBoxesTakeFewIterations)
 {
