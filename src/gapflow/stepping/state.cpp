@@ -27,11 +27,6 @@ template <int D>
 void PressureHistory<D>::forget()
 {
     lasts = false;
-    if (bulk.known.size() > 0) {
-        bulk.pressure.fill(0);
-        bulk.known.fill(0);
-    }
-    std::fill(force.begin(), force.end(), Twist<D>(Twist<D>::Zero()));
     film.clear();
     film_mean.clear();
 }

@@ -25,7 +25,8 @@ struct PressureHistory {
     std::vector<Vec<D>> film;
     std::vector<Vec<D>> film_mean; ///< its mean over the last step, of the flat films' elements
 
-    /// After an impact: the pressure that stopped the bodies is not extrapolated. `impulse` stays, for reports.
+    /// After an impact: the pressure that stopped the bodies is not extrapolated. In viscous fluid the one from before it is, without viscosity none.
+    /// `impulse` stays, for reports.
     void forget();
 };
 
