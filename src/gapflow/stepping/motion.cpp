@@ -23,14 +23,13 @@ Twist<D> forced(const Model<D>& model, const RigidBody<D>& body, const Drive<D>&
     return V;
 }
 
-// The part of body b's acceleration in a step with impacts that is extrapolated: nothing of one that they have changed. `impact`: their impulse
-// on it. A heavy body that a light one strikes goes on as it was.
+// The part of body b's acceleration in a step with impacts that is extrapolated: nothing of one that they have changed. `met`: whether the body
+// had one, `impact`: their impulse on it. A heavy body that a light one strikes goes on as it was.
 template <int D>
-double lasting_after_impacts(const Model<D>& model, const State<D>& state, std::size_t b, const Twist<D>& impact,
+double lasting_after_impacts(const Model<D>& model, const State<D>& state, std::size_t b, bool met, const Twist<D>& impact,
                              const Twist<D>& acceleration, const Step& step)
 {
     const RigidBody<D>& body = state.bodies[b];
-    const bool met = met_something(state, static_cast<int>(b));
     if (body.motion != Motion::free)
         return met ? 0.0 : 1.0;
     const Twist<D> by_forces = (forced(model, body, state.drive, step) - body.twist) / step.dt;
@@ -101,16 +100,17 @@ std::vector<Twist<D>> forced_twists(const Model<D>& model, const std::vector<Rig
 template <int D>
 bool finish_bodies(const Model<D>& model, const std::vector<Twist<D>>& V, const Step& step, State<D>& state)
 {
-    bool any_met = false;
-    for (std::size_t b = 0; b < state.bodies.size(); ++b)
-        any_met = any_met || met_something(state, static_cast<int>(b));
+    std::vector<char> met(state.bodies.size());
+    for (std::size_t b = 0; b < met.size(); ++b)
+        met[b] = met_something(state, static_cast<int>(b));
+    const bool any_met = std::find(met.begin(), met.end(), 1) != met.end();
     std::vector<Twist<D>> impacts;
     if (any_met)
         impacts = state.contacts.impact_impulses(V.size());
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {
         RigidBody<D>& body = state.bodies[b];
         const Twist<D> change = (V[b] - body.twist) / step.dt;
-        const double lasting = any_met ? lasting_after_impacts(model, state, b, impacts[b], change, step) : 1.0;
+        const double lasting = any_met ? lasting_after_impacts(model, state, b, met[b], impacts[b], change, step) : 1.0;
         state.acceleration[b] = lasting * change;
         if (body.motion == Motion::free)
             finish_step(body, V[b], step.dt, lasting);

@@ -53,8 +53,8 @@ TEST(Rehearsal, ABodyFallsInItsFirstStep)
     }
 }
 
-// Without the pressure of a step before, the viscous step would drag the fluid with the velocity that the ball has without added mass, fifty times
-// what it gets: five times the energy that its weight gives.
+// Without the pressure of a step before, the viscous step would drag the fluid with the velocity that the ball has without added mass, over a
+// hundred times what it gets, and the ball would go down.
 TEST(Rehearsal, ALightBallInViscousFluidStartsWithItsAddedMass)
 {
     Scene scene = closed_box(1, 24);
