@@ -187,7 +187,10 @@ public:
             double paid = 0;                  // at entrances, losses included
             bool leaves = false;              // fluid by any mouth
         };
-        std::map<const FilmHistory<D>*, Sum> sums;
+        std::map<const FilmHistory<D>*, Sum> sums; // also of films without mouths, between other films
+        for (const FilmHistory<D>* old : history_)
+            if (old)
+                sums[old];
         std::vector<double> work(mouths_.size(), 0.0); // R a q_p^2 of the whole head: in < 0, out > 0
         for (std::size_t r = 0; r < mouths_.size(); ++r) {
             const Mouth<D>& mouth = mouths_[r];

@@ -163,8 +163,6 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
         model.scene.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack : AdvectionScheme::semi_lagrangian;
     extrapolate_pressure(there, past);
     change = velocity_change(there, past, step.dt, model.pressure_beyond(step.start));
-    if (!model.viscous())
-        past = {};
     FaceField<D> middle(grid);
     const Vec<D>& grid_velocity = model.grid_velocity;
     advect<D>(grid, middle, velocity, velocity, 0.5 * step.dt, AdvectionScheme::semi_lagrangian, sides, nullptr, nullptr,

@@ -24,11 +24,15 @@ LastPressure<D> recall_pressure(const Model<D>& model, const Coupling<D>& here, 
         }
         return last;
     }
-    last.bulk.pressure = last.bulk.known = CellField<D>(grid);
-    bool goes_on = state.pressure.lasts;
+    bool goes_on = true;
     for (const Whereabouts& place : whereabouts(model, state.bodies))
         goes_on = goes_on && place.crossed.empty();
-    if (!goes_on)
+    if (goes_on && !state.pressure.lasts && state.pressure.bulk.pressure.size() > 0) {
+        last.bulk = std::move(state.pressure.bulk);
+        return last;
+    }
+    last.bulk.pressure = last.bulk.known = CellField<D>(grid);
+    if (!goes_on || !state.pressure.lasts)
         return last;
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         if (here.system.component(c) >= 0) {

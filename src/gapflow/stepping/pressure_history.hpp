@@ -16,7 +16,7 @@ struct LastPressure {
 };
 
 /// Takes it from the state's history. `here`: of the step's start. After an impact that of the last step without one, because the impulse that
-/// stopped a body must not be extrapolated; without viscosity none, and none either where a body crosses an open side: around the line where its
+/// stopped a body must not be extrapolated. Without viscosity none where a body crosses an open side: around the line where its
 /// surface leaves the fluid ideal flow is singular, and the pressure of one step is no estimate for the next. With viscosity
 /// only a share of the pressure of a much shorter step is used, as with bodies' accelerations.
 template <int D>

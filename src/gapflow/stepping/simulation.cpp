@@ -152,6 +152,8 @@ void Simulation<D>::advance(double next_output, BulkViscosity viscosity, StepRep
     Intermediate<D> star = timed(stages_, "advection", [&] {
         return transport(model_, state_, std::move(beyond_), past.bulk, there, *left.fractions, step);
     });
+    if (!model_.viscous() && state_.contacts.empty() && state_.turned.empty())
+        past.bulk = {}; // memory: read again after an impact only
     drive_fluid(model_, there, state_.drive, step, star);
     star.twists =
         forced_twists(model_, state_.bodies, state_.drive, star.pressure_change, *left.fractions, *there.fractions, step);

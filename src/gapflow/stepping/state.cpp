@@ -133,6 +133,15 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
             list_field(archive, "known", grid, pressure.bulk.known);
             archive("force", pressure.force);
         });
+    else
+        archive.optional("before_impact", !pressure.lasts && pressure.bulk.pressure.size() > 0, [&] {
+            bool goes_on = true; // what every rank finds: fields are on the root alone
+            archive("goes_on", goes_on);
+            if (archive.restoring())
+                pressure.bulk.pressure = pressure.bulk.known = CellField<D>(grid);
+            list_field(archive, "pressure", grid, pressure.bulk.pressure);
+            list_field(archive, "known", grid, pressure.bulk.known);
+        });
     if (!archive.restoring())
         return;
     for (const int body : state.removed)

@@ -19,14 +19,15 @@ template <int D>
 struct PressureHistory {
     UnknownVector<D> impulse; ///< p of the last projection: bulk and mixed cells, film nodes
     bool lasts = false;       ///< whether it is extrapolated: not before the first step, nor after a step with an impact
-    PastPressure<D> bulk; ///< viscous: pressure from which the next viscous step starts. Else unused: it follows from `impulse`
+    /// Viscous: pressure from which the next viscous step starts. Without viscosity: after an impact that of the last step without one,
+    /// else unused: the pressure follows from `impulse`.
+    PastPressure<D> bulk;
     std::vector<Twist<D>> force; ///< viscous: of the projection on every body: pressure, films, contacts
     /// Acceleration of the films' elements, flat ones in 2D without viscosity, at the end of the last step; none: empty.
     std::vector<Vec<D>> film;
     std::vector<Vec<D>> film_mean; ///< its mean over the last step, of the flat films' elements
 
-    /// After an impact: the pressure that stopped the bodies is not extrapolated. In viscous fluid the one from before it is, without viscosity none.
-    /// `impulse` stays, for reports.
+    /// After an impact: the pressure that stopped the bodies is not extrapolated, but `bulk`, the one from before it. `impulse` stays, for reports.
     void forget();
 };
 

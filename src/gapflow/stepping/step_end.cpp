@@ -86,10 +86,10 @@ void take_up(const Model<D>& model, const Coupling<D>& there, Projected<D> end, 
     if (met)
         state.film_increment.clear();
     state.steps = step.number;
-    if (model.viscous()) {
+    if (model.viscous() || met)
         state.pressure.bulk = std::move(past.bulk);
+    if (model.viscous())
         state.pressure.force = std::move(past.force);
-    }
     state.pressure.lasts = !met;
     if (met)
         state.pressure.forget();

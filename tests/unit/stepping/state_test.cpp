@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <numeric>
@@ -123,6 +124,22 @@ TEST(State, SameFutureIn2D)
 TEST(State, SameFutureIn3D)
 {
     expect_same_future<3>(crowd(3), 8, 8);
+}
+
+// The pressure from before an impact is in the checkpoint.
+TEST(State, SameFutureAfterAnImpact)
+{
+    Simulation<2> simulation(crowd(2), Communicator());
+    int before = 0;
+    const auto has_met = [&] {
+        const StoredState stored = simulation.state();
+        return std::any_of(stored.fields.begin(), stored.fields.end(),
+                           [](const auto& field) { return field.first.starts_with("before_impact/"); });
+    };
+    for (; before < 40 && !has_met(); ++before)
+        simulation.step(100);
+    ASSERT_TRUE(has_met());
+    expect_same_future<2>(crowd(2), before, 10);
 }
 
 // Two plates that touch dry are pulled apart: a void grows, breaks off from the rim and drains.
