@@ -128,14 +128,10 @@ UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p, std::vect
     for (const Film<D>& film : coupling_.network.films)
         for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
             const FilmElement<D>& element = film.mesh.elements[e];
-            bool wet = false;
             Vec<D> gradient = Vec<D>::Zero();
-            for (int i = 0; i < D; ++i) {
-                const int node = film.first_node + element.nodes[i];
-                wet = wet || !is_void_[node];
-                gradient += p.nodes[node] * element.gradient[i];
-            }
-            for (int i = 0; i < D && wet; ++i)
+            for (int i = 0; i < D; ++i)
+                gradient += p.nodes[film.first_node + element.nodes[i]] * element.gradient[i];
+            for (int i = 0; i < D; ++i)
                 out.nodes[film.first_node + element.nodes[i]] +=
                     film_conductance(coupling_, film, e) / coupling_.density * element.gradient[i].dot(gradient);
         }

@@ -4,7 +4,7 @@
 //     (L + K M^-1 K^T) p' = -(D u* + K V*) - f - (L + K M^-1 K^T) b       on all other unknowns,
 //
 // f the inflow that fills the void that a node had before it became wet.
-// Elements all of whose nodes are voids have no flow: they are not part of L.
+// Every row is the same function of p whatever nodes are voids: elements between voids are part of L.
 #pragma once
 
 #include "gapflow/coupling/coupling.hpp"

@@ -70,6 +70,19 @@ void rest_in_voids(const Coupling<D>& coupling, const std::vector<char>& empty, 
 }
 
 template <int D>
+void oppose_void_pressure(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::vector<char>& empty, double dt,
+                          std::vector<Vec<D>>& u)
+{
+    for (const Film<D>& film : coupling.network.films)
+        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+            const FilmElement<D>& element = film.mesh.elements[e];
+            for (int i = 0; i < D && empty[film.first_element + e]; ++i)
+                u[film.first_element + e] +=
+                    dt / coupling.density * voids.least_pressure(film.first_node + element.nodes[i]) * element.gradient[i];
+        }
+}
+
+template <int D>
 void limit_inflow(const Coupling<D>& coupling, const VoidSet<D>& voids, const FilmHistories<D>& histories,
                   const std::function<MouthLaw(int, int)>& law, const std::vector<double>& bulk_pressure, double dt,
                   FilmFlow<D>& flow)
@@ -234,6 +247,8 @@ void follow_front(const Coupling<D>& coupling, const std::vector<char>& was_empt
     template double carried_flux<D>(const Coupling<D>&, const Mouth<D>&, const std::vector<Twist<D>>&);                        \
     template void rest_in_voids<D>(const Coupling<D>&, const std::vector<char>&, const std::vector<Twist<D>>&,                 \
                                    std::vector<Vec<D>>&);                                                                      \
+    template void oppose_void_pressure<D>(const Coupling<D>&, const VoidSet<D>&, const std::vector<char>&, double,             \
+                                          std::vector<Vec<D>>&);                                                               \
     template void limit_inflow<D>(const Coupling<D>&, const VoidSet<D>&, const FilmHistories<D>&,                              \
                                   const std::function<MouthLaw(int, int)>&, const std::vector<double>&, double, FilmFlow<D>&); \
     template void pass_on<D>(const Coupling<D>&, const VoidSet<D>&, const std::vector<Twist<D>>&, double, FilmFlow<D>&);       \

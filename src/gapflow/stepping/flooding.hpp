@@ -36,6 +36,13 @@ template <int D>
 void pass_on(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::vector<Twist<D>>& twists, double dt,
              FilmFlow<D>& flow);
 
+/// u* of the elements marked in `empty` is set against the void's own pressure: the gradient of the least pressure leaves them the velocity that they
+/// have. So no fluid flows in them for their void's sake, whatever nodes become wet in the step: the conditions of voids are those of one linear
+/// problem.
+template <int D>
+void oppose_void_pressure(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::vector<char>& empty, double dt,
+                          std::vector<Vec<D>>& u);
+
 /// After a step: elements that were empty and are not any longer take the velocity of those behind, or of the mouth.
 template <int D>
 void follow_front(const Coupling<D>& coupling, const std::vector<char>& was_empty, const std::vector<char>& is_empty,

@@ -55,9 +55,11 @@ void flood(const Model<D>& model, const State<D>& state, const FilmHistories<D>&
     const std::vector<double> beyond = pressure_beyond_mouths(model, mouths, step.end());
     for (std::size_t r = 0; r < mouths.size(); ++r)
         pressure[r] += beyond[r];
-    rest_in_voids<D>(there, voids.empty_elements(there.network), V, flow.velocity);
+    const std::vector<char> empty = voids.empty_elements(there.network);
+    rest_in_voids<D>(there, empty, V, flow.velocity);
     limit_inflow<D>(there, voids, histories, model.mouths, pressure, step.dt, flow);
     pass_on<D>(there, voids, V, step.dt, flow);
+    oppose_void_pressure<D>(there, voids, empty, step.dt, flow.velocity);
 }
 
 // Faces near the mouths of films with an outflow: the jets there are thinner than a cell, and MacCormack's correction, clamped

@@ -45,6 +45,8 @@ public:
     Eigen::VectorXd impulses(double dt) const;
     /// v / dt of every node: the inflow where it becomes wet.
     Eigen::VectorXd filling(double dt) const;
+    /// Least reduced pressure of a node; -infinity: no void can be there.
+    double least_pressure(int node) const { return least_[node]; }
     /// Reduced pressure that a node's film had at the end of the last step (in voids: their own).
     const std::vector<double>& last_pressure() const { return last_pressure_; }
 
