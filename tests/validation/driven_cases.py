@@ -49,7 +49,7 @@ def array(dimension, fraction, cells, drive, bodies_a_side=1):
     for axis in range(dimension):
         places = [place + [i + 0.5 + shift[axis]] for place in places for i in range(bodies_a_side)]
     bodies = [{"name": f"body_{n}", "shape": "ball", "radius": radius, "position": place, "motion": "fixed"} for n, place in enumerate(places)]
-    flow, gradient = stokes(dimension, cells * bodies_a_side, "xyz"[:dimension], drive, bodies, float(bodies_a_side), 60 if dimension == 3 else 100)
+    flow, gradient = stokes(dimension, cells * bodies_a_side, "xyz"[:dimension], drive, bodies, float(bodies_a_side), 60 if dimension == 3 else 800)  # thin throats take hundreds of steps to be steady
     return -gradient / (6 * math.pi * radius * flow if dimension == 3 else flow)
 
 
