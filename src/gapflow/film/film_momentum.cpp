@@ -186,11 +186,12 @@ public:
             double in = 0, out = 0, bulk = 0; // heads' work, and energy that the bulk brings in
             double paid = 0;                  // at entrances, losses included
             bool leaves = false;              // fluid by any mouth
+            const FilmPair<D>* pair = nullptr;
         };
         std::map<const FilmHistory<D>*, Sum> sums; // also of films without mouths, between other films
-        for (const FilmHistory<D>* old : history_)
-            if (old)
-                sums[old];
+        for (std::size_t k = 0; k < history_.size(); ++k)
+            if (history_[k])
+                sums[history_[k]].pair = &network_.films[k].pair;
         std::vector<double> work(mouths_.size(), 0.0); // R a q_p^2 of the whole head: in < 0, out > 0
         for (std::size_t r = 0; r < mouths_.size(); ++r) {
             const Mouth<D>& mouth = mouths_[r];
@@ -222,22 +223,16 @@ public:
         }
         std::map<const FilmHistory<D>*, std::pair<double, double>> factor; // on the heads at entrances and exits
         for (auto& [old, sum] : sums) {
-            double debt = 0;
-            for (std::size_t k = 0; k < history_.size(); ++k)
-                if (history_[k] == old)
-                    debt = debt_of(debts, network_.films[k].pair);
+            const double debt = debt_of(debts, *sum.pair);
             const double gives = gives_.at(old) + sum.bulk - debt, left = sum.in + gives;
             double in = 1, out = sum.out > 0 ? std::clamp(left / sum.out, 0.0, 1.0) : 0.0;
             if (sum.in > 0 && (left < 0 || !sum.leaves))
                 in = std::max(-gives, 0.0) / sum.in;
             factor[old] = {in, out};
-            double loss = in * sum.paid + gives_.at(old) + sum.bulk - out * sum.out - debt; // as expected
-            for (std::size_t k = 0; k < history_.size(); ++k)
-                if (history_[k] == old) {
-                    flow.account.before[network_.films[k].pair] = debt + std::max(loss, 0.0) - sum.bulk;
-                    flow.account.owed[network_.films[k].pair] = debt;
-                    flow.account.planned[network_.films[k].pair] = out * sum.out - in * sum.paid - gives_.at(old);
-                }
+            const double loss = in * sum.paid + gives_.at(old) + sum.bulk - out * sum.out - debt; // as expected
+            flow.account.before[*sum.pair] = debt + std::max(loss, 0.0) - sum.bulk;
+            flow.account.owed[*sum.pair] = debt;
+            flow.account.planned[*sum.pair] = out * sum.out - in * sum.paid - gives_.at(old);
         }
         for (std::size_t r = 0; r < mouths_.size(); ++r) {
             const Mouth<D>& mouth = mouths_[r];
