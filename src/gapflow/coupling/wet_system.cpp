@@ -131,9 +131,9 @@ UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p, std::vect
             Vec<D> gradient = Vec<D>::Zero();
             for (int i = 0; i < D; ++i)
                 gradient += p.nodes[film.first_node + element.nodes[i]] * element.gradient[i];
+            const double conductance = film_conductance(coupling_, film, e) / coupling_.density;
             for (int i = 0; i < D; ++i)
-                out.nodes[film.first_node + element.nodes[i]] +=
-                    film_conductance(coupling_, film, e) / coupling_.density * element.gradient[i].dot(gradient);
+                out.nodes[film.first_node + element.nodes[i]] += conductance * element.gradient[i].dot(gradient);
         }
     std::vector<double> sums(links_.size(), 0.0);
     for (std::size_t r = 0; r < links_.size(); ++r)

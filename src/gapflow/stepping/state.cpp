@@ -127,10 +127,13 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
             archive("gradient", state.drive.gradient);
             archive("mean_velocity", state.drive.flow);
         });
+    const auto list_bulk_pressure = [&] {
+        list_field(archive, "pressure", grid, pressure.bulk.pressure);
+        list_field(archive, "known", grid, pressure.bulk.known);
+    };
     if (model.viscous())
         archive.group("viscosity", [&] {
-            list_field(archive, "pressure", grid, pressure.bulk.pressure);
-            list_field(archive, "known", grid, pressure.bulk.known);
+            list_bulk_pressure();
             archive("force", pressure.force);
         });
     else
@@ -139,8 +142,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
             archive("goes_on", goes_on);
             if (archive.restoring())
                 pressure.bulk.pressure = pressure.bulk.known = CellField<D>(grid);
-            list_field(archive, "pressure", grid, pressure.bulk.pressure);
-            list_field(archive, "known", grid, pressure.bulk.known);
+            list_bulk_pressure();
         });
     if (!archive.restoring())
         return;
