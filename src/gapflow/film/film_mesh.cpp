@@ -202,13 +202,16 @@ private:
     void set_lateral(int patch, int other_patch, const FilmMesh<D>& film, FilmElement<D>& element) const
     {
         const double curvature = test_.curvature(patch, other_patch);
-        double longest = 0, h = film.h[element.nodes[0]];
+        double bent = 0, h = film.h[element.nodes[0]]; // most of length^2 times the curvature along it
         for (int k = 0; k < D; ++k) {
-            longest = std::max(longest, (film.x[element.nodes[k]] - film.x[element.nodes[(k + 1) % D]]).norm());
-            h = std::min(h, film.h[element.nodes[k]]);
+            const int a = element.nodes[k], b = element.nodes[(k + 1) % D];
+            bent = std::max(bent, (film.x[a] - film.x[b]).squaredNorm() *
+                                      test_.curvature_along(patch, other_patch, {film.x[a], film.x[b]}, {film.y[a], film.y[b]}));
+            h = std::min(h, film.h[a]);
         }
         element.lateral = curvature > 0 ? std::sqrt(2 * h / curvature) : std::numeric_limits<double>::infinity();
-        element.coarse = longest > 1.2 * test_.options.curved * element.lateral;
+        const double coarsest = 1.2 * test_.options.curved;
+        element.coarse = bent > 2 * h * coarsest * coarsest;
     }
 
     /// Adds the facets of element e (the film's last) that no other element shares.

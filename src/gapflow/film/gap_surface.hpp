@@ -31,6 +31,8 @@ public:
         int patch;  ///< of the master
         int second; ///< other patch of the master that meets there, or -1
         double length;
+        double lateral = 0; ///< the longest that the gap's curvature along the edge allows
+        double extent = 0;  ///< length times what the largest curvature allows over what that along the edge does
         int middle = -1; ///< vertex that splits it
         bool crease = false;
         bool marked = false;
@@ -78,6 +80,7 @@ private:
     int add_vertex(const Vec<D>& x, const Vec<D>& nudge, int patch, bool crease, bool fixed);
     void look(Vertex& v) const;
     void number_edges();
+    void measure(bool coarse);
     bool mark_edges(bool coarse);
     bool mark_at_end();
     bool varies(double h0, double h1) const;

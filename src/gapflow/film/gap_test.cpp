@@ -40,6 +40,13 @@ double GapTest<D>::curvature(int master_patch, int other_patch) const
 }
 
 template <int D>
+double GapTest<D>::curvature_along(int master_patch, int other_patch, const std::array<Vec<D>, 2>& x, const std::array<Vec<D>, 2>& y) const
+{
+    return std::max(0.0, master.shape().curvature_along(master_patch, master.to_body(x[0]), master.to_body(x[1])) +
+                             other.shape().curvature_along(other_patch, other.to_body(y[0]), other.to_body(y[1])));
+}
+
+template <int D>
 Vec<D> GapTest<D>::onto(const Vec<D>& x, int patch, int second) const
 {
     const auto put = [&](const Vec<D>& z, int k) { return master.shape().curvature(k) == 0 ? z : master.onto(z, k); };

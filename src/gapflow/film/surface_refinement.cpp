@@ -1,6 +1,6 @@
 // Conforming refinement of the gap's surface by marked edges.
 //
-// An element may not be longer than min(largest dx, curved sqrt(2 R h)), nor h change by more than a factor over it, nor an
+// An edge may not be longer than min(largest dx, curved sqrt(2 R h)), nor h change by more than a factor over it, nor an
 // element that the gap's end cuts be longer than straddle dx, all down to smallest dx (method, "Mesh"). Edges are
 // marked; with any edge of a triangle its longest is marked (Rivara, Int. J. Numer. Methods Eng. 20 (1984) 745), and triangles
 // with one, two or three marked edges are split alike from both sides of each edge, so the mesh stays conforming. Lengths
@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gapflow {
 namespace {
@@ -45,6 +46,7 @@ bool GapSurface<D>::run(bool coarse)
     drop_unreachable();
     for (int round = 0; round < 200; ++round) {
         number_edges();
+        measure(coarse);
         if (!mark_edges(coarse) && (coarse || !mark_at_end()))
             break;
         close_marks();
@@ -106,16 +108,37 @@ bool GapSurface<D>::too_long(const Edge& edge, bool coarse) const
     if (edge.crease && edge.second >= 0 && length > slack * sizes_.straddle &&
         test_.master.shape().curvature(edge.patch) == 0 && test_.master.shape().curvature(edge.second) != 0)
         return true;
-    double curvature = 0, h = test_.options.threshold;
-    for (const Vertex* v : {&a, &b})
-        if (v->inside()) {
-            curvature = std::max(curvature, test_.curvature(edge.patch, v->p.patch));
-            if (edge.second >= 0 && !edge.crease)
-                curvature = std::max(curvature, test_.curvature(edge.second, v->p.patch));
-            // where bodies overlap the thickness is constant (the floor): the distance to the overlap's edge varies
-            h = std::min(h, std::max(std::abs(v->p.distance), test_.options.floor));
-        }
-    return curvature > 0 && length > slack * std::max(sizes_.smallest, sizes_.curved * std::sqrt(2 * h / curvature));
+    return length > slack * edge.lateral;
+}
+
+/// Sets what depends on the direction of edges: the gap between a cylinder and a plane asks for small elements across the line of contact alone.
+template <int D>
+void GapSurface<D>::measure(bool coarse)
+{
+    for (Edge& edge : edges_) {
+        edge.extent = edge.length;
+        if (coarse)
+            continue;
+        const Vertex &a = vertices_[edge.a], &b = vertices_[edge.b];
+        const std::array x{a.x, b.x}, y{a.p.x, b.p.x};
+        double largest = 0, along = 0, h = test_.options.threshold;
+        for (const Vertex* v : {&a, &b})
+            if (v->inside()) {
+                for (int patch : {edge.patch, edge.crease ? -1 : edge.second})
+                    if (patch >= 0) {
+                        largest = std::max(largest, test_.curvature(patch, v->p.patch));
+                        along = std::max(along, test_.curvature_along(patch, v->p.patch, x, y));
+                    }
+                // where bodies overlap the thickness is constant (the floor): the distance to the overlap's edge varies
+                h = std::min(h, std::max(std::abs(v->p.distance), test_.options.floor));
+            }
+        const auto allowed = [&](double curvature) {
+            return curvature > 0 ? std::max(sizes_.smallest, sizes_.curved * std::sqrt(2 * h / curvature)) : sizes_.largest_curved;
+        };
+        edge.lateral = along > 0 ? allowed(along) : std::numeric_limits<double>::infinity();
+        if (largest != along)
+            edge.extent *= std::min(sizes_.largest_curved, allowed(largest)) / std::min(sizes_.largest_curved, allowed(along));
+    }
 }
 
 template <int D>
@@ -204,8 +227,8 @@ int GapSurface<D>::longest_edge(int e) const
     int best = ids[0];
     for (int k = 1; k < edges_per_element; ++k) {
         const Edge &edge = edges_[ids[k]], &old = edges_[best];
-        const double difference = edge.length - old.length;
-        const bool tie = std::abs(difference) <= 1e-9 * old.length;
+        const double difference = edge.extent - old.extent;
+        const bool tie = std::abs(difference) <= 1e-9 * old.extent;
         if (tie ? std::pair(edge.a, edge.b) < std::pair(old.a, old.b) : difference > 0)
             best = ids[k];
     }
@@ -271,8 +294,8 @@ void GapSurface<D>::split_marked()
             const int k = int(std::find(ids.begin(), ids.end(), longest) - ids.begin());
             const int a = old.nodes[k], b = old.nodes[(k + 1) % 3], c = old.nodes[(k + 2) % 3];
             const Edge &bc = edges_[ids[(k + 1) % 3]], &ca = edges_[ids[(k + 2) % 3]];
-            const double squares = bc.length * bc.length + ca.length * ca.length;
-            const double square = edges_[longest].length * edges_[longest].length;
+            const double squares = bc.extent * bc.extent + ca.extent * ca.extent;
+            const double square = edges_[longest].extent * edges_[longest].extent;
             if (bc.middle >= 0 && ca.middle >= 0 && square < (1 - 1e-9) * squares) { // acute: four similar triangles
                 add({a, m, ca.middle});
                 add({m, b, bc.middle});

@@ -49,6 +49,13 @@ public:
     }
 
     double curvature(int patch) const override { return D == 2 && patch >= 2 ? 0 : 1 / radius_; }
+    double curvature_along(int patch, const Vec<D>& a, const Vec<D>& b) const override
+    {
+        const double square = (b - a).squaredNorm();
+        if (D == 2 || square == 0)
+            return curvature(patch);
+        return (closest(b).normal - closest(a).normal).dot(b - a) / square;
+    }
     std::vector<Core<D>> cores() const override { return {{-half_ * unit<D>(0), half_ * unit<D>(0), radius_}}; }
 
     SurfaceMesh<D> surface_mesh() const override

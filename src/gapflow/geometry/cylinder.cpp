@@ -63,6 +63,13 @@ public:
         return patch == 2 ? outward(x, std::hypot(x[1], x[2])) : Vec<3>((patch == 1 ? 1 : -1) * unit<3>(0));
     }
     double curvature(int patch) const override { return patch == 2 ? 1 / radius_ : 0; }
+    double curvature_along(int patch, const Vec<3>& a, const Vec<3>& b) const override
+    {
+        const double square = (b - a).squaredNorm();
+        if (square == 0)
+            return curvature(patch);
+        return (patch_normal(b, patch) - patch_normal(a, patch)).dot(b - a) / square;
+    }
     std::vector<Core<3>> cores() const override { return {{-half_ * unit<3>(0), half_ * unit<3>(0), radius_}}; }
 
     SurfaceMesh<3> surface_mesh() const override

@@ -30,6 +30,10 @@ public:
     Vec<D> onto(const Vec<D>& x, int patch) const override { return inner_->onto(x, patch); }
     Vec<D> patch_normal(const Vec<D>& x, int patch) const override { return -inner_->patch_normal(x, patch); }
     double curvature(int patch) const override { return -inner_->curvature(patch); }
+    double curvature_along(int patch, const Vec<D>& a, const Vec<D>& b) const override
+    {
+        return -inner_->curvature_along(patch, a, b);
+    }
     SurfaceMesh<D> surface_mesh() const override { return turned(inner_->surface_mesh()); }
     SurfaceMesh<D> display_mesh(double tolerance) const override { return turned(inner_->display_mesh(tolerance)); }
     MassProperties<D> mass_properties() const override { return inner_->mass_properties(); }

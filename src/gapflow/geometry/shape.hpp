@@ -87,6 +87,13 @@ public:
     /// within 1e-6 of the patch's size, else estimated from the turn of the facets' normals (upper quartile over the bent
     /// part, good to some 20 %).
     virtual double curvature(int patch) const = 0;
+    /// Normal curvature of a patch in the direction from its point a to its point b, with the sign of curvature(): the turn of the
+    /// normal over that distance. Meshes, and points that coincide: the largest.
+    virtual double curvature_along(int patch, const Vec<D>& a, const Vec<D>& b) const
+    {
+        (void)a, (void)b; // as much in all directions
+        return curvature(patch);
+    }
     /// Base mesh for films. Curved patches: elements of at most 45 degrees. Unbounded shapes (half-space): empty.
     virtual SurfaceMesh<D> surface_mesh() const = 0;
     /// For display: the surface within `tolerance` of the exact one (as far as 4096 segments around, 3D balls 327680

@@ -40,10 +40,10 @@ bool mark_across_thin_bodies(const Grid<D>& grid, const FaceField<D>& open, doub
     if (!grid.comm().any(any))
         return false;
     exchange(grid, between);
-    const Index<D> one = Index<D>::Ones();
+    const Index<D> one = Index<D>::Ones(), reach = 2 * one;
     for (int axis = 0; axis < D; ++axis) {
         const Block<D>& block = between[axis].block();
-        for_each_index<D>(grid.low() - one, owned_faces_end(grid, axis) + one, [&](const Index<D>& f) {
+        for_each_index<D>(grid.low() - reach, owned_faces_end(grid, axis) + reach, [&](const Index<D>& f) {
             if (!between(axis, f))
                 return;
             for (int other = 0; other < D; ++other) {

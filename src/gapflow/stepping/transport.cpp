@@ -95,8 +95,8 @@ std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& ther
         const Index<D> c = grid.cell_of_key(entry.first);
         for (int axis = 0; axis < D; ++axis)
             for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 1) + gapflow::step<D>(axis),
-                              [&](const Index<D>& f) {
-                                  if (near[axis].block().contains(f))
+                              [&](const Index<D>& face) {
+                                  if (const Index<D> f = grid.wrapped(face); near[axis].block().contains(f))
                                       near(axis, f) = 1;
                               });
     }
