@@ -201,15 +201,36 @@ void FilmHistory<D>::limit_slopes()
 }
 
 template <int D>
-typename FilmHistory<D>::Sample FilmHistory<D>::sample(const Vec<D>& x_body, int& hint) const
+std::vector<typename FilmHistory<D>::Sample> FilmHistory<D>::samples(const Vec<D>& x_body, int& hint) const
 {
     const Place place = locate(x_body, hint);
     hint = place.element;
+    std::array<int, D> at{}; // nodes of the facet or the node that the point lies on
+    int count = 0;
+    for (int i = 0; i < D; ++i)
+        if (place.shape[i] > at_vertex)
+            at[count++] = elements_[place.element][i];
+    if (count == D)
+        return {sample(place, x_body, 1)};
+    std::vector<Sample> all;
+    for (int k = rings_.first[at[0]]; k < rings_.first[at[0] + 1]; ++k) {
+        const std::array<int, D>& nodes = elements_[rings_.element[k]];
+        if (std::all_of(at.begin(), at.begin() + count, [&](int i) { return std::find(nodes.begin(), nodes.end(), i) != nodes.end(); }))
+            all.push_back(sample(place_in(rings_.element[k], x_body), x_body, 1));
+    }
+    for (Sample& one : all)
+        one.share = 1.0 / static_cast<double>(all.size());
+    return all;
+}
+
+template <int D>
+typename FilmHistory<D>::Sample FilmHistory<D>::sample(const Place& place, const Vec<D>& x_body, double share) const
+{
     Vec<D> flux = flux_[place.element];
     for (int i = 0; i < D; ++i)
         flux += slope_[place.element] * (std::clamp(place.shape[i], 0.0, 1.0) - 1.0 / D) *
                 flux_vertex_[elements_[place.element][i]];
-    return {place.element, belongs(place, x_body), thickness(place), flux};
+    return {place.element, share, belongs(place, x_body), thickness(place), flux};
 }
 
 template <int D>

@@ -39,11 +39,13 @@ public:
     /// What lies at a point of the master's frame. `flux`: h (w - U_m), linear in the element with a limited slope, world axes.
     struct Sample {
         int element;
+        double share; ///< of the point: new meshes have many points on facets and nodes of old ones, which lie in all elements there
         bool belongs; ///< x to the film: it lies at the element, not beyond the film's end
         double h;
         Vec<D> flux;
     };
-    Sample sample(const Vec<D>& x_body, int& hint) const;
+    /// One for each element in which the point lies; `hint` as in `at`.
+    std::vector<Sample> samples(const Vec<D>& x_body, int& hint) const;
     /// Of an element: velocity along the film relative to the master, unit normal (world axes), volume.
     Vec<D> along(int element) const { return tangential<D>(flux_[element] / h_mean_[element], normal_[element]); }
     const Vec<D>& normal(int element) const { return normal_[element]; }
@@ -101,6 +103,7 @@ private:
         double distance;
     };
     Place place_in(int element, const Vec<D>& x_body) const;
+    Sample sample(const Place& place, const Vec<D>& x_body, double share) const;
     bool belongs(const Place& place, const Vec<D>& x_body) const;
     Place locate(const Vec<D>& x_body, int hint) const;
     Place walk(const Vec<D>& x_body, int start) const;

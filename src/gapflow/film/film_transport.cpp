@@ -298,8 +298,8 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             change = (flux[from] + slope[from] * in_flux) / facet.h - velocity[from];
             if (to >= 0) {
                 const Vec<D> d = turned<D>(velocity[to], normal_[to], normal_[from]) - velocity[from];
-                const double square = d.squaredNorm(), along = change.dot(d);
-                change *= along <= 0 ? 0.0 : along > square ? square / along : 1.0;
+                const double square = change.squaredNorm(), along = change.dot(d); // in the ball between both: continuous in its direction
+                change *= along <= 0 ? 0.0 : along < square ? along / square : 1.0;
             }
             leaves[from] += std::abs(facet.flux) * change;
         }
@@ -307,12 +307,20 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             enters[to] +=
                 std::abs(facet.flux) * (velocity[to] - into(to, facet, from < 0 ? facet.mouth.entering : velocity[from]));
     }
+    // Of its changes those are reduced that exceed what the others balance: where fluid leaves to both sides of an element the sum is a small difference.
+    std::vector<double> exceeds(velocity.size(), 0.0);
+    for (std::size_t f = 0; f < facets_.size(); ++f)
+        if (const int from = facets_[f].flux >= 0 ? facets_[f].a : facets_[f].b; from >= 0)
+            exceeds[from] += std::max(std::abs(facets_[f].flux) * values[f].dot(leaves[from]), 0.0);
     for (std::size_t f = 0; f < facets_.size(); ++f) {
         const int from = facets_[f].flux >= 0 ? facets_[f].a : facets_[f].b;
         if (from < 0)
             continue;
-        const double square = leaves[from].squaredNorm(), along = leaves[from].dot(enters[from]);
-        values[f] = velocity[from] + (along <= 0 ? 0.0 : along < square ? along / square : 1.0) * values[f];
+        Vec<D>& change = values[f];
+        const double square = leaves[from].squaredNorm(), allowed = std::clamp(leaves[from].dot(enters[from]), 0.0, square);
+        if (allowed < square && change.dot(leaves[from]) > 0)
+            change *= std::max(1 - (square - allowed) / exceeds[from], 0.0);
+        change += velocity[from];
     }
     return values;
 }
