@@ -200,27 +200,23 @@ void FilmHistory<D>::limit_slopes()
     }
 }
 
+// The elements that have a place on one of their facets or nodes; none: it lies inside of its own.
 template <int D>
-std::vector<typename FilmHistory<D>::Sample> FilmHistory<D>::samples(const Vec<D>& x_body, int& hint) const
+std::vector<int> FilmHistory<D>::sharing(const Place& place) const
 {
-    const Place place = locate(x_body, hint);
-    hint = place.element;
-    std::array<int, D> at{}; // nodes of the facet or the node that the point lies on
+    std::array<int, D> at{}; // nodes of that facet
     int count = 0;
     for (int i = 0; i < D; ++i)
         if (place.shape[i] > at_vertex)
             at[count++] = elements_[place.element][i];
-    if (count == D)
-        return {sample(place, x_body, 1)};
-    std::vector<Sample> all;
-    for (int k = rings_.first[at[0]]; k < rings_.first[at[0] + 1]; ++k) {
+    std::vector<int> shared;
+    for (int k = rings_.first[at[0]]; k < rings_.first[at[0] + 1] && count < D; ++k) {
         const std::array<int, D>& nodes = elements_[rings_.element[k]];
-        if (std::all_of(at.begin(), at.begin() + count, [&](int i) { return std::find(nodes.begin(), nodes.end(), i) != nodes.end(); }))
-            all.push_back(sample(place_in(rings_.element[k], x_body), x_body, 1));
+        if (std::all_of(at.begin(), at.begin() + count,
+                        [&](int i) { return std::find(nodes.begin(), nodes.end(), i) != nodes.end(); }))
+            shared.push_back(rings_.element[k]);
     }
-    for (Sample& one : all)
-        one.share = 1.0 / static_cast<double>(all.size());
-    return all;
+    return shared;
 }
 
 template <int D>

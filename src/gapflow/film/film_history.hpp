@@ -39,13 +39,24 @@ public:
     /// What lies at a point of the master's frame. `flux`: h (w - U_m), linear in the element with a limited slope, world axes.
     struct Sample {
         int element;
-        double share; ///< of the point: new meshes have many points on facets and nodes of old ones, which lie in all elements there
+        double
+            share; ///< of the point: new meshes have many points on facets and nodes of old ones, which lie in all elements there
         bool belongs; ///< x to the film: it lies at the element, not beyond the film's end
         double h;
         Vec<D> flux;
     };
-    /// One for each element in which the point lies; `hint` as in `at`.
-    std::vector<Sample> samples(const Vec<D>& x_body, int& hint) const;
+    /// Calls f(sample) for each element in which the point lies; `hint` as in `at`.
+    template <class F>
+    void for_each_sample(const Vec<D>& x_body, int& hint, F&& f) const
+    {
+        const Place place = locate(x_body, hint);
+        hint = place.element;
+        const std::vector<int> shared = sharing(place);
+        if (shared.empty())
+            f(sample(place, x_body, 1));
+        for (int element : shared)
+            f(sample(place_in(element, x_body), x_body, 1.0 / static_cast<double>(shared.size())));
+    }
     /// Of an element: velocity along the film relative to the master, unit normal (world axes), volume.
     Vec<D> along(int element) const { return tangential<D>(flux_[element] / h_mean_[element], normal_[element]); }
     const Vec<D>& normal(int element) const { return normal_[element]; }
@@ -104,6 +115,7 @@ private:
     };
     Place place_in(int element, const Vec<D>& x_body) const;
     Sample sample(const Place& place, const Vec<D>& x_body, double share) const;
+    std::vector<int> sharing(const Place& place) const;
     bool belongs(const Place& place, const Vec<D>& x_body) const;
     Place locate(const Vec<D>& x_body, int hint) const;
     Place walk(const Vec<D>& x_body, int start) const;

@@ -205,8 +205,9 @@ private:
         double bent = 0, h = film.h[element.nodes[0]]; // most of length^2 times the curvature along it
         for (int k = 0; k < D; ++k) {
             const int a = element.nodes[k], b = element.nodes[(k + 1) % D];
-            bent = std::max(bent, (film.x[a] - film.x[b]).squaredNorm() *
-                                      test_.curvature_along(patch, other_patch, {film.x[a], film.x[b]}, {film.y[a], film.y[b]}));
+            bent =
+                std::max(bent, (film.x[a] - film.x[b]).squaredNorm() *
+                                   test_.curvature_along(patch, other_patch, {film.x[a], film.x[b]}, {film.y[a], film.y[b]}));
             h = std::min(h, film.h[a]);
         }
         element.lateral = curvature > 0 ? std::sqrt(2 * h / curvature) : std::numeric_limits<double>::infinity();

@@ -241,8 +241,8 @@ public:
                 const auto [in, out] = factor.at(history_[mouth.film]);
                 const double R = mouth.resistance / mouth.length;
                 const double whole = std::abs(work[r]) / (R * square(predicted_flux_[r]));
-                // What the whole head does not pay may take half of a mouth's flux; the rest remains a debt.
-                const double a = work[r] > 0 ? out * whole : std::min(in * whole, std::max(whole, 1.0));
+                const double a =
+                    work[r] > 0 ? out * whole : std::min(in, 1.0) * whole; // what the whole head does not pay remains a debt
                 gain = work[r] > 0 ? a : -a;
                 if (work[r] > 0)
                     q += 2 * a * predicted_flux_[r];

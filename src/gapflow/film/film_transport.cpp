@@ -298,7 +298,8 @@ std::vector<Vec<D>> FilmTransport<D>::reconstructed(const std::vector<Vec<D>>& v
             change = (flux[from] + slope[from] * in_flux) / facet.h - velocity[from];
             if (to >= 0) {
                 const Vec<D> d = turned<D>(velocity[to], normal_[to], normal_[from]) - velocity[from];
-                const double square = change.squaredNorm(), along = change.dot(d); // in the ball between both: continuous in its direction
+                const double square = change.squaredNorm(),
+                             along = change.dot(d); // in the ball between both: continuous in its direction
                 change *= along <= 0 ? 0.0 : along < square ? along / square : 1.0;
             }
             leaves[from] += std::abs(facet.flux) * change;

@@ -115,18 +115,18 @@ std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::sp
                 const int e = film.first_element + q.element;
                 const double scale = film.mesh.elements[q.element].volume / sum[q.element];
                 const Vec<D> x = master.to_body(q.x);
-                for (const auto& sample : old.samples(x, hint)) {
+                const double across = scale / film.mesh.elements[q.element].cosine();
+                old.for_each_sample(x, hint, [&](const typename FilmHistory<D>::Sample& sample) {
                     const double weight = sample.share * q.weight, new_volume = scale * weight * q.h;
                     if (!sample.belongs) {
                         result[e].covered += new_volume;
-                        continue;
+                        return;
                     }
-                    const double across = scale / film.mesh.elements[q.element].cosine();
                     const double old_volume = across * weight * sample.h;
                     taken[sample.element] += old_volume;
                     covered[sample.element] += weight * on_master[q.element];
                     deposits.push_back({{e, sample.element, old_volume, new_volume, across * weight}, sample.flux});
-                }
+                });
             }
         }
         std::vector<Vec<D>> normal(network.elements, Vec<D>::Zero()); // of the old film at the new elements

@@ -33,7 +33,7 @@ public:
         double length;
         double lateral = 0; ///< the longest that the gap's curvature along the edge allows
         double extent = 0;  ///< length times what the largest curvature allows over what that along the edge does
-        int middle = -1; ///< vertex that splits it
+        int middle = -1;    ///< vertex that splits it
         bool crease = false;
         bool marked = false;
     };

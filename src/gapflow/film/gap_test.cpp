@@ -40,7 +40,8 @@ double GapTest<D>::curvature(int master_patch, int other_patch) const
 }
 
 template <int D>
-double GapTest<D>::curvature_along(int master_patch, int other_patch, const std::array<Vec<D>, 2>& x, const std::array<Vec<D>, 2>& y) const
+double GapTest<D>::curvature_along(int master_patch, int other_patch, const std::array<Vec<D>, 2>& x,
+                                   const std::array<Vec<D>, 2>& y) const
 {
     return std::max(0.0, master.shape().curvature_along(master_patch, master.to_body(x[0]), master.to_body(x[1])) +
                              other.shape().curvature_along(other_patch, other.to_body(y[0]), other.to_body(y[1])));

@@ -23,7 +23,8 @@ struct GapTest {
     /// 1/R_A + 1/R_B where positive, else 0: the gap's lateral scale is sqrt(2 R h).
     double curvature(int master_patch, int other_patch) const;
     /// The same of the curvatures in the direction from x[0] to x[1], points of the master with the closest points y.
-    double curvature_along(int master_patch, int other_patch, const std::array<Vec<D>, 2>& x, const std::array<Vec<D>, 2>& y) const;
+    double curvature_along(int master_patch, int other_patch, const std::array<Vec<D>, 2>& x,
+                           const std::array<Vec<D>, 2>& y) const;
     /// x moved onto the surface of the master where two of its patches meet (second -1: onto the first alone).
     Vec<D> onto(const Vec<D>& x, int patch, int second = -1) const;
 };

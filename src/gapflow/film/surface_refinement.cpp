@@ -1,6 +1,6 @@
 // Conforming refinement of the gap's surface by marked edges.
 //
-// An edge may not be longer than min(largest dx, curved sqrt(2 R h)), nor h change by more than a factor over it, nor an
+// An edge may not be longer than min(largest dx, curved sqrt(2 R h)), R along the edge, nor h change by more than a factor over it, nor an
 // element that the gap's end cuts be longer than straddle dx, all down to smallest dx (method, "Mesh"). Edges are
 // marked; with any edge of a triangle its longest is marked (Rivara, Int. J. Numer. Methods Eng. 20 (1984) 745), and triangles
 // with one, two or three marked edges are split alike from both sides of each edge, so the mesh stays conforming. Lengths
@@ -18,6 +18,8 @@ namespace gapflow {
 namespace {
 
 constexpr double slack = 1 + 1e-7;
+constexpr double at_lines =
+    0.75; ///< of the size elsewhere: there all edges but those along the line are as long as they may be
 constexpr double smallest_kink = 1. / 16; ///< of the straddling size: elements with a kink are not refined below
 
 } // namespace
@@ -100,7 +102,7 @@ bool GapSurface<D>::too_long(const Edge& edge, bool coarse) const
         return false;
     if (a.inside() != b.inside() && length > slack * size_at_end(a.inside() ? b : a, edge.patch))
         return true;
-    if (length <= slack * sizes_.smallest)
+    if (edge.extent <= slack * sizes_.smallest)
         return false;
     if (a.inside() && b.inside() && varies(test_.thickness(a.p), test_.thickness(b.p)))
         return true;
@@ -133,11 +135,19 @@ void GapSurface<D>::measure(bool coarse)
                 h = std::min(h, std::max(std::abs(v->p.distance), test_.options.floor));
             }
         const auto allowed = [&](double curvature) {
-            return curvature > 0 ? std::max(sizes_.smallest, sizes_.curved * std::sqrt(2 * h / curvature)) : sizes_.largest_curved;
+            return curvature > 0 ? std::max(sizes_.smallest, sizes_.curved * std::sqrt(2 * h / curvature))
+                                 : sizes_.largest_curved;
         };
-        edge.lateral = along > 0 ? allowed(along) : std::numeric_limits<double>::infinity();
-        if (largest != along)
-            edge.extent *= std::min(sizes_.largest_curved, allowed(largest)) / std::min(sizes_.largest_curved, allowed(along));
+        const double across = allowed(largest);
+        if (along < largest) { // r: the part of the length that counts
+            const double r = std::sqrt(along / largest);
+            edge.lateral = at_lines * across / r;
+            edge.extent *= std::max(r, std::min(across / sizes_.largest_curved, 1.0));
+        } else {
+            edge.lateral = along > 0 ? allowed(along) : std::numeric_limits<double>::infinity();
+            if (along > largest)
+                edge.extent *= std::min(across, sizes_.largest_curved) / std::min(edge.lateral, sizes_.largest_curved);
+        }
     }
 }
 
@@ -169,7 +179,7 @@ bool GapSurface<D>::mark_at_end()
 {
     bool any = false;
     for (Edge& edge : edges_)
-        if (edge.length > slack * sizes_.smallest && straddles(edge)) {
+        if (edge.extent > slack * sizes_.smallest && straddles(edge)) {
             const Vertex& in = vertices_[vertices_[edge.a].inside() ? edge.a : edge.b];
             if (varies(test_.thickness(in.p), test_.thickness(crossing(edge).p)))
                 any = edge.marked = true;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace gapflow::test {
 namespace {
@@ -77,23 +78,68 @@ TEST(FilmHistory, GivesBackWhatWasStored3D)
     gives_back<3>();
 }
 
+FilmHistory<2>::Sample only(const FilmHistory<2>& history, const Vec<2>& x_body)
+{
+    int hint = -1;
+    std::vector<FilmHistory<2>::Sample> all;
+    history.for_each_sample(x_body, hint, [&](const FilmHistory<2>::Sample& sample) { all.push_back(sample); });
+    EXPECT_EQ(all.size(), 1u);
+    return all.at(0);
+}
+
 // A sample is the flux h u, linear in the element with the same mean, and tells whether the point is the film's.
 TEST(FilmHistory, SamplesTheFlux)
 {
     const Plates<2> plates(3, 7, 12);
     const FilmHistory<2> history = plates.history(stretching<2>);
     for (double aside : {4.1, 5.37, 6.05}) {
-        int hint = -1;
         const Vec<2> x(aside, plates.height());
-        const auto sample = history.sample(plates.body(x), hint);
+        const auto sample = only(history, plates.body(x));
         EXPECT_TRUE(sample.belongs);
         EXPECT_NEAR(sample.h, 0.2, 1e-9);
         EXPECT_LT((sample.flux - 0.2 * stretching<2>(x)).norm(), 1e-7) << aside;
     }
-    for (double beyond : {0.04, 0.06, 2.1}) {
-        int hint = -1;
-        EXPECT_EQ(history.sample(plates.body({7 + beyond, plates.height()}), hint).belongs, beyond < 0.05);
-    }
+    for (double beyond : {0.04, 0.06, 2.1})
+        EXPECT_EQ(only(history, plates.body({7 + beyond, plates.height()})).belongs, beyond < 0.05);
+}
+
+// On a node or an edge a point lies in all elements there, whatever the round-off of its place.
+template <int D>
+void shares_places_on_facets()
+{
+    const Plates<D> plates(3, 7, 12);
+    const FilmHistory<D> history = plates.history(stretching<D>);
+    const FilmMesh<D>& mesh = plates.film().mesh;
+    std::vector<int> around(mesh.x.size(), 0);
+    for (const FilmElement<D>& e : mesh.elements)
+        for (int node : e.nodes)
+            ++around[node];
+    for (std::size_t i = 0; i < mesh.x.size(); ++i)
+        for (double off : {-1e-12, 0.0, 1e-12}) {
+            Vec<D> x = mesh.x[i];
+            x[0] += off;
+            int hint = 0;
+            std::set<int> elements;
+            double sum = 0;
+            history.for_each_sample(plates.body(x), hint, [&](const auto& sample) {
+                elements.insert(sample.element);
+                sum += sample.share;
+                EXPECT_NEAR(sample.share, 1.0 / around[i], 1e-12);
+                EXPECT_TRUE(sample.belongs);
+            });
+            EXPECT_EQ(static_cast<int>(elements.size()), around[i]);
+            EXPECT_NEAR(sum, 1, 1e-12);
+        }
+}
+
+TEST(FilmHistory, PlacesOnFacetsLieInAllElementsThere2D)
+{
+    shares_places_on_facets<2>();
+}
+
+TEST(FilmHistory, PlacesOnFacetsLieInAllElementsThere3D)
+{
+    shares_places_on_facets<3>();
 }
 
 // Fluid that moves as the master does has the master's velocity at every place.
@@ -163,7 +209,9 @@ TEST(FilmHistory, FindsElementsOfLargeFilms)
         EXPECT_LT((a - b).norm(), 1e-9);
     }
     int hint = -1;
-    EXPECT_FALSE(history.sample(plates.body({40, 5, plates.height()}), hint).belongs); // nowhere near: still an answer
+    history.for_each_sample(plates.body({40, 5, plates.height()}), hint, [](const auto& sample) {
+        EXPECT_FALSE(sample.belongs); // nowhere near: still an answer
+    });
 }
 
 // Idle elements have no acceleration to extrapolate.
