@@ -288,15 +288,20 @@ private:
                     f(axis, face);
     }
 
-    // A cell all of whose faces lie wholly inside one image has no body flux; the faces of all others have entries.
+    // A cell all of whose faces lie wholly inside one solid has no body flux; the faces of all others have entries. (Beyond a periodic side they may lie in
+    // different images of it: those that are clipped are clipped where they wrap to.)
     void complete_hulls()
     {
+        const auto solid_around = [&](int axis, const Index<D>& face) {
+            const int cut = result_.cut(axis, face);
+            return cut < -1 ? data_.images[inside(cut)].solid : -1;
+        };
         std::erase_if(surface_cells_, [&](const Index<D>& cell) {
             if (!(cell.array() < high_.array()).all())
                 return true;
-            const int first = result_.cut(0, cell);
-            bool same = first < -1;
-            for_each_face(cell, [&](int axis, const Index<D>& face) { same &= result_.cut(axis, face) == first; });
+            const int first = solid_around(0, cell);
+            bool same = first >= 0;
+            for_each_face(cell, [&](int axis, const Index<D>& face) { same &= solid_around(axis, face) == first; });
             return same;
         });
         for (const Index<D>& cell : surface_cells_)
