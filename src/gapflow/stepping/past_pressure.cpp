@@ -33,25 +33,31 @@ void extrapolate_pressure(const Coupling<D>& coupling, PastPressure<D>& past)
 {
     CellField<D>&pressure = past.pressure, &known = past.known;
     const Grid<D>& grid = *coupling.grid;
+    const int width = grid.high()[0] - grid.low()[0];
     for (int layer = 0; layer < 2; ++layer) {
         exchange(grid, pressure, 1);
         exchange(grid, known, 1);
         std::vector<std::pair<Index<D>, double>> found;
-        for (const Index<D>& c : coupling.fractions->surface_cells) {
-            if (coupling.system.component(c) < 0 || known(c) > 0)
-                continue;
-            double sum = 0;
-            int count = 0;
-            for (int side = 0; side < 2 * D; ++side) {
-                const Index<D> g = c + (2 * (side % 2) - 1) * step<D>(side / 2);
-                if (known(g) > 0) {
-                    sum += pressure(g);
-                    ++count;
+        for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) { // a film may have left cells that no solid touches
+            const auto* component = &coupling.system.component(row);
+            const double* is_known = &known(row);
+            for (int i = 0; i < width; ++i) {
+                if (component[i] < 0 || is_known[i] > 0)
+                    continue;
+                const Index<D> c = row + i * step<D>(0);
+                double sum = 0;
+                int count = 0;
+                for (int side = 0; side < 2 * D; ++side) {
+                    const Index<D> g = c + (2 * (side % 2) - 1) * step<D>(side / 2);
+                    if (known(g) > 0) {
+                        sum += pressure(g);
+                        ++count;
+                    }
                 }
+                if (count > 0)
+                    found.emplace_back(c, sum / count);
             }
-            if (count > 0)
-                found.emplace_back(c, sum / count);
-        }
+        });
         for (const auto& [c, value] : found) {
             pressure(c) = value;
             known(c) = 1;
