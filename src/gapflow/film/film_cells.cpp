@@ -156,7 +156,7 @@ struct Classifier {
             for (const Index<D>& c : passed) {
                 const Index<D> w = grid.wrapped(c);
                 if (grid.in_domain(w))
-                    ++touches.insert(grid.key(w), Touch<D>{k, 0, c - w}).first.points;
+                    touches.insert(grid.key(w), Touch<D>{k, 0, c - w}).first.measure += point.weight;
             }
         }
         return touches;
@@ -172,8 +172,9 @@ struct Classifier {
                 result.cells[key].touches.push_back(touch);
         result.cells.sort();
         for (auto& [key, cell] : result.cells)
-            std::stable_sort(cell.touches.begin(), cell.touches.end(),
-                             [](const Touch<D>& a, const Touch<D>& b) { return a.points > b.points; });
+            std::stable_sort(cell.touches.begin(), cell.touches.end(), [](const Touch<D>& a, const Touch<D>& b) {
+                return static_cast<float>(a.measure) > static_cast<float>(b.measure);
+            });
     }
 
     void set_kind(long key, FilmCell<D>& cell) const
@@ -249,7 +250,7 @@ struct Classifier {
         KeyMap<char> around;
         around.reserve(4 * result.cells.size());
         for (const auto& [key, cell] : result.cells)
-            if (cell.touches[0].points > 0)
+            if (cell.touches[0].measure > 0)
                 around.insert(key);
         for (int axis = 0; axis < D; ++axis) // two cells along one axis after the other
             for (int i = 0, n = static_cast<int>(around.size()); i < n; ++i) {
@@ -278,7 +279,7 @@ struct Classifier {
                 return;
             const FilmCell<D>& cell = result.cells.item(i).second;
             const int film = cell.touches[0].film;
-            if (cell.touches[0].points == 0 || !is_orphan(closed, gaps.films()[film].pair))
+            if (cell.touches[0].measure == 0 || !is_orphan(closed, gaps.films()[film].pair))
                 return;
             first = i;
             seen_from(from, cell, film, d, [&](const Index<D>&, const Touch<D>& touch) { taker = touch; });
@@ -402,18 +403,25 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
                 const Vec<D> x = faces.open_point(side.axis, side.face);
                 const bool own = holds(cell, cell.owner, x),
                            others = holds(*other, other->owner, x - faces.displacement(side.cell));
-                owner = own == others ? std::min(cell.owner, other->owner) : own ? cell.owner : other->owner;
+                const float here = cell.touched_by(cell.owner), there = other->touched_by(other->owner);
+                const bool first = own != others ? own : here != there ? here > there : cell.owner < other->owner;
+                owner = first ? cell.owner : other->owner;
             } else if (film) {
                 owner = cell.owner;
             } else if (other_film) {
                 owner = other->owner;
             } else if (other && cell.kind == CellKind::mixed && other->kind == CellKind::mixed) {
                 const Vec<D> x = faces.open_point(side.axis, side.face);
-                for (const Touch<D>& touch : cell.touches) { // the lowest common film whose gap holds the face
+                float most = 0;
+                for (const Touch<D>& touch : cell.touches) { // the common film that touches both most and whose gap holds the face
                     const bool common = std::any_of(other->touches.begin(), other->touches.end(),
                                                     [&](const Touch<D>& t) { return t.film == touch.film; });
-                    if (common && (owner < 0 || touch.film < owner) && holds(cell, touch.film, x))
+                    const float both = cell.touched_by(touch.film) + other->touched_by(touch.film);
+                    const bool first = owner < 0 || both > most || (both == most && touch.film < owner);
+                    if (common && first && holds(cell, touch.film, x)) {
                         owner = touch.film;
+                        most = both;
+                    }
                 }
             }
             if (owner >= 0)

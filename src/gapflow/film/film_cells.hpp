@@ -20,15 +20,25 @@ enum class CellKind : std::int8_t { solid, bulk, film, mixed };
 template <int D>
 struct Touch {
     int film;
-    int points;      ///< quadrature points whose gap segment passes through
+    double measure;  ///< of the quadrature points whose gap segment passes through; 0: the cell was given to the film
     Index<D> offset; ///< from the cell in the domain to where the film is, in cells (periodic domains)
 };
 
 template <int D>
 struct FilmCell {
     CellKind kind = CellKind::bulk;
-    int owner = -1;                    ///< film; of mixed cells the one with most points
-    InlineVector<Touch<D>, 2> touches; ///< most points first
+    int owner = -1;                    ///< film; of mixed cells the one that touches it most
+    InlineVector<Touch<D>, 2> touches; ///< the one with the largest measure first
+
+    /// Of a film's touch, rounded: films that touch the cell alike do so whatever the round-off.
+    float touched_by(int film) const
+    {
+        float sum = 0;
+        for (const Touch<D>& touch : touches)
+            if (touch.film == film)
+                sum += static_cast<float>(touch.measure);
+        return sum;
+    }
 
     /// From the cell in the domain to where a film (one of `touches`) is.
     Index<D> offset(int film) const

@@ -95,7 +95,7 @@ void plates_on_planes()
         EXPECT_TRUE((c.array().template head<D - 1>() >= 3).all() && (c.array().template head<D - 1>() < 7).all());
         EXPECT_EQ(cell.owner, 0);
         ASSERT_EQ(cell.touches.size(), 1u);
-        EXPECT_GT(cell.touches[0].points, 0);
+        EXPECT_GT(cell.touches[0].measure, 0);
     }
     for (const auto& [face, film] : found.cells.closed)
         EXPECT_EQ(film, 0);
