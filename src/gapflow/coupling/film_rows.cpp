@@ -5,6 +5,7 @@
 #include "gapflow/film/film_cells.hpp"
 #include "gapflow/film/film_motion.hpp"
 #include "gapflow/film/mouth_cells.hpp"
+#include "gapflow/grid/inline_vector.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +14,8 @@ namespace gapflow {
 
 namespace {
 
-constexpr long items_a_chunk = 256; // of a thread's work
+constexpr long items_a_chunk = 256;   // of a thread's work
+constexpr double equally_near = 1e-9; // squares of distances that differ by this part are the same
 
 template <int D>
 class FilmAssembler {
@@ -232,10 +234,10 @@ private:
             third_.insert(third_.end(), thirds.begin(), thirds.end());
         std::vector<Twist<D>> lost(network_.films.size(), Twist<D>::Zero());
         assemble_points(remainder, lost);
-        const std::vector<int> nearest = nearest_mouths();
+        const std::vector<Nearest> nearest = nearest_mouths();
         for (std::size_t i = 0; i < cells.size(); ++i)
             if (const auto& [key, cell] = cells.item(static_cast<int>(i)); cell.kind == CellKind::film)
-                add_to_mouth(cell.owner, nearest[i], remainder[i], lost);
+                add_to_mouths(cell.owner, nearest[i], remainder[i], lost);
         for (int k = 0; k < static_cast<int>(network_.films.size()); ++k)
             if (!lost[k].isZero(0))
                 spread(k, lost[k]);
@@ -336,11 +338,27 @@ private:
                 add_at_point(k, point, mesh.other, other_centre(mesh), flux, 1.0 / static_cast<double>(mesh.points.size()));
     }
 
-    // Of each film cell the nearest of its film's mouths, -1 without any.
-    std::vector<int> nearest_mouths() const
+    using Nearest = InlineVector<int, 2>; // those that are equally near share what goes to the nearest
+
+    /// Those of n items whose distance is the least, but for round-off.
+    template <class Distance>
+    static Nearest nearest_of(std::size_t n, Distance&& distance)
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < n; ++i)
+            least = std::min(least, distance(i));
+        Nearest nearest;
+        for (std::size_t i = 0; i < n; ++i)
+            if (distance(i) <= (1 + equally_near) * least)
+                nearest.push_back(static_cast<int>(i));
+        return nearest;
+    }
+
+    // Of each film cell the nearest of its film's mouths.
+    std::vector<Nearest> nearest_mouths() const
     {
         const KeyMap<FilmCell<D>>& cells = network_.cells.cells;
-        std::vector<int> nearest(cells.size(), -1);
+        std::vector<Nearest> nearest(cells.size());
         for_each_part(static_cast<long>(cells.size()), [&](long begin, long end) {
             for (long k = begin; k < end; ++k) {
                 const auto& [key, cell] = cells.item(static_cast<int>(k));
@@ -348,28 +366,23 @@ private:
                     continue;
                 const Vec<D> x = grid_.cell_centre(grid_.cell_of_key(key) + cell.offset(cell.owner));
                 const std::vector<Vec<D>>& places = mouth_places_[cell.owner];
-                double least = std::numeric_limits<double>::infinity();
-                for (std::size_t i = 0; i < places.size(); ++i)
-                    if (const double distance = (places[i] - x).squaredNorm(); distance < least) {
-                        least = distance;
-                        nearest[k] = static_cast<int>(i);
-                    }
+                nearest[k] = nearest_of(places.size(), [&](std::size_t i) { return (places[i] - x).squaredNorm(); });
             }
         });
         return nearest;
     }
 
-    // A film cell's remainder leaves through the nearest mouth of its film (spread over all mouths it would short-circuit
+    // A film cell's remainder leaves through the nearest mouths of its film (spread over all mouths it would short-circuit
     // pockets that several films enclose); without mouths it is spread over the film.
-    void add_to_mouth(int owner, int mouth, const Twist<D>& rest, std::vector<Twist<D>>& lost)
+    void add_to_mouths(int owner, const Nearest& nearest, const Twist<D>& rest, std::vector<Twist<D>>& lost)
     {
-        if (mouth < 0) {
+        if (nearest.empty())
             lost[owner] += rest;
-            return;
-        }
         const FilmMesh<D>& mesh = film(owner).mesh;
-        for (const auto& [to, weight] : mouths_[owner][mouth]->cells)
-            add_relative(to_cell(to), mesh, mesh.other, other_centre(mesh), rest, weight);
+        for (int mouth : nearest)
+            for (const auto& [to, weight] : mouths_[owner][mouth]->cells)
+                add_relative(to_cell(to), mesh, mesh.other, other_centre(mesh), rest,
+                             weight / static_cast<double>(nearest.size()));
     }
 
     // Flux of a solid out of a film cell: the other wall's into `rest`, the master's vanishes, third bodies' for later.
@@ -398,20 +411,21 @@ private:
     {
         const FilmMesh<D>& mesh = film(k).mesh;
         const Film<D>& owner = film(cell.owner);
-        const FilmPoint<D>& point = nearest_point(cell, c);
-        const FilmElement<D>& e = owner.mesh.elements[point.element];
-        for (int i = 0; i < D; ++i)
-            add_relative(to_node(owner.first_node + e.nodes[i]), mesh, mesh.other, other_centre(mesh), flux,
-                         share * point.shape[i]);
+        const Nearest nearest = nearest_points(cell, c);
+        for (int at : nearest) {
+            const FilmPoint<D>& point = owner.mesh.points[at];
+            const FilmElement<D>& e = owner.mesh.elements[point.element];
+            for (int i = 0; i < D; ++i)
+                add_relative(to_node(owner.first_node + e.nodes[i]), mesh, mesh.other, other_centre(mesh), flux,
+                             share / static_cast<double>(nearest.size()) * point.shape[i]);
+        }
     }
 
-    const FilmPoint<D>& nearest_point(const FilmCell<D>& cell, const Index<D>& c) const
+    Nearest nearest_points(const FilmCell<D>& cell, const Index<D>& c) const
     {
         const Vec<D> x = grid_.cell_centre(c + cell.offset(cell.owner));
         const std::vector<FilmPoint<D>>& points = film(cell.owner).mesh.points;
-        return *std::min_element(points.begin(), points.end(), [&](const FilmPoint<D>& a, const FilmPoint<D>& b) {
-            return (0.5 * (a.x + a.y) - x).squaredNorm() < (0.5 * (b.x + b.y) - x).squaredNorm();
-        });
+        return nearest_of(points.size(), [&](std::size_t i) { return (0.5 * (points[i].x + points[i].y) - x).squaredNorm(); });
     }
 
     // A third body's flux in a film cell goes to the nearest point's nodes, relative to the master.
@@ -419,14 +433,17 @@ private:
     {
         std::erase_if(third_,
                       [&](const Third& third) { return third.flux.template head<D>().norm() <= 1e-14 * grid_.face_area(); });
-        std::vector<const FilmPoint<D>*> nearest(third_.size());
+        std::vector<Nearest> nearest(third_.size());
         for_each_part(static_cast<long>(third_.size()), [&](long begin, long end) {
             for (long i = begin; i < end; ++i)
-                nearest[i] = &nearest_point(*network_.cells.cells.find(third_[i].key), grid_.cell_of_key(third_[i].key));
+                nearest[i] = nearest_points(*network_.cells.cells.find(third_[i].key), grid_.cell_of_key(third_[i].key));
         });
-        for (std::size_t i = 0; i < third_.size(); ++i)
-            add_at_point(network_.cells.cells.find(third_[i].key)->owner, *nearest[i], third_[i].solid, third_[i].centre,
-                         third_[i].flux, 1.0);
+        for (std::size_t i = 0; i < third_.size(); ++i) {
+            const int owner = network_.cells.cells.find(third_[i].key)->owner;
+            for (int point : nearest[i])
+                add_at_point(owner, film(owner).mesh.points[point], third_[i].solid, third_[i].centre, third_[i].flux,
+                             1.0 / static_cast<double>(nearest[i].size()));
+        }
         for (const auto& [key, fluxes] : closed_flux_) { // bulk and mixed cells beside closed faces
             if (network_.cells.kind(key, CellKind::bulk) == CellKind::film)
                 continue;

@@ -413,7 +413,8 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
             } else if (other && cell.kind == CellKind::mixed && other->kind == CellKind::mixed) {
                 const Vec<D> x = faces.open_point(side.axis, side.face);
                 float most = 0;
-                for (const Touch<D>& touch : cell.touches) { // the common film that touches both most and whose gap holds the face
+                for (const Touch<D>& touch :
+                     cell.touches) { // the common film that touches both most and whose gap holds the face
                     const bool common = std::any_of(other->touches.begin(), other->touches.end(),
                                                     [&](const Touch<D>& t) { return t.film == touch.film; });
                     const float both = cell.touched_by(touch.film) + other->touched_by(touch.film);
