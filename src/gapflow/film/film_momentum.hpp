@@ -9,6 +9,9 @@
 
 namespace gapflow {
 
+/// Fluxes of mouths below this part of the largest are none: round-off does not decide whether fluid leaves.
+inline constexpr double no_flux = 1e-9;
+
 /// Velocities with which films enter the next projection.
 template <int D>
 struct FilmFlow {

@@ -74,14 +74,18 @@ std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& ther
     const Grid<D>& grid = *there.grid;
     constexpr double least_weight = 1e-3; // round-off must not decide which faces are chosen
     const std::vector<Mouth<D>>& mouths = there.network.rim.mouths;
-    std::vector<char> flows_out(there.network.films.size(), 0);
+    std::vector<double> carried;
+    double largest = 0;
     for (std::size_t r = 0; r < mouths.size(); ++r) {
-        const Mouth<D>& mouth = mouths[r];
-        const int master = there.network.films[mouth.film].mesh.master;
-        const Vec<D> U = velocity_at<D>(V[master], mouth.x - there.solids[master].centre);
-        if (flux[r] > mouth.length * mouth.section.dot(U))
-            flows_out[mouth.film] = 1;
+        const int master = there.network.films[mouths[r].film].mesh.master;
+        const Vec<D> U = velocity_at<D>(V[master], mouths[r].x - there.solids[master].centre);
+        carried.push_back(mouths[r].length * mouths[r].section.dot(U));
+        largest = std::max(largest, std::abs(flux[r]) + std::abs(carried.back()));
     }
+    std::vector<char> flows_out(there.network.films.size(), 0);
+    for (std::size_t r = 0; r < mouths.size(); ++r)
+        if (flux[r] - carried[r] > no_flux * largest)
+            flows_out[mouths[r].film] = 1;
     if (std::none_of(flows_out.begin(), flows_out.end(), [](char out) { return out; }))
         return {};
     KeyMap<char> cells; // that mouths with an outflow lead to
