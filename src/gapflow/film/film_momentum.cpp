@@ -199,7 +199,8 @@ public:
         std::vector<double> work(mouths_.size(), 0.0); // R a q_p^2 of the whole head: in < 0, out > 0
         for (std::size_t r = 0; r < mouths_.size(); ++r) {
             const Mouth<D>& mouth = mouths_[r];
-            if (!history_[mouth.film] || mouth.kind == MouthKind::inflow)
+            if (!history_[mouth.film] || mouth.kind == MouthKind::inflow ||
+                std::abs(mean_flux_[r]) <= negligible_flux * largest)
                 continue;
             const FilmPair<D>& pair = network_.films[mouth.film].pair;
             const MouthLaw law = law_(pair.master, pair.other);
@@ -219,7 +220,7 @@ public:
                     sum.paid -= work[r];
                 }
             }
-            sum.leaves = sum.leaves || (u > 0 && mean_flux_[r] > no_flux * largest);
+            sum.leaves = sum.leaves || u > 0;
             if (u >= 0 && !smooth && !law.jet) {
                 work[r] = head * std::max(square(u) - beyond, 0.0);
                 sum.out += work[r];
@@ -231,7 +232,7 @@ public:
             const double gives = gives_.at(old) + sum.bulk - debt, left = sum.in + gives;
             double in = 1, out = sum.out > 0 ? std::clamp(left / sum.out, 0.0, 1.0) : 0.0;
             if (sum.in > 0 && (left < 0 || !sum.leaves))
-                in = std::min(std::max(-gives, 0.0) / sum.in, 1.0); // what the whole head does not pay remains a debt
+                in = std::max(-gives, 0.0) / sum.in;
             factor[old] = {in, out};
             const double loss = in * sum.paid + gives_.at(old) + sum.bulk - out * sum.out - debt; // as expected
             flow.account.before[*sum.pair] = debt + std::max(loss, 0.0) - sum.bulk;
@@ -245,7 +246,8 @@ public:
                 const auto [in, out] = factor.at(history_[mouth.film]);
                 const double R = mouth.resistance / mouth.length;
                 const double whole = std::abs(work[r]) / (R * square(predicted_flux_[r]));
-                const double a = (work[r] > 0 ? out : in) * whole;
+                // What the whole head does not pay may take half of a mouth's flux; the rest remains a debt.
+                const double a = work[r] > 0 ? out * whole : std::min(in * whole, std::max(whole, 1.0));
                 gain = work[r] > 0 ? a : -a;
                 if (work[r] > 0)
                     q += 2 * a * predicted_flux_[r];

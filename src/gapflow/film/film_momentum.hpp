@@ -10,7 +10,7 @@
 namespace gapflow {
 
 /// Fluxes of mouths below this part of the largest are none: round-off does not decide whether fluid leaves.
-inline constexpr double no_flux = 1e-9;
+inline constexpr double negligible_flux = 1e-9;
 
 /// Velocities with which films enter the next projection.
 template <int D>

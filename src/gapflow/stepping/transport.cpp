@@ -84,7 +84,7 @@ std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& ther
     }
     std::vector<char> flows_out(there.network.films.size(), 0);
     for (std::size_t r = 0; r < mouths.size(); ++r)
-        if (flux[r] - carried[r] > no_flux * largest)
+        if (flux[r] - carried[r] > negligible_flux * largest)
             flows_out[mouths[r].film] = 1;
     if (std::none_of(flows_out.begin(), flows_out.end(), [](char out) { return out; }))
         return {};
