@@ -32,22 +32,6 @@ std::array<Vec<D>, D - 1> tangents_of(const Vec<D>& n)
     }
 }
 
-template <int D>
-double least_push(const std::vector<Contact<D>>& contacts)
-{
-    double largest = 0;
-    for (const Contact<D>& c : contacts)
-        if (c.closed)
-            largest = std::max(largest, c.impulse);
-    return no_push * largest;
-}
-
-template <int D>
-bool pushes(const Contact<D>& c, double least)
-{
-    return c.closed && c.impulse > least;
-}
-
 // Whether a push along the row can move the solid: constraints may let it go only across.
 template <int D>
 bool yields(const Solid<D>& solid, const Twist<D>& row)
@@ -103,7 +87,6 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
     auto reach = [&](int a, int b) { return law(a, b).hold + cushion * dx_ + 2 * dt * (speed[a] + speed[b]); };
     const double largest = thickest + cushion * dx_ + 4 * dt * fastest;
 
-    const double least_push = gapflow::least_push<D>(contacts_);
     const std::vector<Contact<D>> old = std::move(contacts_);
     contacts_.clear();
     for (ContactPoint<D>& point : find_contacts<D>(solids, features_, low_, high_, period_, reach, largest, merge * dx_)) {
@@ -129,8 +112,7 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
                     known = &other;
                 }
         if (known) {
-            contact.closed = known->closed;
-            contact.pushed = pushes(*known, least_push);
+            contact.closed = contact.was_closed = known->closed;
             contact.slides = known->slides;
             contact.sliding_impulse = known->slides ? known->tangential : Vec<D - 1>::Zero();
             contact.tangential = contact.sliding_impulse; // known from before if found again after bodies were separated
@@ -170,7 +152,7 @@ template <int D>
 bool ContactSet<D>::likely_to_change(const std::vector<Twist<D>>& expected) const
 {
     return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) {
-        return c.closed ? c.target > c.least : rate(c.normal, c, expected) < c.least;
+        return c.closed ? !c.was_closed || c.target > c.least : rate(c.normal, c, expected) < c.least;
     });
 }
 
@@ -261,11 +243,10 @@ void ContactSet<D>::hold_back(int a, int b)
 
 namespace {
 
-// A contact that begins or ends to push, or changes the speed of its bodies.
 template <int D>
-bool is_impact(const Contact<D>& c, double least_push)
+bool is_impact(const Contact<D>& c)
 {
-    return pushes(c, least_push) != c.pushed || (c.closed && std::abs(c.target - c.approach) > slight_impact * c.forced);
+    return c.closed != c.was_closed || (c.closed && std::abs(c.target - c.approach) > slight_impact * c.forced);
 }
 
 } // namespace
@@ -273,18 +254,16 @@ bool is_impact(const Contact<D>& c, double least_push)
 template <int D>
 bool ContactSet<D>::impact_on(int solid) const
 {
-    const double least = least_push<D>(contacts_);
     return std::any_of(contacts_.begin(), contacts_.end(),
-                       [&](const Contact<D>& c) { return (c.point.a == solid || c.point.b == solid) && is_impact(c, least); });
+                       [&](const Contact<D>& c) { return (c.point.a == solid || c.point.b == solid) && is_impact(c); });
 }
 
 template <int D>
 std::vector<Twist<D>> ContactSet<D>::impact_impulses(std::size_t solids) const
 {
     std::vector<Twist<D>> impulses(solids, Twist<D>::Zero());
-    const double least = least_push<D>(contacts_);
     for (const Contact<D>& c : contacts_) {
-        if (!c.closed || !is_impact(c, least))
+        if (!c.closed || !is_impact(c))
             continue;
         const auto add = [&](const RelativeRow<D>& row, double impulse) {
             impulses[c.point.a] += impulse * row.a;
@@ -323,7 +302,7 @@ void ContactSet<D>::list_state(StateArchive& archive)
         list("least", c.least);
         list("target", c.target);
         list("closed", c.closed);
-        list("was_closed", c.pushed); // named as in states of earlier versions
+        list("was_closed", c.was_closed);
         list("slides", c.slides);
         list("slip", c.slip);
         list("pull", c.sliding_impulse);

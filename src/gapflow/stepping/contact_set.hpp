@@ -23,8 +23,6 @@ namespace gapflow {
 
 /// What impacts change of a velocity counts as nothing below this share of what forces change in the step.
 constexpr double slight_impact = 0.05;
-/// Of the largest impulse: closed contacts that push with less push with nothing. Which of redundant ones count as closed is round-off.
-constexpr double no_push = 1e-6;
 
 template <int D>
 struct ContactImpulse {
@@ -46,8 +44,7 @@ struct Contact {
     double forced = 0;   ///< change of the whole relative velocity by them
     double least = 0;    ///< opening rate that the end of the step may not fall below
     double target = 0;   ///< opening rate while it holds: `least`, or a rebound
-    bool closed = false;
-    bool pushed = false; ///< in the last step
+    bool closed = false, was_closed = false;
     bool slides = false;
     Vec<D - 1> sliding_impulse = Vec<D - 1>::Zero(); ///< friction impulse on a along the tangents while it slides
     Vec<D - 1> lack =

@@ -1,4 +1,4 @@
-// What a scene's place and side do not change: a periodic side is no place, and a mirrored scene does the mirrored thing.
+// A periodic side is no place: what happens at it happens elsewhere in the same way.
 #include "gapflow/stepping/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -78,44 +78,6 @@ TEST(Periodic, FilmsCrossTheSeam)
     scene.bodies = {body("low", BodyScene::ShapeKind::ball, 4.2 * dx, {0.5, 0.25, 0}, {0, 0.5, 0}, 1.5),
                     body("high", BodyScene::ShapeKind::ball, 4.2 * dx, {0.5, 0.25 + 9.5 * dx, 0}, {0, -0.5, 0}, 1.5)};
     expect_the_same_everywhere(scene, 8);
-}
-
-// A flap that is locked between its hinge and a wall, at two corners, one of which pushes with nothing: whether that one counts as closed is round-off, and no
-// impact after which the bulk's pressure starts anew. Above a ball that falls between a floor and a ceiling, with a cell in the middle between its film's mouths.
-TEST(Mirrored, ALockedFlapBesideABall)
-{
-    const double cell = 0.00025, width = 47 * cell;
-    std::array<std::vector<Twist<2>>, 2> twists;
-    for (const bool mirrored : {false, true}) {
-        Scene scene;
-        scene.size = {width, 33 * cell, 0};
-        scene.cells = {47, 33, 1};
-        scene.gravity = {0, -9.81, 0};
-        scene.density = 1000;
-        scene.viscosity = 0.014040681349616568;
-        scene.tolerance = 1e-13;
-        scene.end = 1;
-        scene.max_step = 0.00034736698863344106;
-        const auto place = [&](double x) { return mirrored ? width - x : x; };
-        BodyScene flap;
-        flap.name = "flap";
-        flap.shape = BodyScene::ShapeKind::box;
-        flap.size = {0.0026069819164640778, 0.0008937534264539138, 0};
-        flap.position = {place(0.01044650904176796), 0.0043998829796412075, 0};
-        flap.density = 130.16152880405986;
-        flap.hinge.emplace();
-        flap.hinge->point = {place(0.009143018083535922), 0.0043998829796412075, 0};
-        scene.bodies = {flap, body("ball", BodyScene::ShapeKind::ball, 0.0007627949213652477,
-                                   {place(0.005875), 0.0070125000000000005, 0}, {0, 0, 0}, 2104.249797627973)};
-        Simulation<2> simulation(scene, Communicator());
-        for (int k = 0; k < 10; ++k)
-            simulation.step(scene.end);
-        for (const auto& b : simulation.bodies())
-            twists[mirrored].push_back(b.twist);
-    }
-    const Twist<2>&here = twists[0][1], &there = twists[1][1];
-    EXPECT_GT(-here[1], 1e-3);
-    EXPECT_LT((here - Twist<2>(-there[0], there[1], -there[2])).norm(), 1e-9 * here.norm());
 }
 
 } // namespace
