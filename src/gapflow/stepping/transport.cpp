@@ -77,9 +77,7 @@ std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& ther
     std::vector<double> carried;
     double largest = 0;
     for (std::size_t r = 0; r < mouths.size(); ++r) {
-        const int master = there.network.films[mouths[r].film].mesh.master;
-        const Vec<D> U = velocity_at<D>(V[master], mouths[r].x - there.solids[master].centre);
-        carried.push_back(mouths[r].length * mouths[r].section.dot(U));
+        carried.push_back(carried_flux(there, mouths[r], V));
         largest = std::max(largest, std::abs(flux[r]) + std::abs(carried.back()));
     }
     std::vector<char> flows_out(there.network.films.size(), 0);
