@@ -14,7 +14,8 @@ Scene periodic_scene()
     Scene scene;
     scene.size = {1, 1, 0};
     scene.cells = {cells, cells, 1};
-    scene.sides.fill({SideScene::Kind::periodic});
+    for (SideScene& side : scene.sides)
+        side.kind = SideScene::Kind::periodic;
     scene.tolerance = 1e-13;
     scene.end = 1;
     scene.max_step = 0.25 * dx;
