@@ -1,8 +1,10 @@
 #include "gapflow/coupling/film_inertia.hpp"
 #include "gapflow/core/sparse_cholesky.hpp"
+#include "gapflow/core/threads.hpp"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace gapflow {
 
@@ -96,9 +98,10 @@ void add_pressure(const Coupling<D>& coupling, const std::vector<char>& is_void,
         const int first = solid == std::min(pair.master, pair.other) ? 0 : n;
         flux[f].row(local(entry.row)).template segment<n>(first) += entry.flux.transpose();
     }
-    for (std::size_t f = 0; f < films.size(); ++f) {
+    std::vector<std::optional<PairMatrix<D>>> sums(films.size());
+    for_each_job(static_cast<int>(films.size()), [&](int f) {
         if (flux[f].size() == 0)
-            continue;
+            return;
         const long count = flux[f].rows();
         Eigen::SparseMatrix<double> L(count, count);
         L.setFromTriplets(entries[f].begin(), entries[f].end());
@@ -107,8 +110,11 @@ void add_pressure(const Coupling<D>& coupling, const std::vector<char>& is_void,
             L.coeffRef(i, i) += L.coeff(i, i) > 0 ? shift * largest : 1.0;
         SparseCholesky factor;
         if (factor.compute(L))
-            pairs.of(films[f].pair.master, films[f].pair.other) += flux[f].transpose() * factor.solve_columns(flux[f]);
-    }
+            sums[f] = flux[f].transpose() * factor.solve_columns(flux[f]);
+    });
+    for (std::size_t f = 0; f < films.size(); ++f)
+        if (sums[f])
+            pairs.of(films[f].pair.master, films[f].pair.other) += *sums[f];
 }
 
 } // namespace
