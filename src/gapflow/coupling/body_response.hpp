@@ -17,6 +17,8 @@ public:
     BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact,
                  const Eigen::VectorXd& resistance);
 
+    /// Whether there is one.
+    bool ready() const { return factor_ != nullptr; }
     /// Twists under impulse w with the contacts at rest. Symmetric in w. `lambda`, if given, receives the contacts' impulses.
     Eigen::VectorXd operator()(const Eigen::VectorXd& w, Eigen::VectorXd* lambda = nullptr) const;
     /// The same with the contacts at the given speeds.

@@ -241,7 +241,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     fill_flux(coupling, rows);
     rows = {}; // large
     fill_mass(coupling, mass);
-    coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact, coupling.system.contact_resistance);
+    coupling.system.response = BodyResponse(coupling.system.mass, {}, {});
     find_components(coupling);
     coupling.network.faces.reset(); // a cache for this function only
 #ifndef NDEBUG
@@ -261,6 +261,7 @@ void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& con
     constexpr int n = twist_size<D>;
     std::vector<Eigen::Triplet<double>> entries;
     const int rows = static_cast<int>(contacts.size());
+    const bool held_before = coupling.system.contact.rows() > 0;
     coupling.held_speed.resize(rows);
     coupling.held_impulse.resize(rows);
     coupling.system.contact_resistance.resize(rows);
@@ -285,7 +286,9 @@ void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& con
     }
     coupling.system.contact.resize(rows, n * coupling.system.bodies);
     coupling.system.contact.setFromTriplets(entries.begin(), entries.end());
-    coupling.response = BodyResponse(coupling.system.mass, coupling.system.contact, coupling.system.contact_resistance);
+    if (rows > 0 || held_before)
+        coupling.system.response =
+            BodyResponse(coupling.system.mass, coupling.system.contact, coupling.system.contact_resistance);
 }
 
 template <int D>
@@ -324,7 +327,7 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
     const bool held = coupling.held_impulse.size() > 0;
     if (held)
         momentum += coupling.system.contact.transpose() * coupling.held_impulse;
-    add_response(coupling, coupling.response(momentum, coupling.held_speed, &contact_impulse), result);
+    add_response(coupling, coupling.system.response(momentum, coupling.held_speed, &contact_impulse), result);
     if (held)
         contact_impulse += coupling.held_impulse;
     return result;
@@ -345,7 +348,7 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
             all.segment<n>(n * b) = impulse[s];
     project(coupling, all);
     Eigen::VectorXd held;
-    add_response(coupling, coupling.response(all, &held), twists);
+    add_response(coupling, coupling.system.response(all, &held), twists);
     contact_impulse += held;
 }
 

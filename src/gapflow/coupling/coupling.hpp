@@ -3,7 +3,6 @@
 #pragma once
 
 #include "gapflow/core/timer.hpp"
-#include "gapflow/coupling/body_response.hpp"
 #include "gapflow/coupling/system.hpp"
 #include "gapflow/film/mouth_cells.hpp"
 #include "gapflow/film/mouths.hpp"
@@ -97,7 +96,6 @@ struct Coupling {
     std::vector<std::vector<CarriedCell>>
         cells_behind; ///< of each mouth: the cells that the walls' flux enters; empty: those of its pressure
     std::vector<DragInertia<D>> drag_inertia;
-    BodyResponse response;            ///< of the free bodies: M^-1 of `system`
     Eigen::VectorXd held_speed;       ///< of the contacts in system.contact, less the share of solids that are not free
     Eigen::VectorXd held_impulse;     ///< expected of them
     std::vector<SealedPocket> sealed; ///< components that touch no open side, but the first (largest) one

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 
 namespace gapflow {
 
@@ -54,6 +53,16 @@ private:
     std::map<std::pair<int, int>, PairMatrix<D>> sums_;
 };
 
+Eigen::SparseMatrix<double> matrix_of(const std::vector<Eigen::Triplet<double>>& entries, long count)
+{
+    Eigen::SparseMatrix<double> L(count, count);
+    L.setFromTriplets(entries.begin(), entries.end());
+    const double largest = L.diagonal().size() > 0 ? L.diagonal().maxCoeff() : 0.0;
+    for (long i = 0; i < count; ++i)
+        L.coeffRef(i, i) += L.coeff(i, i) > 0 ? shift * largest : 1.0;
+    return L;
+}
+
 // Film by film K^T L^-1 K with the pressure 0 in all cells and in other films.
 template <int D>
 void add_pressure(const Coupling<D>& coupling, const std::vector<char>& is_void, Pairs<D>& pairs)
@@ -98,23 +107,18 @@ void add_pressure(const Coupling<D>& coupling, const std::vector<char>& is_void,
         const int first = solid == std::min(pair.master, pair.other) ? 0 : n;
         flux[f].row(local(entry.row)).template segment<n>(first) += entry.flux.transpose();
     }
-    std::vector<std::optional<PairMatrix<D>>> sums(films.size());
+    std::vector<Eigen::MatrixXd> pressure(films.size()); // L^-1 K
     for_each_job(static_cast<int>(films.size()), [&](int f) {
         if (flux[f].size() == 0)
             return;
-        const long count = flux[f].rows();
-        Eigen::SparseMatrix<double> L(count, count);
-        L.setFromTriplets(entries[f].begin(), entries[f].end());
-        const double largest = L.diagonal().size() > 0 ? L.diagonal().maxCoeff() : 0.0;
-        for (long i = 0; i < count; ++i)
-            L.coeffRef(i, i) += L.coeff(i, i) > 0 ? shift * largest : 1.0;
+        const Eigen::SparseMatrix<double> L = matrix_of(entries[f], flux[f].rows());
         SparseCholesky factor;
         if (factor.compute(L))
-            sums[f] = flux[f].transpose() * factor.solve_columns(flux[f]);
+            pressure[f] = factor.solve_columns(flux[f]);
     });
     for (std::size_t f = 0; f < films.size(); ++f)
-        if (sums[f])
-            pairs.of(films[f].pair.master, films[f].pair.other) += *sums[f];
+        if (pressure[f].size() > 0)
+            pairs.of(films[f].pair.master, films[f].pair.other) += flux[f].transpose() * pressure[f];
 }
 
 } // namespace

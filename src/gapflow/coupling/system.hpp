@@ -9,6 +9,7 @@
 #pragma once
 
 #include "gapflow/core/types.hpp"
+#include "gapflow/coupling/body_response.hpp"
 #include "gapflow/grid/field.hpp"
 
 #include <Eigen/Sparse>
@@ -79,6 +80,7 @@ struct CoupledSystem {
     /// BodyResponse(mass, contact, contact_resistance).
     Eigen::SparseMatrix<double> contact;
     Eigen::VectorXd contact_resistance; ///< impulse over speed; infinite: rigid
+    BodyResponse response;              ///< that one; without it the solver makes its own
 
     std::vector<Component> components;
     CellField<D, int> component; ///< of each cell, -1: no unknown; valid on owned cells

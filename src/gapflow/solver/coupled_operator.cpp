@@ -49,7 +49,8 @@ template <int D>
 void CoupledOperator<D>::update_bodies()
 {
     if (dofs_ > 0)
-        response_ = BodyResponse(system_.mass, system_.contact, system_.contact_resistance);
+        response_ = system_.response.ready() ? system_.response
+                                             : BodyResponse(system_.mass, system_.contact, system_.contact_resistance);
 }
 
 template <int D>

@@ -41,9 +41,13 @@ struct Surroundings {
         long key;
         int rank; ///< that has the film of the strongest link nearby
     };
+    struct Linked {
+        double conductance = 0, most = 0; ///< of all links to the cell, and of the strongest
+        int rank = 0;                     ///< that has the film of the strongest
+    };
     std::vector<Cell> cells; ///< by their keys
     bool crowded;            ///< the links' cells alone
-    KeyMap<double> by_links; ///< what the links conduct to each of their cells
+    KeyMap<Linked> links;    ///< of each of their cells
 };
 
 /// The rank that has a film node.
@@ -59,30 +63,31 @@ Surroundings around_links(const CoupledSystem<D>& system)
 {
     const Grid<D>& grid = *system.grid;
     Surroundings around;
-    KeyMap<std::pair<double, int>> strongest; // of a link's cell: the link that conducts most to it, and its rank
     for (const Link& link : system.links)
         for (const auto& [key, weight] : link.cells) {
             const double conductance = link.conductance * weight * weight;
-            around.by_links[key] += conductance;
-            if (link.nodes.empty())
-                continue;
-            const int rank = rank_of_node(system, link.nodes.front().first);
-            std::pair<double, int>& most = strongest[key]; // 0, 0 at first
-            if (conductance > most.first || (conductance == most.first && rank < most.second))
-                most = {conductance, rank};
+            Surroundings::Linked& linked = around.links[key];
+            linked.conductance += conductance;
+            const int rank = link.nodes.empty() ? linked.rank : rank_of_node(system, link.nodes.front().first);
+            if (conductance > linked.most || (conductance == linked.most && rank < linked.rank)) {
+                linked.most = conductance;
+                linked.rank = rank;
+            }
         }
     KeyMap<char> known;
-    known.reserve(8 * around.by_links.size());
+    known.reserve(8 * around.links.size());
     std::vector<Surroundings::Cell>& found = around.cells;
-    for (const auto& entry : around.by_links) {
-        const auto* most = strongest.find(entry.first);
-        found.push_back({entry.first, most ? most->second : 0});
+    for (const auto& entry : around.links) {
+        found.push_back({entry.first, entry.second.rank});
         known.insert(entry.first);
     }
     const std::size_t alone = found.size();
+    const auto crowd = [&] {
+        return found.size() > few_cells && static_cast<double>(found.size()) > share_of_nodes * system.nodes;
+    };
     for (std::size_t layer = 0, first = 0; layer < layers; ++layer) {
         const std::size_t end = found.size();
-        for (; first < end; ++first)
+        for (; first < end && !crowd(); ++first)
             for (int side = 0; side < 2 * D; ++side) {
                 Index<D> c = grid.cell_of_key(found[first].key);
                 c[side / 2] += side % 2 ? 1 : -1;
@@ -91,7 +96,7 @@ Surroundings around_links(const CoupledSystem<D>& system)
                     found.push_back({grid.key(c), found[first].rank});
             }
     }
-    around.crowded = found.size() > few_cells && static_cast<double>(found.size()) > share_of_nodes * system.nodes;
+    around.crowded = crowd();
     if (around.crowded)
         found.resize(alone);
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
@@ -114,7 +119,7 @@ void FilmBand<D>::find_cells()
     const Block<D> level = block_of_level<D>(grid.low(), grid.high());
     // Every rank sends its cells' data: whether there is an unknown, and the conductances around.
     constexpr int width = 2 * D + 1;
-    const auto [around, crowded, by_links] = around_links(system_);
+    const auto [around, crowded, links] = around_links(system_);
     std::vector<double> told(width * around.size(), 0.0);
     for (std::size_t i = 0; i < around.size(); ++i) {
         const Index<D> c = grid.cell_of_key(around[i].key);
@@ -124,7 +129,7 @@ void FilmBand<D>::find_cells()
         for (int side = 0; side < 2 * D; ++side)
             by_faces += told[width * i + 1 + side] =
                 system_.conductance(side / 2, side % 2 ? Index<D>(c + step<D>(side / 2)) : c);
-        told[width * i] = !crowded || *by_links.find(around[i].key) > share_of_faces * by_faces;
+        told[width * i] = !crowded || links.find(around[i].key)->conductance > share_of_faces * by_faces;
     }
     grid.comm().sum(told);
     rank_.resize(system_.nodes);
