@@ -94,7 +94,7 @@ bool FaceCache<D>::centroid_stands(std::span<const SolidPart<D>> parts, const Ve
         const Bounds<D> bounds = solid.shape.shape().bounds();
         const Vec<D> image = part.centroid - part.arm - solid.centre;
         return (bounds.high - bounds.low).minCoeff() >= thick * grid_->dx() &&
-               solid.shape.shifted(image).distance(centroid) > 0;
+               solid.shape.shifted(image).distance(centroid) > clipper_->tolerance();
     });
 }
 

@@ -28,7 +28,7 @@ public:
     std::span<const SolidPart<D>> parts(int axis, const Index<D>& f) const;
     /// Centroid of the open part, next to the requested index.
     Vec<D> open_centroid(int axis, const Index<D>& f) const;
-    /// A representative point of the open part, next to the requested index: the centroid, where that lies in no solid and the
+    /// A representative point of the open part, next to the requested index: the centroid, where that lies in no solid, nor on one, and the
     /// solids are too thick to divide a face, else the centroid of the open piece that contains the face's deepest point.
     Vec<D> open_point(int axis, const Index<D>& f) const;
     /// Displacement of the requested index from the stored one.

@@ -139,7 +139,7 @@ void GapSurface<D>::measure(bool coarse)
                                  : sizes_.largest_curved;
         };
         const double across = allowed(largest);
-        if (along < largest) { // r: the part of the length that counts
+        if (slack * along < largest) { // r: the part of the length that counts
             const double r = std::sqrt(along / largest);
             edge.lateral = at_lines * across / r;
             edge.extent *= std::max(r, std::min(across / sizes_.largest_curved, 1.0));

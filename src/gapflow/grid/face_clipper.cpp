@@ -328,6 +328,12 @@ const std::vector<Image<D>>& FaceClipper<D>::images() const
 }
 
 template <int D>
+double FaceClipper<D>::tolerance() const
+{
+    return data_->tolerance;
+}
+
+template <int D>
 void FaceClipper<D>::clip(int axis, const Index<D>& face, ClippedFace<D>& result) const
 {
     data_->clip(axis, face, result);

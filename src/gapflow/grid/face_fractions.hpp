@@ -62,6 +62,8 @@ public:
     /// 4 dx of it (along periodic axes with reach at most 4 dx). Indices into images(), ascending.
     void near(const Vec<D>& x, double reach, std::vector<int>& result) const;
     const std::vector<Image<D>>& images() const;
+    /// Points within this of a surface, a length, count as on it.
+    double tolerance() const;
 
 private:
     template <int E>
