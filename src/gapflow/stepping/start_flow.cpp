@@ -1,23 +1,21 @@
 #include "gapflow/stepping/start_flow.hpp"
-#include "gapflow/core/sparse_cholesky.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace gapflow {
 
 namespace {
 
-constexpr double flush = 1e-8;     // in cells, and of the floor 1e-3: surfaces that touch
-constexpr double patch = 0.1;      // in cells: the size of a part of a film that lies flat
-constexpr double stiffness = 1e10; // relative to the masses: its inverse is the remaining part of a speed
-constexpr double same = 1e-6;      // of the largest speed
+constexpr double flush = 1e-8; // in cells, and of the floor 1e-3: surfaces that touch
+constexpr double patch = 0.1;  // in cells: the size of a part of a film that lies flat
+constexpr double same = 1e-6;  // of the largest speed
 
 // A place where two solids lie on each other: opening rate row_a . V_a + row_b . V_b.
 template <int D>
 struct Meeting {
     int a, b;
     Twist<D> row_a, row_b;
-    double area;
 };
 
 template <int D>
@@ -35,7 +33,7 @@ std::vector<Meeting<D>> flat_touches(const Coupling<D>& coupling, const std::fun
                 continue;
             const Solid<D>&a = coupling.solids[mesh.master], &b = coupling.solids[mesh.other];
             of_film.push_back({mesh.master, mesh.other, Twist<D>(-wrench<D>(e.normal, e.centroid - a.centre)),
-                               wrench<D>(e.normal, e.centroid - b.centre - mesh.shift), e.measure});
+                               wrench<D>(e.normal, e.centroid - b.centre - mesh.shift)});
             area += e.measure;
         }
         if (area > least)
@@ -67,49 +65,33 @@ std::vector<Twist<D>> without_rates(const std::vector<Meeting<D>>& touches, cons
             place[b] = count++;
     if (count == 0)
         return V;
-    double area = 0;
-    for (const Meeting<D>& t : touches)
-        area += t.area;
-    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<Eigen::Triplet<double>> inertia, rows;
     Eigen::VectorXd momentum = Eigen::VectorXd::Zero(n * count);
-    auto add_block = [&](int i, int j, const TwistMatrix<D>& block) {
-        for (int k = 0; k < n; ++k)
-            for (int l = 0; l < n; ++l)
-                entries.emplace_back(n * i + k, n * j + l, block(k, l));
-    };
-    double heaviest = 0;
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        if (place[b] >= 0) {
+        if (const int i = place[b]; i >= 0) {
             const TwistMatrix<D>& P = solids[b].admissible;
-            const TwistMatrix<D> M = mass_matrix(bodies[b]);
-            add_block(place[b], place[b], admissible_mass<D>(P, M, bodies[b].mass));
-            momentum.segment<n>(n * place[b]) = P * (M * V[b]);
-            heaviest = std::max(heaviest, bodies[b].mass);
+            const TwistMatrix<D> M = mass_matrix(bodies[b]), admitted = admissible_mass<D>(P, M, bodies[b].mass);
+            for (int k = 0; k < n; ++k)
+                for (int l = 0; l < n; ++l)
+                    inertia.emplace_back(n * i + k, n * i + l, admitted(k, l));
+            momentum.segment<n>(n * i) = P * (M * V[b]);
         }
-    for (const Meeting<D>& t : touches) {
-        const int a = place[t.a], b = place[t.b];
-        const double k = stiffness * heaviest * t.area / area;
-        const double given = (a < 0 ? t.row_a.dot(V[t.a]) : 0.0) + (b < 0 ? t.row_b.dot(V[t.b]) : 0.0);
-        const Twist<D> row_a = solids[t.a].admissible * t.row_a, row_b = solids[t.b].admissible * t.row_b;
-        auto add = [&](int i, const Twist<D>& row_i, int j, const Twist<D>& row_j) {
-            if (i >= 0 && j >= 0)
-                add_block(i, j, k * row_i * row_j.transpose());
-        };
-        add(a, row_a, a, row_a);
-        add(a, row_a, b, row_b);
-        add(b, row_b, a, row_a);
-        add(b, row_b, b, row_b);
-        if (a >= 0)
-            momentum.segment<n>(n * a) -= k * given * row_a;
-        if (b >= 0)
-            momentum.segment<n>(n * b) -= k * given * row_b;
+    const auto meetings = static_cast<int>(touches.size());
+    Eigen::VectorXd speed = Eigen::VectorXd::Zero(meetings);
+    for (int r = 0; r < meetings; ++r) {
+        const Meeting<D>& t = touches[r];
+        for (const auto& [solid, row] : {std::pair(t.a, t.row_a), std::pair(t.b, t.row_b)})
+            if (const int i = place[solid]; i < 0)
+                speed[r] -= row.dot(V[solid]);
+            else
+                for (int k = 0; k < n; ++k)
+                    rows.emplace_back(r, n * i + k, (solids[solid].admissible * row)[k]);
     }
-    Eigen::SparseMatrix<double> matrix(n * count, n * count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    SparseCholesky factor;
-    if (!factor.compute(matrix))
-        return V;
-    const Eigen::VectorXd all = factor.solve(momentum);
+    Eigen::SparseMatrix<double> mass(n * count, n * count), contact(meetings, n * count);
+    mass.setFromTriplets(inertia.begin(), inertia.end());
+    contact.setFromTriplets(rows.begin(), rows.end());
+    const BodyResponse response(mass, contact, Eigen::VectorXd::Constant(meetings, std::numeric_limits<double>::infinity()));
+    const Eigen::VectorXd all = response(momentum, speed, nullptr);
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (place[b] >= 0)
             V[b] = solids[b].admissible * all.segment<n>(n * place[b]);
