@@ -188,12 +188,12 @@ private:
         return false;
     }
 
-    // Neither in a solid nor in another film's gap.
+    // Neither in a solid, or on its surface, nor in another film's gap.
     bool is_free(const RimPoint<D>& point, const Vec<D>& y, Around& around) const
     {
         const FilmPair<D>& own = films_[point.film].pair;
-        if (gaps_.master(point.film).distance(y) < 0 || gaps_.other(point.film).distance(y) < 0 ||
-            any_third(point, y, around, [&](const PlacedShape<D>& shape) { return shape.distance(y) < 0; }))
+        const auto holds = [&](const PlacedShape<D>& shape) { return shape.distance(y) <= clipper_.tolerance(); };
+        if (holds(gaps_.master(point.film)) || holds(gaps_.other(point.film)) || any_third(point, y, around, holds))
             return false;
         const Index<D> c = grid_.cell_of(y), w = grid_.wrapped(c);
         if (!grid_.in_domain(w))
