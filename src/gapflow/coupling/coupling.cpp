@@ -226,8 +226,6 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     for (const Solid<D>& solid : coupling.solids)
         coupling.free_body.push_back(solid.motion == Motion::free ? coupling.system.bodies++ : -1);
     coupling.system.nodes = coupling.network.nodes;
-    for (const Film<D>& film : coupling.network.films)
-        coupling.system.node_rank.insert(coupling.system.node_rank.end(), film.mesh.h.size(), rank_of(grid, film.mesh));
 
     timer.emplace(timers.stage("system"));
     fill_grid(coupling);

@@ -69,10 +69,9 @@ struct CoupledSystem {
     /// connect the cells that the films join.
     std::vector<FilmFace<D>> film_faces;
     int nodes = 0;
-    Eigen::SparseMatrix<double> film; ///< nodes x nodes, symmetric, positive semidefinite; the same on all ranks
-    std::vector<int> node_rank;       ///< of each node: the rank whose part of the preconditioner has it; none: rank 0
-    std::vector<Link> links;          ///< the same list on all ranks
-    int bodies = 0;                   ///< free bodies; dof = twist_size<D> * body + component
+    Eigen::SparseMatrix<double> film;             ///< nodes x nodes, symmetric, positive semidefinite; the same on all ranks
+    std::vector<Link> links;                      ///< the same list on all ranks
+    int bodies = 0;                               ///< free bodies; dof = twist_size<D> * body + component
     std::vector<BodyFlux<D, Index<D>>> cell_flux; ///< K in this rank's cells
     std::vector<BodyFlux<D, int>> node_flux;      ///< K in film nodes, the same on all ranks
     Eigen::SparseMatrix<double> mass;             ///< dofs x dofs, symmetric positive definite; the same on all ranks

@@ -183,19 +183,6 @@ void number_films(std::vector<Film<D>>& films)
     }
 }
 
-template <int D>
-int rank_of(const Grid<D>& grid, const FilmMesh<D>& mesh)
-{
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Vec<D> low = Vec<D>::Constant(infinity), high = -low;
-    for (const FilmElement<D>& e : mesh.elements) {
-        low = low.cwiseMin(e.centroid);
-        high = high.cwiseMax(e.centroid);
-    }
-    const Index<D> c = grid.wrapped(grid.cell_of(0.5 * (low + high)));
-    return grid.rank_of(c.cwiseMax(0).cwiseMin(grid.cells() - Index<D>::Ones()));
-}
-
 namespace {
 
 // Pairs of solids whose images come close, in the order of their names. A pair that had a film keeps its master.
@@ -304,8 +291,7 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<Film<D>> find_films<D>(const Grid<D>&, std::span<const Solid<D>>, const FaceClipper<D>&,              \
                                                 const std::function<GapSettings(int, int)>&, const std::set<FilmPair<D>>&);    \
-    template void number_films<D>(std::vector<Film<D>>&);                                                                      \
-    template int rank_of<D>(const Grid<D>&, const FilmMesh<D>&);
+    template void number_films<D>(std::vector<Film<D>>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -53,10 +53,6 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
 template <int D>
 void number_films(std::vector<Film<D>>& films);
 
-/// The rank that owns the cell in the middle of a film.
-template <int D>
-int rank_of(const Grid<D>& grid, const FilmMesh<D>& mesh);
-
 /// The placed shape of a pair's other solid: the image that faces the master.
 template <int D>
 PlacedShape<D> other_shape(const Grid<D>& grid, std::span<const Solid<D>> solids, const FilmPair<D>& pair)

@@ -10,7 +10,6 @@
 
 #include <petscdmda.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -82,17 +81,6 @@ public:
     bool owns(const Index<D>& c) const { return (c.array() >= low_.array()).all() && (c.array() < high_.array()).all(); }
     /// Number of ranks along each axis, and where each starts (one more entry: the end).
     const std::array<std::vector<int>, D>& partition() const { return partition_; }
-    /// The rank that owns a cell of the domain.
-    int rank_of(const Index<D>& c) const
-    {
-        int rank = 0;
-        for (int axis = D - 1; axis >= 0; --axis) {
-            const std::vector<int>& start = partition_[axis];
-            const auto above = std::upper_bound(start.begin(), start.end() - 1, c[axis]);
-            rank = rank * static_cast<int>(start.size() - 1) + static_cast<int>(above - start.begin()) - 1;
-        }
-        return rank;
-    }
     /// Rank across the low (end = 0) or high side of this rank's block along an axis; -1: none.
     int neighbour(int axis, int end) const { return neighbours_[2 * axis + end]; }
 

@@ -158,7 +158,7 @@ void Deflation<D>::extend_over_band()
         Eigen::VectorXd extension = Eigen::VectorXd::Zero(band_.size());
         for (int pass = 0; pass < 2; ++pass) { // refined once: the factor carries a small shift
             matrix_.apply_fluid(z, y);
-            const Eigen::VectorXd more = -band_.solve_together(band_.gather(y));
+            const Eigen::VectorXd more = -band_.solve(band_.gather(y));
             extension += more;
             z.nodes += more.head(system_.nodes);
             for (const auto& entry : band_.owned())

@@ -8,10 +8,6 @@
 // connection to ground.
 //
 // A block of A_b without connections to the outside is singular: its constant is projected out of the right-hand side and the result.
-//
-// On several ranks A_b is replaced by the submatrices A_k of the ranks' rows. A term of L that couples rows of m ranks, (s_1 + ... + s_m)^2 with the
-// ranks' parts s_k of its weighted sum, is at most m (s_1^2 + ... + s_m^2): with m s_k^2 in each A_k the eigenvalues of A_k^-1 L on the band are at most 1, and z
-// stays symmetric and positive. What A_k^-1 leaves of r in such terms goes on to multigrid and to the last residual.
 
 #include "gapflow/solver/film_band.hpp"
 
@@ -37,25 +33,10 @@ constexpr double shift = 1e-12; // relative, on the diagonal: films whose mouths
 
 /// Cells around the links.
 struct Surroundings {
-    struct Cell {
-        long key;
-        int rank; ///< that has the film of the strongest link nearby
-    };
-    struct Linked {
-        double conductance = 0, most = 0; ///< of all links to the cell, and of the strongest
-        int rank = 0;                     ///< that has the film of the strongest
-    };
-    std::vector<Cell> cells; ///< by their keys
+    std::vector<long> cells; ///< sorted
     bool crowded;            ///< the links' cells alone
-    KeyMap<Linked> links;    ///< of each of their cells
+    KeyMap<double> by_links; ///< what the links conduct to each of their cells
 };
-
-/// The rank that has a film node.
-template <int D>
-int rank_of_node(const CoupledSystem<D>& system, int node)
-{
-    return system.node_rank.empty() ? 0 : system.node_rank[node];
-}
 
 /// All cells within `layers` steps of the links' cells, or the links' cells alone.
 template <int D>
@@ -64,21 +45,13 @@ Surroundings around_links(const CoupledSystem<D>& system)
     const Grid<D>& grid = *system.grid;
     Surroundings around;
     for (const Link& link : system.links)
-        for (const auto& [key, weight] : link.cells) {
-            const double conductance = link.conductance * weight * weight;
-            Surroundings::Linked& linked = around.links[key];
-            linked.conductance += conductance;
-            const int rank = link.nodes.empty() ? linked.rank : rank_of_node(system, link.nodes.front().first);
-            if (conductance > linked.most || (conductance == linked.most && rank < linked.rank)) {
-                linked.most = conductance;
-                linked.rank = rank;
-            }
-        }
+        for (const auto& [key, weight] : link.cells)
+            around.by_links[key] += link.conductance * weight * weight;
     KeyMap<char> known;
-    known.reserve(8 * around.links.size());
-    std::vector<Surroundings::Cell>& found = around.cells;
-    for (const auto& entry : around.links) {
-        found.push_back({entry.first, entry.second.rank});
+    known.reserve(8 * around.by_links.size());
+    std::vector<long>& found = around.cells;
+    for (const auto& entry : around.by_links) {
+        found.push_back(entry.first);
         known.insert(entry.first);
     }
     const std::size_t alone = found.size();
@@ -89,17 +62,17 @@ Surroundings around_links(const CoupledSystem<D>& system)
         const std::size_t end = found.size();
         for (; first < end && !crowd(); ++first)
             for (int side = 0; side < 2 * D; ++side) {
-                Index<D> c = grid.cell_of_key(found[first].key);
+                Index<D> c = grid.cell_of_key(found[first]);
                 c[side / 2] += side % 2 ? 1 : -1;
                 c = grid.wrapped(c);
                 if (grid.in_domain(c) && known.insert(grid.key(c)).second)
-                    found.push_back({grid.key(c), found[first].rank});
+                    found.push_back(grid.key(c));
             }
     }
     around.crowded = crowd();
     if (around.crowded)
         found.resize(alone);
-    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+    std::sort(found.begin(), found.end());
     return around;
 }
 
@@ -119,27 +92,23 @@ void FilmBand<D>::find_cells()
     const Block<D> level = block_of_level<D>(grid.low(), grid.high());
     // Every rank sends its cells' data: whether there is an unknown, and the conductances around.
     constexpr int width = 2 * D + 1;
-    const auto [around, crowded, links] = around_links(system_);
+    const auto [around, crowded, by_links] = around_links(system_);
     std::vector<double> told(width * around.size(), 0.0);
     for (std::size_t i = 0; i < around.size(); ++i) {
-        const Index<D> c = grid.cell_of_key(around[i].key);
+        const Index<D> c = grid.cell_of_key(around[i]);
         if (!grid.owns(c) || system_.component(c) < 0)
             continue;
         double by_faces = 0;
         for (int side = 0; side < 2 * D; ++side)
             by_faces += told[width * i + 1 + side] =
                 system_.conductance(side / 2, side % 2 ? Index<D>(c + step<D>(side / 2)) : c);
-        told[width * i] = !crowded || links.find(around[i].key)->conductance > share_of_faces * by_faces;
+        told[width * i] = !crowded || *by_links.find(around[i]) > share_of_faces * by_faces;
     }
     grid.comm().sum(told);
-    rank_.resize(system_.nodes);
-    for (int node = 0; node < system_.nodes; ++node)
-        rank_[node] = rank_of_node(system_, node);
     for (std::size_t i = 0; i < around.size(); ++i)
         if (told[width * i] > 0) {
-            rows_.insert(around[i].key, system_.nodes + static_cast<int>(keys_.size()));
-            rank_.push_back(around[i].rank);
-            keys_.push_back(around[i].key);
+            rows_.insert(around[i], system_.nodes + static_cast<int>(keys_.size()));
+            keys_.push_back(around[i]);
             faces_.emplace_back();
             std::copy_n(&told[width * i + 1], 2 * D, faces_.back().begin());
         }
@@ -180,36 +149,6 @@ void FilmBand<D>::find_cells()
         }
         link_rows_begin_.push_back(static_cast<int>(link_rows_.size()));
     }
-    find_cross_terms();
-}
-
-template <int D>
-void FilmBand<D>::find_cross_terms()
-{
-    const Grid<D>& grid = *system_.grid;
-    place_.assign(size_, -1);
-    for (int row = 0; row < size_; ++row)
-        if (rank_[row] == grid.comm().rank()) {
-            place_[row] = static_cast<int>(rows_of_rank_.size());
-            rows_of_rank_.push_back(row);
-        }
-    if (grid.comm().size() == 1)
-        return;
-    for (std::size_t r = 0; r < system_.links.size(); ++r) {
-        std::vector<int> ranks;
-        for (const LinkRow& term : rows_of(static_cast<int>(r)))
-            if (std::find(ranks.begin(), ranks.end(), rank_[term.row]) == ranks.end())
-                ranks.push_back(rank_[term.row]);
-        if (ranks.size() > 1)
-            cross_links_.push_back({static_cast<int>(r), static_cast<int>(ranks.size())});
-    }
-    for (std::size_t i = 0; i < keys_.size(); ++i)
-        for (int axis = 0; axis < D; ++axis) {
-            const Index<D> other = grid.wrapped(Index<D>(grid.cell_of_key(keys_[i]) + step<D>(axis)));
-            const int row = system_.nodes + static_cast<int>(i), next = grid.in_domain(other) ? row_of(grid.key(other)) : -1;
-            if (next >= 0 && rank_[next] != rank_[row] && faces_[i][2 * axis + 1] > 0)
-                cross_faces_.push_back({row, next, faces_[i][2 * axis + 1]});
-        }
 }
 
 template <int D>
@@ -221,72 +160,58 @@ int FilmBand<D>::row_of(long key) const
 
 template <int D>
 template <class F, class Join>
-void FilmBand<D>::for_each_term(bool whole, F&& f, Join&& join, std::vector<char>& fixed) const
+void FilmBand<D>::for_each_term(F&& f, Join&& join, std::vector<char>& fixed) const
 {
     const Grid<D>& grid = *system_.grid;
-    const auto place = [&](int row) { return whole ? row : place_[row]; };
-    for (const FilmEdge& edge : matrix_.film_edges()) { // within a film, and so of one rank
-        const int i = place(edge.i), j = place(edge.j);
-        if (i < 0)
-            continue;
-        f(i, i, edge.conductance);
-        f(j, j, edge.conductance);
-        f(std::max(i, j), std::min(i, j), -edge.conductance);
+    for (const FilmEdge& edge : matrix_.film_edges()) {
+        f(edge.i, edge.i, edge.conductance);
+        f(edge.j, edge.j, edge.conductance);
+        f(std::max(edge.i, edge.j), std::min(edge.i, edge.j), -edge.conductance);
         if (edge.conductance != 0)
-            join(i, j);
+            join(edge.i, edge.j);
     }
-    for (int node = 0; node < system_.nodes; ++node)
-        if (const int i = place(node); i >= 0) {
-            f(i, i, matrix_.film_ground()[node]);
-            fixed[i] = matrix_.film_ground()[node] != 0;
-        }
-    for (std::size_t k = 0; k < keys_.size(); ++k) {
-        const Index<D> c = grid.cell_of_key(keys_[k]);
-        const int i = place(system_.nodes + static_cast<int>(k));
-        for (int side = 0; side < 2 * D && i >= 0; ++side) {
-            const double a = faces_[k][side];
+    for (int i = 0; i < system_.nodes; ++i) {
+        f(i, i, matrix_.film_ground()[i]);
+        fixed[i] = matrix_.film_ground()[i] != 0;
+    }
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+        const Index<D> c = grid.cell_of_key(keys_[i]);
+        const int row = system_.nodes + static_cast<int>(i);
+        for (int side = 0; side < 2 * D; ++side) {
+            const double a = faces_[i][side];
             if (a <= 0)
                 continue;
             Index<D> other = c;
             other[side / 2] += side % 2 ? 1 : -1;
             other = grid.wrapped(other);
-            const int row = grid.in_domain(other) ? row_of(grid.key(other)) : -1;
-            const int j = row >= 0 ? place(row) : -1;
-            if (j == i)
+            const int column = grid.in_domain(other) ? row_of(grid.key(other)) : -1;
+            if (column == row)
                 continue; // periodic axis of one cell
-            f(i, i, row >= 0 && j < 0 ? 2 * a : a);
-            if (j < 0) {
-                fixed[i] = 1;
+            f(row, row, a);
+            if (column < 0) {
+                fixed[row] = 1;
                 continue;
             }
-            join(i, j);
-            if (j < i)
-                f(i, j, -a);
+            join(row, column);
+            if (column < row)
+                f(row, column, -a);
         }
     }
-    std::size_t cross = 0;
     for (std::size_t k = 0; k < system_.links.size(); ++k) {
-        double conductance = system_.links[k].conductance;
-        if (!whole && cross < cross_links_.size() && cross_links_[cross].link == static_cast<int>(k))
-            conductance *= cross_links_[cross++].ranks;
+        const Link& link = system_.links[k];
         const std::span<const LinkRow> terms = rows_of(static_cast<int>(k));
         double sum = 0, size = 0;
-        int first = -1;
-        for (const LinkRow& mine : terms) {
-            const int i = place(mine.row);
-            if (i < 0)
-                continue;
-            first = first < 0 ? i : first;
-            for (const LinkRow& other : terms)
-                if (const int j = place(other.row); j >= 0 && j <= i)
-                    f(i, j, conductance * mine.weight * other.weight);
-            if (conductance > 0)
-                join(i, first);
-            sum += mine.weight;
-            size += std::abs(mine.weight);
+        for (const auto& [i, wi] : terms) {
+            for (const auto& [j, wj] : terms)
+                if (j <= i)
+                    f(i, j, link.conductance * wi * wj);
+            if (link.conductance > 0)
+                join(i, terms.front().row);
+            sum += wi;
+            size += std::abs(wi);
         }
-        if (first >= 0 && conductance > 0 && std::abs(sum) > 1e-9 * size)
-            fixed[first] = 1; // a mouth to an open side
+        if (!terms.empty() && link.conductance > 0 && std::abs(sum) > 1e-9 * size)
+            fixed[terms.front().row] = 1; // a mouth to an open side
     }
 }
 
@@ -295,24 +220,17 @@ void FilmBand<D>::for_each_term(bool whole, F&& f, Join&& join, std::vector<char
 template <int D>
 Eigen::SparseMatrix<double> FilmBand<D>::assemble()
 {
-    const int size = static_cast<int>(rows_of_rank_.size());
-    DisjointSets joined(size);
-    std::vector<char> fixed(size, 0);
-    Eigen::SparseMatrix<double> matrix(size, size);
-    std::vector<long> begin(size + 1, 0);
-    for_each_term(
-        false, [&](int, int j, double) { ++begin[j + 1]; }, [&](int i, int j) { joined.join(i, j); }, fixed);
+    DisjointSets joined(size_);
+    std::vector<char> fixed(size_, 0);
+    Eigen::SparseMatrix<double> matrix(size_, size_);
+    std::vector<long> begin(size_ + 1, 0);
+    for_each_term([&](int, int j, double) { ++begin[j + 1]; }, [&](int i, int j) { joined.join(i, j); }, fixed);
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<std::pair<int, double>> terms(begin.back());
     std::vector<long> next(begin.begin(), begin.end() - 1);
-    for_each_term(
-        false,
-        [&](int i, int j, double value) {
-            terms[next[j]++] = {i, value};
-        },
-        [](int, int) {}, fixed);
+    for_each_term([&](int i, int j, double value) { terms[next[j]++] = {i, value}; }, [](int, int) {}, fixed);
     long count = 0; // of merged terms; they move to the front
-    for (int j = 0; j < size; ++j) {
+    for (int j = 0; j < size_; ++j) {
         const long first = begin[j], last = begin[j + 1];
         std::stable_sort(&terms[first], terms.data() + last, [](const auto& a, const auto& b) { return a.first < b.first; });
         begin[j] = count;
@@ -322,26 +240,26 @@ Eigen::SparseMatrix<double> FilmBand<D>::assemble()
             else
                 terms[count++] = terms[k];
     }
-    begin[size] = count;
+    begin[size_] = count;
     matrix.resizeNonZeros(count);
-    for (int j = 0; j <= size; ++j)
+    for (int j = 0; j <= size_; ++j)
         matrix.outerIndexPtr()[j] = static_cast<int>(begin[j]);
     for (long k = 0; k < count; ++k) {
         matrix.innerIndexPtr()[k] = terms[k].first;
         matrix.valuePtr()[k] = terms[k].second;
     }
 
-    std::vector<char> block_fixed(size, 0);
-    for (int i = 0; i < size; ++i)
+    std::vector<char> block_fixed(size_, 0);
+    for (int i = 0; i < size_; ++i)
         if (fixed[i])
             block_fixed[joined.find(i)] = 1;
     std::unordered_map<int, int> number;
-    block_.assign(size, -1);
-    for (int i = 0; i < size; ++i)
+    block_.assign(size_, -1);
+    for (int i = 0; i < size_; ++i)
         if (const int root = joined.find(i); !block_fixed[root])
             block_[i] = number.try_emplace(root, static_cast<int>(number.size())).first->second;
     block_size_.assign(number.size(), 0);
-    for (int i = 0; i < size; ++i)
+    for (int i = 0; i < size_; ++i)
         if (block_[i] >= 0)
             ++block_size_[block_[i]];
     return matrix;
@@ -351,14 +269,14 @@ template <int D>
 void FilmBand<D>::factorise()
 {
     correction_.setZero(size_);
-    if (rows_of_rank_.empty())
+    if (empty())
         return;
     Eigen::SparseMatrix<double> matrix = assemble();
     const Eigen::VectorXd diagonal = matrix.diagonal();
     const double alone = std::max(diagonal.maxCoeff(), 1.0); // for a row of zeros
     double relative = shift;
     for (int attempt = 0; attempt < 5; ++attempt, relative *= 100) {
-        for (int i = 0; i < matrix.rows(); ++i)
+        for (int i = 0; i < size_; ++i)
             matrix.coeffRef(i, i) = diagonal[i] > 0 ? diagonal[i] * (1 + relative) : alone;
         if (attempt == 0)
             factor_.analyse(matrix);
@@ -366,82 +284,6 @@ void FilmBand<D>::factorise()
             return;
     }
     throw ComputationError("the films' matrix is not positive semidefinite");
-}
-
-template <int D>
-void FilmBand<D>::share()
-{
-    any_floating_ = system_.grid->comm().any(!block_size_.empty());
-    if (cross_links_.empty() && cross_faces_.empty()) {
-        std::vector<double> told(size_, 0.0);
-        for (std::size_t i = 0; i < rows_of_rank_.size(); ++i)
-            told[rows_of_rank_[i]] = block_[i] >= 0;
-        system_.grid->comm().sum(told);
-        floating_.assign(told.begin(), told.end());
-        return;
-    }
-    DisjointSets joined(size_);
-    std::vector<char> fixed(size_, 0);
-    for_each_term(
-        true, [](int, int, double) {}, [&](int i, int j) { joined.join(i, j); }, fixed);
-    std::vector<char> block_fixed(size_, 0);
-    for (int i = 0; i < size_; ++i)
-        if (fixed[i])
-            block_fixed[joined.find(i)] = 1;
-    floating_.resize(size_);
-    for (int i = 0; i < size_; ++i)
-        floating_[i] = !block_fixed[joined.find(i)];
-}
-
-template <int D>
-Eigen::VectorXd FilmBand<D>::own(const Eigen::VectorXd& v) const
-{
-    Eigen::VectorXd own(static_cast<long>(rows_of_rank_.size()));
-    for (std::size_t i = 0; i < rows_of_rank_.size(); ++i)
-        own[static_cast<long>(i)] = v[rows_of_rank_[i]];
-    return own;
-}
-
-template <int D>
-Eigen::VectorXd FilmBand<D>::all(const Eigen::VectorXd& own) const
-{
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(size_);
-    for (std::size_t i = 0; i < rows_of_rank_.size(); ++i)
-        v[rows_of_rank_[i]] = own[static_cast<long>(i)];
-    system_.grid->comm().sum(std::span<double>(v.data(), v.size()));
-    return v;
-}
-
-template <int D>
-Eigen::VectorXd FilmBand<D>::without_block_constants(Eigen::VectorXd v) const
-{
-    if (block_size_.empty())
-        return v;
-    std::vector<double> mean(block_size_.size(), 0.0);
-    for (long i = 0; i < v.size(); ++i)
-        if (block_[i] >= 0)
-            mean[block_[i]] += v[i] / block_size_[block_[i]];
-    for (long i = 0; i < v.size(); ++i)
-        if (block_[i] >= 0)
-            v[i] -= mean[block_[i]];
-    return v;
-}
-
-template <int D>
-Eigen::VectorXd FilmBand<D>::block_constants(const Eigen::VectorXd& r) const
-{
-    if (!any_floating_)
-        return {};
-    const Eigen::VectorXd mine = own(r);
-    std::vector<double> mean(block_size_.size(), 0.0);
-    Eigen::VectorXd constants = Eigen::VectorXd::Zero(mine.size());
-    for (long i = 0; i < mine.size(); ++i)
-        if (block_[i] >= 0)
-            mean[block_[i]] += mine[i] / block_size_[block_[i]];
-    for (long i = 0; i < mine.size(); ++i)
-        if (block_[i] >= 0)
-            constants[i] = mean[block_[i]];
-    return all(constants);
 }
 
 template <int D>
@@ -458,71 +300,19 @@ Eigen::VectorXd FilmBand<D>::gather(const UnknownVector<D>& v) const
 template <int D>
 Eigen::VectorXd FilmBand<D>::solve(const Eigen::VectorXd& r) const
 {
-    const Eigen::VectorXd mine = without_block_constants(own(r));
-    return all(mine.size() > 0 ? without_block_constants(factor_.solve(mine)) : mine);
-}
-
-template <int D>
-Eigen::VectorXd FilmBand<D>::multiply(const Eigen::VectorXd& v) const
-{
-    const Eigen::VectorXd mine = own(v);
-    Eigen::VectorXd product = Eigen::VectorXd::Zero(mine.size());
-    std::vector<char> fixed(rows_of_rank_.size(), 0);
-    for_each_term(
-        false,
-        [&](int i, int j, double value) {
-            product[i] += value * mine[j];
-            if (i != j)
-                product[j] += value * mine[i];
-        },
-        [](int, int) {}, fixed);
-    Eigen::VectorXd result = -all(product);
-    add_cross_residual(
-        v, [](int) { return true; }, result);
-    return -result;
-}
-
-// Conjugate gradients preconditioned by solve().
-template <int D>
-Eigen::VectorXd FilmBand<D>::solve_together(const Eigen::VectorXd& right) const
-{
-    if (cross_links_.empty() && cross_faces_.empty())
-        return solve(right);
-    constexpr int most_iterations = 300;
-    constexpr double tolerance = 1e-12; // of r . solve(r), the square of an error
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(size_), r = right, z = solve(r), p = z;
-    double rz = r.dot(z);
-    const double enough = tolerance * tolerance * rz;
-    for (int k = 0; k < most_iterations && rz > enough; ++k) {
-        const Eigen::VectorXd product = multiply(p);
-        const double energy = p.dot(product);
-        if (!(energy > 0))
-            break;
-        x += rz / energy * p;
-        r -= rz / energy * product;
-        z = solve(r);
-        const double before = rz;
-        rz = r.dot(z);
-        p = z + rz / before * p;
-    }
-    return x;
-}
-
-template <int D>
-template <class Accepts>
-void FilmBand<D>::add_cross_residual(const Eigen::VectorXd& v, Accepts&& accepts, Eigen::VectorXd& r) const
-{
-    for (const CrossLink& cross : cross_links_) {
-        const double conductance = system_.links[cross.link].conductance;
-        const double sum = sum_over_band(cross.link, v);
-        for (const auto& [row, weight] : rows_of(cross.link))
-            if (accepts(row))
-                r[row] += weight * conductance * (cross.ranks * sum_over_part(cross.link, rank_[row], v) - sum);
-    }
-    for (const CrossFace& face : cross_faces_)
-        for (int row : {face.row, face.other})
-            if (accepts(row))
-                r[row] += face.conductance * (v[face.row] + v[face.other]);
+    auto without_block_constants = [&](Eigen::VectorXd v) {
+        if (block_size_.empty())
+            return v;
+        std::vector<double> mean(block_size_.size(), 0.0);
+        for (int i = 0; i < size_; ++i)
+            if (block_[i] >= 0)
+                mean[block_[i]] += v[i] / block_size_[block_[i]];
+        for (int i = 0; i < size_; ++i)
+            if (block_[i] >= 0)
+                v[i] -= mean[block_[i]];
+        return v;
+    };
+    return without_block_constants(factor_.solve(without_block_constants(r)));
 }
 
 template <int D>
@@ -532,13 +322,14 @@ void FilmBand<D>::first(const UnknownVector<D>& r, double scale, Level<D>& level
         return;
     const Eigen::VectorXd on_band = gather(r);
     correction_ = solve(on_band);
-    Eigen::VectorXd rest = block_constants(on_band); // what solve() does not act on
-    if (rest.size() == 0)
-        rest = Eigen::VectorXd::Zero(size_);
-    add_cross_residual(
-        correction_, [](int) { return true; }, rest);
+    std::vector<double> mean(block_size_.size(), 0.0); // the floating blocks' constants in r, which solve() does not act on
+    for (int i = 0; i < size_; ++i)
+        if (block_[i] >= 0)
+            mean[block_[i]] += on_band[i] / block_size_[block_[i]];
     for (const OwnedCell& entry : owned_)
-        level.b[entry.level_offset] = level.inverse(entry.cell) > 0 ? static_cast<float>(scale * rest[entry.row]) : 0.0f;
+        level.b[entry.level_offset] = block_[entry.row] >= 0 && level.inverse(entry.cell) > 0
+                                          ? static_cast<float>(scale * mean[block_[entry.row]])
+                                          : 0.0f;
     for (const Neighbour& entry : outside_)
         level.b[entry.level_offset] += static_cast<float>(scale * entry.conductance * correction_[entry.row]);
     int last = -1;
@@ -557,16 +348,6 @@ double FilmBand<D>::sum_over_band(int link, const Eigen::VectorXd& values) const
     double sum = 0;
     for (const auto& [row, weight] : rows_of(link))
         sum += weight * values[row];
-    return sum;
-}
-
-template <int D>
-double FilmBand<D>::sum_over_part(int link, int rank, const Eigen::VectorXd& values) const
-{
-    double sum = 0;
-    for (const auto& [row, weight] : rows_of(link))
-        if (rank_[row] == rank)
-            sum += weight * values[row];
     return sum;
 }
 
@@ -593,8 +374,6 @@ void FilmBand<D>::second(double scale, const Level<D>& level)
         for (const auto& [row, weight] : rows_of(static_cast<int>(k)))
             r[row] -= weight * flux;
     }
-    add_cross_residual(
-        correction_, [&](int row) { return place_[row] >= 0; }, r);
     correction_ += solve(r.head(size_));
 }
 

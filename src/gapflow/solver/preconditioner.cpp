@@ -34,7 +34,6 @@ Preconditioner<D>::Preconditioner(const CoupledOperator<D>& matrix, BodyMode bod
     : matrix_(matrix), mode_(bodies), band_(matrix), bodies_(matrix)
 {
     call_both([&] { multigrid_.emplace(multigrid_of(matrix)); }, [&] { band_.factorise(); });
-    band_.share();
     deflation_.emplace(matrix, band_);
     for (const FilmFace<D>& face : matrix.system().film_faces)
         for (const Index<D>& c : {face.face, Index<D>(face.face - step<D>(face.axis))})

@@ -70,9 +70,6 @@ TEST(Preconditioner, SymmetricAndPositiveWithFilms)
             check(film_scene<3>(16, film, 1.0, 1.0), bodies);
             check(film_scene<3>(16, film, 1.0, 1.0, SideKind::open), bodies);
             check(chamber_scene<2>(32, film, 1.0, 1.0), bodies);
-            check(neighbours_scene<2>(16, film, 1.0, 1.0), bodies);
-            check(neighbours_scene<3>(16, film, 1.0, 1.0, SideKind::open), bodies);
-            check(neighbours_scene<3>(32, film, 1.0, 1.0), bodies);
         }
 }
 

@@ -43,17 +43,6 @@ TEST(Ranks, SameAsOneRank2D)
     compare(chamber_scene<2>(64, 0.1, 1.0, 1.0));
 }
 
-TEST(Ranks, FilmsOfDifferentRanksSideBySide)
-{
-    for (SideKind kind : {SideKind::wall, SideKind::open, SideKind::periodic})
-        for (double film : {1e-3, 1.0, 1e3}) {
-            compare(neighbours_scene<2>(64, film, 1.0, 1.0, kind));
-            compare(neighbours_scene<2>(16, film, 1.0, 0.1, kind));
-            compare(neighbours_scene<3>(32, film, 1.0, 1.0, kind));
-            compare(neighbours_scene<3>(16, film, 1.0, 1.0, kind));
-        }
-}
-
 TEST(Ranks, SameAsOneRank3D)
 {
     for (SideKind kind : {SideKind::wall, SideKind::open, SideKind::periodic}) {

@@ -96,8 +96,6 @@ std::unique_ptr<TestSystem<D>> build(const TestScene<D>& scene, const Communicat
         const int first = system.nodes, m = f.elements + 1;
         const int nodes = D == 2 ? m : m * m;
         system.nodes += nodes;
-        const auto film_number = static_cast<int>(&f - scene.films.data());
-        system.node_rank.resize(system.nodes, film_number % grid.comm().size());
         double area = 1;
         for (int axis = 0; axis + 1 < D; ++axis)
             area *= (f.high[axis] - f.low[axis]) / f.elements;
@@ -336,26 +334,6 @@ TestScene<D> film_scene(int n, double film, double mouth, double density, SideKi
 }
 
 template <int D>
-TestScene<D> neighbours_scene(int n, double film, double mouth, double density, SideKind sides)
-{
-    TestScene<D> scene(Index<D>::Constant(n), 1.0 / n, sides);
-    Vec<D> half = Vec<D>::Constant(0.15625);
-    half[D - 1] = 0.125;
-    for (double side : {-0.1875, 0.1875})
-        for (double level : {-0.125, 0.125}) {
-            Vec<D> centre = Vec<D>::Constant(0.5);
-            centre[0] += side;
-            centre[D - 1] += level;
-            scene.bodies.push_back(box<D>(centre, half, density));
-        }
-    for (int k : {0, 2}) {
-        const Vec<D>& centre = scene.bodies[k].centre;
-        scene.films.push_back({k, k + 1, 0.5, centre - half, centre + half, n / 2, film, mouth});
-    }
-    return scene;
-}
-
-template <int D>
 TestScene<D> chamber_scene(int n, double film, double mouth, double density)
 {
     TestScene<D> scene(Index<D>::Constant(n), 1.0 / n);
@@ -393,7 +371,6 @@ TestScene<D> two_bodies(int n, double density, SideKind sides)
     template void remove_null<D>(const TestSystem<D>&, UnknownVector<D>&);                                                     \
     template double distance<D>(const TestSystem<D>&, const UnknownVector<D>&, const UnknownVector<D>&);                       \
     template TestScene<D> film_scene<D>(int, double, double, double, SideKind);                                                \
-    template TestScene<D> neighbours_scene<D>(int, double, double, double, SideKind);                                          \
     template TestScene<D> two_bodies<D>(int, double, SideKind);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

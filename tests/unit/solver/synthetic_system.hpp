@@ -96,10 +96,6 @@ double distance(const TestSystem<D>& test, const UnknownVector<D>& a, const Unkn
 template <int D>
 TestScene<D> film_scene(int n, double film, double mouth, double density, SideKind sides = SideKind::wall);
 
-/// Two pairs of boxes side by side, a film in each; the films' mouths share cells or neighbour each other. On several ranks the films belong to two.
-template <int D>
-TestScene<D> neighbours_scene(int n, double film, double mouth, double density, SideKind sides = SideKind::wall);
-
 /// A wall of two boxes across a closed box, joined by a film between them: two chambers that only the film connects.
 template <int D>
 TestScene<D> chamber_scene(int n, double film, double mouth, double density);
