@@ -17,7 +17,7 @@ constexpr int fewest_to_halve = 24;  // rays of which every other one may end be
 constexpr double least_share = 0.25; // of more rays: the rim must be longer than this before it takes them
 constexpr double precision = 1e-12;  // of a ray's end, in dx
 constexpr int most_rings = 1000;
-constexpr double touching = 1e-6; // in dx: surfaces that overlap no further touch
+constexpr double overlap = 1e-6; // in dx: balls that overlap no further touch
 
 bool is_ball(const Shape<3>& shape)
 {
@@ -133,7 +133,7 @@ public:
     {
         if (pole_.fails == RimEnd::thickness)
             return GapCut<3>{};
-        if (pole_.fails || pole_.p.distance < -touching * o_.dx || !(curvature_ > 0) || !find_rim())
+        if (pole_.fails || pole_.p.distance < -overlap * o_.dx || !(curvature_ > 0) || !find_rim())
             return {};
         keep_area();
         if (!choose_rings() || !add_nodes())
