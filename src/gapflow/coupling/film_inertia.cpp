@@ -53,6 +53,7 @@ private:
     std::map<std::pair<int, int>, PairMatrix<D>> sums_;
 };
 
+// Of a film, with a small shift on the diagonal; rows without entries become those of the identity.
 Eigen::SparseMatrix<double> matrix_of(const std::vector<Eigen::Triplet<double>>& entries, long count)
 {
     Eigen::SparseMatrix<double> L(count, count);

@@ -17,7 +17,8 @@ constexpr int fewest_to_halve = 24;  // rays of which every other one may end be
 constexpr double least_share = 0.25; // of more rays: the rim must be longer than this before it takes them
 constexpr double precision = 1e-12;  // of a ray's end, in dx
 constexpr int most_rings = 1000;
-constexpr double overlap = 1e-6; // in dx: balls that overlap no further touch
+// In dx: balls that overlap no further touch. Those that touch overlap by their places' round-off or not (random scene 441).
+constexpr double overlap = 1e-6;
 
 bool is_ball(const Shape<3>& shape)
 {
