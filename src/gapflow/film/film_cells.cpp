@@ -1,5 +1,6 @@
 #include "gapflow/film/film_cells.hpp"
 
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
 
 #include <algorithm>
@@ -165,9 +166,17 @@ struct Classifier {
     void count_touches()
     {
         const int n = static_cast<int>(gaps.films().size());
-        std::vector<KeyMap<Touch<D>>> touches(n);
-        for_each_job(n, [&](int k) { touches[k] = touches_of(k); });
-        for (const KeyMap<Touch<D>>& of_film : touches)
+        std::vector<std::vector<std::pair<long, Touch<D>>>> touches(n);
+        for_each_job(n, [&](int k) {
+            if (gaps.films()[k].here) {
+                const KeyMap<Touch<D>> of_film = touches_of(k);
+                touches[k].assign(of_film.begin(), of_film.end());
+            }
+        });
+        exchange_items(
+            grid.comm(), touches.size(), [&](std::size_t k) { return gaps.films()[k].here; },
+            [&](ByteWriter& out, std::size_t k) { out(touches[k]); }, [&](ByteReader& in, std::size_t k) { in(touches[k]); });
+        for (const auto& of_film : touches)
             for (const auto& [key, touch] : of_film)
                 result.cells[key].touches.push_back(touch);
         result.cells.sort();
@@ -193,9 +202,34 @@ struct Classifier {
         cell.kind = together ? CellKind::film : CellKind::mixed;
     }
 
-    using Taken = std::vector<std::pair<long, Touch<D>>>; // cells' keys, and the film that takes each
+    // Kinds of all touched cells, each found by the rank that has it.
+    void set_kinds()
+    {
+        const auto chunks = each_chunk(static_cast<long>(result.cells.size()), cells_a_chunk, [&](long begin, long end) {
+            NumberedItems<std::pair<CellKind, int>> found;
+            for (long i = begin; i < end; ++i) {
+                auto& [key, cell] = result.cells.item(static_cast<int>(i));
+                if (!grid.owns(grid.cell_of_key(key)))
+                    continue;
+                set_kind(key, cell);
+                found.push_back({i, {cell.kind, cell.owner}});
+            }
+            return found;
+        });
+        for (const auto& [i, found] : all_items(grid.comm(), chunks))
+            std::tie(result.cells.item(static_cast<int>(i)).second.kind, result.cells.item(static_cast<int>(i)).second.owner) =
+                found;
+    }
 
-    // Calls find(i, taken) for 0 <= i < n, on threads, and makes the cells that it lists film, in the order of i; the first to take one has it.
+    /// A cell, and the film that takes it.
+    struct Taking {
+        long key;
+        Touch<D> touch;
+    };
+    using Taken = NumberedItems<Taking>; // by what found it
+
+    // Calls find(i, taken) for 0 <= i < n, on threads, and makes the cells that it lists film, in the order of i; the first to take one has it. Each
+    // rank lists its own cells.
     template <class F>
     void add_film_cells(long n, F&& find)
     {
@@ -205,14 +239,13 @@ struct Classifier {
                 find(static_cast<int>(i), taken);
             return taken;
         });
-        for (const Taken& chunk : chunks)
-            for (const auto& [key, touch] : chunk) {
-                FilmCell<D> cell;
-                cell.kind = CellKind::film;
-                cell.owner = touch.film;
-                cell.touches.push_back({touch.film, 0, touch.offset});
-                result.cells.insert(key, cell);
-            }
+        for (const auto& [i, taking] : all_items(grid.comm(), chunks)) {
+            FilmCell<D> cell;
+            cell.kind = CellKind::film;
+            cell.owner = taking.touch.film;
+            cell.touches.push_back({taking.touch.film, 0, taking.touch.offset});
+            result.cells.insert(taking.key, cell);
+        }
     }
 
     // Calls f(neighbour's key, touch of `cell` by `film` seen from there) for a cell of the domain displaced by d.
@@ -234,11 +267,11 @@ struct Classifier {
             for (int side = 0; side < 2 * D; ++side)
                 seen_from(grid.cell_of_key(key), cell, cell.owner, (side % 2 ? 1 : -1) * step<D>(side / 2),
                           [&](const Index<D>& beyond, const Touch<D>& touch) {
-                              if (result.cells.contains(grid.key(beyond)))
+                              if (!grid.owns(beyond) || result.cells.contains(grid.key(beyond)))
                                   return;
                               const OpenPoints<D> points = open_points(beyond);
                               if (points.size > 0 && holds(touch, points))
-                                  taken.emplace_back(grid.key(beyond), touch);
+                                  taken.push_back({i, {grid.key(beyond), touch}});
                           });
         });
     }
@@ -249,21 +282,29 @@ struct Classifier {
     {
         KeyMap<char> around;
         around.reserve(4 * result.cells.size());
+        const auto is_near = [&](const Index<D>& c) {
+            bool near = true;
+            for (int axis = 0; axis < D; ++axis)
+                near &= grid.periodic(axis) || (c[axis] >= grid.low()[axis] - 2 && c[axis] < grid.high()[axis] + 2);
+            return near;
+        };
         for (const auto& [key, cell] : result.cells)
-            if (cell.touches[0].measure > 0)
+            if (cell.touches[0].measure > 0 && is_near(grid.cell_of_key(key)))
                 around.insert(key);
         for (int axis = 0; axis < D; ++axis) // two cells along one axis after the other
             for (int i = 0, n = static_cast<int>(around.size()); i < n; ++i) {
                 const Index<D> cell = grid.cell_of_key(around.item(i).first);
                 for (int distance : {-2, -1, 1, 2})
-                    if (const Index<D> w = grid.wrapped(Index<D>(cell + distance * step<D>(axis))); grid.in_domain(w))
+                    if (const Index<D> w = grid.wrapped(Index<D>(cell + distance * step<D>(axis)));
+                        grid.in_domain(w) && is_near(w))
                         around.insert(grid.key(w));
             }
         add_film_cells(static_cast<long>(around.size()), [&](int i, Taken& taken) {
             const long key = around.item(i).first;
-            if (const Index<D> cell = grid.cell_of_key(key); is_closed_surface(cell) && !result.cells.contains(key))
+            if (const Index<D> cell = grid.cell_of_key(key);
+                grid.owns(cell) && is_closed_surface(cell) && !result.cells.contains(key))
                 if (const std::optional<Touch<D>> touch = first_taker(cell))
-                    taken.emplace_back(key, *touch);
+                    taken.push_back({i, {key, *touch}});
         });
     }
 
@@ -296,12 +337,7 @@ FilmCells<D> classify_cells(const FaceCache<D>& faces, const FilmGaps<D>& gaps)
     FilmCells<D> result;
     Classifier<D> classifier{faces, gaps, faces.grid(), result};
     classifier.count_touches();
-    for_each_part(static_cast<long>(result.cells.size()), [&](long begin, long end) {
-        for (long i = begin; i < end; ++i) {
-            auto& [key, cell] = result.cells.item(static_cast<int>(i));
-            classifier.set_kind(key, cell);
-        }
-    });
+    classifier.set_kinds();
     classifier.take_neighbours();
     classifier.take_orphans();
     result.cells.sort();
@@ -356,9 +392,9 @@ void reopen_strangled(const FaceCache<D>& faces, FilmCells<D>& cells)
 {
     const Grid<D>& grid = faces.grid();
     auto is_mixed = [&](long key) { return cells.kind(key, CellKind::bulk) == CellKind::mixed; };
-    KeyMap<char> reopened;
+    NumberedItems<char> found; // faces
     for (const auto& [key, cell] : cells.cells) {
-        if (cell.kind != CellKind::mixed)
+        if (cell.kind != CellKind::mixed || !grid.owns(grid.cell_of_key(key)))
             continue;
         double aperture = 0;
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key)))
@@ -368,9 +404,12 @@ void reopen_strangled(const FaceCache<D>& faces, FilmCells<D>& cells)
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
             const long face = faces.key(side.axis, side.face);
             if (side.inside && cells.closed.contains(face) && is_mixed(grid.key(grid.wrapped(side.cell))))
-                reopened.insert(face);
+                found.emplace_back(face, 0);
         }
     }
+    KeyMap<char> reopened;
+    for (const auto& [face, none] : all_items<char>(grid.comm(), {found}))
+        reopened.insert(face);
     if (reopened.empty())
         return;
     KeyMap<int> still_closed;
@@ -390,7 +429,11 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
     auto holds = [&](const FilmCell<D>& cell, int film, const Vec<D>& x) {
         return gaps.holds(film, x + grid.dx() * cell.offset(film).template cast<double>());
     };
-    const auto close = [&](long key, const FilmCell<D>& cell, std::vector<std::pair<long, int>>& closed) {
+    using Closed = NumberedItems<std::pair<long, int>>; // by the cell: face, film
+    const auto close = [&](long i, Closed& closed) {
+        const auto& [key, cell] = cells.cells.item(static_cast<int>(i));
+        if (!grid.owns(grid.cell_of_key(key)))
+            return;
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
             if (!side.inside || faces.open(side.axis, side.face) <= 0)
                 continue;
@@ -426,18 +469,17 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
                 }
             }
             if (owner >= 0)
-                closed.emplace_back(faces.key(side.axis, side.face), owner);
+                closed.push_back({i, {faces.key(side.axis, side.face), owner}});
         }
     };
     const auto chunks = each_chunk(static_cast<long>(cells.cells.size()), cells_a_chunk, [&](long begin, long end) {
-        std::vector<std::pair<long, int>> closed;
+        Closed closed;
         for (long i = begin; i < end; ++i)
-            close(cells.cells.item(static_cast<int>(i)).first, cells.cells.item(static_cast<int>(i)).second, closed);
+            close(i, closed);
         return closed;
     });
-    for (const auto& chunk : chunks)
-        for (const auto& [face, owner] : chunk)
-            cells.closed.insert(face, owner);
+    for (const auto& [i, closed] : all_items(grid.comm(), chunks))
+        cells.closed.insert(closed.first, closed.second);
     reopen_strangled(faces, cells);
 }
 
@@ -450,10 +492,10 @@ std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<lo
     KeyMap<char> reach;
     for (long key : reached)
         reach.insert(key);
-    std::vector<std::pair<long, FilmCell<D>>> taken;
+    NumberedItems<long> pockets; // by the cell whose film takes them
     std::vector<long> component;
-    auto visit = [&](long seed, long beside_key, const FilmCell<D>& beside) {
-        if (done.contains(seed) || large.contains(seed))
+    auto visit = [&](long seed, long beside) {
+        if (!grid.owns(grid.cell_of_key(seed)) || done.contains(seed) || large.contains(seed))
             return;
         component.assign(1, seed);
         bool small = true;
@@ -475,35 +517,41 @@ std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<lo
             (small ? done : large).insert(key);
         if (!small || std::any_of(component.begin(), component.end(), [&](long key) { return reach.contains(key); }))
             return;
-        for (long key : component) {
-            FilmCell<D> cell;
-            if (const FilmCell<D>* known = cells.cells.find(key)) {
-                cell = *known;
-            } else {
-                // Pockets are a few cells wide: the nearest image of the cell beside it is the film's.
-                const Index<D> from = grid.cell_of_key(beside_key), to = grid.cell_of_key(key);
-                Index<D> offset = beside.offset(beside.owner);
-                for (int axis = 0; axis < D; ++axis)
-                    if (grid.periodic(axis))
-                        offset[axis] += grid.cells()[axis] *
-                                        static_cast<int>(std::lround(double(from[axis] - to[axis]) / grid.cells()[axis]));
-                cell.owner = beside.owner;
-                cell.touches.push_back({beside.owner, 0, offset});
-            }
-            cell.kind = CellKind::film;
-            taken.emplace_back(key, cell);
-        }
+        for (long key : component)
+            pockets.emplace_back(beside, key);
     };
-    // Seeds: mixed cells, and unclassified cells beside film or mixed ones.
-    for (const auto& [key, cell] : cells.cells) {
+    // Seeds: mixed cells, and unclassified cells beside film or mixed ones. Each rank begins in its own; two of them may find a pocket between them.
+    for (int i = 0, n = static_cast<int>(cells.cells.size()); i < n; ++i) {
+        const auto& [key, cell] = cells.cells.item(i);
         if (cell.kind == CellKind::mixed)
-            visit(key, key, cell);
+            visit(key, i);
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key)))
-            if (side.inside && faces.open(side.axis, side.face) > negligible_opening) {
-                const long beyond = grid.key(grid.wrapped(side.cell));
-                if (!cells.cells.contains(beyond))
-                    visit(beyond, key, cell);
-            }
+            if (const Index<D> beyond = grid.wrapped(side.cell); side.inside && grid.owns(beyond) &&
+                                                                 !cells.cells.contains(grid.key(beyond)) &&
+                                                                 faces.open(side.axis, side.face) > negligible_opening)
+                visit(grid.key(beyond), i);
+    }
+    KeyMap<FilmCell<D>> taken;
+    for (const auto& [i, key] : all_items<long>(grid.comm(), {pockets})) {
+        if (taken.contains(key))
+            continue;
+        FilmCell<D> cell;
+        if (const FilmCell<D>* known = cells.cells.find(key)) {
+            cell = *known;
+        } else {
+            // Pockets are a few cells wide: the nearest image of the cell beside it is the film's.
+            const auto& [beside_key, beside] = cells.cells.item(static_cast<int>(i));
+            const Index<D> from = grid.cell_of_key(beside_key), to = grid.cell_of_key(key);
+            Index<D> offset = beside.offset(beside.owner);
+            for (int axis = 0; axis < D; ++axis)
+                if (grid.periodic(axis))
+                    offset[axis] +=
+                        grid.cells()[axis] * static_cast<int>(std::lround(double(from[axis] - to[axis]) / grid.cells()[axis]));
+            cell.owner = beside.owner;
+            cell.touches.push_back({beside.owner, 0, offset});
+        }
+        cell.kind = CellKind::film;
+        taken.insert(key, cell);
     }
     std::vector<long> changed;
     for (const auto& [key, cell] : taken) {

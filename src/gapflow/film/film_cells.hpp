@@ -1,6 +1,6 @@
 // Which cells hold film, and which grid faces films close (method, "Cells and faces").
 //
-// The same on every rank: cells near films are classified from clipped faces that any rank can compute.
+// The same on every rank: each classifies the cells of its block, and all get the result.
 #pragma once
 
 #include "gapflow/film/face_cache.hpp"
@@ -100,11 +100,11 @@ private:
 template <int D>
 void cells_on_segment(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& y, std::vector<Index<D>>& result);
 
-/// Classifies the cells of all films (method, "Cells and faces", without pockets).
+/// Classifies the cells of all films (method, "Cells and faces", without pockets). Collective.
 template <int D>
 FilmCells<D> classify_cells(const FaceCache<D>& faces, const FilmGaps<D>& gaps);
 
-/// Finds the faces that films close; to be called again after cells changed kind.
+/// Finds the faces that films close; to be called again after cells changed kind. Collective.
 template <int D>
 void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D>& cells);
 
@@ -131,7 +131,7 @@ private:
 };
 
 /// Turns small components of the grid that touch a film and that no mouth reaches into film; `reached` are the keys of
-/// cells in mouths' stencils. Returns the keys of the cells that changed (close_faces and the mouths must then be redone).
+/// cells in mouths' stencils. Returns the keys of the cells that changed (close_faces and the mouths must then be redone). Collective.
 template <int D>
 std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<long>& reached, FilmCells<D>& cells);
 

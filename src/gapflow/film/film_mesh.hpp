@@ -95,6 +95,13 @@ struct FilmMesh {
     bool viscous = false; ///< FilmMeshOptions::viscous
     bool flat = false;    ///< both surfaces flat here
     bool capped = false;  ///< the limit on nodes keeps elements coarser than required
+
+    /// Calls f with all of its fields.
+    template <class F>
+    void each_field(F&& f)
+    {
+        f(master, other, shift, other_patch, x, y, mid, h, skin, elements, rim, points, viscous, flat, capped);
+    }
 };
 
 struct FilmMeshOptions {

@@ -1,5 +1,6 @@
 #include "gapflow/film/film_momentum.hpp"
 
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/film/film_transport.hpp"
 
@@ -119,9 +120,9 @@ public:
         mouth_fluxes(expected);
         std::vector<Carried<D>> low(history_.size()), high(history_.size());
         for_each_job(static_cast<int>(history_.size()), [&](int k) {
-            if (!history_[k])
-                return;
             const Film<D>& film = network_.films[k];
+            if (!history_[k] || !film.here)
+                return;
             const std::size_t n = film.mesh.elements.size();
             const FilmTransport<D> transport(
                 network_, k, solids_[film.pair.master].shape, std::span(place_).subspan(film.first_element, n),
@@ -129,6 +130,16 @@ public:
             low[k] = transport.low();
             high[k] = transport.high();
         });
+        exchange_items(
+            network_.ranks, low.size(), [&](std::size_t k) { return history_[k] && network_.films[k].here; },
+            [&](ByteWriter& out, std::size_t k) {
+                low[k].each_field(out);
+                high[k].each_field(out);
+            },
+            [&](ByteReader& in, std::size_t k) {
+                low[k].each_field(in);
+                high[k].each_field(in);
+            });
         struct Sum {
             double low = 0, high = 0;         // work of transport against the expected velocities, what leaves less what enters
             double in = 0, out = 0, debt = 0; // what enters and leaves at first order

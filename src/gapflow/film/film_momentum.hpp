@@ -32,7 +32,7 @@ struct MouthLaw {
 };
 
 /// Advects the old films' velocities onto the new ones. `grid_velocity` samples the bulk's extrapolated
-/// velocity at a list of points (elements and mouths without an old film near them), once.
+/// velocity at a list of points (elements and mouths without an old film near them), once. Collective.
 template <int D>
 FilmFlow<D> advect_films(const FilmNetwork<D>& network, std::span<const Solid<D>> solids, const FilmHistories<D>& histories,
                          const VelocitySampler<D>& grid_velocity, const std::function<MouthLaw(int, int)>& law,

@@ -1,5 +1,6 @@
 #include "gapflow/film/film_set.hpp"
 
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
 
 #include <algorithm>
@@ -229,6 +230,20 @@ std::vector<FilmPair<D>> close_pairs(const Grid<D>& grid, std::span<const Solid<
     return ordered;
 }
 
+// Whether a pair's gap, taken where their bounds come closest, lies in this rank's block.
+template <int D>
+bool is_here(const Grid<D>& grid, std::span<const Solid<D>> solids, const FilmPair<D>& pair)
+{
+    const Bounds<D> a = world_bounds(solids[pair.master].shape), b = world_bounds(other_shape(grid, solids, pair));
+    const Vec<D> begin = grid.origin(), end = grid.origin() + grid.size();
+    Vec<D> place;
+    for (int k = 0; k < D; ++k) {
+        const double low = std::max(a.low[k], b.low[k]), high = std::min(a.high[k], b.high[k]);
+        place[k] = 0.5 * ((std::isfinite(low) ? low : begin[k]) + (std::isfinite(high) ? high : end[k]));
+    }
+    return grid.owns(grid.nearest_cell(place));
+}
+
 } // namespace
 
 template <int D>
@@ -241,6 +256,7 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
         GapSettings gap;
         double threshold;
         std::vector<FilmMesh<D>> meshes;
+        bool mine;
     };
     std::vector<Job> jobs;
     std::vector<std::optional<SurfaceMesh<D>>> base(solids.size());
@@ -255,10 +271,12 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
             }
         if (gap.film && !are_apart(solids[pair.master].shape, reach[pair.master], other_shape(grid, solids, pair),
                                    reach[pair.other], threshold))
-            jobs.push_back({pair, gap, threshold, {}});
+            jobs.push_back({pair, gap, threshold, {}, is_here(grid, solids, pair)});
     }
     for_each_job(static_cast<int>(jobs.size()), [&](int k) {
         Job& job = jobs[k];
+        if (!job.mine)
+            return;
         FilmMeshOptions options = coupling_sizes<D>(job.gap.viscous);
         options.dx = grid.dx();
         options.floor = job.gap.floor;
@@ -275,6 +293,20 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
         if (job.gap.lasting && job.threshold == job.gap.threshold && !job.meshes.empty())
             lay_out(hysteresis * job.gap.threshold);
     });
+    exchange_items(
+        grid.comm(), jobs.size(), [&](std::size_t k) { return jobs[k].mine; },
+        [&](ByteWriter& out, std::size_t k) {
+            out(jobs[k].threshold, jobs[k].meshes.size());
+            for (FilmMesh<D>& mesh : jobs[k].meshes)
+                mesh.each_field(out);
+        },
+        [&](ByteReader& in, std::size_t k) {
+            std::size_t count;
+            in(jobs[k].threshold, count);
+            jobs[k].meshes.resize(count);
+            for (FilmMesh<D>& mesh : jobs[k].meshes)
+                mesh.each_field(in);
+        });
     std::vector<Film<D>> films;
     for (Job& job : jobs)
         for (FilmMesh<D>& mesh : job.meshes) {
@@ -282,7 +314,7 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
             mesh.other = job.pair.other;
             take_skin_off(mesh, job.gap.skin);
             mesh.shift = size.cwiseProduct(Index<D>(job.pair.shift.data()).template cast<double>());
-            films.push_back({job.pair, std::move(mesh), job.threshold});
+            films.push_back({job.pair, std::move(mesh), job.threshold, 0, 0, job.mine});
         }
     number_films(films);
     return films;

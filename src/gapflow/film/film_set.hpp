@@ -41,9 +41,12 @@ struct Film {
     double threshold;      ///< h_c that it was built with
     int first_node = 0;    ///< number of its node 0 among all film nodes
     int first_element = 0; ///< number of its element 0 among all film elements
+    bool here =
+        true; ///< this rank meshed it, and computes for it what ranks share; one of them, the same for all films of a pair
 };
 
-/// Films of all pairs, sorted so that the order does not depend on the order of solids. `settings` gives a pair's gap
+/// Films of all pairs, sorted so that the order does not depend on the order of solids. Each rank meshes the pairs whose gap lies in its block, and all
+/// ranks get all films. Collective. `settings` gives a pair's gap
 /// settings; `alive`: pairs that had a film a step ago (they keep it to 1.3 h_c, and their master).
 template <int D>
 std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,

@@ -24,6 +24,13 @@ struct Carried {
     std::vector<Vec<D>> velocity; ///< relative to the master, its axes
     std::vector<Vec<D>> world;    ///< w, world axes; of first order only
     double out = 0, in = 0;       ///< energy that leaves and enters through the mouths
+
+    /// Calls f with all of its fields.
+    template <class F>
+    void each_field(F&& f)
+    {
+        f(velocity, world, out, in);
+    }
 };
 
 /// Transport in one film over dt.

@@ -31,7 +31,7 @@ struct FluidInPlace {
     double covered = 0;                   ///< new volume where there was no film
 };
 
-/// One value for each element of the network; all 0 where a film's pair has no history.
+/// One value for each element of the network; all 0 where a film's pair has no history. Collective.
 template <int D>
 std::vector<FluidInPlace<D>> put_in_place(const FilmNetwork<D>& network, std::span<const Solid<D>> solids,
                                           const std::vector<const FilmHistory<D>*>& history);

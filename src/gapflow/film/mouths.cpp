@@ -1,5 +1,6 @@
 #include "gapflow/film/mouths.hpp"
 
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/film/mouth_cells.hpp"
 #include "gapflow/film/mouth_stencil.hpp"
@@ -66,7 +67,8 @@ public:
     {
     }
 
-    /// Finds the type of end at each point of the rims; after the first call only for points near cells that changed since.
+    /// Finds the type of end at each point of the rims, on the rank that has its place; after the first call only for points near cells that
+    /// changed since. Collective.
     void find(const FaceCache<D>& faces, const std::vector<long>& changed)
     {
         KeyMap<char> near;
@@ -76,14 +78,32 @@ public:
                     grid_.cell_of_key(key) + d.unaryExpr([](int k) { return k * std::abs(k); }); // -4, -1, 0, 1, 4
                 near.insert(block(c));
             });
+        const auto is_sought = [&](std::size_t i) {
+            return grid_.owns(grid_.nearest_cell(points_[i].x)) &&
+                   (!found_ || near.contains(block(grid_.cell_of(points_[i].x))));
+        };
         for_each_part(static_cast<long>(points_.size()), [&](long begin, long end) {
             Around around{CellStates<D>(faces, cells_), {}};
             for (long i = begin; i < end; ++i)
-                if (!found_ || near.contains(block(grid_.cell_of(points_[i].x)))) {
+                if (is_sought(i)) {
                     ends_[i] = {};
                     place(points_[i], around, ends_[i]);
                 }
         });
+        exchange_items(
+            grid_.comm(), points_.size(), is_sought,
+            [&](ByteWriter& out, std::size_t i) {
+                out(ends_[i].closed, ends_[i].joints, ends_[i].mouth.has_value());
+                if (ends_[i].mouth)
+                    ends_[i].mouth->each_field(out);
+            },
+            [&](ByteReader& in, std::size_t i) {
+                bool has_mouth;
+                in(ends_[i].closed, ends_[i].joints, has_mouth);
+                ends_[i].mouth.reset();
+                if (has_mouth)
+                    ends_[i].mouth.emplace().each_field(in);
+            });
         found_ = true;
     }
 
@@ -391,6 +411,7 @@ FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>>
                                   const std::set<FilmPair<D>>& alive)
 {
     FilmNetwork<D> network;
+    network.ranks = grid.comm();
     auto faces = std::make_shared<FaceCache<D>>(grid, clipper, solids, fractions);
     network.faces = faces;
     network.films = find_films(grid, solids, clipper, settings, alive);

@@ -31,6 +31,13 @@ struct Mouth {
     Vec<D> section;                             ///< area vector of the gap at x over the length, out of the film
     double length, h, resistance;               ///< share of the rim (2D: 1), thickness, R
     std::vector<std::pair<long, double>> cells; ///< Grid::key, weight; sum 1. Empty on open and inflow sides
+
+    /// Calls f with all of its fields.
+    template <class F>
+    void each_field(F&& f)
+    {
+        f(film, kind, nodes, element, shape, x, outward, section, length, h, resistance, cells);
+    }
 };
 
 /// Ties the pressures of two films where they meet.
@@ -69,10 +76,11 @@ struct FilmNetwork {
     RimLinks<D> rim;
     std::shared_ptr<const FaceCache<D>> faces;
     int nodes = 0, elements = 0;
+    Communicator ranks = Communicator(MPI_COMM_SELF); ///< that know it; each film is `here` on one of them
 };
 
 /// Finds films, classifies cells, closes faces, finds mouths, absorbs pockets, until nothing changes. A film without any film
-/// cell is dropped (it would only duplicate the open faces beside it).
+/// cell is dropped (it would only duplicate the open faces beside it). Collective: each rank does what lies in its block, and all ranks get all.
 template <int D>
 FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>> solids, const FaceClipper<D>& clipper,
                                   const FaceFractions<D>& fractions, const std::function<GapSettings(int, int)>& settings,

@@ -10,6 +10,7 @@
 
 #include <petscdmda.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -179,6 +180,16 @@ public:
         return way;
     }
     bool in_domain(const Index<D>& c) const { return (c.array() >= 0).all() && (c.array() < cells_.array()).all(); }
+    /// The cell of the domain nearest to x, or to its image in the domain.
+    Index<D> nearest_cell(Vec<D> x) const
+    {
+        for (int axis = 0; axis < D; ++axis) {
+            const double size = this->size()[axis];
+            x[axis] -= periodic(axis) ? size * std::floor((x[axis] - origin_[axis]) / size) : 0.0;
+            x[axis] = std::clamp(x[axis], origin_[axis], origin_[axis] + size);
+        }
+        return cell_of(x).cwiseMax(0).cwiseMin(cells_ - Index<D>::Ones());
+    }
     /// Number of a cell in the whole grid, first axis fastest (a key for maps).
     long key(const Index<D>& c) const
     {

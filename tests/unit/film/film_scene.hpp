@@ -13,10 +13,9 @@ namespace gapflow::test {
 template <int D>
 class FilmScene {
 public:
-    /// Cells of size 1 from the origin on.
-    explicit FilmScene(int cells, SideKind sides = SideKind::open)
-        : grid_(Vec<D>::Zero(), 1.0, Index<D>::Constant(cells), gapflow::testing::all_sides<D>(sides), 2,
-                Communicator(MPI_COMM_SELF)),
+    /// Cells of size 1 from the origin on, all on each rank, or shared out over those of `ranks`.
+    explicit FilmScene(int cells, SideKind sides = SideKind::open, MPI_Comm ranks = MPI_COMM_SELF)
+        : grid_(Vec<D>::Zero(), 1.0, Index<D>::Constant(cells), gapflow::testing::all_sides<D>(sides), 2, Communicator(ranks)),
           scene_(grid_)
     {
         gap.threshold = 0.5;

@@ -1,0 +1,71 @@
+// Work shared out among the ranks, where each makes a part of what all of them need.
+#pragma once
+
+#include "gapflow/core/byte_archive.hpp"
+#include "gapflow/core/communicator.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace gapflow {
+
+/// What each rank gives, by rank. Collective.
+std::vector<Bytes> gather(const Communicator& comm, Bytes mine);
+
+/// Of items 0 <= i < n those that is_mine(i) go from this rank to all others: write(archive, i) here, read(archive, i) there. Each is one rank's.
+/// They go in pieces, which stay in the cache and need little memory. Collective.
+template <class IsMine, class Write, class Read>
+void exchange_items(const Communicator& comm, std::size_t n, IsMine&& is_mine, Write&& write, Read&& read)
+{
+    constexpr std::size_t piece = std::size_t{1} << 21; // bytes, from which on a message is full
+    if (comm.size() == 1)
+        return;
+    std::size_t next = 0;
+    for (bool more = true; more;) {
+        ByteWriter writer;
+        for (; next < n && writer.size() < piece; ++next)
+            if (is_mine(next)) {
+                writer(next);
+                write(writer, next);
+            }
+        writer(next < n ? n + 1 : n); // whether more follow
+        more = false;
+        const std::vector<Bytes> all = gather(comm, writer.take());
+        for (int rank = 0; rank < comm.size(); ++rank) {
+            ByteReader reader(rank == comm.rank() ? std::span(all[rank]).last(sizeof(std::size_t)) : std::span(all[rank]));
+            std::size_t i;
+            for (reader(i); i < n; reader(i))
+                read(reader, i);
+            more = more || i > n;
+        }
+    }
+}
+
+template <class T>
+using NumberedItems = std::vector<std::pair<long, T>>;
+
+/// Items of all ranks, none of which owns memory, in the order of their numbers; of equal numbers in the order of ranks. `parts`: this rank's, in
+/// this order. Collective.
+template <class T>
+NumberedItems<T> all_items(const Communicator& comm, const std::vector<NumberedItems<T>>& parts)
+{
+    NumberedItems<T> mine, all;
+    for (const NumberedItems<T>& part : parts)
+        mine.insert(mine.end(), part.begin(), part.end());
+    if (comm.size() == 1)
+        return mine;
+    ByteWriter writer;
+    writer(mine);
+    for (const Bytes& bytes : gather(comm, writer.take())) {
+        NumberedItems<T> part;
+        ByteReader reader(bytes);
+        reader(part);
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    return all;
+}
+
+} // namespace gapflow
