@@ -9,8 +9,6 @@ std::vector<Bytes> gather(const Communicator& comm, Bytes mine)
     std::vector<long> sizes(comm.size(), static_cast<long>(mine.size()));
     std::vector<Bytes> all(comm.size());
     all[comm.rank()] = std::move(mine);
-    if (comm.size() == 1)
-        return all;
     MPI_Allgather(MPI_IN_PLACE, 1, MPI_LONG, sizes.data(), 1, MPI_LONG, comm.mpi());
     for (int rank = 0; rank < comm.size(); ++rank) {
         all[rank].resize(sizes[rank]);

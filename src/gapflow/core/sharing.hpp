@@ -19,28 +19,45 @@ std::vector<Bytes> gather(const Communicator& comm, Bytes mine);
 template <class IsMine, class Write, class Read>
 void exchange_items(const Communicator& comm, std::size_t n, IsMine&& is_mine, Write&& write, Read&& read)
 {
-    constexpr std::size_t piece = std::size_t{1} << 21; // bytes, from which on a message is full
+    constexpr std::size_t full = std::size_t{1} << 21; // bytes of a message
     if (comm.size() == 1)
         return;
     std::size_t next = 0;
     for (bool more = true; more;) {
         ByteWriter writer;
-        for (; next < n && writer.size() < piece; ++next)
+        for (; next < n && writer.size() < full; ++next)
             if (is_mine(next)) {
                 writer(next);
                 write(writer, next);
             }
-        writer(next < n ? n + 1 : n); // whether more follow
         more = false;
         const std::vector<Bytes> all = gather(comm, writer.take());
         for (int rank = 0; rank < comm.size(); ++rank) {
-            ByteReader reader(rank == comm.rank() ? std::span(all[rank]).last(sizeof(std::size_t)) : std::span(all[rank]));
-            std::size_t i;
-            for (reader(i); i < n; reader(i))
+            more = more || all[rank].size() >= full;
+            if (rank == comm.rank())
+                continue;
+            for (ByteReader reader(all[rank]); !reader.at_end();) {
+                std::size_t i;
+                reader(i);
                 read(reader, i);
-            more = more || i > n;
+            }
         }
     }
+}
+
+/// The values of all ranks, none of which owns memory, in the order of the ranks. Collective.
+template <class T>
+std::vector<T> all_values(const Communicator& comm, const std::vector<T>& mine)
+{
+    ByteWriter writer;
+    writer(mine);
+    std::vector<T> all, part;
+    for (const Bytes& bytes : gather(comm, writer.take())) {
+        ByteReader reader(bytes);
+        reader(part);
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
 }
 
 template <class T>
@@ -51,19 +68,12 @@ using NumberedItems = std::vector<std::pair<long, T>>;
 template <class T>
 NumberedItems<T> all_items(const Communicator& comm, const std::vector<NumberedItems<T>>& parts)
 {
-    NumberedItems<T> mine, all;
+    NumberedItems<T> mine;
     for (const NumberedItems<T>& part : parts)
         mine.insert(mine.end(), part.begin(), part.end());
     if (comm.size() == 1)
         return mine;
-    ByteWriter writer;
-    writer(mine);
-    for (const Bytes& bytes : gather(comm, writer.take())) {
-        NumberedItems<T> part;
-        ByteReader reader(bytes);
-        reader(part);
-        all.insert(all.end(), part.begin(), part.end());
-    }
+    NumberedItems<T> all = all_values(comm, mine);
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     return all;
 }

@@ -4,6 +4,7 @@
 // sum c_k 1_k with K^T sum c_k 1_k = 0 on all free bodies: the kernel of a small matrix.
 #include "gapflow/core/decompositions.hpp"
 #include "gapflow/core/disjoint_sets.hpp"
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/coupling/fluid_parts.hpp"
 
 #include <algorithm>
@@ -97,27 +98,6 @@ int label_block(const Coupling<D>& coupling, CellField<D, int>& label)
     return count;
 }
 
-// The pairs of all ranks.
-std::vector<std::pair<int, int>> gathered(const Communicator& comm, const std::set<std::pair<int, int>>& pairs)
-{
-    std::vector<int> mine;
-    for (const auto& [a, b] : pairs) {
-        mine.push_back(a);
-        mine.push_back(b);
-    }
-    const int n = static_cast<int>(mine.size());
-    std::vector<int> counts(comm.size()), starts(comm.size(), 0);
-    MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm.mpi());
-    for (int r = 1; r < comm.size(); ++r)
-        starts[r] = starts[r - 1] + counts[r - 1];
-    std::vector<int> all(starts.back() + counts.back());
-    MPI_Allgatherv(mine.data(), n, MPI_INT, all.data(), counts.data(), starts.data(), MPI_INT, comm.mpi());
-    std::vector<std::pair<int, int>> result;
-    for (std::size_t i = 0; i + 1 < all.size(); i += 2)
-        result.emplace_back(all[i], all[i + 1]);
-    return result;
-}
-
 // Does the link join its nodes and cells? Not where a node of it is shut.
 bool leads_on(const Link& link, const std::vector<char>& shut)
 {
@@ -208,11 +188,12 @@ Numbering join_labels(const Coupling<D>& coupling, const std::vector<char>& shut
 {
     const Communicator& comm = coupling.grid->comm();
     DisjointSets parts(labels), sets(labels + coupling.system.nodes);
-    for (const auto& [a, b] : gathered(comm, pairs_across_sides(coupling, label))) {
+    const auto across = pairs_across_sides(coupling, label), linked = pairs_of_links(coupling, shut, label, labels);
+    for (const auto& [a, b] : all_values(comm, std::vector(across.begin(), across.end()))) {
         parts.join(a, b);
         sets.join(a, b);
     }
-    for (const auto& [a, b] : gathered(comm, pairs_of_links(coupling, shut, label, labels)))
+    for (const auto& [a, b] : all_values(comm, std::vector(linked.begin(), linked.end())))
         sets.join(a, b);
     join_nodes(coupling, shut, labels, sets);
     Numbering numbering;

@@ -216,9 +216,10 @@ struct Classifier {
             }
             return found;
         });
-        for (const auto& [i, found] : all_items(grid.comm(), chunks))
-            std::tie(result.cells.item(static_cast<int>(i)).second.kind, result.cells.item(static_cast<int>(i)).second.owner) =
-                found;
+        for (const auto& [i, found] : all_items(grid.comm(), chunks)) {
+            FilmCell<D>& cell = result.cells.item(static_cast<int>(i)).second;
+            std::tie(cell.kind, cell.owner) = found;
+        }
     }
 
     /// A cell, and the film that takes it.
@@ -392,7 +393,7 @@ void reopen_strangled(const FaceCache<D>& faces, FilmCells<D>& cells)
 {
     const Grid<D>& grid = faces.grid();
     auto is_mixed = [&](long key) { return cells.kind(key, CellKind::bulk) == CellKind::mixed; };
-    NumberedItems<char> found; // faces
+    std::vector<long> found;
     for (const auto& [key, cell] : cells.cells) {
         if (cell.kind != CellKind::mixed || !grid.owns(grid.cell_of_key(key)))
             continue;
@@ -404,11 +405,11 @@ void reopen_strangled(const FaceCache<D>& faces, FilmCells<D>& cells)
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
             const long face = faces.key(side.axis, side.face);
             if (side.inside && cells.closed.contains(face) && is_mixed(grid.key(grid.wrapped(side.cell))))
-                found.emplace_back(face, 0);
+                found.push_back(face);
         }
     }
     KeyMap<char> reopened;
-    for (const auto& [face, none] : all_items<char>(grid.comm(), {found}))
+    for (long face : all_values(grid.comm(), found))
         reopened.insert(face);
     if (reopened.empty())
         return;

@@ -4,6 +4,7 @@
 #include "gapflow/solver/grid_parts.hpp"
 
 #include "gapflow/core/disjoint_sets.hpp"
+#include "gapflow/core/sharing.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -11,18 +12,6 @@
 namespace gapflow {
 
 namespace {
-
-/// The values of all ranks, in order of the ranks.
-std::vector<long> gathered(const std::vector<long>& mine, const Communicator& comm)
-{
-    int count = static_cast<int>(mine.size());
-    std::vector<int> counts(comm.size()), starts(comm.size(), 0);
-    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm.mpi());
-    std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-    std::vector<long> all(starts.back() + counts.back());
-    MPI_Allgatherv(mine.data(), count, MPI_LONG, all.data(), counts.data(), starts.data(), MPI_LONG, comm.mpi());
-    return all;
-}
 
 void sort_unique(std::vector<long>& v)
 {
@@ -77,7 +66,7 @@ public:
                 labels.push_back(label_[i]);
         });
         sort_unique(labels);
-        labels = gathered(labels, grid_.comm());
+        labels = all_values(grid_.comm(), labels);
         sort_unique(labels);
         GridParts<D> parts{CellField<D, int>(grid_, -1), {}, {}};
         std::vector<double> told(2 * labels.size(), 0.0); // size, ground

@@ -215,6 +215,21 @@ TEST(RingFilm, EndsHalfwayToAThirdBody)
     EXPECT_LE(area(films[0]), area(alone[0]) * (1 + 1e-12));
 }
 
+// Whether balls that touch overlap or not is their places' round-off.
+TEST(RingFilm, BallsThatTouchHaveTheSameRings)
+{
+    const auto ball = make_ball<3>(2);
+    const Vec<3> way = Vec<3>(1, 2, -1).normalized();
+    std::vector<std::size_t> nodes;
+    for (double gap : {1e-12, 0.0, -1e-12, -1e-9}) {
+        const auto films =
+            films_of<3>(place<3>(ball, Vec<3>::Zero()), place<3>(ball, Vec<3>((4 + gap) * way)), rings_with(1.5));
+        ASSERT_EQ(films.size(), 1u);
+        nodes.push_back(films[0].x.size());
+    }
+    EXPECT_EQ(nodes, std::vector<std::size_t>(nodes.size(), nodes[0]));
+}
+
 // One mouth an edge of the rim, half as many as edges of half a cell would have: films of crowds have most of their cost in mouths.
 TEST(RingFilm, HasAPointOnEachEdgeOfItsRim)
 {
