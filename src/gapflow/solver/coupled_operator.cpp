@@ -11,6 +11,7 @@
 #include "gapflow/solver/solver.hpp"
 
 #include <cmath>
+#include <numeric>
 
 namespace gapflow {
 
@@ -20,23 +21,49 @@ CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
       ground_(system.nodes, 0.0)
 {
     const Grid<D>& grid = *system.grid;
+    const Block<D>& block = system.component.block();
+    link_cells_begin_.push_back(0);
     link_nodes_begin_.push_back(0);
-    for (std::size_t r = 0; r < system.links.size(); ++r) {
-        for (const auto& [key, weight] : system.links[r].cells) {
-            const Index<D> c = grid.cell_of_key(key);
-            if (grid.owns(c))
-                link_cells_.push_back({static_cast<int>(r), system.component.block().offset(c), weight});
-        }
-        for (const auto& [node, weight] : system.links[r].nodes)
+    node_links_begin_.assign(system.nodes + 1, 0);
+    std::vector<std::pair<long, int>> by_cell; // cell, number in link_cells_
+    for (const Link& link : system.links) {
+        for (const auto& [key, weight] : link.cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c)) {
+                by_cell.emplace_back(block.offset(c), static_cast<int>(link_cells_.size()));
+                link_cells_.push_back({block.offset(c), weight});
+            }
+        for (const auto& [node, weight] : link.nodes) {
             link_nodes_.push_back({node, weight});
+            ++node_links_begin_[node + 1];
+        }
+        link_cells_begin_.push_back(static_cast<int>(link_cells_.size()));
         link_nodes_begin_.push_back(static_cast<int>(link_nodes_.size()));
     }
-    for (int column = 0; column < system.film.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, column); entry; ++entry) {
-            ground_[entry.row()] += entry.value();
-            if (entry.row() < column)
-                edges_.push_back({static_cast<int>(entry.row()), column, -entry.value()});
+    std::vector<int> link_of;
+    for (int r = 0; r < static_cast<int>(system.links.size()); ++r)
+        link_of.resize(link_cells_begin_[r + 1], r);
+    std::sort(by_cell.begin(), by_cell.end());
+    for (const auto& [cell, i] : by_cell) {
+        if (linked_cells_.empty() || linked_cells_.back() != cell) {
+            linked_cells_.push_back(cell);
+            cell_links_begin_.push_back(static_cast<int>(cell_links_.size()));
         }
+        cell_links_.push_back({link_of[i], link_cells_[i].weight});
+    }
+    cell_links_begin_.push_back(static_cast<int>(cell_links_.size()));
+    std::partial_sum(node_links_begin_.begin(), node_links_begin_.end(), node_links_begin_.begin());
+    node_links_.resize(link_nodes_.size());
+    std::vector<int> next(node_links_begin_.begin(), node_links_begin_.end() - 1);
+    for (std::size_t r = 0; r < system.links.size(); ++r)
+        for (const auto& [node, weight] : system.links[r].nodes)
+            node_links_[next[node]++] = {static_cast<int>(r), weight};
+    cell_flux_runs_ = RowRuns(static_cast<long>(system.cell_flux.size()), system.component.size(),
+                              [&](long i) { return block.offset(system.cell_flux[i].row); });
+    node_flux_runs_ =
+        RowRuns(static_cast<long>(system.node_flux.size()), system.nodes, [&](long i) { return system.node_flux[i].row; });
+    for (int column = 0; column < system.film.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, column); entry; ++entry)
+            ground_[entry.row()] += entry.value();
     for (int i = 0; i < system.nodes; ++i)
         if (std::abs(ground_[i]) < 1e-12 * system.film.coeff(i, i))
             ground_[i] = 0; // round-off
@@ -125,6 +152,79 @@ double CoupledOperator<D>::apply(UnknownVector<D>& p, UnknownVector<D>& y, bool 
     return finish_product(p, y, grid_energy, with_bodies);
 }
 
+namespace {
+
+constexpr long share = 2048; // links or nodes of a thread's piece of work
+
+// wrench += sum of value(row) flux. Long lists are summed in a few parts of a length that does not depend on the number of threads.
+template <int D, class Entries, class Value>
+void add_wrenches(const Entries& entries, Value&& value, Eigen::Ref<Eigen::VectorXd> wrench)
+{
+    constexpr long shortest = 8192, most = 16; // entries of a part, parts
+    const long n = static_cast<long>(entries.size()), size = std::max(shortest, (n + most - 1) / most);
+    const auto add = [&](long begin, long end, auto&& sum) {
+        for (long i = begin; i < end; ++i)
+            sum.template segment<twist_size<D>>(twist_size<D> * entries[i].body) += value(entries[i].row) * entries[i].flux;
+    };
+    if (n <= size)
+        return add(0, n, wrench);
+    for (const Eigen::VectorXd& part : each_chunk(n, size, [&](long begin, long end) {
+             Eigen::VectorXd sum = Eigen::VectorXd::Zero(wrench.size());
+             add(begin, end, sum);
+             return sum;
+         }))
+        wrench += part;
+}
+
+double sum_of(const std::vector<double>& parts)
+{
+    return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+} // namespace
+
+// Adds the nodes to the links' sums over cells and takes them times the conductance. Returns p . y of the links.
+template <int D>
+double CoupledOperator<D>::sum_links(const UnknownVector<D>& p) const
+{
+    return sum_of(each_chunk(static_cast<long>(system_.links.size()), share, [&](long begin, long end) {
+        double total = 0;
+        for (long r = begin; r < end; ++r) {
+            double sum = 0;
+            for (int i = link_nodes_begin_[r]; i < link_nodes_begin_[r + 1]; ++i)
+                sum += link_nodes_[i].weight * p.nodes[link_nodes_[i].number];
+            sum += partial_[r];
+            partial_[r] = system_.links[r].conductance * sum;
+            total += partial_[r] * sum;
+        }
+        return total;
+    }));
+}
+
+// y of the nodes, from the film's elements and the links. Returns p . y of the elements.
+template <int D>
+double CoupledOperator<D>::multiply_nodes(const UnknownVector<D>& p, UnknownVector<D>& y) const
+{
+    return sum_of(each_chunk(system_.nodes, share, [&](long begin, long end) {
+        double total = 0;
+        for (long i = begin; i < end; ++i) {
+            const double here = p.nodes[i];
+            double sum = 0;
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(system_.film, i); entry; ++entry) {
+                const double difference = p.nodes[entry.row()] - here, flux = entry.value() * difference; // of the diagonal 0
+                sum += flux;
+                total -= 0.5 * flux * difference; // twice an edge
+            }
+            sum += ground_[i] * here;
+            total += ground_[i] * here * here;
+            for (int k = node_links_begin_[i]; k < node_links_begin_[i + 1]; ++k)
+                sum += node_links_[k].weight * partial_[node_links_[k].number];
+            y.nodes[i] = sum;
+        }
+        return total;
+    }));
+}
+
 template <int D>
 double CoupledOperator<D>::finish_product(const UnknownVector<D>& p, UnknownVector<D>& y, double grid_energy,
                                           bool with_bodies) const
@@ -133,47 +233,31 @@ double CoupledOperator<D>::finish_product(const UnknownVector<D>& p, UnknownVect
     const long links = static_cast<long>(system_.links.size());
     partial_.setZero();
     const double* in_cells = p.cells.data();
-    for (const LinkCell& entry : link_cells_)
-        partial_[entry.link] += entry.weight * in_cells[entry.cell];
+    for_each_part(links, [&](long begin, long end) {
+        for (long r = begin; r < end; ++r)
+            for (int i = link_cells_begin_[r]; i < link_cells_begin_[r + 1]; ++i)
+                partial_[r] += link_cells_[i].weight * in_cells[link_cells_[i].number];
+    });
+    auto wrench = partial_.segment(links, dofs_);
     if (with_bodies)
-        for (const auto& entry : system_.cell_flux)
-            partial_.template segment<twist_size<D>>(links + twist_size<D> * entry.body) += p.cells(entry.row) * entry.flux;
+        add_wrenches<D>(
+            system_.cell_flux, [&](const Index<D>& c) { return p.cells(c); }, wrench);
     partial_[links + dofs_] = grid_energy;
     grid.comm().sum(std::span<double>(partial_.data(), partial_.size()));
 
     double total = partial_[links + dofs_];
-    y.nodes.setZero();
-    for (const FilmEdge& edge : edges_) {
-        const double difference = p.nodes[edge.i] - p.nodes[edge.j], flux = edge.conductance * difference;
-        y.nodes[edge.i] += flux;
-        y.nodes[edge.j] -= flux;
-        total += flux * difference;
-    }
-    for (int i = 0; i < system_.nodes; ++i)
-        if (ground_[i] != 0) {
-            y.nodes[i] += ground_[i] * p.nodes[i];
-            total += ground_[i] * p.nodes[i] * p.nodes[i];
-        }
-    for (long r = 0; r < links; ++r) {
-        const double conductance = system_.links[r].conductance;
-        const std::span<const LinkNode> nodes(link_nodes_.data() + link_nodes_begin_[r],
-                                              link_nodes_.data() + link_nodes_begin_[r + 1]);
-        double in_nodes = 0;
-        for (const auto& [node, weight] : nodes)
-            in_nodes += weight * p.nodes[node];
-        const double sum = partial_[r] + in_nodes;
-        total += conductance * sum * sum;
-        partial_[r] = conductance * sum;
-        for (const auto& [node, weight] : nodes)
-            y.nodes[node] += weight * partial_[r];
-    }
+    total += sum_links(p);
+    total += multiply_nodes(p, y);
     double* out_cells = y.cells.data();
-    for (const LinkCell& entry : link_cells_)
-        out_cells[entry.cell] += entry.weight * partial_[entry.link];
+    for_each_part(static_cast<long>(linked_cells_.size()), [&](long begin, long end) {
+        for (long c = begin; c < end; ++c)
+            for (int i = cell_links_begin_[c]; i < cell_links_begin_[c + 1]; ++i)
+                out_cells[linked_cells_[c]] += cell_links_[i].weight * partial_[cell_links_[i].number];
+    });
     if (with_bodies && dofs_ > 0) {
-        for (const auto& entry : system_.node_flux)
-            partial_.template segment<twist_size<D>>(links + twist_size<D> * entry.body) += p.nodes[entry.row] * entry.flux;
-        const Eigen::VectorXd wrench = partial_.segment(links, dofs_), twist = response_(wrench);
+        add_wrenches<D>(
+            system_.node_flux, [&](int node) { return p.nodes[node]; }, wrench);
+        const Eigen::VectorXd twist = response_(wrench);
         total += wrench.dot(twist);
         add_flux(twist, y);
     }
@@ -202,15 +286,16 @@ double CoupledOperator<D>::round_off(const UnknownVector<D>& p) const
             terms.cells(c) +=
                 2 * std::abs(p.cells(c)) * (system_.conductance(axis, c) + system_.conductance(axis, c + step<D>(axis)));
     });
-    for (const FilmEdge& edge : edges_) {
-        const double term = std::abs(edge.conductance) * (std::abs(p.nodes[edge.i]) + std::abs(p.nodes[edge.j]));
-        terms.nodes[edge.i] += term;
-        terms.nodes[edge.j] += term;
-    }
+    for_each_film_edge([&](int i, int j, double conductance) {
+        const double term = std::abs(conductance) * (std::abs(p.nodes[i]) + std::abs(p.nodes[j]));
+        terms.nodes[i] += term;
+        terms.nodes[j] += term;
+    });
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(static_cast<long>(system_.links.size()) + dofs_);
     const long links = static_cast<long>(system_.links.size());
-    for (const LinkCell& entry : link_cells_)
-        sums[entry.link] += std::abs(entry.weight * p.cells.data()[entry.cell]);
+    for (long r = 0; r < links; ++r)
+        for (int i = link_cells_begin_[r]; i < link_cells_begin_[r + 1]; ++i)
+            sums[r] += std::abs(link_cells_[i].weight * p.cells.data()[link_cells_[i].number]);
     auto add_wrench = [&](int body, double value, const Twist<D>& flux) {
         sums.template segment<twist_size<D>>(links + twist_size<D> * body) += std::abs(value) * flux.cwiseAbs();
     };
@@ -226,8 +311,10 @@ double CoupledOperator<D>::round_off(const UnknownVector<D>& p) const
         for (const auto& [node, weight] : link.nodes)
             terms.nodes[node] += link.conductance * std::abs(weight) * sums[r];
     }
-    for (const LinkCell& entry : link_cells_)
-        terms.cells.data()[entry.cell] += system_.links[entry.link].conductance * std::abs(entry.weight) * sums[entry.link];
+    for (long r = 0; r < links; ++r)
+        for (int i = link_cells_begin_[r]; i < link_cells_begin_[r + 1]; ++i)
+            terms.cells.data()[link_cells_[i].number] +=
+                system_.links[r].conductance * std::abs(link_cells_[i].weight) * sums[r];
     auto twist = [&](int body, const Twist<D>& flux) {
         double sum = 0;
         for (int d = 0; d < twist_size<D>; ++d)
@@ -246,21 +333,24 @@ template <int D>
 Eigen::VectorXd CoupledOperator<D>::transpose_flux(const UnknownVector<D>& p) const
 {
     Eigen::VectorXd wrench = Eigen::VectorXd::Zero(dofs_);
-    for (const auto& entry : system_.cell_flux)
-        wrench.template segment<twist_size<D>>(twist_size<D> * entry.body) += p.cells(entry.row) * entry.flux;
+    add_wrenches<D>(
+        system_.cell_flux, [&](const Index<D>& c) { return p.cells(c); }, wrench);
     system_.grid->comm().sum(std::span<double>(wrench.data(), wrench.size()));
-    for (const auto& entry : system_.node_flux)
-        wrench.template segment<twist_size<D>>(twist_size<D> * entry.body) += p.nodes[entry.row] * entry.flux;
+    add_wrenches<D>(
+        system_.node_flux, [&](int node) { return p.nodes[node]; }, wrench);
     return wrench;
 }
 
 template <int D>
 void CoupledOperator<D>::add_flux(const Eigen::VectorXd& u, UnknownVector<D>& y) const
 {
-    for (const auto& entry : system_.cell_flux)
-        y.cells(entry.row) += entry.flux.dot(u.template segment<twist_size<D>>(twist_size<D> * entry.body));
-    for (const auto& entry : system_.node_flux)
-        y.nodes[entry.row] += entry.flux.dot(u.template segment<twist_size<D>>(twist_size<D> * entry.body));
+    const auto dot = [&](const auto& entry) {
+        return entry.flux.dot(u.template segment<twist_size<D>>(twist_size<D> * entry.body));
+    };
+    const auto cell = [&](long i) -> const Index<D>& { return system_.cell_flux[i].row; };
+    const auto node = [&](long i) { return system_.node_flux[i].row; };
+    cell_flux_runs_.for_each(cell, [&](long i) { y.cells(cell(i)) += dot(system_.cell_flux[i]); });
+    node_flux_runs_.for_each(node, [&](long i) { y.nodes[node(i)] += dot(system_.node_flux[i]); });
 }
 
 template <int D>
@@ -272,8 +362,8 @@ Eigen::VectorXd CoupledOperator<D>::inverse_mass(const Eigen::VectorXd& w) const
 template <int D>
 long CoupledOperator<D>::bytes() const
 {
-    long sum = static_cast<long>(link_cells_.size() * sizeof(LinkCell) + link_nodes_.size() * sizeof(LinkNode) +
-                                 edges_.size() * sizeof(FilmEdge));
+    long sum = static_cast<long>((link_cells_.size() + cell_links_.size() + link_nodes_.size() + node_links_.size()) *
+                                 sizeof(Weighted<long>));
     for (const SharedRows<double>& values : conductance_)
         sum += values.bytes();
     return sum;

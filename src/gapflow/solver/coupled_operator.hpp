@@ -5,18 +5,58 @@
 #include "gapflow/solver/level.hpp"
 #include "gapflow/solver/vectors.hpp"
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace gapflow {
 
-/// The film's matrix as edges, flux = conductance (p_i - p_j), and grounds, flux = conductance p_i: differences keep the
-/// constants' product exactly zero where a film of conductance 1e7 has mouths of 1e-7.
-struct FilmEdge {
-    int i, j;
-    double conductance;
+/// A list of entries cut where a row comes again: each part is shared out over threads, those of a row on one.
+class RowRuns {
+public:
+    RowRuns() = default;
+    /// Of n entries, `row(i)` the row of each, below `rows`.
+    template <class Row>
+    RowRuns(long n, long rows, Row&& row)
+    {
+        std::vector<char> seen(rows, 0);
+        for (long i = 0; i < n; ++i) {
+            const long r = row(i);
+            if (i > begin_.back() && r == row(i - 1))
+                continue;
+            if (seen[r]) {
+                for (long k = begin_.back(); k < i; ++k)
+                    seen[row(k)] = 0;
+                begin_.push_back(i);
+            }
+            seen[r] = 1;
+        }
+        begin_.push_back(n);
+    }
+    /// Calls f(i) for all entries, those of a row in their order.
+    template <class Row, class F>
+    void for_each(Row&& row, F&& f) const
+    {
+        for (std::size_t run = 0; run + 1 < begin_.size(); ++run) {
+            const long first = begin_[run], last = begin_[run + 1];
+            const auto start = [&](long i) { // of the row there
+                while (i > first && i < last && row(i) == row(i - 1))
+                    ++i;
+                return i;
+            };
+            for_each_part(last - first, [&](long begin, long end) {
+                for (long i = start(first + begin), stop = start(first + end); i < stop; ++i)
+                    f(i);
+            });
+        }
+    }
+
+private:
+    std::vector<long> begin_{0};
 };
 
-/// Flattened view of a system, for products. Keeps a reference to it.
+/// Flattened view of a system, for products. Keeps a reference to it. The film's matrix is applied as edges, flux = conductance (p_i - p_j), and
+/// grounds, flux = conductance p_i: differences keep the constants' product exactly zero where a film of conductance 1e7 has mouths of 1e-7.
 template <int D>
 class CoupledOperator {
 public:
@@ -46,35 +86,44 @@ public:
     void begin_product(UnknownVector<D>& p) const;
     double product_plane(const CellField<D>& p, CellField<D>& y, int plane) const;
     double finish_product(const UnknownVector<D>& p, UnknownVector<D>& y, double grid_energy, bool with_bodies = true) const;
+    /// K^T p of the last product with the bodies.
+    auto last_wrench() const { return partial_.segment(static_cast<long>(system_.links.size()), dofs_); }
     /// Ghosts of p that other ranks, or the far side of a periodic axis, own. Collective.
     void exchange(UnknownVector<D>& p) const { halo_.exchange(p.cells.data()); }
     /// Whether ghosts are exchanged along the last axis at most.
     bool halo_only_last_axis() const { return halo_.only_last_axis(); }
     const std::array<SharedRows<double>, D>& conductance() const { return conductance_; }
 
-    const std::vector<FilmEdge>& film_edges() const { return edges_; }
+    /// Calls f(i, j, conductance) for the film's edges, i < j.
+    template <class F>
+    void for_each_film_edge(F&& f) const
+    {
+        for (int j = 0; j < system_.film.outerSize(); ++j)
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(system_.film, j); entry && entry.row() < j; ++entry)
+                f(static_cast<int>(entry.row()), j, -entry.value());
+    }
     const std::vector<double>& film_ground() const { return ground_; }
     long bytes() const;
 
 private:
-    struct LinkCell {
-        int link;
-        long cell; ///< its place in a field
-        double weight;
-    };
-    struct LinkNode {
-        int node;
+    template <class Number>
+    struct Weighted {
+        Number number;
         double weight;
     };
     double apply(UnknownVector<D>& p, UnknownVector<D>& y, bool with_bodies) const;
+    double sum_links(const UnknownVector<D>& p) const;
+    double multiply_nodes(const UnknownVector<D>& p, UnknownVector<D>& y) const;
 
     const CoupledSystem<D>& system_;
     int dofs_;
     std::array<SharedRows<double>, D> conductance_;
-    std::vector<LinkCell> link_cells_; ///< those of this rank
-    std::vector<LinkNode> link_nodes_;
-    std::vector<int> link_nodes_begin_; ///< first of each link's, and the end
-    std::vector<FilmEdge> edges_;
+    std::vector<Weighted<long>> link_cells_; ///< this rank's cells (places in a field) of one link after the other
+    std::vector<Weighted<int>> cell_links_;  ///< the links of one linked cell after the other
+    std::vector<Weighted<int>> link_nodes_, node_links_;
+    std::vector<long> linked_cells_;
+    std::vector<int> link_cells_begin_, cell_links_begin_, link_nodes_begin_, node_links_begin_; ///< first of each, and the end
+    RowRuns cell_flux_runs_, node_flux_runs_;
     std::vector<double> ground_;
     BodyResponse response_;
     mutable Halo<D, double> halo_;

@@ -106,12 +106,14 @@ template <int D>
 int Deflation<D>::number_weak_films()
 {
     DisjointSets films(system_.nodes);
-    for (const FilmEdge& edge : matrix_.film_edges())
-        if (edge.conductance != 0)
-            films.join(edge.i, edge.j);
+    matrix_.for_each_film_edge([&](int i, int j, double conductance) {
+        if (conductance != 0)
+            films.join(i, j);
+    });
     std::vector<double> inside(system_.nodes, 0.0), outside(system_.nodes, 0.0);
-    for (const FilmEdge& edge : matrix_.film_edges())
-        inside[films.find(edge.i)] = std::max(inside[films.find(edge.i)], std::abs(edge.conductance));
+    matrix_.for_each_film_edge([&](int i, int, double conductance) {
+        inside[films.find(i)] = std::max(inside[films.find(i)], std::abs(conductance));
+    });
     for (const Link& link : system_.links)
         for (const auto& [node, weight] : link.nodes)
             outside[films.find(node)] += link.conductance * weight * weight;

@@ -163,13 +163,13 @@ template <class F, class Join>
 void FilmBand<D>::for_each_term(F&& f, Join&& join, std::vector<char>& fixed) const
 {
     const Grid<D>& grid = *system_.grid;
-    for (const FilmEdge& edge : matrix_.film_edges()) {
-        f(edge.i, edge.i, edge.conductance);
-        f(edge.j, edge.j, edge.conductance);
-        f(std::max(edge.i, edge.j), std::min(edge.i, edge.j), -edge.conductance);
-        if (edge.conductance != 0)
-            join(edge.i, edge.j);
-    }
+    matrix_.for_each_film_edge([&](int i, int j, double conductance) {
+        f(i, i, conductance);
+        f(j, j, conductance);
+        f(j, i, -conductance);
+        if (conductance != 0)
+            join(i, j);
+    });
     for (int i = 0; i < system_.nodes; ++i) {
         f(i, i, matrix_.film_ground()[i]);
         fixed[i] = matrix_.film_ground()[i] != 0;
