@@ -44,23 +44,45 @@ double BodyCorrection<D>::lightness(const Inverse& inverse) const
 }
 
 template <int D>
-bool BodyCorrection<D>::set_up(const Inverse& inverse, double bytes_per_cell, std::vector<Index<D>> banded)
+void BodyCorrection<D>::find_exact_cells(std::vector<Index<D>> banded)
 {
     const CoupledSystem<D>& system = matrix_.system();
     const Grid<D>& grid = *system.grid;
-    const int dofs = matrix_.dofs();
-    kept_ = 4.0 * dofs <= bytes_per_cell;
-    if (kept_)
-        exact_cells_ = std::move(
-            banded); // a pocket with films as its only outlets has a pressure of 1e8 there, and its rounding error matters
-    if (kept_)
-        for (const Link& link : system.links)
-            for (const auto& entry : link.cells)
-                if (const Index<D> c = grid.cell_of_key(entry.first); grid.owns(c))
-                    exact_cells_.push_back(c);
+    exact_cells_ = std::move(
+        banded); // a pocket with films as its only outlets has a pressure of 1e8 there, and its rounding error matters
+    for (const Link& link : system.links)
+        for (const auto& entry : link.cells)
+            if (const Index<D> c = grid.cell_of_key(entry.first); grid.owns(c))
+                exact_cells_.push_back(c);
     std::sort(exact_cells_.begin(), exact_cells_.end(),
               [&](const Index<D>& a, const Index<D>& b) { return grid.key(a) < grid.key(b); });
     exact_cells_.erase(std::unique(exact_cells_.begin(), exact_cells_.end()), exact_cells_.end());
+}
+
+template <int D>
+void BodyCorrection<D>::keep_column(const UnknownVector<D>& z)
+{
+    const Grid<D>& grid = *matrix_.system().grid;
+    Column& column = columns_.emplace_back();
+    column.nodes = z.nodes;
+    column.cells.reserve(grid.owned_cells());
+    for_each_field_row(
+        grid, [&](int n, const double* row) { column.cells.insert(column.cells.end(), row, row + n); }, z.cells);
+    const Block<D> block(grid.low(), grid.high());
+    for (const Index<D>& c : exact_cells_)
+        column.remainder.push_back(z.cells(c) - column.cells[block.offset(c)]);
+}
+
+template <int D>
+bool BodyCorrection<D>::set_up(const Inverse& inverse, double bytes_per_cell, std::vector<Index<D>> banded)
+{
+    const CoupledSystem<D>& system = matrix_.system();
+    const int dofs = matrix_.dofs();
+    columns_.clear();
+    motions_.resize(dofs, 0);
+    kept_ = 4.0 * dofs <= bytes_per_cell;
+    if (kept_)
+        find_exact_cells(std::move(banded));
 
     added_ = Eigen::MatrixXd::Zero(dofs, dofs);
     UnknownVector<D> r = zero_vector(system), z = zero_vector(system);
@@ -71,16 +93,8 @@ bool BodyCorrection<D>::set_up(const Inverse& inverse, double bytes_per_cell, st
         matrix_.add_flux(Eigen::VectorXd::Unit(dofs, d), r);
         inverse(r, z);
         added_.col(d) = matrix_.transpose_flux(z);
-        if (!kept_)
-            continue;
-        Column& column = columns_.emplace_back();
-        column.nodes = z.nodes;
-        column.cells.reserve(grid.owned_cells());
-        for_each_field_row(
-            grid, [&](int n, const double* row) { column.cells.insert(column.cells.end(), row, row + n); }, z.cells);
-        const Block<D> block(grid.low(), grid.high());
-        for (const Index<D>& c : exact_cells_)
-            column.remainder.push_back(z.cells(c) - column.cells[block.offset(c)]);
+        if (kept_)
+            keep_column(z);
     }
     added_ = 0.5 * (added_ + added_.transpose().eval());
     ready_ = true;
@@ -95,6 +109,8 @@ void BodyCorrection<D>::update()
 {
     if (!ready_)
         return;
+    if (in_part())
+        return update_motions();
     const CoupledSystem<D>& system = matrix_.system();
     Eigen::MatrixXd capacitance = added_ + Eigen::MatrixXd(system.mass);
     if (system.contact.rows() > 0) {
@@ -109,14 +125,75 @@ void BodyCorrection<D>::update()
 }
 
 template <int D>
+void BodyCorrection<D>::add_motions(const Inverse& inverse, double bytes_per_cell, const Eigen::MatrixXd& motions,
+                                    std::vector<Index<D>> banded)
+{
+    constexpr double independent = 0.1; // of a motion's norm: what must be left of it without the others
+    const CoupledSystem<D>& system = matrix_.system();
+    const int dofs = matrix_.dofs();
+    if (!in_part()) {
+        find_exact_cells(std::move(banded));
+        motions_.resize(dofs, 0);
+        kept_ = true;
+    }
+    std::vector<Eigen::VectorXd> wrenches; // K^T W U of the new ones
+    UnknownVector<D> r = zero_vector(system), z = zero_vector(system);
+    for (long k = 0; k < motions.cols() && 4.0 * static_cast<double>(motions_.cols() + 1) <= bytes_per_cell; ++k) {
+        Eigen::VectorXd u = motions.col(k);
+        const double size = std::sqrt(u.dot(system.mass * u));
+        for (int pass = 0; pass < 2; ++pass)
+            u -= motions_ * (motions_.transpose() * (system.mass * u));
+        const double left = std::sqrt(u.dot(system.mass * u));
+        if (!(left > independent * size))
+            continue;
+        u /= left;
+        r.cells.fill(0);
+        r.nodes.setZero();
+        matrix_.add_flux(u, r);
+        inverse(r, z);
+        keep_column(z);
+        motions_.conservativeResize(dofs, motions_.cols() + 1);
+        motions_.rightCols(1) = u;
+        wrenches.push_back(matrix_.transpose_flux(z));
+    }
+    if (wrenches.empty())
+        return;
+    const long old = added_.cols(), count = motions_.cols();
+    added_.conservativeResize(count, count);
+    for (long k = old; k < count; ++k)
+        added_.col(k) = motions_.transpose() * wrenches[k - old];
+    added_.bottomLeftCorner(count - old, old) = added_.topRightCorner(old, count - old).transpose();
+    added_.bottomRightCorner(count - old, count - old) =
+        0.5 * (added_.bottomRightCorner(count - old, count - old) +
+               added_.bottomRightCorner(count - old, count - old).transpose().eval());
+    ready_ = true;
+    update_motions();
+}
+
+template <int D>
+void BodyCorrection<D>::update_motions()
+{
+    const Eigen::MatrixXd momentum = matrix_.system().mass * motions_;
+    Eigen::MatrixXd response(momentum.rows(), momentum.cols());
+    for (long k = 0; k < momentum.cols(); ++k)
+        response.col(k) = matrix_.inverse_mass(momentum.col(k));
+    const Eigen::MatrixXd C = momentum.transpose() * response;
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(C.rows(), C.cols());
+    middle_ = (one + C * added_).partialPivLu().solve(C);
+    middle_ = 0.5 * (middle_ + middle_.transpose().eval());
+}
+
+template <int D>
 void BodyCorrection<D>::correct(const Inverse& inverse, const UnknownVector<D>& r, UnknownVector<D>& z) const
 {
     if (!ready_)
         return;
     const CoupledSystem<D>& system = matrix_.system();
     const Grid<D>& grid = *system.grid;
-    const int dofs = matrix_.dofs();
-    const Eigen::VectorXd twist = capacitance_.solve(matrix_.transpose_flux(z)); // K^T B r = W^T r
+    const Eigen::VectorXd wrench = matrix_.transpose_flux(z); // K^T B r = W^T r
+    const Eigen::VectorXd twist =
+        in_part() ? Eigen::VectorXd(middle_ * (motions_.transpose() * wrench)) : capacitance_.solve(wrench);
+    const int columns = static_cast<int>(twist.size());
     if (!kept_) {
         UnknownVector<D> modified = r;
         matrix_.add_flux(-twist, modified);
@@ -128,7 +205,7 @@ void BodyCorrection<D>::correct(const Inverse& inverse, const UnknownVector<D>& 
         grid,
         [&](int n, double* row) {
             int d = 0;
-            for (; d + 3 <= dofs; d += 3) { // twists come in threes
+            for (; d + 3 <= columns; d += 3) { // twists come in threes
                 const float* w0 = columns_[d].cells.data() + offset;
                 const float* w1 = columns_[d + 1].cells.data() + offset;
                 const float* w2 = columns_[d + 2].cells.data() + offset;
@@ -136,10 +213,15 @@ void BodyCorrection<D>::correct(const Inverse& inverse, const UnknownVector<D>& 
                 for (int i = 0; i < n; ++i)
                     row[i] -= t0 * w0[i] + t1 * w1[i] + t2 * w2[i];
             }
+            for (; d < columns; ++d) {
+                const float* w = columns_[d].cells.data() + offset;
+                for (int i = 0; i < n; ++i)
+                    row[i] -= twist[d] * w[i];
+            }
             offset += n;
         },
         z.cells);
-    for (int d = 0; d < dofs; ++d) {
+    for (int d = 0; d < columns; ++d) {
         z.nodes -= twist[d] * columns_[d].nodes;
         for (std::size_t i = 0; i < exact_cells_.size(); ++i)
             z.cells(exact_cells_[i]) -= twist[d] * columns_[d].remainder[i];

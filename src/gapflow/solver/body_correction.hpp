@@ -10,7 +10,8 @@
 
 namespace gapflow {
 
-/// Turns B ~ L^-1 into (B^-1 + K M^-1 K^T)^-1 = B - W (M + K^T W)^-1 W^T,  W = B K.
+/// Turns B ~ L^-1 into (B^-1 + K M^-1 K^T)^-1 = B - W (M + K^T W)^-1 W^T,  W = B K. With some motions U alone, U^T M U = 1, into
+/// (B^-1 + K U C U^T K^T)^-1 = B - W U (C^-1 + U^T K^T W U)^-1 U^T W^T,  C = U^T M M_c^-1 M U,  M_c^-1: with the contacts held.
 template <int D>
 class BodyCorrection {
 public:
@@ -28,6 +29,12 @@ public:
     /// `banded`: this rank's cells in which the films' band acts.
     bool set_up(const Inverse& inverse, double bytes_per_cell, std::vector<Index<D>> banded = {});
     bool ready() const { return ready_; }
+    /// Corrects for motions of the bodies (columns) in place of all, besides those of earlier calls, one application of B each, as long as
+    /// there are no more columns than `bytes_per_cell` allow: the first ones. Collective.
+    void add_motions(const Inverse& inverse, double bytes_per_cell, const Eigen::MatrixXd& motions,
+                     std::vector<Index<D>> banded);
+    /// Whether it corrects for some motions alone.
+    bool in_part() const { return motions_.cols() > 0; }
     /// Takes the system's masses and contacts anew.
     void update();
 
@@ -42,13 +49,19 @@ private:
         std::vector<double> remainder;
         Eigen::VectorXd nodes;
     };
+    void find_exact_cells(std::vector<Index<D>> banded);
+    void keep_column(const UnknownVector<D>& z);
+    void update_motions();
+
     const CoupledOperator<D>& matrix_;
     bool ready_ = false, kept_ = false;
+    Eigen::MatrixXd motions_; ///< U; none: all
     std::vector<Column> columns_;
     std::vector<Index<D>>
         exact_cells_;       ///< of links and the films' band, on this rank: their entries of the columns are doubles
-    Eigen::MatrixXd added_; ///< K^T B K
+    Eigen::MatrixXd added_; ///< K^T B K, or U^T K^T B K U
     Eigen::LLT<Eigen::MatrixXd> capacitance_;
+    Eigen::MatrixXd middle_; ///< (C^-1 + U^T K^T W U)^-1
 };
 
 } // namespace gapflow

@@ -217,7 +217,7 @@ enum class Stop { reached, broken, bodies_added };
 template <int D>
 Stop iterate(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner, const NullSpace<D>& null_space,
              KrylovVectors<D>& vectors, UnknownVector<D>& x, double start, double target, int max_iterations, int& iterations,
-             std::string& reason)
+             SlowMotions& motions, std::string& reason)
 {
     const CoupledSystem<D>& system = matrix.system();
     const Grid<D>& grid = *system.grid;
@@ -241,6 +241,7 @@ Stop iterate(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner
             return Stop::broken;
         }
         alpha = zr / energy;
+        motions.add(zr, alpha, beta, matrix.last_wrench());
         loaded_size = residual;
         residual = std::sqrt(advance(grid, preconditioner, x, r, alpha, p, q, loaded_size));
         if (k >= 4 && preconditioner.wants_bodies(k + 1, expected_iterations(k + 1, residual / start, target / start))) {
@@ -257,13 +258,15 @@ Stop iterate(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner
 template <int D>
 SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner,
                                 const NullSpace<D>& null_space, KrylovVectors<D>& vectors, UnknownVector<D>& x,
-                                const UnknownVector<D>& rhs, const SolverOptions& options, double magnitude)
+                                const UnknownVector<D>& rhs, const SolverOptions& options, double magnitude,
+                                SlowMotions& motions)
 {
     const CoupledSystem<D>& system = matrix.system();
     const Grid<D>& grid = *system.grid;
     auto& [r, z, p, q] = vectors;
     SolveReport report;
 
+    motions.clear();
     compatible(system, null_space, rhs, r);
     const double size = std::sqrt(dot(grid, r, r));
     const double reference = std::max(size, magnitude), target = options.tolerance * reference;
@@ -310,7 +313,7 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
         if (start <= target || (reached && start <= matrix.round_off(x)))
             break;
         const Stop stop = iterate(matrix, preconditioner, null_space, vectors, x, start, target, options.max_iterations,
-                                  report.iterations, reason);
+                                  report.iterations, motions, reason);
         if (report.iterations >= options.max_iterations) {
             reason = describe("not converged after %g iterations", report.iterations);
             break;
@@ -333,9 +336,9 @@ template double true_residual<3>(const CoupledOperator<3>&, const NullSpace<3>&,
                                  UnknownVector<3>&, UnknownVector<3>&);
 template SolveReport conjugate_gradients<2>(const CoupledOperator<2>&, Preconditioner<2>&, const NullSpace<2>&,
                                             KrylovVectors<2>&, UnknownVector<2>&, const UnknownVector<2>&, const SolverOptions&,
-                                            double);
+                                            double, SlowMotions&);
 template SolveReport conjugate_gradients<3>(const CoupledOperator<3>&, Preconditioner<3>&, const NullSpace<3>&,
                                             KrylovVectors<3>&, UnknownVector<3>&, const UnknownVector<3>&, const SolverOptions&,
-                                            double);
+                                            double, SlowMotions&);
 
 } // namespace gapflow

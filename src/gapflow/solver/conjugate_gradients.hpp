@@ -3,6 +3,7 @@
 
 #include "gapflow/solver/null_space.hpp"
 #include "gapflow/solver/preconditioner.hpp"
+#include "gapflow/solver/slow_motions.hpp"
 #include "gapflow/solver/solver.hpp"
 
 namespace gapflow {
@@ -13,11 +14,12 @@ struct KrylovVectors {
     UnknownVector<D> r, z, p, q;
 };
 
-/// On return A p = rhs as CoupledSolver::solve says. Collective.
+/// On return A p = rhs as CoupledSolver::solve says, and `motions` has followed the iterations. Collective.
 template <int D>
 SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner,
                                 const NullSpace<D>& null_space, KrylovVectors<D>& vectors, UnknownVector<D>& x,
-                                const UnknownVector<D>& rhs, const SolverOptions& options, double magnitude);
+                                const UnknownVector<D>& rhs, const SolverOptions& options, double magnitude,
+                                SlowMotions& motions);
 
 /// v = rhs with 0 in cells without unknown and without its part along the null vectors.
 template <int D>

@@ -124,18 +124,31 @@ bool Preconditioner<D>::wants_bodies(int done, double remaining) const
     // later. Iterations that have cost three times the columns already do not converge as expected (a box that lies on a wall and turns about a
     // contact: its film of the least thickness makes an eigenvalue of 1e7, at which round-off stops them).
     const double columns = 0.6 * matrix_.dofs() + 8; // in iterations
-    return mode_ == BodyMode::automatic && matrix_.dofs() > 0 && !bodies_.ready() && 10 * done >= matrix_.dofs() &&
+    return mode_ == BodyMode::automatic && matrix_.dofs() > 0 && !corrects_bodies() && 10 * done >= matrix_.dofs() &&
            (remaining > columns || done > 3 * columns);
+}
+
+template <int D>
+std::vector<Index<D>> Preconditioner<D>::banded_cells() const
+{
+    std::vector<Index<D>> cells;
+    for (const auto& entry : band_.owned())
+        cells.push_back(entry.cell);
+    return cells;
 }
 
 template <int D>
 void Preconditioner<D>::add_bodies()
 {
-    std::vector<Index<D>> banded;
-    for (const auto& entry : band_.owned())
-        banded.push_back(entry.cell);
-    if (!bodies_.set_up(inverse(), column_bytes, std::move(banded)))
+    if (!bodies_.set_up(inverse(), column_bytes, banded_cells()))
         mode_ = BodyMode::never;
+}
+
+template <int D>
+void Preconditioner<D>::add_motions(const Eigen::MatrixXd& motions)
+{
+    if (mode_ == BodyMode::automatic && !corrects_bodies() && motions.cols() > 0)
+        bodies_.add_motions(inverse(), column_bytes, motions, banded_cells());
 }
 
 template <int D>

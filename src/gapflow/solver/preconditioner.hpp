@@ -51,7 +51,10 @@ public:
     /// Whether the bodies' correction should be added now: after `done` iterations `remaining` are expected without.
     bool wants_bodies(int done, double remaining) const;
     void add_bodies();
-    bool corrects_bodies() const { return bodies_.ready(); }
+    /// Corrects for some motions of the bodies (columns), too, unless for all already.
+    void add_motions(const Eigen::MatrixXd& motions);
+    /// Whether it corrects for all motions of the bodies.
+    bool corrects_bodies() const { return bodies_.ready() && !bodies_.in_part(); }
     /// Takes the system's masses and contacts anew.
     void update_bodies();
     long bytes() const;
@@ -64,6 +67,7 @@ private:
     /// z.cells from there.
     void fetch(UnknownVector<D>& z) const;
     typename BodyCorrection<D>::Inverse inverse();
+    std::vector<Index<D>> banded_cells() const;
 
     const CoupledOperator<D>& matrix_;
     BodyMode mode_;

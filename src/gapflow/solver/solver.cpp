@@ -8,6 +8,12 @@
 
 namespace gapflow {
 
+namespace {
+
+constexpr double slow = 5; // eigenvalue above which a motion of the bodies gets a column for the solves to come
+
+} // namespace
+
 template <int D>
 struct CoupledSolver<D>::Data {
     Data(const CoupledSystem<D>& system, const SolverOptions& chosen)
@@ -24,6 +30,7 @@ struct CoupledSolver<D>::Data {
     CoupledOperator<D> matrix;
     NullSpace<D> null_space;
     KrylovVectors<D> vectors;
+    SlowMotions motions; ///< of the last solve
     std::optional<Preconditioner<D>> preconditioner;
     std::optional<PetscBackend<D>> petsc;
     double setup_seconds = 0;
@@ -54,8 +61,11 @@ SolveReport CoupledSolver<D>::solve(UnknownVector<D>& p, const UnknownVector<D>&
     SolverOptions options = d.options;
     options.tolerance = tolerance;
     SolveReport report;
-    if (d.preconditioner)
-        report = conjugate_gradients(d.matrix, *d.preconditioner, d.null_space, d.vectors, p, rhs, options, magnitude);
+    if (d.preconditioner) {
+        correct_slow_motions();
+        report =
+            conjugate_gradients(d.matrix, *d.preconditioner, d.null_space, d.vectors, p, rhs, options, magnitude, d.motions);
+    }
     if (d.preconditioner && !report.converged && report.iterations < options.max_iterations && std::isfinite(report.residual)) {
         // Bodies that overlap far can make the films' part of the preconditioner indefinite: algebraic multigrid is not.
         const SolveReport first = report;
@@ -70,6 +80,17 @@ SolveReport CoupledSolver<D>::solve(UnknownVector<D>& p, const UnknownVector<D>&
     }
     report.seconds = MPI_Wtime() - start;
     return report;
+}
+
+// A second solve for the same fluid, and the ones after it, need not find the bodies' slow motions again.
+template <int D>
+void CoupledSolver<D>::correct_slow_motions() const
+{
+    Data& d = *data_;
+    Eigen::MatrixXd motions = d.motions.wrenches(slow);
+    for (long k = 0; k < motions.cols(); ++k)
+        motions.col(k) = d.matrix.inverse_mass(motions.col(k));
+    d.preconditioner->add_motions(motions);
 }
 
 template <int D>

@@ -53,6 +53,8 @@ public:
     double bytes_per_cell() const;
 
 private:
+    void correct_slow_motions() const;
+
     struct Data;
     std::unique_ptr<Data> data_;
 };

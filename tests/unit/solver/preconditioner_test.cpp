@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace gapflow::test {
 namespace {
 
@@ -80,6 +82,62 @@ TEST(Preconditioner, SymmetricAndPositiveWithBodies)
             check(two_bodies<2>(32, density), bodies);
             check(two_bodies<3>(16, density), bodies);
         }
+}
+
+// Corrected for a basis of all motions, one after the other, it is the one that corrects for all bodies.
+TEST(Preconditioner, AllMotionsAreAllBodies)
+{
+    for (double density : {1e-3, 1.0}) {
+        const auto test = build(two_bodies<3>(16, density));
+        const CoupledOperator<3> matrix(test->system);
+        const int dofs = matrix.dofs();
+        Preconditioner<3> all(matrix, BodyMode::always), motions(matrix, BodyMode::automatic, false);
+        const Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(dofs, dofs) + Eigen::MatrixXd::Constant(dofs, dofs, 0.1);
+        motions.add_motions(basis.leftCols(3));
+        EXPECT_FALSE(motions.corrects_bodies());
+        motions.add_motions(basis);
+        UnknownVector<3> x = sample(*test, 1.0, 1), a = zeros(*test), b = zeros(*test);
+        remove_null(*test, x);
+        all.apply(x, a, std::sqrt(inner(*test, x, x)));
+        motions.apply(x, b, std::sqrt(inner(*test, x, x)));
+        EXPECT_LT(distance(*test, a, b), 1e-5) << density;
+    }
+}
+
+// With some motions, also where a contact holds bodies: then a motion that the contact prevents must not be corrected for, or its eigenvalue of
+// the preconditioned matrix is as small as it was large.
+TEST(Preconditioner, MotionsThatContactsHold)
+{
+    const auto test = build(film_scene<3>(16, 1.0, 1.0, 1e-2));
+    CoupledSystem<3>& system = test->system;
+    const int dofs = static_cast<int>(system.mass.rows());
+    const auto values = [&](const CoupledOperator<3>& matrix, Preconditioner<3>& preconditioner) {
+        std::pair<double, double> range{1e300, 0}; // of p.Ap over p.B^-1 p, p = B r
+        for (int seed = 0; seed < 6; ++seed) {
+            UnknownVector<3> r = zeros(*test), p = zeros(*test), q = zeros(*test);
+            matrix.add_flux(Eigen::VectorXd::Unit(dofs, 2 * seed), r);
+            preconditioner.apply(r, p, std::sqrt(inner(*test, r, r)));
+            const double product = inner(*test, p, r);
+            EXPECT_GT(product, 0);
+            const double value = matrix.apply(p, q) / product;
+            range = {std::min(range.first, value), std::max(range.second, value)};
+        }
+        return range;
+    };
+    CoupledOperator<3> matrix(system);
+    Preconditioner<3> preconditioner(matrix, BodyMode::automatic, false);
+    const double before = values(matrix, preconditioner).second;
+    preconditioner.add_motions(Eigen::MatrixXd::Identity(dofs, dofs));
+    EXPECT_GT(before, 30);
+    EXPECT_LT(values(matrix, preconditioner).second, 2);
+    system.contact.resize(3, dofs);
+    for (int row = 0; row < 3; ++row)
+        system.contact.insert(row, row) = 1;
+    system.contact_resistance = Eigen::VectorXd::Constant(3, std::numeric_limits<double>::infinity());
+    matrix.update_bodies();
+    preconditioner.update_bodies();
+    EXPECT_GT(values(matrix, preconditioner).first, 0.3);
+    EXPECT_LT(values(matrix, preconditioner).second, 2);
 }
 
 // A film's face counts for multigrid as far as the links of the cell beside it conduct.
