@@ -17,12 +17,16 @@ template <int D>
 RimJoints<D>::RimJoints(const Grid<D>& grid, std::span<const Film<D>> films, const std::vector<RimPoint<D>>& points)
     : grid_(grid), films_(films), points_(points)
 {
-    for (int i = 0; i < static_cast<int>(points_.size()); ++i)
-        bins_[cell_number<D>(grid_.wrapped(grid_.cell_of(points_[i].x)))].push_back(i);
-    for (const RimPoint<D>& point : points_) {
+    for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
+        const RimPoint<D>& point = points_[i];
+        Bin& bin = bins_[cell_number<D>(grid_.wrapped(grid_.cell_of(point.x)))];
+        bin.points.push_back(i);
+        bin.h = std::max(bin.h, point.h);
         largest_h_ = std::max(largest_h_, point.h);
-        if (D == 3)
+        if (D == 3) {
+            bin.edge = std::max(bin.edge, point.edge->length);
             longest_edge_ = std::max(longest_edge_, point.edge->length);
+        }
     }
 }
 
@@ -37,10 +41,10 @@ bool RimJoints<D>::add(const RimPoint<D>& point, double factor, double reach, st
     const double furthest = factor * (point.h + largest_h_) + reach + slack + 0.5 * longest_edge_;
     const int cells = std::min(2, static_cast<int>(furthest / grid_.dx()) + 1);
     for_each_index<D>(Index<D>::Constant(-cells), Index<D>::Constant(cells + 1), [&](const Index<D>& d) {
-        const std::vector<int>* in_bin = bins_.find(cell_number<D>(grid_.wrapped(centre + d)));
-        if (!in_bin)
+        const Bin* bin = bins_.find(cell_number<D>(grid_.wrapped(centre + d)));
+        if (!bin || distance_to_cell(point.x, centre + d) > factor * (point.h + bin->h) + reach + slack + bin->edge)
             return;
-        for (int i : *in_bin) {
+        for (int i : bin->points) {
             const RimPoint<D>& other = points_[i];
             if (other.film == point.film)
                 continue;
@@ -62,6 +66,13 @@ bool RimJoints<D>::add(const RimPoint<D>& point, double factor, double reach, st
     if (nearest)
         joints.push_back(tie(point, *nearest, best_shape));
     return !joints.empty();
+}
+
+template <int D>
+double RimJoints<D>::distance_to_cell(const Vec<D>& x, const Index<D>& cell) const
+{
+    const Vec<D> low = grid_.corner(cell), high = grid_.corner(cell + Index<D>::Ones());
+    return (low - x).cwiseMax(x - high).cwiseMax(0.0).norm();
 }
 
 // From the other point to x, or to its nearest image.

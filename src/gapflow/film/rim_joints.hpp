@@ -27,6 +27,12 @@ public:
     bool add(const RimPoint<D>& point, double factor, double reach, std::vector<Joint<D>>& joints) const;
 
 private:
+    /// The points in a cell.
+    struct Bin {
+        std::vector<int> points;
+        double h = 0, edge = 0; ///< the largest thickness, and length of their edges
+    };
+    double distance_to_cell(const Vec<D>& x, const Index<D>& cell) const;
     Vec<D> towards(const Vec<D>& x, const RimPoint<D>& other) const;
     bool near(const Vec<D>& x, const RimPoint<D>& other, double reach) const;
     double distance_to_rim(const Vec<D>& x, const RimPoint<D>& other, std::array<double, D - 1>& shape) const;
@@ -35,7 +41,7 @@ private:
     const Grid<D>& grid_;
     std::span<const Film<D>> films_;
     const std::vector<RimPoint<D>>& points_;
-    KeyMap<std::vector<int>> bins_; ///< points by the cell they lie in
+    KeyMap<Bin> bins_; ///< by the cell
     double largest_h_ = 0, longest_edge_ = 0;
 };
 
