@@ -40,28 +40,36 @@ bool RimJoints<D>::add(const RimPoint<D>& point, double factor, double reach, st
     const double slack = 1e-9 * grid_.dx();
     const double furthest = factor * (point.h + largest_h_) + reach + slack + 0.5 * longest_edge_;
     const int cells = std::min(2, static_cast<int>(furthest / grid_.dx()) + 1);
-    for_each_index<D>(Index<D>::Constant(-cells), Index<D>::Constant(cells + 1), [&](const Index<D>& d) {
+    // In 3D the nearest alone is sought: `enough` is no less than its distance.
+    double enough = std::numeric_limits<double>::infinity();
+    const auto search = [&](const Index<D>& d, auto&& take) {
         const Bin* bin = bins_.find(cell_number<D>(grid_.wrapped(centre + d)));
-        if (!bin || distance_to_cell(point.x, centre + d) > factor * (point.h + bin->h) + reach + slack + bin->edge)
+        if (!bin || distance_to_cell(point.x, centre + d) >
+                        std::min(factor * (point.h + bin->h) + reach + slack, enough + slack) + bin->edge)
             return;
         for (int i : bin->points) {
             const RimPoint<D>& other = points_[i];
-            if (other.film == point.film)
-                continue;
-            if (!near(point.x, other, factor * (point.h + other.h) + reach + slack))
+            const double limit = factor * (point.h + other.h) + reach + slack;
+            if (other.film == point.film || !near(point.x, other, std::min(limit, enough + slack)))
                 continue;
             std::array<double, D - 1> shape = other.shape;
-            const double distance = distance_to_rim(point.x, other, shape);
-            if (distance > factor * (point.h + other.h) + reach + slack)
-                continue;
-            if constexpr (D == 2)
+            if (const double distance = distance_to_rim(point.x, other, shape); distance <= limit)
+                take(other, distance, shape);
+        }
+    };
+    const auto shrink = [&](const RimPoint<D>&, double distance, const auto&) { enough = std::min(enough, distance); };
+    if (D == 3)
+        search(Index<D>::Zero(), shrink);
+    for_each_index<D>(Index<D>::Constant(-cells), Index<D>::Constant(cells + 1), [&](const Index<D>& d) {
+        search(d, [&](const RimPoint<D>& other, double distance, const std::array<double, D - 1>& shape) {
+            if constexpr (D == 2) {
                 joints.push_back(tie(point, other, shape));
-            else if (distance < best) {
-                best = distance;
+            } else if (distance < best) {
+                best = enough = distance;
                 nearest = &other;
                 best_shape = shape;
             }
-        }
+        });
     });
     if (nearest)
         joints.push_back(tie(point, *nearest, best_shape));
