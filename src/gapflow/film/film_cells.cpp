@@ -80,6 +80,46 @@ void cells_on_segment(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& y, std
 
 namespace {
 
+/// Marks on the cells of a box.
+template <int D>
+class CellMarks {
+public:
+    CellMarks(const Index<D>& low, const Index<D>& high) : block_(low, high), marks_(block_.size, 0) {}
+
+    bool operator()(const Index<D>& cell) const { return marks_[block_.offset(cell)]; }
+    /// Marks a cell of the domain and its periodic images, as far as they lie in the box.
+    void set_images(const Grid<D>& grid, const Index<D>& cell)
+    {
+        Index<D> first = Index<D>::Zero(), last = Index<D>::Zero(); // periods
+        for (int axis = 0; axis < D; ++axis)
+            if (grid.periodic(axis)) {
+                const int n = grid.cells()[axis];
+                first[axis] = -((cell[axis] - block_.low[axis]) / n);
+                last[axis] = (block_.high[axis] - 1 - cell[axis]) / n;
+            }
+        for_each_index<D>(first, last + Index<D>::Ones(), [&](const Index<D>& periods) {
+            if (const Index<D> image = cell + periods.cwiseProduct(grid.cells()); block_.contains(image))
+                marks_[block_.offset(image)] = 1;
+        });
+    }
+    /// Marks the cells up to so many away along an axis, too.
+    void spread(int axis, int distance)
+    {
+        const std::vector<char> before = marks_;
+        const long stride = block_.stride[axis], slab = stride * (block_.high[axis] - block_.low[axis]);
+        for (long from = 0; from < block_.size; from += slab) // planes across the axis follow each other in a slab
+            for (long d = stride; d <= distance * stride && d < slab; d += stride)
+                for (long i = from; i < from + slab - d; ++i) {
+                    marks_[i] |= before[i + d];
+                    marks_[i + d] |= before[i];
+                }
+    }
+
+private:
+    Block<D> block_;
+    std::vector<char> marks_;
+};
+
 /// Representative points of the open faces of a cell.
 template <int D>
 struct OpenPoints {
@@ -229,17 +269,9 @@ struct Classifier {
     };
     using Taken = NumberedItems<Taking>; // by what found it
 
-    // Calls find(i, taken) for 0 <= i < n, on threads, and makes the cells that it lists film, in the order of i; the first to take one has it. Each
-    // rank lists its own cells.
-    template <class F>
-    void add_film_cells(long n, F&& find)
+    // Makes the cells listed film, in the order of what found them; the first to take one has it. Each rank lists its own cells.
+    void add_film_cells(const std::vector<Taken>& chunks)
     {
-        const auto chunks = each_chunk(n, cells_a_chunk, [&](long begin, long end) {
-            Taken taken;
-            for (long i = begin; i < end; ++i)
-                find(static_cast<int>(i), taken);
-            return taken;
-        });
         for (const auto& [i, taking] : all_items(grid.comm(), chunks)) {
             FilmCell<D> cell;
             cell.kind = CellKind::film;
@@ -261,7 +293,7 @@ struct Classifier {
     // Bulk cells beside film cells that lie wholly in the same gap.
     void take_neighbours()
     {
-        add_film_cells(static_cast<long>(result.cells.size()), [&](int i, Taken& taken) {
+        const auto take = [&](int i, Taken& taken) {
             const auto& [key, cell] = result.cells.item(i);
             if (cell.kind != CellKind::film)
                 return;
@@ -274,39 +306,42 @@ struct Classifier {
                               if (points.size > 0 && holds(touch, points))
                                   taken.push_back({i, {grid.key(beyond), touch}});
                           });
-        });
+        };
+        add_film_cells(each_chunk(static_cast<long>(result.cells.size()), cells_a_chunk, [&](long begin, long end) {
+            Taken taken;
+            for (long i = begin; i < end; ++i)
+                take(static_cast<int>(i), taken);
+            return taken;
+        }));
+    }
+
+    // Of this rank's cells and two around them, those within two cells of one that a film's points touch, along every axis; places are not wrapped.
+    CellMarks<D> near_touched() const
+    {
+        CellMarks<D> marks(grid.low() - Index<D>::Constant(2), grid.high() + Index<D>::Constant(2));
+        for (const auto& [key, cell] : result.cells)
+            if (cell.touches[0].measure > 0)
+                marks.set_images(grid, grid.cell_of_key(key));
+        for (int axis = 0; axis < D; ++axis)
+            marks.spread(axis, 2);
+        return marks;
     }
 
     // Closed cells with a body flux that no film touches (contact surfaces on a grid plane), up to two cells from one. Each goes to the film of the
     // first cell that reaches it.
     void take_orphans()
     {
-        KeyMap<char> around;
-        around.reserve(4 * result.cells.size());
-        const auto is_near = [&](const Index<D>& c) {
-            bool near = true;
-            for (int axis = 0; axis < D; ++axis)
-                near &= grid.periodic(axis) || (c[axis] >= grid.low()[axis] - 2 && c[axis] < grid.high()[axis] + 2);
-            return near;
-        };
-        for (const auto& [key, cell] : result.cells)
-            if (cell.touches[0].measure > 0 && is_near(grid.cell_of_key(key)))
-                around.insert(key);
-        for (int axis = 0; axis < D; ++axis) // two cells along one axis after the other
-            for (int i = 0, n = static_cast<int>(around.size()); i < n; ++i) {
-                const Index<D> cell = grid.cell_of_key(around.item(i).first);
-                for (int distance : {-2, -1, 1, 2})
-                    if (const Index<D> w = grid.wrapped(Index<D>(cell + distance * step<D>(axis)));
-                        grid.in_domain(w) && is_near(w))
-                        around.insert(grid.key(w));
-            }
-        add_film_cells(static_cast<long>(around.size()), [&](int i, Taken& taken) {
-            const long key = around.item(i).first;
-            if (const Index<D> cell = grid.cell_of_key(key);
-                grid.owns(cell) && is_closed_surface(cell) && !result.cells.contains(key))
-                if (const std::optional<Touch<D>> touch = first_taker(cell))
-                    taken.push_back({i, {key, *touch}});
-        });
+        const CellMarks<D> near = near_touched();
+        add_film_cells(each_plane(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
+            Taken taken;
+            for_each_row_of_plane<D>(grid.low(), grid.high(), plane, [&](Index<D> cell) {
+                for (; cell[0] < grid.high()[0]; ++cell[0])
+                    if (near(cell) && is_closed_surface(cell) && !result.cells.contains(grid.key(cell)))
+                        if (const std::optional<Touch<D>> touch = first_taker(cell))
+                            taken.push_back({grid.key(cell), {grid.key(cell), *touch}});
+            });
+            return taken;
+        }));
     }
 
     // The touch, seen from a closed cell, of the first cell within two steps whose film's solids both meet in it.
