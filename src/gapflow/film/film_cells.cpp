@@ -519,56 +519,82 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
     reopen_strangled(faces, cells);
 }
 
+namespace {
+
+// Finds small components of open cells that no mouth reaches.
 template <int D>
-std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<long>& reached, FilmCells<D>& cells)
-{
-    const Grid<D>& grid = faces.grid();
-    CellStates<D> states(faces, cells);
-    KeyMap<char> done, large; // cells of components already visited; of those that are not pockets
-    KeyMap<char> reach;
-    for (long key : reached)
-        reach.insert(key);
-    NumberedItems<long> pockets; // by the cell whose film takes them
-    std::vector<long> component;
-    auto visit = [&](long seed, long beside) {
-        if (!grid.owns(grid.cell_of_key(seed)) || done.contains(seed) || large.contains(seed))
+class PocketFinder {
+public:
+    PocketFinder(const FaceCache<D>& faces, const FilmCells<D>& cells, const KeyMap<char>& reached)
+        : grid_(faces.grid()), states_(faces, cells), reached_(reached)
+    {
+    }
+
+    /// Lists the cells of the pocket of `seed`, one of this rank's cells, unless that is known.
+    void visit(long seed, long beside, NumberedItems<long>& pockets)
+    {
+        if (!grid_.owns(grid_.cell_of_key(seed)) || done_.contains(seed) || large_.contains(seed))
             return;
-        component.assign(1, seed);
+        component_.assign(1, seed);
         bool small = true;
-        for (std::size_t i = 0; i < component.size() && small; ++i) {
-            const Index<D> c = grid.cell_of_key(component[i]);
-            const auto state = states(c);
+        for (std::size_t i = 0; i < component_.size() && small; ++i) {
+            const Index<D> c = grid_.cell_of_key(component_[i]);
+            const auto state = states_(c);
             small = !state.leads_out; // an open side of the domain: not a pocket
             for (int side = 0; side < 2 * D && small; ++side) {
                 if (!(state.open >> side & 1))
                     continue;
-                const long beyond = grid.key(grid.wrapped(Index<D>(c + (side % 2 ? 1 : -1) * step<D>(side / 2))));
-                if (std::find(component.begin(), component.end(), beyond) == component.end())
-                    component.push_back(beyond);
-                small = !large.contains(beyond);
+                const long beyond = grid_.key(grid_.wrapped(Index<D>(c + (side % 2 ? 1 : -1) * step<D>(side / 2))));
+                if (std::find(component_.begin(), component_.end(), beyond) == component_.end())
+                    component_.push_back(beyond);
+                small = !large_.contains(beyond);
             }
-            small = small && static_cast<int>(component.size()) <= pocket_cells<D>;
+            small = small && static_cast<int>(component_.size()) <= pocket_cells<D>;
         }
-        for (long key : component)
-            (small ? done : large).insert(key);
-        if (!small || std::any_of(component.begin(), component.end(), [&](long key) { return reach.contains(key); }))
-            return;
-        for (long key : component)
-            pockets.emplace_back(beside, key);
-    };
-    // Seeds: mixed cells, and unclassified cells beside film or mixed ones. Each rank begins in its own; two of them may find a pocket between them.
-    for (int i = 0, n = static_cast<int>(cells.cells.size()); i < n; ++i) {
-        const auto& [key, cell] = cells.cells.item(i);
-        if (cell.kind == CellKind::mixed)
-            visit(key, i);
-        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key)))
-            if (const Index<D> beyond = grid.wrapped(side.cell); side.inside && grid.owns(beyond) &&
-                                                                 !cells.cells.contains(grid.key(beyond)) &&
-                                                                 faces.open(side.axis, side.face) > negligible_opening)
-                visit(grid.key(beyond), i);
+        for (long key : component_)
+            (small ? done_ : large_).insert(key);
+        if (small && std::none_of(component_.begin(), component_.end(), [&](long key) { return reached_.contains(key); }))
+            for (long key : component_)
+                pockets.emplace_back(beside, key);
     }
+
+private:
+    const Grid<D>& grid_;
+    CellStates<D> states_;
+    const KeyMap<char>& reached_;
+    KeyMap<char> done_, large_; ///< cells of components already visited; of those that are not pockets
+    std::vector<long> component_;
+};
+
+} // namespace
+
+template <int D>
+std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<long>& reached, FilmCells<D>& cells)
+{
+    const Grid<D>& grid = faces.grid();
+    KeyMap<char> reach;
+    for (long key : reached)
+        reach.insert(key);
+    // Seeds: mixed cells, and unclassified cells beside film or mixed ones. Each rank begins in its own, each thread in a part of them; several
+    // may find the same pocket. Numbered by the cell whose film takes them.
+    const long count = static_cast<long>(cells.cells.size()), threads = thread_count();
+    const auto pockets = each_chunk(count, std::max(1L, (count + threads - 1) / threads), [&](long begin, long end) {
+        PocketFinder<D> finder(faces, cells, reach);
+        NumberedItems<long> found;
+        for (long i = begin; i < end; ++i) {
+            const auto& [key, cell] = cells.cells.item(static_cast<int>(i));
+            if (cell.kind == CellKind::mixed)
+                finder.visit(key, i, found);
+            for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key)))
+                if (const Index<D> beyond = grid.wrapped(side.cell); side.inside && grid.owns(beyond) &&
+                                                                     !cells.cells.contains(grid.key(beyond)) &&
+                                                                     faces.open(side.axis, side.face) > negligible_opening)
+                    finder.visit(grid.key(beyond), i, found);
+        }
+        return found;
+    });
     KeyMap<FilmCell<D>> taken;
-    for (const auto& [i, key] : all_items<long>(grid.comm(), {pockets})) {
+    for (const auto& [i, key] : all_items(grid.comm(), pockets)) {
         if (taken.contains(key))
             continue;
         FilmCell<D> cell;
