@@ -19,6 +19,12 @@ constexpr double relative_stiffness = 1e4;
 constexpr int most_passes = 12;
 constexpr double round_off = 4e-15;
 
+// Blocks of a body's twist, in 2D those of two where that is a whole number.
+std::shared_ptr<const BlockCholesky> factor_of(const Eigen::SparseMatrix<double>& matrix)
+{
+    return BlockCholesky::of(matrix, matrix.rows() % 6 == 0 ? 6 : matrix.rows() % 3 == 0 ? 3 : 1);
+}
+
 } // namespace
 
 BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact,
@@ -29,7 +35,7 @@ BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen:
     if (mass.rows() == 0)
         return;
     if (contact.rows() == 0) {
-        factor_ = std::make_shared<Factor>(mass);
+        factor_ = factor_of(mass);
     } else {
         const Eigen::VectorXd inverse_mass = mass.diagonal().cwiseInverse();
         const Eigen::VectorXd mobility = contact.cwiseAbs2() * inverse_mass;
@@ -40,10 +46,9 @@ BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen:
                 stiffness_[r] = resistance[r];
                 rigid_[r] = 0;
             }
-        factor_ = std::make_shared<Factor>(
-            mass + Eigen::SparseMatrix<double>(contact.transpose() * stiffness_.asDiagonal() * contact));
+        factor_ = factor_of(mass + Eigen::SparseMatrix<double>(contact.transpose() * stiffness_.asDiagonal() * contact));
     }
-    if (factor_->info() != Eigen::Success)
+    if (!factor_)
         throw ComputationError("the mass matrix of the free bodies is not positive definite");
 }
 

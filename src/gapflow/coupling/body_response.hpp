@@ -2,8 +2,9 @@
 // lambda = k (s - C V) where they resist with k (method, "Contact"), else V = M^-1 w.
 #pragma once
 
+#include "gapflow/core/block_cholesky.hpp"
+
 #include <Eigen/Sparse>
-#include <Eigen/SparseCholesky>
 
 #include <memory>
 
@@ -25,8 +26,7 @@ public:
     Eigen::VectorXd operator()(const Eigen::VectorXd& w, const Eigen::VectorXd& speed, Eigen::VectorXd* lambda) const;
 
 private:
-    using Factor = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
-    std::shared_ptr<const Factor> factor_;               ///< of M + C^T diag(stiffness) C
+    std::shared_ptr<const BlockCholesky> factor_;        ///< of M + C^T diag(stiffness) C
     Eigen::SparseMatrix<double> contact_, contact_size_; ///< C, |C|
     Eigen::VectorXd stiffness_;
     Eigen::VectorXd rigid_; ///< 1 for rigid rows, else 0

@@ -51,15 +51,16 @@ void fill_grid(Coupling<D>& coupling)
         return kind == CellKind::bulk || kind == CellKind::mixed;
     };
     if (!network.cells.closed.empty()) {
+        Index<D> most = Index<D>::Zero(); // periods
+        for (int axis = 0; axis < D; ++axis)
+            most[axis] = grid.periodic(axis);
         for (const auto& [key, cell] : network.cells.cells)
             for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
                 if (!side.inside || !network.cells.closed.contains(network.faces->key(side.axis, side.face)))
                     continue;
                 // Every place where this rank stores the face (periodic: the same face on both sides).
-                for_each_index<D>(Index<D>::Constant(-1), Index<D>::Constant(2), [&](const Index<D>& k) {
-                    Index<D> f = grid.wrapped(side.face);
-                    for (int axis = 0; axis < D; ++axis)
-                        f[axis] += k[axis] * (grid.periodic(axis) ? grid.cells()[axis] : 0);
+                for_each_index<D>(-most, most + Index<D>::Ones(), [&](const Index<D>& periods) {
+                    const Index<D> f = grid.wrapped(side.face) + periods.cwiseProduct(grid.cells());
                     if (!coupling.open[side.axis].block().contains(f))
                         return;
                     double& open = coupling.open(side.axis, f);

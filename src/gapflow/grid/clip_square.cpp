@@ -21,25 +21,29 @@ namespace gapflow {
 
 namespace {
 
-constexpr int m = 2;         // pieces along an edge of the face; even, for the symmetry of the diagonals
-constexpr int nodes = 2 * m; // of the triangles cut in four: (nodes + 1)^2
-constexpr double far = 0.1;  // triangles with |phi| > far (in dx) at their corners are not cut in four
-constexpr int capacity = 24; // vertices of a fragment: 3 or 4, one more a split
+constexpr int m = 2;              // pieces along an edge of the face; even, for the symmetry of the diagonals
+constexpr int nodes = 2 * m;      // of the triangles cut in four: (nodes + 1)^2
+constexpr double far = 0.1;       // triangles with |phi| > far (in dx) at their corners are not cut in four
+constexpr int most_vertices = 24; // of a fragment: 3 or 4, one more a split
 
 struct Affine {
     double f0, fu, fv;
     double operator()(double u, double v) const { return f0 + fu * u + fv * v; }
 };
 
-struct Polygon {
+template <int Capacity>
+struct Vertices {
     int n = 0;
-    std::array<double, capacity> u, v;
+    std::array<double, Capacity> u, v;
     void add(double u_, double v_)
     {
         u[n] = u_;
         v[n++] = v_;
     }
 };
+
+using Polygon = Vertices<most_vertices>;
+using SmallPolygon = Vertices<5>; // a triangle, split once
 
 struct Fragment {
     Polygon polygon;
@@ -57,10 +61,11 @@ Affine through(const double (&u)[3], const double (&v)[3], const double (&f)[3])
 
 // Splits `p` into f <= 0 (low) and f >= 0 (high); either may come back empty (n = 0). If f = 0 everywhere, all is low, or
 // high if `zero_is_high`.
-template <class F>
-void split(const Polygon& p, F&& f, double tolerance, bool zero_is_high, Polygon& low, Polygon& high)
+template <int Capacity, class F>
+void split(const Vertices<Capacity>& p, F&& f, double tolerance, bool zero_is_high, Vertices<Capacity>& low,
+           Vertices<Capacity>& high)
 {
-    std::array<double, capacity> value;
+    std::array<double, Capacity> value;
     bool negative = false, positive = false;
     for (int i = 0; i < p.n; ++i) {
         value[i] = f(i);
@@ -70,7 +75,7 @@ void split(const Polygon& p, F&& f, double tolerance, bool zero_is_high, Polygon
         positive |= value[i] > 0;
     }
     low.n = high.n = 0;
-    if (negative && positive && p.n + 1 < capacity) {
+    if (negative && positive && p.n + 1 < Capacity) {
         for (int i = 0; i < p.n; ++i) {
             const int j = i + 1 < p.n ? i + 1 : 0;
             if (value[i] <= 0)
@@ -91,7 +96,8 @@ void split(const Polygon& p, F&& f, double tolerance, bool zero_is_high, Polygon
     }
 }
 
-void add_area(const Polygon& p, PartSum<3>& sum)
+template <int Capacity>
+void add_area(const Vertices<Capacity>& p, PartSum<3>& sum)
 {
     for (int i = 1; i + 1 < p.n; ++i) {
         const double area = 0.5 * ((p.u[i] - p.u[0]) * (p.v[i + 1] - p.v[0]) - (p.u[i + 1] - p.u[0]) * (p.v[i] - p.v[0]));
@@ -221,14 +227,14 @@ private:
             whole = std::max({f[0], f[1], f[2]}) < -tolerance_;
             owner = static_cast<int>(i);
         }
-        Polygon triangle;
+        SmallPolygon triangle;
         for (int k = 0; k < 3; ++k)
             triangle.add(u[k], v[k]);
         if (!flat && whole && near < 2)
             return add_area(triangle, owner < 0 ? sums_->open : sums_->solid[owner]);
         if (near == 1) { // most triangles
             const Affine f = through(u, v, {value(owner, c[0]), value(owner, c[1]), value(owner, c[2])});
-            Polygon low, high;
+            SmallPolygon low, high;
             split(
                 triangle, [&](int i) { return f(triangle.u[i], triangle.v[i]); }, tolerance_, false, low, high);
             add_area(low, sums_->solid[owner]);
@@ -238,7 +244,10 @@ private:
         for (std::size_t i = 0; i < cutters_.size(); ++i)
             if (cutters_[i].planes.empty())
                 linear_[i] = through(u, v, {value(i, c[0]), value(i, c[1]), value(i, c[2])});
-        fragments_.assign(1, {triangle, 0});
+        Polygon fragment;
+        for (int k = 0; k < 3; ++k)
+            fragment.add(u[k], v[k]);
+        fragments_.assign(1, {fragment, 0});
         cut_all(linear_);
     }
 

@@ -140,10 +140,12 @@ struct Extrapolation {
             for (long i = begin; i < past; ++i)
                 values[i] = linear_or_mean(candidates[i], layer == 1);
         });
-        for (std::size_t n = 0; n < candidates.size(); ++n) {
-            u(candidates[n]) = values[n];
-            valid(candidates[n]) = static_cast<std::int8_t>(layer + 1);
-        }
+        for_each_part(static_cast<long>(candidates.size()), [&](long begin, long past) {
+            for (long i = begin; i < past; ++i) {
+                u(candidates[i]) = values[i];
+                valid(candidates[i]) = static_cast<std::int8_t>(layer + 1);
+            }
+        });
         exchange(grid, valid, 1);
         exchange(grid, u, 1);
         std::vector<Index<D>> filled;

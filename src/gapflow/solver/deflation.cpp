@@ -280,14 +280,19 @@ template <int D>
 Eigen::VectorXd Deflation<D>::restricted(const UnknownVector<D>& r) const
 {
     const Grid<D>& grid = *system_.grid;
-    Eigen::VectorXd sums = Eigen::VectorXd::Zero(columns_ + 1); // entry 0: no column
-    for_each_field_row(
-        grid,
-        [&](int n, const double* row, const int* part) {
-            for (int i = 0; i < n; ++i)
-                sums[part[i] + 1] += row[i];
-        },
-        r.cells, part_);
+    const auto of_planes = each_plane(grid.low()[D - 1], grid.high()[D - 1], [&](int plane) {
+        Eigen::VectorXd sums = Eigen::VectorXd::Zero(columns_ + 1); // entry 0: no column
+        for_each_row_of_plane<D>(grid.low(), grid.high(), plane, [&](const Index<D>& row) {
+            const double* value = &r.cells(row);
+            const int* part = &part_(row);
+            for (int i = 0; i < grid.high()[0] - grid.low()[0]; ++i)
+                sums[part[i] + 1] += value[i];
+        });
+        return sums;
+    });
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(columns_ + 1);
+    for (const Eigen::VectorXd& of_plane : of_planes)
+        sums += of_plane;
     const auto add = [&](int row, double value) {
         for (Eigen::SparseMatrix<double>::InnerIterator entry(extension_, row); entry; ++entry)
             sums[entry.row() + 1] += value * entry.value();
@@ -308,13 +313,13 @@ void Deflation<D>::prolong(const Eigen::VectorXd& c, UnknownVector<D>& z) const
 {
     Eigen::VectorXd value = Eigen::VectorXd::Zero(columns_ + 1);
     value.tail(columns_) = c;
-    for_each_field_row(
-        *system_.grid,
-        [&](int n, double* row, const int* part) {
-            for (int i = 0; i < n; ++i)
-                row[i] += value[part[i] + 1];
-        },
-        z.cells, part_);
+    const Grid<D>& grid = *system_.grid;
+    for_each_row_on_threads<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+        double* to = &z.cells(row);
+        const int* part = &part_(row);
+        for (int i = 0; i < grid.high()[0] - grid.low()[0]; ++i)
+            to[i] += value[part[i] + 1];
+    });
     for (int i = 0; i < system_.nodes; ++i)
         z.nodes[i] += value[node_part_[i] + 1];
     if (extension_.nonZeros() == 0)

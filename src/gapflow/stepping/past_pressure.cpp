@@ -167,7 +167,7 @@ std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const Fa
 {
     std::vector<double> sums(D * bodies, 0.0);
     const double scale = 0.5 * density * std::pow(grid.dx(), D);
-    for (int axis = 0; axis < D; ++axis) {
+    for_each_job(D, [&](int axis) {
         const int width = owned_faces_end(grid, axis)[0] - grid.low()[0];
         for_each_row<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& row) {
             const int *old_cut = &before.cut(axis, row), *new_cut = &after.cut(axis, row);
@@ -192,7 +192,7 @@ std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const Fa
                     add(fills(before.faces[old_cut[i]]), -1);
             }
         });
-    }
+    });
     grid.comm().sum(sums);
     std::vector<Vec<D>> result(bodies);
     for (std::size_t b = 0; b < bodies; ++b)

