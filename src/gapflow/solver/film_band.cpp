@@ -24,10 +24,8 @@ namespace {
 
 constexpr int layers = 2; // cells between a mouth's cells and the band's end
 // Where films are everywhere, a band around all of them would be a factorisation of the whole fluid: then the band consists of those of the
-// mouths' own cells whose mouths conduct more than a share of what the cell's faces do. This is so where the band has more cells than this, and
-// than a share of the films' nodes.
+// mouths' own cells whose mouths conduct more than a share of what the cell's faces do. This is so where the band has more cells than this.
 constexpr std::size_t few_cells = 8000;
-constexpr double share_of_nodes = 1.0 / 3;
 constexpr double share_of_faces = 0.1;
 constexpr double shift = 1e-12; // relative, on the diagonal: films whose mouths are 1e-12 of their own conductance
 
@@ -55,9 +53,7 @@ Surroundings around_links(const CoupledSystem<D>& system)
         known.insert(entry.first);
     }
     const std::size_t alone = found.size();
-    const auto crowd = [&] {
-        return found.size() > few_cells && static_cast<double>(found.size()) > share_of_nodes * system.nodes;
-    };
+    const auto crowd = [&] { return found.size() > few_cells; };
     for (std::size_t layer = 0, first = 0; layer < layers; ++layer) {
         const std::size_t end = found.size();
         for (; first < end && !crowd(); ++first)
