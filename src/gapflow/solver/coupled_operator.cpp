@@ -154,7 +154,7 @@ double CoupledOperator<D>::apply(UnknownVector<D>& p, UnknownVector<D>& y, bool 
 
 namespace {
 
-constexpr long share = 2048; // links or nodes of a thread's piece of work
+constexpr long rows_a_piece = 2048; // links or nodes of a thread's piece of work
 
 // wrench += sum of value(row) flux. Long lists are summed in a few parts of a length that does not depend on the number of threads.
 template <int D, class Entries, class Value>
@@ -187,7 +187,7 @@ double sum_of(const std::vector<double>& parts)
 template <int D>
 double CoupledOperator<D>::sum_links(const UnknownVector<D>& p) const
 {
-    return sum_of(each_chunk(static_cast<long>(system_.links.size()), share, [&](long begin, long end) {
+    return sum_of(each_chunk(static_cast<long>(system_.links.size()), rows_a_piece, [&](long begin, long end) {
         double total = 0;
         for (long r = begin; r < end; ++r) {
             double sum = 0;
@@ -205,7 +205,7 @@ double CoupledOperator<D>::sum_links(const UnknownVector<D>& p) const
 template <int D>
 double CoupledOperator<D>::multiply_nodes(const UnknownVector<D>& p, UnknownVector<D>& y) const
 {
-    return sum_of(each_chunk(system_.nodes, share, [&](long begin, long end) {
+    return sum_of(each_chunk(system_.nodes, rows_a_piece, [&](long begin, long end) {
         double total = 0;
         for (long i = begin; i < end; ++i) {
             const double here = p.nodes[i];

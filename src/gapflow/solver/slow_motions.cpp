@@ -48,8 +48,8 @@ Eigen::MatrixXd SlowMotions::wrenches(double least) const
             basis.col(k) -= beta_[k] * wrench_[k - 1];
         basis.col(k) /= std::sqrt(zr_[k]);
     }
-    const long slow = (eigen.eigenvalues().array() > least).count();
-    return basis * eigen.eigenvectors().rightCols(slow).rowwise().reverse();
+    const long count = (eigen.eigenvalues().array() > least).count();
+    return basis * eigen.eigenvectors().rightCols(count).rowwise().reverse();
 }
 
 } // namespace gapflow

@@ -10,7 +10,7 @@ namespace gapflow {
 
 namespace {
 
-constexpr double slow = 5; // eigenvalue above which a motion of the bodies gets a column for the solves to come
+constexpr double slow_eigenvalue = 5; // eigenvalue above which a motion of the bodies gets a column for the solves to come
 
 } // namespace
 
@@ -87,7 +87,7 @@ template <int D>
 void CoupledSolver<D>::correct_slow_motions() const
 {
     Data& d = *data_;
-    Eigen::MatrixXd motions = d.motions.wrenches(slow);
+    Eigen::MatrixXd motions = d.motions.wrenches(slow_eigenvalue);
     for (long k = 0; k < motions.cols(); ++k)
         motions.col(k) = d.matrix.inverse_mass(motions.col(k));
     d.preconditioner->add_motions(motions);
