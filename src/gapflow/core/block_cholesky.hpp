@@ -7,7 +7,7 @@
 
 namespace gapflow {
 
-/// A = P^T L L^T P with L in blocks, such as the twists of bodies that films and contacts join: a third of the time of a factor in single entries.
+/// A = P^T L L^T P with L in blocks, such as the twists of bodies that films and contacts join.
 class BlockCholesky {
 public:
     /// `matrix`: symmetric, both triangles, its rows a multiple of `block`: 1, 3 or 6. None where it is not positive definite.
