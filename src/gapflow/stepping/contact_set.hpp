@@ -60,11 +60,12 @@ struct Contact {
 struct ContactAccuracy {
     double contact = 0;  ///< impulses and speeds, of the largest ones
     double friction = 0; ///< sliding friction, of the largest bound of friction on the body
+    double noticed = 1;  ///< part of these beyond which a change is made, although it is within them
 };
 
-/// Change of the contacts after a solve: `friction`: the states are the same, but sliding friction changes; `repeats`: the states
-/// are those of an earlier round.
-enum class ContactChange { none, friction, states, repeats };
+/// Change of the contacts after a solve: `slight`: within the accuracy; `friction`: the states are the same, but sliding friction changes; `repeats`: the
+/// states are those of an earlier round.
+enum class ContactChange { none, slight, friction, states, repeats };
 
 template <int D>
 class ContactSet {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace gapflow {
 
@@ -71,17 +72,14 @@ public:
         return most;
     }
 
-    /// The contact with the largest violation, if any.
-    std::optional<std::size_t> worst() const
+    /// The contact with the largest violation, and that.
+    std::pair<std::size_t, double> worst() const
     {
-        std::size_t worst = 0;
-        double most = 0;
+        std::pair<std::size_t, double> worst{0, 0.0};
         for (std::size_t i = 0; i < contacts_.size(); ++i)
-            if (const double w = wrong(i); w > most) {
-                most = w;
-                worst = i;
-            }
-        return most > 1 ? std::optional(worst) : std::nullopt;
+            if (const double w = wrong(i); w > worst.second)
+                worst = {i, w};
+        return worst;
     }
 
     /// Do some of the solve's impulses pull?
@@ -215,8 +213,8 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
     take_impulses(impulses);
     const ContactCheck<D> check(contacts_, twists, inertia, accuracy);
     const ContactForecast<D>& forecast = check.forecast();
-    const std::optional<std::size_t> worst = check.worst();
-    if (!worst) {
+    const auto [worst, violation] = check.worst();
+    if (violation <= accuracy.noticed) {
         // Where redundant contacts share a force, as floor and ceiling of a wedged body do, the solve's impulses may include
         // negative ones: the forecast's are positive and move no body.
         if (check.any_pulls())
@@ -227,9 +225,11 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
         return ContactChange::none;
     }
     bool at_once = round < rounds_at_once && !one_at_a_time_, other_states = false;
-    const States next = next_states<D>(contacts_, forecast, at_once ? std::nullopt : worst, other_states);
-    ContactChange changed = other_states ? ContactChange::states : ContactChange::friction;
-    if (other_states && repeats(next, exact)) {
+    const States next = next_states<D>(contacts_, forecast, at_once ? std::nullopt : std::optional(worst), other_states);
+    ContactChange changed = violation <= 1 ? ContactChange::slight
+                            : other_states ? ContactChange::states
+                                           : ContactChange::friction;
+    if (changed == ContactChange::states && repeats(next, exact)) {
         changed = ContactChange::repeats;
         repetitions_ += exact;
         one_at_a_time_ = repetitions_ > most_repetitions;
@@ -238,7 +238,7 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
     at_once = round < rounds_at_once && (!one_at_a_time_ || friction_alone);
     relaxation_ = relaxation_of_friction<D>(contacts_, check, friction_alone && at_once, relaxation_);
     for (std::size_t i = 0; i < contacts_.size(); ++i)
-        if (at_once || i == *worst)
+        if (at_once || i == worst)
             take_state<D>(contacts_[i], forecast.impulses[i], forecast.twists,
                           friction_alone ? std::optional(relaxation_) : std::nullopt);
     return changed;

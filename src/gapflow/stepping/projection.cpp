@@ -137,7 +137,7 @@ bool Projection<D>::update_voids(double tolerance, const Rounds& rounds, bool co
     if (!start_.voids)
         return false;
     VoidSet<D>& voids = *start_.voids;
-    const double accuracy = 10 * tolerance;
+    const double accuracy = Rounds::accuracy_over_tolerance * tolerance;
     auto [outflow, drop] = wet_->outcome(impulse_, twists_);
     node_outflow_ = outflow;
     const bool at_once = rounds.voids_at_once();

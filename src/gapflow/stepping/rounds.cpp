@@ -8,14 +8,15 @@ namespace gapflow {
 double Rounds::tolerance(double full, bool holds) const
 {
     if (!exact())
-        return std::max(full, rough_tolerances[level_]);
+        return std::max(full, rough_tolerance);
     return holds ? settled_tolerance * full : full;
 }
 
 ContactAccuracy Rounds::accuracy(double tolerance) const
 {
-    return {std::max(10 * tolerance, least_accuracy * std::exp2(0.5 * exact_rounds_)),
-            std::min(friction_accuracy * std::exp2(exact_rounds_), most_friction)};
+    return {std::max(accuracy_over_tolerance * tolerance, least_accuracy * std::exp2(0.5 * exact_rounds_)),
+            std::min(friction_accuracy * std::exp2(exact_rounds_), most_friction),
+            rough_ ? 1 / accuracy_over_tolerance : 1.0}; // what a rough solve tells for certain need not wait for the exact one
 }
 
 bool Rounds::go_on(ContactChange contacts, bool voids)
@@ -30,10 +31,9 @@ bool Rounds::go_on(ContactChange contacts, bool voids)
     if (unsettled_ || (exactly && !changed_))
         return false;
     if (round_ > most_rounds / 2)
-        level_ = rough_tolerances
-                     .size(); // full tolerance: the fluid's balance then holds even if the contacts' states do not converge
+        rough_ = false; // the fluid's balance then holds even if the contacts' states do not converge
     else if (!exactly && !voids && contacts != ContactChange::states)
-        ++level_; // sliding friction alone changes: use the next tolerance
+        rough_ = false; // sliding friction alone changes, or what a rough solve hardly tells
     ++round_;
     return true;
 }

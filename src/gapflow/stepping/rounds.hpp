@@ -5,17 +5,13 @@
 
 #include "gapflow/stepping/contact_set.hpp"
 
-#include <array>
-#include <cstddef>
-
 namespace gapflow {
 
 class Rounds {
 public:
     /// Whether there are contacts and voids at all. `expect_none`: they are not expected to change; the first solve is exact then.
     Rounds(bool contacts, bool voids, bool expect_none)
-        : level_(contacts || voids ? 0 : rough_tolerances.size()), sets_(contacts || voids), expect_none_(expect_none),
-          voids_changed_(voids)
+        : rough_((contacts || voids) && !expect_none), sets_(contacts || voids), voids_changed_(voids)
     {
     }
 
@@ -23,7 +19,7 @@ public:
     int number() const { return round_; }
     bool last() const { return round_ == most_rounds; }
     /// Whether the round's solve is to full tolerance.
-    bool exact() const { return level_ == rough_tolerances.size() || (round_ == 0 && expect_none_); }
+    bool exact() const { return !rough_; }
     /// Of the round's solve, relative. `full`: of one without sets; `holds`: something is held by contacts or voids.
     double tolerance(double full, bool holds) const;
     /// Contacts with negligible impulses may alternate without end, and the friction of contacts that share their force in many ways may follow
@@ -42,10 +38,12 @@ public:
     bool unsettled() const { return unsettled_; }
 
     static constexpr int most_rounds = 60;
+    /// Of the sets, over the tolerance of the solve that they are found with.
+    static constexpr double accuracy_over_tolerance = 10;
 
 private:
-    // While contacts change, their solves go to this relative residual only; and so many times at most.
-    static constexpr std::array<double, 3> rough_tolerances = {1e-2, 1e-4, 1e-6};
+    // Relative residual of the solves while contacts or voids change.
+    static constexpr double rough_tolerance = 1e-3;
     static constexpr double least_accuracy = 1e-6, friction_accuracy = 1e-3, most_friction = 0.05;
     // Part of the tolerance once they do not change: the contacts' forces are small compared with the weights that the fluid
     // supports.
@@ -53,10 +51,8 @@ private:
     // Voids change all at once in the first rounds, then one at a time.
     static constexpr int void_rounds_at_once = 40;
 
-    int round_ = 0;
-    std::size_t level_;    ///< rough tolerances at which the sets did not change
-    int exact_rounds_ = 0; ///< so far
-    bool sets_, expect_none_, changed_ = true, voids_changed_, unsettled_ = false;
+    int round_ = 0, exact_rounds_ = 0; ///< so far
+    bool rough_, sets_, changed_ = true, voids_changed_, unsettled_ = false;
 };
 
 } // namespace gapflow
