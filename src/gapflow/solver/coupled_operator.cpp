@@ -22,41 +22,23 @@ CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
 {
     const Grid<D>& grid = *system.grid;
     const Block<D>& block = system.component.block();
-    link_cells_begin_.push_back(0);
-    link_nodes_begin_.push_back(0);
-    node_links_begin_.assign(system.nodes + 1, 0);
-    std::vector<std::pair<long, int>> by_cell; // cell, number in link_cells_
     for (const Link& link : system.links) {
         for (const auto& [key, weight] : link.cells)
-            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c)) {
-                by_cell.emplace_back(block.offset(c), static_cast<int>(link_cells_.size()));
-                link_cells_.push_back({block.offset(c), weight});
-            }
-        for (const auto& [node, weight] : link.nodes) {
-            link_nodes_.push_back({node, weight});
-            ++node_links_begin_[node + 1];
-        }
-        link_cells_begin_.push_back(static_cast<int>(link_cells_.size()));
-        link_nodes_begin_.push_back(static_cast<int>(link_nodes_.size()));
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+                link_cells_.add(block.offset(c), weight);
+        link_cells_.end_list();
+        for (const auto& [node, weight] : link.nodes)
+            link_nodes_.add(node, weight);
+        link_nodes_.end_list();
     }
-    std::vector<int> link_of;
-    for (int r = 0; r < static_cast<int>(system.links.size()); ++r)
-        link_of.resize(link_cells_begin_[r + 1], r);
-    std::sort(by_cell.begin(), by_cell.end());
-    for (const auto& [cell, i] : by_cell) {
-        if (linked_cells_.empty() || linked_cells_.back() != cell) {
-            linked_cells_.push_back(cell);
-            cell_links_begin_.push_back(static_cast<int>(cell_links_.size()));
-        }
-        cell_links_.push_back({link_of[i], link_cells_[i].weight});
-    }
-    cell_links_begin_.push_back(static_cast<int>(cell_links_.size()));
-    std::partial_sum(node_links_begin_.begin(), node_links_begin_.end(), node_links_begin_.begin());
-    node_links_.resize(link_nodes_.size());
-    std::vector<int> next(node_links_begin_.begin(), node_links_begin_.end() - 1);
-    for (std::size_t r = 0; r < system.links.size(); ++r)
-        for (const auto& [node, weight] : system.links[r].nodes)
-            node_links_[next[node]++] = {static_cast<int>(r), weight};
+    for (const auto& entry : link_cells_.entries())
+        linked_cells_.push_back(entry.number);
+    std::sort(linked_cells_.begin(), linked_cells_.end());
+    linked_cells_.erase(std::unique(linked_cells_.begin(), linked_cells_.end()), linked_cells_.end());
+    cell_links_ = link_cells_.transposed(static_cast<long>(linked_cells_.size()), [&](long cell) {
+        return std::lower_bound(linked_cells_.begin(), linked_cells_.end(), cell) - linked_cells_.begin();
+    });
+    node_links_ = link_nodes_.transposed(system.nodes, [](int node) { return node; });
     cell_flux_runs_ = RowRuns(static_cast<long>(system.cell_flux.size()), system.component.size(),
                               [&](long i) { return block.offset(system.cell_flux[i].row); });
     node_flux_runs_ =
@@ -191,8 +173,8 @@ double CoupledOperator<D>::sum_links(const UnknownVector<D>& p) const
         double total = 0;
         for (long r = begin; r < end; ++r) {
             double sum = 0;
-            for (int i = link_nodes_begin_[r]; i < link_nodes_begin_[r + 1]; ++i)
-                sum += link_nodes_[i].weight * p.nodes[link_nodes_[i].number];
+            for (const auto& [node, weight] : link_nodes_[r])
+                sum += weight * p.nodes[node];
             sum += partial_[r];
             partial_[r] = system_.links[r].conductance * sum;
             total += partial_[r] * sum;
@@ -217,8 +199,8 @@ double CoupledOperator<D>::multiply_nodes(const UnknownVector<D>& p, UnknownVect
             }
             sum += ground_[i] * here;
             total += ground_[i] * here * here;
-            for (int k = node_links_begin_[i]; k < node_links_begin_[i + 1]; ++k)
-                sum += node_links_[k].weight * partial_[node_links_[k].number];
+            for (const auto& [link, weight] : node_links_[i])
+                sum += weight * partial_[link];
             y.nodes[i] = sum;
         }
         return total;
@@ -235,8 +217,8 @@ double CoupledOperator<D>::finish_product(const UnknownVector<D>& p, UnknownVect
     const double* in_cells = p.cells.data();
     for_each_part(links, [&](long begin, long end) {
         for (long r = begin; r < end; ++r)
-            for (int i = link_cells_begin_[r]; i < link_cells_begin_[r + 1]; ++i)
-                partial_[r] += link_cells_[i].weight * in_cells[link_cells_[i].number];
+            for (const auto& [cell, weight] : link_cells_[r])
+                partial_[r] += weight * in_cells[cell];
     });
     auto wrench = partial_.segment(links, dofs_);
     if (with_bodies)
@@ -251,8 +233,8 @@ double CoupledOperator<D>::finish_product(const UnknownVector<D>& p, UnknownVect
     double* out_cells = y.cells.data();
     for_each_part(static_cast<long>(linked_cells_.size()), [&](long begin, long end) {
         for (long c = begin; c < end; ++c)
-            for (int i = cell_links_begin_[c]; i < cell_links_begin_[c + 1]; ++i)
-                out_cells[linked_cells_[c]] += cell_links_[i].weight * partial_[cell_links_[i].number];
+            for (const auto& [link, weight] : cell_links_[c])
+                out_cells[linked_cells_[c]] += weight * partial_[link];
     });
     if (with_bodies && dofs_ > 0) {
         add_wrenches<D>(
@@ -294,8 +276,8 @@ double CoupledOperator<D>::round_off(const UnknownVector<D>& p) const
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(static_cast<long>(system_.links.size()) + dofs_);
     const long links = static_cast<long>(system_.links.size());
     for (long r = 0; r < links; ++r)
-        for (int i = link_cells_begin_[r]; i < link_cells_begin_[r + 1]; ++i)
-            sums[r] += std::abs(link_cells_[i].weight * p.cells.data()[link_cells_[i].number]);
+        for (const auto& [cell, weight] : link_cells_[r])
+            sums[r] += std::abs(weight * p.cells.data()[cell]);
     auto add_wrench = [&](int body, double value, const Twist<D>& flux) {
         sums.template segment<twist_size<D>>(links + twist_size<D> * body) += std::abs(value) * flux.cwiseAbs();
     };
@@ -312,9 +294,8 @@ double CoupledOperator<D>::round_off(const UnknownVector<D>& p) const
             terms.nodes[node] += link.conductance * std::abs(weight) * sums[r];
     }
     for (long r = 0; r < links; ++r)
-        for (int i = link_cells_begin_[r]; i < link_cells_begin_[r + 1]; ++i)
-            terms.cells.data()[link_cells_[i].number] +=
-                system_.links[r].conductance * std::abs(link_cells_[i].weight) * sums[r];
+        for (const auto& [cell, weight] : link_cells_[r])
+            terms.cells.data()[cell] += system_.links[r].conductance * std::abs(weight) * sums[r];
     auto twist = [&](int body, const Twist<D>& flux) {
         double sum = 0;
         for (int d = 0; d < twist_size<D>; ++d)
@@ -362,8 +343,7 @@ Eigen::VectorXd CoupledOperator<D>::inverse_mass(const Eigen::VectorXd& w) const
 template <int D>
 long CoupledOperator<D>::bytes() const
 {
-    long sum = static_cast<long>((link_cells_.size() + cell_links_.size() + link_nodes_.size() + node_links_.size()) *
-                                 sizeof(Weighted<long>));
+    long sum = link_cells_.bytes() + cell_links_.bytes() + link_nodes_.bytes() + node_links_.bytes();
     for (const SharedRows<double>& values : conductance_)
         sum += values.bytes();
     return sum;

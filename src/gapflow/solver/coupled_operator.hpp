@@ -3,57 +3,15 @@
 
 #include "gapflow/coupling/body_response.hpp"
 #include "gapflow/solver/level.hpp"
+#include "gapflow/solver/row_runs.hpp"
 #include "gapflow/solver/vectors.hpp"
+#include "gapflow/solver/weighted_lists.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace gapflow {
-
-/// A list of entries cut where a row comes again: each part is shared out over threads, those of a row on one.
-class RowRuns {
-public:
-    RowRuns() = default;
-    /// Of n entries, `row(i)` the row of each, below `rows`.
-    template <class Row>
-    RowRuns(long n, long rows, Row&& row)
-    {
-        std::vector<char> seen(rows, 0);
-        for (long i = 0; i < n; ++i) {
-            const long r = row(i);
-            if (i > begin_.back() && r == row(i - 1))
-                continue;
-            if (seen[r]) {
-                for (long k = begin_.back(); k < i; ++k)
-                    seen[row(k)] = 0;
-                begin_.push_back(i);
-            }
-            seen[r] = 1;
-        }
-        begin_.push_back(n);
-    }
-    /// Calls f(i) for all entries, those of a row in their order.
-    template <class Row, class F>
-    void for_each(Row&& row, F&& f) const
-    {
-        for (std::size_t run = 0; run + 1 < begin_.size(); ++run) {
-            const long first = begin_[run], last = begin_[run + 1];
-            const auto start = [&](long i) { // of the row there
-                while (i > first && i < last && row(i) == row(i - 1))
-                    ++i;
-                return i;
-            };
-            for_each_part(last - first, [&](long begin, long end) {
-                for (long i = start(first + begin), stop = start(first + end); i < stop; ++i)
-                    f(i);
-            });
-        }
-    }
-
-private:
-    std::vector<long> begin_{0};
-};
 
 /// Flattened view of a system, for products. Keeps a reference to it. The film's matrix is applied as edges, flux = conductance (p_i - p_j), and
 /// grounds, flux = conductance p_i: differences keep the constants' product exactly zero where a film of conductance 1e7 has mouths of 1e-7.
@@ -106,11 +64,6 @@ public:
     long bytes() const;
 
 private:
-    template <class Number>
-    struct Weighted {
-        Number number;
-        double weight;
-    };
     double apply(UnknownVector<D>& p, UnknownVector<D>& y, bool with_bodies) const;
     double sum_links(const UnknownVector<D>& p) const;
     double multiply_nodes(const UnknownVector<D>& p, UnknownVector<D>& y) const;
@@ -118,11 +71,11 @@ private:
     const CoupledSystem<D>& system_;
     int dofs_;
     std::array<SharedRows<double>, D> conductance_;
-    std::vector<Weighted<long>> link_cells_; ///< this rank's cells (places in a field) of one link after the other
-    std::vector<Weighted<int>> cell_links_;  ///< the links of one linked cell after the other
-    std::vector<Weighted<int>> link_nodes_, node_links_;
-    std::vector<long> linked_cells_;
-    std::vector<int> link_cells_begin_, cell_links_begin_, link_nodes_begin_, node_links_begin_; ///< first of each, and the end
+    WeightedLists<long> link_cells_; ///< by link, this rank's cells (places in a field)
+    WeightedLists<int> link_nodes_;
+    std::vector<long> linked_cells_; ///< sorted
+    WeightedLists<int> cell_links_;  ///< by linked cell
+    WeightedLists<int> node_links_;
     RowRuns cell_flux_runs_, node_flux_runs_;
     std::vector<double> ground_;
     BodyResponse response_;

@@ -1,7 +1,7 @@
 // Results do not depend on the number of threads but for round-off: the order of sweeps and sums is the same, but how a sum is
 // vectorised follows from where its values lie in memory, on one thread too.
 #include "gapflow/core/threads.hpp"
-#include "gapflow/solver/coupled_operator.hpp"
+#include "gapflow/solver/row_runs.hpp"
 #include "unit/solver/synthetic_system.hpp"
 
 #include <gtest/gtest.h>
