@@ -128,14 +128,13 @@ void FilmBand<D>::find_cells()
     for (const OwnedCell& entry : owned_)
         ++plane_begin_[entry.cell[D - 1] - first_plane + 1];
     std::partial_sum(plane_begin_.begin(), plane_begin_.end(), plane_begin_.begin());
-    link_rows_begin_.push_back(0);
     for (std::size_t r = 0; r < system_.links.size(); ++r) {
         for (const auto& [node, weight] : system_.links[r].nodes)
-            link_rows_.push_back({node, weight});
+            link_rows_.add(node, weight);
         for (const auto& [key, weight] : system_.links[r].cells) {
             const int row = row_of(key);
             if (row >= 0)
-                link_rows_.push_back({row, weight});
+                link_rows_.add(row, weight);
             const Index<D> c = grid.cell_of_key(key);
             if (!grid.owns(c))
                 continue;
@@ -143,7 +142,7 @@ void FilmBand<D>::find_cells()
             if (row < 0)
                 outside_links_.push_back(link_cells_.back());
         }
-        link_rows_begin_.push_back(static_cast<int>(link_rows_.size()));
+        link_rows_.end_list();
     }
 }
 
@@ -195,19 +194,19 @@ void FilmBand<D>::for_each_term(F&& f, Join&& join, std::vector<char>& fixed) co
     }
     for (std::size_t k = 0; k < system_.links.size(); ++k) {
         const Link& link = system_.links[k];
-        const std::span<const LinkRow> terms = rows_of(static_cast<int>(k));
+        const std::span terms = link_rows_[static_cast<long>(k)];
         double sum = 0, size = 0;
         for (const auto& [i, wi] : terms) {
             for (const auto& [j, wj] : terms)
                 if (j <= i)
                     f(i, j, link.conductance * wi * wj);
             if (link.conductance > 0)
-                join(i, terms.front().row);
+                join(i, terms.front().number);
             sum += wi;
             size += std::abs(wi);
         }
         if (!terms.empty() && link.conductance > 0 && std::abs(sum) > 1e-9 * size)
-            fixed[terms.front().row] = 1; // a mouth to an open side
+            fixed[terms.front().number] = 1; // a mouth to an open side
     }
 }
 
@@ -342,7 +341,7 @@ template <int D>
 double FilmBand<D>::sum_over_band(int link, const Eigen::VectorXd& values) const
 {
     double sum = 0;
-    for (const auto& [row, weight] : rows_of(link))
+    for (const auto& [row, weight] : link_rows_[link])
         sum += weight * values[row];
     return sum;
 }
@@ -367,7 +366,7 @@ void FilmBand<D>::second(double scale, const Level<D>& level)
     system_.grid->comm().sum(std::span<double>(r.data() + system_.nodes, r.size() - system_.nodes));
     for (long k = 0; k < links; ++k) {
         const double flux = system_.links[k].conductance * r[size_ + k];
-        for (const auto& [row, weight] : rows_of(static_cast<int>(k)))
+        for (const auto& [row, weight] : link_rows_[k])
             r[row] -= weight * flux;
     }
     correction_ += solve(r.head(size_));

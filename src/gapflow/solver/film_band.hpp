@@ -5,8 +5,8 @@
 #include "gapflow/film/key_map.hpp"
 #include "gapflow/solver/coupled_operator.hpp"
 #include "gapflow/solver/level.hpp"
+#include "gapflow/solver/weighted_lists.hpp"
 
-#include <span>
 #include <vector>
 
 namespace gapflow {
@@ -69,14 +69,6 @@ private:
         long level_offset;
         double weight;
     };
-    struct LinkRow { ///< row of the band that a link enters
-        int row;
-        double weight;
-    };
-    std::span<const LinkRow> rows_of(int link) const
-    {
-        return {link_rows_.data() + link_rows_begin_[link], link_rows_.data() + link_rows_begin_[link + 1]};
-    }
     /// The weighted sum of a link over the band's nodes and cells.
     double sum_over_band(int link, const Eigen::VectorXd& values) const;
     void find_cells();
@@ -97,8 +89,7 @@ private:
     std::vector<Neighbour> outside_;               ///< this rank's
     std::vector<LinkCell> link_cells_;             ///< this rank's
     std::vector<LinkCell> outside_links_;          ///< those of them whose cells are not in the band, by links
-    std::vector<LinkRow> link_rows_;               ///< by links: nodes, then cells that are in the band
-    std::vector<int> link_rows_begin_;             ///< first of each link's, and the end
+    WeightedLists<int> link_rows_;                 ///< by link, rows of the band that it enters: nodes, then cells
     std::vector<std::array<double, 2 * D>> faces_; ///< conductances around every band cell
     std::vector<int> block_;                       ///< number of the floating block of a row, -1: fixed from outside
     std::vector<long> block_size_;

@@ -30,10 +30,9 @@ bool Rounds::go_on(ContactChange contacts, bool voids)
     unsettled_ = last();
     if (unsettled_ || (exactly && !changed_))
         return false;
-    if (round_ > most_rounds / 2)
-        rough_ = false; // the fluid's balance then holds even if the contacts' states do not converge
-    else if (!exactly && !voids && contacts != ContactChange::states)
-        rough_ = false; // sliding friction alone changes, or what a rough solve hardly tells
+    // Sliding friction alone changes, or what a rough solve hardly tells; or nothing settles: the fluid's balance is to hold even so.
+    if (round_ > most_rounds / 2 || (!voids && contacts != ContactChange::states))
+        rough_ = false;
     ++round_;
     return true;
 }
