@@ -13,6 +13,7 @@
 
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/solver/loose_cells.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -24,19 +25,23 @@ namespace {
 
 constexpr int layers = 2; // cells between a mouth's cells and the band's end
 // Where films are everywhere, a band around all of them would be a factorisation of the whole fluid: then the band consists of those of the
-// mouths' own cells whose mouths conduct more than a share of what the cell's faces do. This is so where the band has more cells than this.
+// mouths' own cells whose mouths conduct more than a share of what the cell's faces do, and of small groups of cells whose level multigrid hardly
+// corrects. This is so where the band has more cells than this.
 constexpr std::size_t few_cells = 8000;
 constexpr double share_of_faces = 0.1;
-constexpr double shift = 1e-12; // relative, on the diagonal: films whose mouths are 1e-12 of their own conductance
+// Multigrid's least eigenvalue elsewhere in a crowd is some 0.55 (examples/11_pile at t = 0.4, where pores of two cells have 0.09 to 0.4).
+constexpr double loose_level = 0.5;
+constexpr std::size_t pore_cells = 32; // at most in such a group; larger ones coarser grids know
+constexpr double shift = 1e-12;        // relative, on the diagonal: films whose mouths are 1e-12 of their own conductance
 
 /// Cells around the links.
 struct Surroundings {
     std::vector<long> cells; ///< sorted
-    bool crowded;            ///< the links' cells alone
+    bool crowded;            ///< the links' cells and those beside them alone
     KeyMap<double> by_links; ///< what the links conduct to each of their cells
 };
 
-/// All cells within `layers` steps of the links' cells, or the links' cells alone.
+/// All cells within `layers` steps of the links' cells, or within one.
 template <int D>
 Surroundings around_links(const CoupledSystem<D>& system)
 {
@@ -52,11 +57,11 @@ Surroundings around_links(const CoupledSystem<D>& system)
         found.push_back(entry.first);
         known.insert(entry.first);
     }
-    const std::size_t alone = found.size();
     const auto crowd = [&] { return found.size() > few_cells; };
+    std::size_t beside = 0; // end of those one step away
     for (std::size_t layer = 0, first = 0; layer < layers; ++layer) {
         const std::size_t end = found.size();
-        for (; first < end && !crowd(); ++first)
+        for (; first < end && (layer == 0 || !crowd()); ++first)
             for (int side = 0; side < 2 * D; ++side) {
                 Index<D> c = grid.cell_of_key(found[first]);
                 c[side / 2] += side % 2 ? 1 : -1;
@@ -64,12 +69,40 @@ Surroundings around_links(const CoupledSystem<D>& system)
                 if (grid.in_domain(c) && known.insert(grid.key(c)).second)
                     found.push_back(grid.key(c));
             }
+        if (layer == 0)
+            beside = found.size();
     }
     around.crowded = crowd();
     if (around.crowded)
-        found.resize(alone);
+        found.resize(beside);
     std::sort(found.begin(), found.end());
     return around;
+}
+
+/// What is told of a cell: 1 if it has an unknown, then the conductances of its faces.
+template <int D>
+constexpr int told_width = 2 * D + 1;
+
+/// Clears the first entry of the cells that a crowd's band does not need.
+template <int D>
+void leave_out(const Grid<D>& grid, const std::vector<long>& around, const KeyMap<double>& by_links, std::vector<double>& told)
+{
+    std::vector<CellTies<D>> cells;
+    std::vector<double*> needed;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        double* const entry = &told[told_width<D> * i];
+        if (entry[0] <= 0)
+            continue;
+        const double* links = by_links.find(around[i]);
+        CellTies<D>& cell = cells.emplace_back(CellTies<D>{around[i], {}, links ? *links : 0.0});
+        std::copy_n(entry + 1, 2 * D, cell.faces.begin());
+        needed.push_back(entry);
+    }
+    const std::vector<char> loose = loose_cells<D>(grid, cells, loose_level, pore_cells);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const double by_faces = std::accumulate(cells[k].faces.begin(), cells[k].faces.end(), 0.0);
+        *needed[k] = loose[k] || cells[k].others > share_of_faces * by_faces;
+    }
 }
 
 } // namespace
@@ -87,20 +120,20 @@ void FilmBand<D>::find_cells()
     const Grid<D>& grid = *system_.grid;
     const Block<D> level = block_of_level<D>(grid.low(), grid.high());
     // Every rank sends its cells' data: whether there is an unknown, and the conductances around.
-    constexpr int width = 2 * D + 1;
+    constexpr int width = told_width<D>;
     const auto [around, crowded, by_links] = around_links(system_);
     std::vector<double> told(width * around.size(), 0.0);
     for (std::size_t i = 0; i < around.size(); ++i) {
         const Index<D> c = grid.cell_of_key(around[i]);
         if (!grid.owns(c) || system_.component(c) < 0)
             continue;
-        double by_faces = 0;
         for (int side = 0; side < 2 * D; ++side)
-            by_faces += told[width * i + 1 + side] =
-                system_.conductance(side / 2, side % 2 ? Index<D>(c + step<D>(side / 2)) : c);
-        told[width * i] = !crowded || *by_links.find(around[i]) > share_of_faces * by_faces;
+            told[width * i + 1 + side] = system_.conductance(side / 2, side % 2 ? Index<D>(c + step<D>(side / 2)) : c);
+        told[width * i] = 1;
     }
     grid.comm().sum(told);
+    if (crowded)
+        leave_out<D>(grid, around, by_links, told);
     for (std::size_t i = 0; i < around.size(); ++i)
         if (told[width * i] > 0) {
             rows_.insert(around[i], system_.nodes + static_cast<int>(keys_.size()));
