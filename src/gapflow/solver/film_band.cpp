@@ -31,7 +31,7 @@ constexpr std::size_t few_cells = 8000;
 constexpr double share_of_faces = 0.1;
 // Multigrid's least eigenvalue elsewhere in a crowd is some 0.55 (examples/11_pile at t = 0.4, where pores of two cells have 0.09 to 0.4).
 constexpr double loose_level = 0.5;
-constexpr std::size_t pore_cells = 32; // at most in such a group; larger ones coarser grids know
+constexpr std::size_t pore_cells = 32; // at most in such a group: bounds the factor
 constexpr double shift = 1e-12;        // relative, on the diagonal: films whose mouths are 1e-12 of their own conductance
 
 /// Cells around the links.

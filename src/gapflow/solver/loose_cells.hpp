@@ -1,7 +1,7 @@
 // Small groups of cells that faces tie to each other much more than to the rest: pores of one or a few cells behind narrow openings.
 //
 // Relaxation corrects the common level of a group by 2 out / (sum of diagonals) a cycle, out being what leads out of it, and no coarser grid has that
-// level: a cell of the coarser one lies on both sides of the walls. The preconditioner's least eigenvalue is that number.
+// level: a cell of the coarser one lies on both sides of the walls. That number is an eigenvalue of the preconditioned fluid.
 #pragma once
 
 #include "gapflow/grid/grid.hpp"

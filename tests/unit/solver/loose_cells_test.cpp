@@ -14,7 +14,8 @@ namespace {
 /// Cells of a square, all faces inside it of conductance 1.
 class Square {
 public:
-    explicit Square(int n) : n_(n), grid_(Vec<2>::Zero(), 1.0, Index<2>(n, n), walls(), 1, Communicator())
+    explicit Square(int n)
+        : n_(n), grid_(Vec<2>::Zero(), 1.0, Index<2>(n, n), TestScene<2>(Index<2>(n, n), 1.0).sides, 1, Communicator())
     {
         for (int axis = 0; axis < 2; ++axis)
             for (int j = 0; j < n; ++j)
@@ -50,12 +51,6 @@ public:
     }
 
 private:
-    static std::array<SideKind, 4> walls()
-    {
-        std::array<SideKind, 4> sides;
-        sides.fill(SideKind::wall);
-        return sides;
-    }
     double of(int axis, int i, int j) const
     {
         const auto face = faces_.find({axis, i, j});
