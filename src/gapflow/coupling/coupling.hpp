@@ -50,6 +50,7 @@ struct WetShares {
 /// elsewhere, empty: nowhere (film_way.hpp).
 struct GapChanges {
     std::vector<double> elements, mouths;
+    std::vector<double> shares; ///< of each film: part of the bodies' relative velocity that drag takes on the way
 };
 
 /// What the films' drag depends on beside their meshes.

@@ -33,7 +33,8 @@ double over_nodes(const FilmMesh<D>& mesh, const FilmElement<D>& e, double opene
 
 // L of a film's nodes with the given conductances (at density 1) of its elements, and its links.
 template <int D>
-Eigen::SparseMatrix<double> stiffness(const Coupling<D>& coupling, const Film<D>& film, const std::vector<double>& conductance)
+Eigen::SparseMatrix<double> stiffness(const Coupling<D>& coupling, const Film<D>& film, const std::vector<int>& links,
+                                      const std::vector<double>& conductance)
 {
     const long count = static_cast<long>(film.mesh.h.size());
     std::vector<Eigen::Triplet<double>> entries;
@@ -45,25 +46,16 @@ Eigen::SparseMatrix<double> stiffness(const Coupling<D>& coupling, const Film<D>
                                      conductance[k] / coupling.density * e.gradient[i].dot(e.gradient[j]));
     }
     const auto own = [&](int node) { return node >= film.first_node && node < film.first_node + count; };
-    for (const Link& link : coupling.system.links)
+    for (const int number : links) {
+        const Link& link = coupling.system.links[number];
         for (const auto& [i, wi] : link.nodes)
             for (const auto& [j, wj] : link.nodes)
                 if (own(i) && own(j))
                     entries.emplace_back(i - film.first_node, j - film.first_node, link.conductance * wi * wj);
+    }
     Eigen::SparseMatrix<double> L(count, count);
     L.setFromTriplets(entries.begin(), entries.end());
     return L;
-}
-
-template <int D>
-bool has_way_out(const Coupling<D>& coupling, const Film<D>& film)
-{
-    const int end = film.first_node + static_cast<int>(film.mesh.h.size());
-    return std::any_of(coupling.system.links.begin(), coupling.system.links.end(), [&](const Link& link) {
-        return link.conductance > 0 && std::any_of(link.nodes.begin(), link.nodes.end(), [&](const auto& entry) {
-                   return entry.first >= film.first_node && entry.first < end;
-               });
-    });
 }
 
 } // namespace
@@ -80,22 +72,47 @@ double linear_mean(const FilmMesh<D>& mesh, const FilmElement<D>& e, double open
     return over_nodes<D>(mesh, e, opened, mean_of_inverse);
 }
 
+template <int D>
+std::vector<std::vector<int>> links_of_films(const Coupling<D>& coupling)
+{
+    std::vector<int> film_of(coupling.network.nodes);
+    for (std::size_t f = 0; f < coupling.network.films.size(); ++f) {
+        const Film<D>& film = coupling.network.films[f];
+        std::fill_n(film_of.begin() + film.first_node, film.mesh.h.size(), static_cast<int>(f));
+    }
+    std::vector<std::vector<int>> links(coupling.network.films.size());
+    for (std::size_t k = 0; k < coupling.system.links.size(); ++k)
+        for (const auto& [node, weight] : coupling.system.links[k].nodes) {
+            std::vector<int>& of_film = links[film_of[node]];
+            if (of_film.empty() || of_film.back() != static_cast<int>(k))
+                of_film.push_back(static_cast<int>(k));
+        }
+    return links;
+}
+
 double square_mean(double h, double opened)
 {
     return h / (h - opened);
+}
+
+double steepened(double share)
+{
+    return share == 0 ? 1.0 : std::expm1(share) / share;
 }
 
 // The film's pressure impulse p solves L p = F V with F the rows of K, and acts with -F^T p. L with the resistances of the way, less L with
 // those of the inertia that the film has at its start.
 template <int D>
 std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupling, std::span<const int> films,
-                                                       const WayAhead<D>& way, const std::array<Twist<D>, 2>& V)
+                                                       std::span<const std::vector<int>> links, const WayAhead<D>& way,
+                                                       const std::array<Twist<D>, 2>& V)
 {
     std::array<Twist<D>, 2> impulse{Twist<D>::Zero(), Twist<D>::Zero()};
     for (std::size_t f = 0; f < films.size(); ++f) {
         const Film<D>& film = coupling.network.films[films[f]];
         const FilmMesh<D>& mesh = film.mesh;
-        if (!has_way_out(coupling, film))
+        const std::vector<int>& outlets = links[films[f]];
+        if (std::none_of(outlets.begin(), outlets.end(), [&](int link) { return coupling.system.links[link].conductance > 0; }))
             return {};
         const std::vector<double> beta =
             way.viscosity_dt > 0 ? element_betas(mesh, way.viscosity_dt, coupling.density) : std::vector<double>();
@@ -124,7 +141,8 @@ std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupli
         };
         each([&](const BodyFlux<D, int>& entry, int side) { driven[entry.row - film.first_node] += entry.flux.dot(V[side]); });
         SparseCholesky with, without;
-        if (!with.compute(stiffness(coupling, film, conductance)) || !without.compute(stiffness(coupling, film, ideal)))
+        if (!with.compute(stiffness(coupling, film, outlets, conductance)) ||
+            !without.compute(stiffness(coupling, film, outlets, ideal)))
             return {};
         const Eigen::VectorXd p = with.solve(driven) - without.solve(driven);
         each([&](const BodyFlux<D, int>& entry, int side) { impulse[side] += p[entry.row - film.first_node] * entry.flux; });
@@ -135,8 +153,10 @@ std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupli
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template double cubic_mean<D>(const FilmMesh<D>&, const FilmElement<D>&, double);                                          \
     template double linear_mean<D>(const FilmMesh<D>&, const FilmElement<D>&, double);                                         \
+    template std::vector<std::vector<int>> links_of_films<D>(const Coupling<D>&);                                              \
     template std::optional<std::array<Twist<D>, 2>> impulses_on_way<D>(const Coupling<D>&, std::span<const int>,               \
-                                                                       const WayAhead<D>&, const std::array<Twist<D>, 2>&);
+                                                                       std::span<const std::vector<int>>, const WayAhead<D>&,  \
+                                                                       const std::array<Twist<D>, 2>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

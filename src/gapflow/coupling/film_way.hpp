@@ -22,6 +22,10 @@ double linear_mean(const FilmMesh<D>& mesh, const FilmElement<D>& e, double open
 /// The same of h^-2, of a mouth.
 double square_mean(double h, double opened);
 
+/// By how much drag on a long way must be larger for an implicit step to take what it takes in truth: (e^X - 1) / X, so that 1 / (1 + X) becomes e^-X.
+/// `share`: X.
+double steepened(double share);
+
 /// How a pair's gap changes on the way ahead.
 template <int D>
 struct WayAhead {
@@ -30,11 +34,16 @@ struct WayAhead {
     double floor = 0;                        ///< least thickness
 };
 
+/// Of each film the links, by number, that its nodes have a part in.
+template <int D>
+std::vector<std::vector<int>> links_of_films(const Coupling<D>& coupling);
+
 /// Impulses on master and other by which the films of a pair change the motion V on a way: by viscosity, and by the change of their inertia,
-/// which counts with its magnitude. The grid's pressure is taken as fixed. `films`: numbers in the network, all of one pair; `way`: one
-/// element list for each. Empty where a film has no way out.
+/// which counts with its magnitude. The grid's pressure is taken as fixed. `films`: numbers in the network, all of one pair; `links`: links_of_films(); `way`: one
+/// element list for each film of the pair. Empty where a film has no way out.
 template <int D>
 std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupling, std::span<const int> films,
-                                                       const WayAhead<D>& way, const std::array<Twist<D>, 2>& V);
+                                                       std::span<const std::vector<int>> links, const WayAhead<D>& way,
+                                                       const std::array<Twist<D>, 2>& V);
 
 } // namespace gapflow

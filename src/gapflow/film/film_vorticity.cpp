@@ -4,7 +4,7 @@ namespace gapflow {
 
 namespace {
 
-constexpr double narrow = 0.5; // in dx: lateral scale of the gap below which vorticity is noise
+constexpr double narrow = 1; // in dx: lateral scale of the gap below which vorticity is noise
 constexpr double relaxation = 0.5;
 constexpr int sweeps = 2;
 

@@ -342,22 +342,40 @@ void FaceClipper<D>::clip(int axis, const Index<D>& face, ClippedFace<D>& result
 template <int D>
 void FaceClipper<D>::near(const Vec<D>& x, double reach, std::vector<int>& result) const
 {
+    Nearby nearby;
+    std::swap(nearby.images, result);
+    near(x, reach, nearby);
+    std::swap(nearby.images, result);
+}
+
+template <int D>
+void FaceClipper<D>::near(const Vec<D>& x, double reach, Nearby& nearby) const
+{
     const Grid<D>& grid = data_->grid;
     const ImageBins<D>& bins = data_->bins;
-    result.clear();
+    std::vector<int>& result = nearby.images;
     const Vec<D> around = Vec<D>::Constant(reach + 1e-6 * grid.dx());
     const Index<D> low = grid.cell_of(x - around), high = grid.cell_of(x + around);
     const bool covered = (low.array() >= bins.first_cell(bins.bins().low).array()).all() &&
                          (high.array() < bins.first_cell(bins.bins().high).array()).all();
     if (!covered) {
+        nearby.binned = false;
+        result.clear();
         for (int i = 0; i < static_cast<int>(data_->images.size()); ++i)
             if (data_->images[i].shape.distance(x) <= reach)
                 result.push_back(i);
         return;
     }
+    const Index<D> first = bins.bin_of(low), last = bins.bin_of(high);
+    if (nearby.binned && nearby.low == first && nearby.high == last)
+        return;
+    nearby.binned = true;
+    nearby.low = first;
+    nearby.high = last;
+    result.clear();
     static thread_local std::vector<char> listed;
     listed.resize(std::max(listed.size(), data_->images.size()), 0);
-    for_each_index<D>(bins.bin_of(low), bins.bin_of(high) + Index<D>::Ones(), [&](const Index<D>& bin) {
+    for_each_index<D>(first, last + Index<D>::Ones(), [&](const Index<D>& bin) {
         for (const int image : bins.images_in(bin))
             if (!listed[image]) {
                 listed[image] = 1;

@@ -61,6 +61,13 @@ public:
     /// Images of solids (walls too) whose surface, or inside, may come within `reach` of x, a point in the domain or within
     /// 4 dx of it (along periodic axes with reach at most 4 dx). Indices into images(), ascending.
     void near(const Vec<D>& x, double reach, std::vector<int>& result) const;
+    /// What near() finds, with the bins that list it: around a place close by they are often the same, and it finds nothing new.
+    struct Nearby {
+        std::vector<int> images;
+        Index<D> low, high; ///< the first and the last bin
+        bool binned = false;
+    };
+    void near(const Vec<D>& x, double reach, Nearby& nearby) const;
     const std::vector<Image<D>>& images() const;
     /// Points within this of a surface, a length, count as on it.
     double tolerance() const;

@@ -20,11 +20,14 @@ namespace gapflow {
 namespace {
 
 // k over that of the bodies, 1 / (c A^-1 c^T) of the row: with more the Newton steps are many, with less the passes.
-constexpr double cone_stiffness = 100;
+constexpr double cone_stiffness = 50;
 constexpr int most_cone_passes = 300; // the worst of a pile's still move by 1e-9 of the largest speed a pass then
 constexpr int steps_a_pass = 3;
-constexpr double step_part = 0.1;           // of a pass' first lack of balance: enough for the pass
-constexpr double same_slope = 0.03;         // of k: the factor at hand will do
+constexpr double step_part = 0.1;      // of a pass' first lack of balance: enough for the pass
+constexpr double step_accuracy = 0.01; // of a Newton step, in what it leaves of the lack of balance
+// Conjugate gradients with an old factor go on while each iteration halves what is left, and until they have taken as long as a new factor, about.
+constexpr double slowest_correction = 0.5;
+constexpr int factor_worth = 20;
 constexpr double impulse_round_off = 1e-14; // of the impulses
 
 // Inertia of a film over that of its bodies, at most: a film of no thickness has an infinite one, and how it shares an impulse with contacts that
@@ -135,11 +138,11 @@ public:
         const double enough =
             std::max(step_part * lack.norm(), impulse_round_off * (w_.norm() + (transpose_ * impulse).norm()));
         for (int k = 0; k < steps_a_pass && lack.norm() > enough; ++k) {
-            if (!factorise(trial))
+            const std::optional<Eigen::VectorXd> step = newton_step(trial, lack);
+            if (!step)
                 return {};
-            const Eigen::VectorXd step = -factor_.solve(lack);
-            const double length = search(step, speeds, lack);
-            V_ += length * step;
+            const double length = search(*step, speeds, lack);
+            V_ += length * *step;
             speeds = rows_ * V_;
             lack = imbalance(V_, speeds, trial, impulse);
         }
@@ -303,29 +306,66 @@ private:
         return J;
     }
 
-    // H at the trial impulses, unless that at hand is about the same. False if it is not positive definite.
-    bool factorise(const Eigen::VectorXd& trial)
+    // -H^-1 lack with the slopes at the trial impulses: by conjugate gradients with the last factor, where few contacts have changed since, until these have
+    // taken as long as a new one. Empty if H is not positive definite.
+    std::optional<Eigen::VectorXd> newton_step(const Eigen::VectorXd& trial, const Eigen::VectorXd& lack)
     {
-        std::vector<Eigen::Matrix<double, D, D>> slopes;
-        bool same = slopes_.size() == contacts_.size();
-        for (std::size_t i = 0; i < contacts_.size(); ++i) {
-            slopes.push_back(slope(i, trial));
-            same = same && (slopes[i] - slopes_[i]).cwiseAbs().maxCoeff() <= same_slope;
+        slopes_.clear();
+        for (std::size_t i = 0; i < contacts_.size(); ++i)
+            slopes_.push_back(stiffness_[static_cast<long>(i)] * slope(i, trial));
+        if (is_factored_) {
+            Eigen::VectorXd x = Eigen::VectorXd::Zero(lack.size()), r = -lack, z = factor_.solve(r), p = z;
+            const double enough = step_accuracy * lack.norm();
+            double most = lack.norm();
+            for (double rz = r.dot(z);; ++corrections_) {
+                const Eigen::VectorXd product = multiplied(p);
+                const double length = rz / p.dot(product);
+                if (!(length > 0) || corrections_ >= factor_worth)
+                    break;
+                x += length * p;
+                r -= length * product;
+                if (r.norm() <= enough)
+                    return x;
+                most *= slowest_correction;
+                if (r.norm() > most)
+                    break;
+                z = factor_.solve(r);
+                const double next = r.dot(z);
+                p = z + next / rz * p;
+                rz = next;
+            }
         }
-        if (same)
-            return true;
+        corrections_ = 0;
+        is_factored_ = factorise();
+        if (!is_factored_)
+            return {};
+        return Eigen::VectorXd(-factor_.solve(lack));
+    }
+
+    // H x.
+    Eigen::VectorXd multiplied(const Eigen::VectorXd& x) const
+    {
+        Eigen::VectorXd y = rows_ * x;
+        for (std::size_t i = 0; i < contacts_.size(); ++i) {
+            auto part = y.template segment<D>(D * static_cast<long>(i));
+            part = (slopes_[i] * part).eval();
+        }
+        return A_ * x + transpose_ * y;
+    }
+
+    bool factorise()
+    {
         std::copy(inertia_.begin(), inertia_.end(), H_.valuePtr());
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
             const Contact<D>& c = contacts_[i];
-            if (slopes[i].isZero(0))
+            if (slopes_[i].isZero(0))
                 continue;
             const std::array<Part, 2>& part = parts_[i];
             const int solid[] = {c.point.a, c.point.b};
             for (int e = 0; e < 2; ++e)
                 for (int f = 0; f < 2; ++f)
                     if (place_[solid[e]] >= 0 && place_[solid[f]] >= 0) {
-                        const TwistMatrix<D> block =
-                            stiffness_[static_cast<long>(i)] * part[e].transpose() * slopes[i] * part[f];
+                        const TwistMatrix<D> block = part[e].transpose() * slopes_[i] * part[f];
                         for (int j = 0; j < n; ++j) {
                             double* to = block_column(place_[solid[e]], place_[solid[f]] + j);
                             for (int k = 0; k < n; ++k)
@@ -333,7 +373,6 @@ private:
                         }
                     }
         }
-        slopes_ = std::move(slopes);
         return factor_.factorise(H_);
     }
 
@@ -365,8 +404,10 @@ private:
     Eigen::SparseMatrix<double> A_, H_, rows_, transpose_; ///< A, A + C^T S C, C, C^T
     std::vector<std::array<Part, 2>> parts_;               ///< of C, by contact
     std::vector<double> inertia_;                          ///< values of A in the pattern of H
-    std::vector<Eigen::Matrix<double, D, D>> slopes_;      ///< S / k of the factor at hand
+    std::vector<Eigen::Matrix<double, D, D>> slopes_;      ///< S
     SparseCholesky factor_;
+    bool is_factored_ = false;
+    int corrections_ = 0;                 ///< with this factor
     Eigen::VectorXd stiffness_;           ///< k of every contact
     Eigen::VectorXd given_speed_, least_; ///< of every row: speed that solids make which do not yield; s - mu |u_t| n less it
     Eigen::VectorXd V_, w_, lambda_;

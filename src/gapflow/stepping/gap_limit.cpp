@@ -2,7 +2,6 @@
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
-#include "gapflow/coupling/film_way.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/short_text.hpp"
 
@@ -13,10 +12,12 @@ namespace gapflow {
 
 namespace {
 
-// A film that takes at most this share of its bodies' relative velocity in a step does not limit the step by its gap: what the implicit step
-// misses of the exact impulse is half of this share's square.
+// A film that takes at most this share of its bodies' relative velocity in a step by its inertia does not limit the step by its gap: what the
+// implicit step misses of the exact impulse is half of this share's square.
 constexpr double small_share = 0.05;
-// The same where they meet on the way and rebound, with the speed from before it.
+// The same by drag as well, which misses nothing where it alone acts (steepened()).
+constexpr double small_share_of_drag = 0.3;
+// The same of both where they meet on the way and rebound, with the speed from before it.
 constexpr double small_share_of_rebound = 0.005;
 // Surfaces that meet on such a way may pass each other by this much, in dx: they are moved apart in one pass.
 constexpr double most_overlap = 0.1;
@@ -53,7 +54,7 @@ double time_of_closing(double left, double v, double a)
 template <int D>
 GapLimit<D>::GapLimit(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const std::vector<Twist<D>>& V,
                       const std::vector<Twist<D>>& A)
-    : model_(model), state_(state), here_(here), V_(V), A_(A)
+    : model_(model), state_(state), here_(here), V_(V), A_(A), links_(links_of_films(here))
 {
     for (std::size_t f = 0; f < here.network.films.size(); ++f)
         add(static_cast<int>(f), here.network.films[f]);
@@ -96,35 +97,34 @@ void GapLimit<D>::add(int number, const Film<D>& film)
                       mesh.master != mesh.other && !unstoppable && floor >= smallest_limiting_gap * dx;
 }
 
-// Whether the films of a pair take a small share of the relative velocity in a step, |F|^2 / (W.F) with F their impulses on the motion W, in the
-// metric of the bodies' mobility, and the surfaces do not pass each other too far.
 template <int D>
-bool GapLimit<D>::admits(const FilmPair<D>& pair, const Pair& films, double dt) const
+typename GapLimit<D>::Way GapLimit<D>::way_ahead(const FilmPair<D>& pair, const Pair& films, double dt) const
 {
     const double dx = model_.grid.dx(), floor = model_.gaps(pair.master, pair.other).floor;
     const std::string &a = here_.solids[pair.master].name, &b = here_.solids[pair.other].name;
-    const ContactScene& contact = model_.scene.contact_of(a, b);
     const double hold = std::max(floor, model_.scene.held_distance(a, b));
+    Way way;
     double meeting = infinite;
     for (const int f : films.films) {
         const FilmMesh<D>& mesh = here_.network.films[f].mesh;
         for (const FilmPoint<D>& q : mesh.points) {
             const double v = opening(here_, mesh, V_, q.other_normal, q.x, q.y);
             const double speeding = opening(here_, mesh, A_, q.other_normal, q.x, q.y);
-            if (q.h + dt * (v + 0.5 * dt * speeding) < hold - most_overlap * dx)
-                return false;
+            if (q.h + dt * (v + 0.5 * dt * speeding) < hold - most_overlap * dx) {
+                way.passes = true;
+                return way;
+            }
             meeting = std::min(meeting, time_of_closing(q.h - hold, v, speeding));
         }
     }
     // A contact may hold its bodies from the step before they meet on. Those that rebound then do not go the rest of the way.
-    const bool rebound = contact.restitution > 0 && meeting < 2 * dt;
-    const double moving = rebound ? meeting : std::min(dt, meeting);
-    const std::array<Twist<D>, 2> W{V_[pair.master] + 0.5 * moving * A_[pair.master],
-                                    V_[pair.other] + 0.5 * moving * A_[pair.other]};
-    WayAhead<D> way{{}, model_.scene.viscosity * moving, floor};
+    way.rebound = model_.scene.contact_of(a, b).restitution > 0 && meeting < 2 * dt;
+    const double moving = way.rebound ? meeting : std::min(dt, meeting);
+    way.W = {V_[pair.master] + 0.5 * moving * A_[pair.master], V_[pair.other] + 0.5 * moving * A_[pair.other]};
+    way.films = {{}, model_.scene.viscosity * moving, floor};
     for (const int f : films.films) {
         const FilmMesh<D>& mesh = here_.network.films[f].mesh;
-        std::vector<double>& opened = way.opened.emplace_back();
+        std::vector<double>& opened = way.films.opened.emplace_back();
         for (const FilmElement<D>& e : mesh.elements) {
             const auto rate = [&](const std::vector<Twist<D>>& twist) {
                 return opening<D>(here_, mesh, twist, -e.into_other, e.centroid_master, e.place_on_other);
@@ -132,20 +132,42 @@ bool GapLimit<D>::admits(const FilmPair<D>& pair, const Pair& films, double dt) 
             opened.push_back(moving * (rate(V_) + 0.5 * moving * rate(A_)));
         }
     }
-    const auto impulses = impulses_on_way<D>(here_, films.films, way, W);
-    if (!impulses)
-        return false;
+    return way;
+}
+
+// |F|^2 / (W.F) with F the films' impulses on the motion W, in the metric of the bodies' mobility.
+template <int D>
+double GapLimit<D>::share_of(const FilmPair<D>& pair, const Way& way, const std::array<Twist<D>, 2>& impulses, double dt) const
+{
     double power = 0, square = 0;
     for (const int side : {0, 1}) {
         const int solid = side == 0 ? pair.master : pair.other;
-        const Twist<D>& impulse = (*impulses)[side];
-        power += W[side].dot(impulse);
-        if (here_.free_body[solid] >= 0) {
-            const RigidBody<D>& body = state_.bodies[solid];
-            square += impulse.dot(impulse_response(body, impulse, dt));
-        }
+        const Twist<D>& impulse = impulses[side];
+        power += way.W[side].dot(impulse);
+        if (here_.free_body[solid] >= 0)
+            square += impulse.dot(impulse_response(state_.bodies[solid], impulse, dt));
     }
-    return square <= (rebound ? small_share_of_rebound : small_share) * power;
+    return square <= 0 ? 0.0 : power > 0 ? square / power : infinite;
+}
+
+// Whether the films of a pair take a small share of the relative velocity in a step, and the surfaces do not pass each other too far.
+template <int D>
+bool GapLimit<D>::admits(const FilmPair<D>& pair, const Pair& films, double dt) const
+{
+    Way way = way_ahead(pair, films, dt);
+    if (way.passes)
+        return false;
+    const auto all = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);
+    if (!all)
+        return false;
+    const double share = share_of(pair, way, *all, dt);
+    if (way.rebound || share <= small_share || way.films.viscosity_dt == 0)
+        return share <= (way.rebound ? small_share_of_rebound : small_share);
+    if (share > small_share_of_drag)
+        return false;
+    way.films.viscosity_dt = 0;
+    const auto inertia = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);
+    return inertia && share_of(pair, way, *inertia, dt) <= small_share;
 }
 
 // Pairs that ask for the smallest steps come first: their limit spares the others the search.
@@ -178,13 +200,46 @@ double GapLimit<D>::limited(double dt) const
     return dt;
 }
 
+// The share of drag is that of all long ways of the two bodies: F M^-1 (sum of F) / (W.F).
 template <int D>
 LongWays<D> GapLimit<D>::long_ways(double dt) const
 {
     LongWays<D> ways;
-    for (const auto& [pair, films] : pairs_)
-        if (films.by_part < dt * (1 - 1e-9))
-            ways.pairs.insert(pair);
+    struct Drag {
+        FilmPair<D> pair;
+        std::array<Twist<D>, 2> W, impulse;
+    };
+    std::vector<Drag> drags;
+    for (const auto& [pair, films] : pairs_) {
+        if (films.by_part >= dt * (1 - 1e-9))
+            continue;
+        ways.pairs[pair] = 0;
+        if (!model_.viscous())
+            continue;
+        Way way = way_ahead(pair, films, dt);
+        if (way.passes) // and has turned round by the end of a longer step
+            continue;
+        const auto all = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);
+        way.films.viscosity_dt = 0;
+        const auto inertia = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);
+        if (all && inertia)
+            drags.push_back({pair, way.W, {(*all)[0] - (*inertia)[0], (*all)[1] - (*inertia)[1]}});
+    }
+    std::vector<Twist<D>> change(state_.bodies.size(), Twist<D>::Zero());
+    const auto each_body = [&](const Drag& drag, auto&& take) {
+        for (const int side : {0, 1})
+            if (const int solid = side == 0 ? drag.pair.master : drag.pair.other; here_.free_body[solid] >= 0)
+                take(solid, drag.impulse[side]);
+    };
+    for (const Drag& drag : drags)
+        each_body(drag, [&](int b, const Twist<D>& impulse) { change[b] += impulse_response(state_.bodies[b], impulse, dt); });
+    for (const Drag& drag : drags) {
+        const double power = drag.W[0].dot(drag.impulse[0]) + drag.W[1].dot(drag.impulse[1]);
+        double square = 0;
+        each_body(drag, [&](int b, const Twist<D>& impulse) { square += impulse.dot(change[b]); });
+        if (power > 0)
+            ways.pairs[drag.pair] = square / power;
+    }
     if (!ways.pairs.empty())
         for (const RigidBody<D>& body : state_.bodies)
             ways.from.push_back(body.pose);
@@ -203,10 +258,12 @@ GapChanges gap_changes(const Model<D>& model, const Coupling<D>& there, const St
         const Pose<D>& from = ways.from[solid];
         return Vec<D>(x - from.position - from.matrix() * there.solids[solid].shape.to_body(x));
     };
-    GapChanges changes{std::vector<double>(there.network.elements, 0.0),
-                       std::vector<double>(there.network.rim.mouths.size(), 0.0)};
+    GapChanges changes{
+        std::vector<double>(there.network.elements, 0.0), std::vector<double>(there.network.rim.mouths.size(), 0.0), {}};
     for (const Film<D>& film : there.network.films) {
-        if (!ways.pairs.contains(film.pair))
+        const auto way = ways.pairs.find(film.pair);
+        changes.shares.push_back(way == ways.pairs.end() ? 0.0 : way->second);
+        if (way == ways.pairs.end())
             continue;
         const FilmMesh<D>& mesh = film.mesh;
         const double floor = model.gaps(mesh.master, mesh.other).floor;

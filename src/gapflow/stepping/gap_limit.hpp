@@ -2,6 +2,7 @@
 // factor, where its films take only a small share of the bodies' relative velocity on the way (coupling/film_way).
 #pragma once
 
+#include "gapflow/coupling/film_way.hpp"
 #include "gapflow/stepping/state.hpp"
 
 #include <limits>
@@ -29,13 +30,23 @@ private:
         double by_part = std::numeric_limits<double>::infinity(); ///< step in which the gap changes by the allowed part
         bool any_factor = true;                                   ///< whether it may change by more
     };
+    /// What a pair is expected to do in a step.
+    struct Way {
+        bool passes = false;       ///< the surfaces pass each other too far
+        bool rebound = false;      ///< they meet, or will soon, and rebound
+        std::array<Twist<D>, 2> W; ///< mean twists of master and other on the way
+        WayAhead<D> films;
+    };
     void add(int number, const Film<D>& film);
+    Way way_ahead(const FilmPair<D>& pair, const Pair& films, double dt) const;
+    double share_of(const FilmPair<D>& pair, const Way& way, const std::array<Twist<D>, 2>& impulses, double dt) const;
     bool admits(const FilmPair<D>& pair, const Pair& films, double dt) const;
 
     const Model<D>& model_;
     const State<D>& state_;
     const Coupling<D>& here_;
     const std::vector<Twist<D>>&V_, &A_;
+    std::vector<std::vector<int>> links_; ///< of each film
     std::map<FilmPair<D>, Pair> pairs_;
 };
 

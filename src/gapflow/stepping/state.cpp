@@ -21,6 +21,17 @@ void list_pairs(StateArchive& archive, const std::string& name, std::set<FilmPai
     pairs = {list.begin(), list.end()};
 }
 
+template <int D>
+void list_pairs(StateArchive& archive, const std::string& name, const std::string& what, std::map<FilmPair<D>, double>& pairs)
+{
+    std::vector<std::pair<FilmPair<D>, double>> list(pairs.begin(), pairs.end());
+    archive.each(name, list, [&](StateArchive& items, std::pair<FilmPair<D>, double>& item) {
+        gapflow::list_state(items, item.first);
+        items(what, item.second);
+    });
+    pairs = {list.begin(), list.end()};
+}
+
 } // namespace
 
 template <int D>
@@ -99,7 +110,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
     list_pairs(archive, "films_turned", state.turned);
     archive.optional("long_ways", !state.long_ways.pairs.empty(), [&] {
         LongWays<D>& ways = state.long_ways;
-        list_pairs(archive, "pairs", ways.pairs);
+        list_pairs(archive, "pairs", "share", ways.pairs);
         ways.from.resize(state.bodies.size());
         archive.each("from", ways.from, [](StateArchive& items, Pose<D>& pose) { list_pose(items, pose); });
     });
@@ -114,12 +125,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         archive("push", pressure.film);
         archive("last_push", pressure.film_mean);
         archive("increment", state.film_increment);
-        std::vector<std::pair<FilmPair<D>, double>> debts(state.film_debts.begin(), state.film_debts.end());
-        archive.each("debts", debts, [](StateArchive& items, std::pair<FilmPair<D>, double>& debt) {
-            gapflow::list_state(items, debt.first);
-            items("energy", debt.second);
-        });
-        state.film_debts = {debts.begin(), debts.end()};
+        list_pairs(archive, "debts", "energy", state.film_debts);
     });
     archive("conduit_flux", state.velocity.mouth);
     if (model.driven())

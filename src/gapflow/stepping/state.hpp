@@ -9,6 +9,7 @@
 #include "gapflow/stepping/past_pressure.hpp"
 #include "gapflow/stepping/void_set.hpp"
 
+#include <map>
 #include <set>
 #include <vector>
 
@@ -41,8 +42,8 @@ struct Drive {
 /// Pairs whose gap changes by a large factor in a step, because their films hardly change the bodies' motion (stepping/gap_limit).
 template <int D>
 struct LongWays {
-    std::set<FilmPair<D>> pairs;
-    std::vector<Pose<D>> from; ///< of the bodies, before the step; empty without such pairs
+    std::map<FilmPair<D>, double> pairs; ///< with the share of the relative velocity that drag takes in the step
+    std::vector<Pose<D>> from;           ///< of the bodies, before the step; empty without such pairs
 };
 
 /// What a run remembers to tell that its flow has settled (stepping/steadiness).

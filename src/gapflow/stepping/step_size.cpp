@@ -23,7 +23,7 @@ namespace {
 // resolving it.
 constexpr double curved_film_cfl = 0.1;
 template <int D>
-constexpr double least_film_length = D == 2 ? 1.0 : 5.0;
+constexpr double least_film_length = D == 2 ? 1.0 : 10.0;
 // A swing or an oscillation on a spring gets this many steps a period.
 constexpr double steps_a_period = 20;
 // A spring's oscillation of a smaller amplitude, in dx, does not limit the step, which is implicit.

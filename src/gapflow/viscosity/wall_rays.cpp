@@ -33,7 +33,7 @@ void WallRays<D>::find(const Vec<D>& x, double radius)
     clipper_.near(x, radius, found_);
     near_.clear();
     nearest_ = 0;
-    for (int i : found_) {
+    for (int i : found_.images) {
         near_.push_back({i, image(i).shape.distance(x)});
         if (near_.back().phi < near_[nearest_].phi)
             nearest_ = near_.size() - 1;

@@ -42,7 +42,7 @@ private:
     double complete_ = 0; ///< those within this of the centre are listed; 0: no list yet
     std::vector<Near> near_;
     std::size_t nearest_ = 0; ///< to the centre
-    std::vector<int> found_;
+    typename FaceClipper<D>::Nearby found_;
 };
 
 } // namespace gapflow

@@ -27,6 +27,13 @@ TEST(FilmWay, MeansOverTheWay)
 
 // A strip of length L that closes from h0 to h1 with unit speed meets mu t L^3 (h0 + h1) / (2 h0^2 h1^2) by viscosity and
 // rho L^3 / 12 (1 / h1 - 1 / h0) by the growth of its inertia.
+TEST(FilmWay, ImplicitStepsLeaveWhatExactOnesLeave)
+{
+    EXPECT_EQ(steepened(0), 1);
+    for (double share : {1e-9, 0.05, 0.3, 2.0})
+        EXPECT_NEAR(1 / (1 + share * steepened(share)), std::exp(-share), 1e-15);
+}
+
 TEST(FilmWay, ImpulsesOfAStrip)
 {
     const double L = 0.6, h0 = 0.003, h1 = 0.0005;
@@ -51,7 +58,7 @@ TEST(FilmWay, ImpulsesOfAStrip)
         std::array<Twist<2>, 2> V{Twist<2>::Zero(), Twist<2>::Zero()};
         V[mesh.master == 0 ? 0 : 1][1] = opened < 0 ? -1 : 1;
         const WayAhead<2> way{{std::vector<double>(mesh.elements.size(), opened)}, viscosity_dt, 1e-6};
-        const auto found = impulses_on_way<2>(coupling, films, way, V);
+        const auto found = impulses_on_way<2>(coupling, films, links_of_films(coupling), way, V);
         EXPECT_TRUE(found.has_value());
         return (*found)[mesh.master == 0 ? 0 : 1][1];
     };

@@ -230,15 +230,26 @@ TEST(Identities, NearIsConservative)
     scene.add("container", make_inside_out<3>(make_ball<3>(0.45)), pose<3>({0.5, 0.5, 0.5}));
     const FaceClipper<3> clipper(grid, scene.solids, FractionMode::cut_cell);
     std::vector<int> near;
+    FaceClipper<3>::Nearby nearby;
+    int kept = 0;
+    Vec<3> x;
     for (int i = 0; i < 500; ++i) {
-        const Vec<3> x(number(random), number(random), number(random));
+        if (i % 2 == 0)
+            x = Vec<3>(number(random), number(random), number(random));
+        else
+            x[i % 3] += 0.01 * number(random);
         const double reach = 0.15 * number(random);
         clipper.near(x, reach, near);
+        const Index<3> low = nearby.low, high = nearby.high;
+        clipper.near(x, reach, nearby);
+        ASSERT_EQ(nearby.images, near);
+        kept += i > 0 && nearby.binned && low == nearby.low && high == nearby.high;
         for (int image = 0; image < static_cast<int>(clipper.images().size()); ++image)
             if (clipper.images()[image].shape.distance(x) <= reach) {
                 ASSERT_TRUE(std::find(near.begin(), near.end(), image) != near.end());
             }
     }
+    EXPECT_GT(kept, 50) << "calls that find the bins of the call before";
 }
 
 } // namespace

@@ -205,7 +205,7 @@ void keeps_energy(Beside beside, double most)
         Throat<D> throat(beside, gap);
         ASSERT_TRUE(throat.has_one_film());
         for (bool fine : {true, false}) {
-            const auto result = throat.crossed(fine ? throat.lateral() : std::max(throat.lateral(), (D == 2 ? 1 : 5) * dx));
+            const auto result = throat.crossed(fine ? throat.lateral() : std::max(throat.lateral(), (D == 2 ? 1 : 10) * dx));
             char text[80];
             std::string& series = fine ? resolved : as_runs;
             std::snprintf(text, sizeof text, "%s%+.3f, %+.2f %%", series.empty() ? "" : "; ", 100 * (result.highest - 1),

@@ -56,6 +56,23 @@ TEST(GapLimit, AFilmThatSlowsThePlateFollowsItsGap)
     EXPECT_LE(simulation.step(1e9).dt, 0.25 * 0.003 * (1 + 1e-9));
 }
 
+// Drag that takes a fifth of the speed in a step is no reason for smaller ones: it takes what it takes over many. (An implicit step with the way's mean
+// resistance takes 0.88 of it here.)
+TEST(GapLimit, DragThatTakesAFifthOfTheSpeed)
+{
+    const double viscosity = 1e-2, h0 = 0.003, L = 0.6;
+    Scene scene = plate(1e4, viscosity);
+    scene.max_step = 0.4 * h0;
+    Simulation<2> simulation(scene, Communicator());
+    EXPECT_GT(simulation.step(1e9).dt, 0.36 * h0) << "gap_cfl alone allows 0.25";
+    EXPECT_GT(simulation.step(1e9).dt, 0.2 * h0) << "0.3 of the gap";
+    const RigidBody<2>& box = simulation.bodies()[0];
+    const double h = box.pose.position[1] - 0.15, lost = 1 + box.twist[1];
+    const double by_viscosity = viscosity * std::pow(L, 3) / (2 * box.mass) * (1 / (h * h) - 1 / (h0 * h0));
+    const double by_inertia = std::pow(L, 3) / 12 * (1 / h - 1 / h0) / (2 * box.mass);
+    EXPECT_NEAR(lost, by_viscosity + by_inertia, 0.07 * (by_viscosity + by_inertia));
+}
+
 // A plate that nothing slows may close its gap in one step; its surface does not pass the floor's.
 TEST(GapLimit, SurfacesThatMeet)
 {
