@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most_sweeps = 10000;
 constexpr double round_off = 1e-14; // of the largest change of a speed
-constexpr std::size_t most_equations = 100;
+constexpr std::size_t most_equations = 50;
 // After so many sweeps all contacts are solved for together.
 constexpr std::array<int, 3> together = {200, 2000, 5000};
 

@@ -15,7 +15,8 @@ namespace {
 // A film that takes at most this share of its bodies' relative velocity in a step by its inertia does not limit the step by its gap: what the
 // implicit step misses of the exact impulse is half of this share's square.
 constexpr double small_share = 0.05;
-// The same by drag as well, which misses nothing where it alone acts (steepened()).
+// The same by drag as well, which misses little where it alone acts (steepened()), between bodies that do not rebound: what speed they have when they
+// meet is lost. (Of steel spheres that bounce at St 27 it is 8 % of what is left.)
 constexpr double small_share_of_drag = 0.3;
 // The same of both where they meet on the way and rebound, with the speed from before it.
 constexpr double small_share_of_rebound = 0.005;
@@ -118,7 +119,8 @@ typename GapLimit<D>::Way GapLimit<D>::way_ahead(const FilmPair<D>& pair, const 
         }
     }
     // A contact may hold its bodies from the step before they meet on. Those that rebound then do not go the rest of the way.
-    way.rebound = model_.scene.contact_of(a, b).restitution > 0 && meeting < 2 * dt;
+    way.elastic = model_.scene.contact_of(a, b).restitution > 0;
+    way.rebound = way.elastic && meeting < 2 * dt;
     const double moving = way.rebound ? meeting : std::min(dt, meeting);
     way.W = {V_[pair.master] + 0.5 * moving * A_[pair.master], V_[pair.other] + 0.5 * moving * A_[pair.other]};
     way.films = {{}, model_.scene.viscosity * moving, floor};
@@ -163,7 +165,7 @@ bool GapLimit<D>::admits(const FilmPair<D>& pair, const Pair& films, double dt) 
     const double share = share_of(pair, way, *all, dt);
     if (way.rebound || share <= small_share || way.films.viscosity_dt == 0)
         return share <= (way.rebound ? small_share_of_rebound : small_share);
-    if (share > small_share_of_drag)
+    if (way.elastic || share > small_share_of_drag)
         return false;
     way.films.viscosity_dt = 0;
     const auto inertia = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);

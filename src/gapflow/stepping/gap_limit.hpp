@@ -33,6 +33,7 @@ private:
     /// What a pair is expected to do in a step.
     struct Way {
         bool passes = false;       ///< the surfaces pass each other too far
+        bool elastic = false;      ///< they rebound where they meet
         bool rebound = false;      ///< they meet, or will soon, and rebound
         std::array<Twist<D>, 2> W; ///< mean twists of master and other on the way
         WayAhead<D> films;

@@ -20,10 +20,13 @@ namespace {
 
 // Films between curved surfaces: dt <= this * sqrt(2 R h) / |u - P U_m|, the length at least so many dx: in the throat of a
 // contact the flux is negligible and its speed unbounded (in 3D it is singular), and the films' transport is stable without
-// resolving it.
+// resolving it. Bodies that rebound keep what speed the film leaves them: there more of it is resolved (steel spheres at St 152 rebound with 0.845
+// instead of 0.834 of their speed otherwise).
 constexpr double curved_film_cfl = 0.1;
 template <int D>
 constexpr double least_film_length = D == 2 ? 1.0 : 10.0;
+template <int D>
+constexpr double least_film_length_of_rebound = D == 2 ? 1.0 : 5.0;
 // A swing or an oscillation on a spring gets this many steps a period.
 constexpr double steps_a_period = 20;
 // A spring's oscillation of a smaller amplitude, in dx, does not limit the step, which is implicit.
@@ -79,9 +82,10 @@ double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const T
     return 2 * std::numbers::pi / (steps_a_period * std::max(frequency, tiny));
 }
 
-// How far the flow of a curved film may go in a step. `first`: of its elements in its pair's memory.
+// How far the flow of a curved film may go in a step. `least_length`: that of the film counts as no less. `first`: of its elements in its pair's memory.
 template <int D>
-double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const FilmHistory<D>& memory, int first, double dx)
+double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const FilmHistory<D>& memory, int first, double dx,
+                          double least_length)
 {
     const double curvature = std::abs(master.shape.shape().curvature(0));
     double dt = std::numeric_limits<double>::infinity();
@@ -91,8 +95,7 @@ double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const
         if (element.coarse || !(curvature > 0 && h > smallest_limiting_gap * dx)) // thinner, its fluid is negligible
             continue;
         const double relative = memory.speed_about(first + static_cast<int>(e));
-        dt = std::min(dt, curved_film_cfl * std::max(std::sqrt(2 * h / curvature), least_film_length<D> * dx) /
-                              std::max(relative, tiny));
+        dt = std::min(dt, curved_film_cfl * std::max(std::sqrt(2 * h / curvature), least_length) / std::max(relative, tiny));
     }
     return dt;
 }
@@ -134,8 +137,12 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
         const FilmMesh<D>& mesh = film.mesh;
         const int first = counted[film.pair];
         counted[film.pair] += static_cast<int>(mesh.elements.size());
-        if (!mesh.flat)
-            dt = std::min(dt, limit_of_film_flow(mesh, solids[mesh.master], *histories.at(film.pair), first, dx));
+        if (mesh.flat)
+            continue;
+        const Solid<D>&master = solids[mesh.master], &other = solids[mesh.other];
+        const bool elastic = scene.contact_of(master.name, other.name).restitution > 0;
+        dt = std::min(dt, limit_of_film_flow(mesh, master, *histories.at(film.pair), first, dx,
+                                             (elastic ? least_film_length_of_rebound<D> : least_film_length<D>)*dx));
     }
     dt = gaps.limited(dt);
     if (!(dt > smallest_step * scene.max_step))
