@@ -306,40 +306,46 @@ private:
         return J;
     }
 
-    // -H^-1 lack with the slopes at the trial impulses: by conjugate gradients with the last factor, where few contacts have changed since, until these have
-    // taken as long as a new one. Empty if H is not positive definite.
+    // -H^-1 lack with the slopes at the trial impulses; empty if H is not positive definite.
     std::optional<Eigen::VectorXd> newton_step(const Eigen::VectorXd& trial, const Eigen::VectorXd& lack)
     {
         slopes_.clear();
         for (std::size_t i = 0; i < contacts_.size(); ++i)
             slopes_.push_back(stiffness_[static_cast<long>(i)] * slope(i, trial));
-        if (is_factored_) {
-            Eigen::VectorXd x = Eigen::VectorXd::Zero(lack.size()), r = -lack, z = factor_.solve(r), p = z;
-            const double enough = step_accuracy * lack.norm();
-            double most = lack.norm();
-            for (double rz = r.dot(z);; ++corrections_) {
-                const Eigen::VectorXd product = multiplied(p);
-                const double length = rz / p.dot(product);
-                if (!(length > 0) || corrections_ >= factor_worth)
-                    break;
-                x += length * p;
-                r -= length * product;
-                if (r.norm() <= enough)
-                    return x;
-                most *= slowest_correction;
-                if (r.norm() > most)
-                    break;
-                z = factor_.solve(r);
-                const double next = r.dot(z);
-                p = z + next / rz * p;
-                rz = next;
-            }
-        }
+        if (is_factored_)
+            if (auto step = step_with_last_factor(lack))
+                return step;
         corrections_ = 0;
         is_factored_ = factorise();
         if (!is_factored_)
             return {};
         return Eigen::VectorXd(-factor_.solve(lack));
+    }
+
+    // The same by conjugate gradients with the last factor, where few contacts have changed since; empty where a new factor is the shorter way.
+    std::optional<Eigen::VectorXd> step_with_last_factor(const Eigen::VectorXd& lack)
+    {
+        const double enough = step_accuracy * lack.norm();
+        double most = lack.norm();
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(lack.size()), r = -lack, z = factor_.solve(r), p = z;
+        for (double rz = r.dot(z); corrections_ < factor_worth; ++corrections_) {
+            const Eigen::VectorXd product = multiplied(p);
+            const double length = rz / p.dot(product);
+            if (!(length > 0))
+                return {};
+            x += length * p;
+            r -= length * product;
+            if (r.norm() <= enough)
+                return x;
+            most *= slowest_correction;
+            if (r.norm() > most)
+                return {};
+            z = factor_.solve(r);
+            const double next = r.dot(z);
+            p = z + next / rz * p;
+            rz = next;
+        }
+        return {};
     }
 
     // H x.

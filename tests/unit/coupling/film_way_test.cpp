@@ -25,8 +25,6 @@ TEST(FilmWay, MeansOverTheWay)
     EXPECT_NEAR(cubic_mean<2>(mesh, e, 0.3) / std::pow(0.5, 3), 0.28 / std::pow(0.2, 3), 1e-12);
 }
 
-// A strip of length L that closes from h0 to h1 with unit speed meets mu t L^3 (h0 + h1) / (2 h0^2 h1^2) by viscosity and
-// rho L^3 / 12 (1 / h1 - 1 / h0) by the growth of its inertia.
 TEST(FilmWay, ImplicitStepsLeaveWhatExactOnesLeave)
 {
     EXPECT_EQ(steepened(0), 1);
@@ -34,6 +32,8 @@ TEST(FilmWay, ImplicitStepsLeaveWhatExactOnesLeave)
         EXPECT_NEAR(1 / (1 + share * steepened(share)), std::exp(-share), 1e-15);
 }
 
+// A strip of length L that closes from h0 to h1 with unit speed meets mu t L^3 (h0 + h1) / (2 h0^2 h1^2) by viscosity and
+// rho L^3 / 12 (1 / h1 - 1 / h0) by the growth of its inertia.
 TEST(FilmWay, ImpulsesOfAStrip)
 {
     const double L = 0.6, h0 = 0.003, h1 = 0.0005;
