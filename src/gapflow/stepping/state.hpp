@@ -39,7 +39,7 @@ struct Drive {
     Vec<D> flow = Vec<D>::Zero();     ///< mean velocity of fluid and solids before that step
 };
 
-/// Pairs whose gap changes by a large factor in a step, because their films hardly change the bodies' motion (stepping/gap_limit).
+/// Pairs whose gap changes by a large factor in a step, because their films take no large share of the bodies' relative velocity (stepping/gap_limit).
 template <int D>
 struct LongWays {
     std::map<FilmPair<D>, double> pairs; ///< with the share of the relative velocity that drag takes in the step
