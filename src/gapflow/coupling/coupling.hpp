@@ -46,11 +46,17 @@ struct WetShares {
     std::vector<double> elements, mouths;
 };
 
-/// How much the gap at every film element and mouth has opened over the step (negative: closed), where it changes by a large factor; 0
-/// elsewhere, empty: nowhere (film_way.hpp).
+/// What makes up drag over a step in which the gap changes: its mean over the way, times the first, and its value at the end, times the
+/// second (film_way.hpp).
+struct DragParts {
+    double mean = 0, end = 1;
+};
+
+/// How much the gap at every film element and mouth has opened over the step (negative: closed), where drag asks for it; 0 elsewhere, empty:
+/// nowhere.
 struct GapChanges {
     std::vector<double> elements, mouths;
-    std::vector<double> shares; ///< of each film: part of the bodies' relative velocity that drag takes on the way
+    std::vector<DragParts> drag; ///< of each film
 };
 
 /// What the films' drag depends on beside their meshes.

@@ -202,21 +202,21 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
     const WetShares& wet = terms.wet;
     const GapChanges& changes = terms.changes;
     std::vector<Shut<D>> shuts;
-    std::vector<double> growth; // of each film's drag
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const Vec<D>& centre = coupling.solids[mesh.master].centre;
         const Vec<D> other = coupling.solids[mesh.other].centre + mesh.shift;
         const Shut<D>& shut = shuts.emplace_back(coupling, mesh, mass);
-        growth.push_back(changes.shares.empty() ? 1.0 : steepened(changes.shares[growth.size()]));
+        const DragParts parts = changes.drag.empty() ? DragParts() : changes.drag[shuts.size() - 1];
         const std::vector<double> betas = element_betas(mesh, viscosity_dt, rho);
         for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
             const FilmElement<D>& e = mesh.elements[k];
             const int number = static_cast<int>(coupling.element_drag.size());
             const double opened = changes.elements.empty() ? 0.0 : changes.elements[number];
-            Drag drag = drag_of(opened != 0 ? growth.back() * betas[k] * cubic_mean(mesh, e, opened) : betas[k],
+            Drag drag = drag_of(opened != 0 ? betas[k] * (parts.mean * cubic_mean(mesh, e, opened) + parts.end) : betas[k],
                                 shut.beta(rho * e.measure * e.measure / e.conductance(), e.centroid));
-            const double inverse = opened != 0 ? e.inverse * linear_mean(mesh, e, opened) : e.inverse;
+            const double inverse =
+                opened != 0 ? e.inverse * ((1 - parts.end) * linear_mean(mesh, e, opened) + parts.end) : e.inverse;
             drag.wet = wet.elements.empty() ? 1.0 : wet.elements[number];
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
@@ -237,7 +237,8 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
         const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
         const double opened = changes.mouths.empty() ? 0.0 : changes.mouths[r];
         const double beta = mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance);
-        Drag drag = drag_of(opened != 0 ? growth[c.film] * beta * square_mean(c.h, opened) : beta,
+        const DragParts parts = changes.drag.empty() ? DragParts() : changes.drag[c.film];
+        Drag drag = drag_of(opened != 0 ? beta * (parts.mean * square_mean(c.h, opened) + parts.end) : beta,
                             shuts[c.film].mouth_beta(rho * c.resistance / c.length));
         drag.wet = wet.mouths.empty() ? 1.0 : wet.mouths[r];
         coupling.mouth_drag.push_back(drag);

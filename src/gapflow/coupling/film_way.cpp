@@ -10,6 +10,9 @@ namespace gapflow {
 
 namespace {
 
+// e to its power is as good as infinite.
+constexpr double largest_exponent = 30;
+
 double mean_of_cube(double h, double before)
 {
     return h * (before + h) / (2 * before * before);
@@ -31,32 +34,56 @@ double over_nodes(const FilmMesh<D>& mesh, const FilmElement<D>& e, double opene
     return std::pow(product, 1.0 / D);
 }
 
-// L of a film's nodes with the given conductances (at density 1) of its elements, and its links.
+// L of one film's nodes and its links, factorised for conductances (at density 1) of its elements: the same entries each time.
 template <int D>
-Eigen::SparseMatrix<double> stiffness(const Coupling<D>& coupling, const Film<D>& film, const std::vector<int>& links,
-                                      const std::vector<double>& conductance)
-{
-    const long count = static_cast<long>(film.mesh.h.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
-        const FilmElement<D>& e = film.mesh.elements[k];
-        for (int i = 0; i < D; ++i)
-            for (int j = 0; j < D; ++j)
-                entries.emplace_back(e.nodes[i], e.nodes[j],
-                                     conductance[k] / coupling.density * e.gradient[i].dot(e.gradient[j]));
+class FilmAlone {
+public:
+    FilmAlone(const Coupling<D>& coupling, const Film<D>& film, const std::vector<int>& links)
+    {
+        const long count = static_cast<long>(film.mesh.h.size());
+        std::vector<Eigen::Triplet<double>> entries;
+        for (const FilmElement<D>& e : film.mesh.elements)
+            for (int i = 0; i < D; ++i)
+                for (int j = 0; j < D; ++j)
+                    entries.emplace_back(e.nodes[i], e.nodes[j], 0.0);
+        const auto own = [&](int node) { return node >= film.first_node && node < film.first_node + count; };
+        for (const int number : links) {
+            const Link& link = coupling.system.links[number];
+            for (const auto& [i, wi] : link.nodes)
+                for (const auto& [j, wj] : link.nodes)
+                    if (own(i) && own(j))
+                        entries.emplace_back(i - film.first_node, j - film.first_node, link.conductance * wi * wj);
+        }
+        links_.resize(count, count);
+        links_.setFromTriplets(entries.begin(), entries.end());
+        for (const FilmElement<D>& e : film.mesh.elements)
+            for (int i = 0; i < D; ++i)
+                for (int j = 0; j < D; ++j) {
+                    const int* rows = links_.innerIndexPtr();
+                    const int *begin = rows + links_.outerIndexPtr()[e.nodes[j]],
+                              *end = rows + links_.outerIndexPtr()[e.nodes[j] + 1];
+                    places_.push_back(static_cast<int>(std::lower_bound(begin, end, e.nodes[i]) - rows));
+                    shares_.push_back(e.gradient[i].dot(e.gradient[j]) / coupling.density);
+                }
+        factor_.analyse(links_);
     }
-    const auto own = [&](int node) { return node >= film.first_node && node < film.first_node + count; };
-    for (const int number : links) {
-        const Link& link = coupling.system.links[number];
-        for (const auto& [i, wi] : link.nodes)
-            for (const auto& [j, wj] : link.nodes)
-                if (own(i) && own(j))
-                    entries.emplace_back(i - film.first_node, j - film.first_node, link.conductance * wi * wj);
+    /// L^-1 b; empty where L is singular.
+    std::optional<Eigen::VectorXd> solve(const std::vector<double>& conductance, const Eigen::VectorXd& b)
+    {
+        Eigen::SparseMatrix<double> L = links_;
+        for (std::size_t k = 0; k < places_.size(); ++k)
+            L.valuePtr()[places_[k]] += conductance[k / (D * D)] * shares_[k];
+        if (!factor_.factorise(L))
+            return {};
+        return factor_.solve(b);
     }
-    Eigen::SparseMatrix<double> L(count, count);
-    L.setFromTriplets(entries.begin(), entries.end());
-    return L;
-}
+
+private:
+    Eigen::SparseMatrix<double> links_; ///< their part of L, with places for the elements'
+    std::vector<int> places_;           ///< of the D x D entries of each element
+    std::vector<double> shares_;        ///< of its conductance, in each of them
+    SparseCholesky factor_;
+};
 
 } // namespace
 
@@ -100,14 +127,23 @@ double steepened(double share)
     return share == 0 ? 1.0 : std::expm1(share) / share;
 }
 
+// X0 is X with the thickness at the start. X is negative where a body's other films speed it up more.
+DragParts drag_parts(double share, double change, double h, double opened)
+{
+    const double before = h - opened, at_start = std::max(share, 0.0) * std::pow(h / before, 3) / mean_of_cube(h, before);
+    const double alone = std::exp(-2 * at_start), balanced = 1 / (1 + at_start);
+    const double steep = 1 + std::min(change, 1.0) * (steepened(std::min(share, largest_exponent)) - 1);
+    return {alone * steep + (1 - alone) * balanced, (1 - alone) * (1 - balanced)};
+}
+
 // The film's pressure impulse p solves L p = F V with F the rows of K, and acts with -F^T p. L with the resistances of the way, less L with
 // those of the inertia that the film has at its start.
 template <int D>
-std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupling, std::span<const int> films,
-                                                       std::span<const std::vector<int>> links, const WayAhead<D>& way,
-                                                       const std::array<Twist<D>, 2>& V)
+std::optional<WayImpulses<D>> impulses_on_way(const Coupling<D>& coupling, std::span<const int> films,
+                                              std::span<const std::vector<int>> links, const WayAhead<D>& way,
+                                              const std::array<Twist<D>, 2>& V)
 {
-    std::array<Twist<D>, 2> impulse{Twist<D>::Zero(), Twist<D>::Zero()};
+    WayImpulses<D> impulses;
     for (std::size_t f = 0; f < films.size(); ++f) {
         const Film<D>& film = coupling.network.films[films[f]];
         const FilmMesh<D>& mesh = film.mesh;
@@ -116,7 +152,7 @@ std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupli
             return {};
         const std::vector<double> beta =
             way.viscosity_dt > 0 ? element_betas(mesh, way.viscosity_dt, coupling.density) : std::vector<double>();
-        std::vector<double> ideal, conductance;
+        std::vector<double> at_start, changed, dragged; // conductances
         for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
             const FilmElement<D>& e = mesh.elements[k];
             double thinned = 1, cube = 1;
@@ -125,10 +161,11 @@ std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupli
                 thinned *= mesh.h[node] / end;
                 cube *= mean_of_cube(mesh.h[node], end);
             }
-            const double more =
-                std::abs(std::pow(thinned, 1.0 / D) - 1) + (beta.empty() ? 0.0 : beta[k] * std::pow(cube, 1.0 / D));
-            ideal.push_back(e.conductance());
-            conductance.push_back(e.conductance() / (1 + more));
+            const double more = std::abs(std::pow(thinned, 1.0 / D) - 1);
+            at_start.push_back(e.conductance());
+            changed.push_back(e.conductance() / (1 + more));
+            if (!beta.empty())
+                dragged.push_back(e.conductance() / (1 + more + beta[k] * std::pow(cube, 1.0 / D)));
         }
         const auto first = std::lower_bound(coupling.node_flux.begin(), coupling.node_flux.end(), film.first_node,
                                             [](const BodyFlux<D, int>& entry, int node) { return entry.row < node; });
@@ -140,23 +177,27 @@ std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupli
                     take(*entry, entry->body == mesh.master ? 0 : 1);
         };
         each([&](const BodyFlux<D, int>& entry, int side) { driven[entry.row - film.first_node] += entry.flux.dot(V[side]); });
-        SparseCholesky with, without;
-        if (!with.compute(stiffness(coupling, film, outlets, conductance)) ||
-            !without.compute(stiffness(coupling, film, outlets, ideal)))
+        FilmAlone<D> alone(coupling, film, outlets);
+        const auto before = alone.solve(at_start, driven), after = alone.solve(changed, driven);
+        const auto with_drag = beta.empty() ? after : alone.solve(dragged, driven);
+        if (!before || !after || !with_drag)
             return {};
-        const Eigen::VectorXd p = with.solve(driven) - without.solve(driven);
-        each([&](const BodyFlux<D, int>& entry, int side) { impulse[side] += p[entry.row - film.first_node] * entry.flux; });
+        each([&](const BodyFlux<D, int>& entry, int side) {
+            const int node = entry.row - film.first_node;
+            impulses.inertia[side] += ((*after)[node] - (*before)[node]) * entry.flux;
+            impulses.all[side] += ((*with_drag)[node] - (*before)[node]) * entry.flux;
+        });
     }
-    return impulse;
+    return impulses;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template double cubic_mean<D>(const FilmMesh<D>&, const FilmElement<D>&, double);                                          \
     template double linear_mean<D>(const FilmMesh<D>&, const FilmElement<D>&, double);                                         \
     template std::vector<std::vector<int>> links_of_films<D>(const Coupling<D>&);                                              \
-    template std::optional<std::array<Twist<D>, 2>> impulses_on_way<D>(const Coupling<D>&, std::span<const int>,               \
-                                                                       std::span<const std::vector<int>>, const WayAhead<D>&,  \
-                                                                       const std::array<Twist<D>, 2>&);
+    template std::optional<WayImpulses<D>> impulses_on_way<D>(const Coupling<D>&, std::span<const int>,                        \
+                                                              std::span<const std::vector<int>>, const WayAhead<D>&,           \
+                                                              const std::array<Twist<D>, 2>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

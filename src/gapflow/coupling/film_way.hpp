@@ -1,5 +1,4 @@
-// Films whose gap changes by a large factor in one step (method, "The time step", stage 1). On its way from h0 to h1 at constant speed
-// the film resists with the mean over the way of the resistance's power of h,
+// Films whose gap changes in a step (method, "Drag over a step"). On its way from h0 to h1 at constant speed the film resists with the mean over the way of the resistance's power of h,
 //
 //     mean h^-3 = (h0 + h1) / (2 h0^2 h1^2),     mean h^-2 = 1 / (h0 h1),     mean h^-1 = ln(h0 / h1) / (h0 - h1).
 //
@@ -26,6 +25,10 @@ double square_mean(double h, double opened);
 /// `share`: X.
 double steepened(double share);
 
+/// What drag a film has in a step in which it takes the share X of its bodies' relative velocity. `h`, `opened`: of the film's thinnest place;
+/// `change`: of the gap, over the one that counts as large.
+DragParts drag_parts(double share, double change, double h, double opened);
+
 /// How a pair's gap changes on the way ahead.
 template <int D>
 struct WayAhead {
@@ -38,12 +41,19 @@ struct WayAhead {
 template <int D>
 std::vector<std::vector<int>> links_of_films(const Coupling<D>& coupling);
 
-/// Impulses on master and other by which the films of a pair change the motion V on a way: by viscosity, and by the change of their inertia,
-/// which counts with its magnitude. The grid's pressure is taken as fixed. `films`: numbers in the network, all of one pair; `links`: links_of_films(); `way`: one
+/// Impulses on master and other by which the films of a pair change a motion on a way.
+template <int D>
+struct WayImpulses {
+    std::array<Twist<D>, 2> inertia{Twist<D>::Zero(),
+                                    Twist<D>::Zero()}; ///< by the change of their inertia, which counts with its magnitude
+    std::array<Twist<D>, 2> all = inertia;             ///< by viscosity as well
+};
+
+/// Of the motion V. The grid's pressure is taken as fixed. `films`: numbers in the network, all of one pair; `links`: links_of_films(); `way`: one
 /// element list for each film of the pair. Empty where a film has no way out.
 template <int D>
-std::optional<std::array<Twist<D>, 2>> impulses_on_way(const Coupling<D>& coupling, std::span<const int> films,
-                                                       std::span<const std::vector<int>> links, const WayAhead<D>& way,
-                                                       const std::array<Twist<D>, 2>& V);
+std::optional<WayImpulses<D>> impulses_on_way(const Coupling<D>& coupling, std::span<const int> films,
+                                              std::span<const std::vector<int>> links, const WayAhead<D>& way,
+                                              const std::array<Twist<D>, 2>& V);
 
 } // namespace gapflow

@@ -2,6 +2,7 @@
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/threads.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/short_text.hpp"
 
@@ -22,6 +23,8 @@ constexpr double small_share_of_drag = 0.3;
 constexpr double small_share_of_rebound = 0.005;
 // Surfaces that meet on such a way may pass each other by this much, in dx: they are moved apart in one pass.
 constexpr double most_overlap = 0.1;
+// Where a gap changes by less than this part of itself in a step, drag's value at the end is as good as any.
+constexpr double slight_change = 0.0025;
 // The search for a step stops within this factor.
 constexpr double closeness = 1.1;
 // Bodies that cannot give way and have met: with steps below this times time.max_step the run would not end.
@@ -94,8 +97,9 @@ void GapLimit<D>::add(int number, const Film<D>& film)
     pair.by_part = std::min(pair.by_part, dt);
     // Not with dry gaps; nor with bodies whose motion is given: there the film's force is what is asked for; nor without a floor, where the
     // inertia of a film that opens from contact begins without bound (random scene 112 of the contact cases).
-    pair.any_factor = scene.long_ways && pair.any_factor && mesh.skin == 0 && !state_.voids.any() &&
-                      mesh.master != mesh.other && !unstoppable && floor >= smallest_limiting_gap * dx;
+    pair.has_mean = pair.has_mean && mesh.skin == 0 && !state_.voids.any() && mesh.master != mesh.other && !unstoppable &&
+                    floor >= smallest_limiting_gap * dx;
+    pair.any_factor = scene.long_ways && pair.has_mean;
 }
 
 template <int D>
@@ -156,20 +160,17 @@ double GapLimit<D>::share_of(const FilmPair<D>& pair, const Way& way, const std:
 template <int D>
 bool GapLimit<D>::admits(const FilmPair<D>& pair, const Pair& films, double dt) const
 {
-    Way way = way_ahead(pair, films, dt);
+    const Way way = way_ahead(pair, films, dt);
     if (way.passes)
         return false;
-    const auto all = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);
-    if (!all)
+    const auto impulses = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);
+    if (!impulses)
         return false;
-    const double share = share_of(pair, way, *all, dt);
-    if (way.rebound || share <= small_share || way.films.viscosity_dt == 0)
-        return share <= (way.rebound ? small_share_of_rebound : small_share);
-    if (way.elastic || share > small_share_of_drag)
-        return false;
-    way.films.viscosity_dt = 0;
-    const auto inertia = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);
-    return inertia && share_of(pair, way, *inertia, dt) <= small_share;
+    const double share = share_of(pair, way, impulses->all, dt);
+    if (way.rebound)
+        return share <= small_share_of_rebound;
+    return share <= (way.elastic ? small_share : small_share_of_drag) &&
+           share_of(pair, way, impulses->inertia, dt) <= small_share;
 }
 
 // Pairs that ask for the smallest steps come first: their limit spares the others the search.
@@ -202,35 +203,38 @@ double GapLimit<D>::limited(double dt) const
     return dt;
 }
 
-// The share of drag is that of all long ways of the two bodies: F M^-1 (sum of F) / (W.F).
+// The share of drag is that of all films of the two bodies: F M^-1 (sum of F) / (W.F).
 template <int D>
-LongWays<D> GapLimit<D>::long_ways(double dt) const
+GapWays<D> GapLimit<D>::ways(double dt) const
 {
-    LongWays<D> ways;
+    GapWays<D> ways;
+    if (!model_.viscous())
+        return ways;
     struct Drag {
-        FilmPair<D> pair;
-        std::array<Twist<D>, 2> W, impulse;
+        const std::pair<const FilmPair<D>, Pair>* of;
+        std::array<Twist<D>, 2> W{Twist<D>::Zero(), Twist<D>::Zero()}, impulse = W;
     };
     std::vector<Drag> drags;
-    for (const auto& [pair, films] : pairs_) {
-        if (films.by_part >= dt * (1 - 1e-9))
+    for (const auto& entry : pairs_) {
+        const double change = dt / entry.second.by_part;
+        if (!entry.second.has_mean || change * model_.scene.gap_cfl < slight_change)
             continue;
-        ways.pairs[pair] = 0;
-        if (!model_.viscous())
-            continue;
-        Way way = way_ahead(pair, films, dt);
-        if (way.passes) // and has turned round by the end of a longer step
-            continue;
-        const auto all = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);
-        way.films.viscosity_dt = 0;
-        const auto inertia = impulses_on_way<D>(here_, films.films, links_, way.films, way.W);
-        if (all && inertia)
-            drags.push_back({pair, way.W, {(*all)[0] - (*inertia)[0], (*all)[1] - (*inertia)[1]}});
+        ways.pairs[entry.first].change = change;
+        drags.push_back({&entry});
     }
+    for_each_job(static_cast<int>(drags.size()), [&](int k) {
+        const auto& [pair, films] = *drags[k].of;
+        const Way way = way_ahead(pair, films, dt);
+        if (way.passes) // and has turned round by the end of a longer step: the mean alone
+            return;
+        drags[k].W = way.W;
+        if (const auto found = impulses_on_way<D>(here_, films.films, links_, way.films, way.W))
+            drags[k].impulse = {found->all[0] - found->inertia[0], found->all[1] - found->inertia[1]};
+    });
     std::vector<Twist<D>> change(state_.bodies.size(), Twist<D>::Zero());
     const auto each_body = [&](const Drag& drag, auto&& take) {
         for (const int side : {0, 1})
-            if (const int solid = side == 0 ? drag.pair.master : drag.pair.other; here_.free_body[solid] >= 0)
+            if (const int solid = side == 0 ? drag.of->first.master : drag.of->first.other; here_.free_body[solid] >= 0)
                 take(solid, drag.impulse[side]);
     };
     for (const Drag& drag : drags)
@@ -240,7 +244,7 @@ LongWays<D> GapLimit<D>::long_ways(double dt) const
         double square = 0;
         each_body(drag, [&](int b, const Twist<D>& impulse) { square += impulse.dot(change[b]); });
         if (power > 0)
-            ways.pairs[drag.pair] = square / power;
+            ways.pairs[drag.of->first].share = square / power;
     }
     if (!ways.pairs.empty())
         for (const RigidBody<D>& body : state_.bodies)
@@ -251,7 +255,7 @@ LongWays<D> GapLimit<D>::long_ways(double dt) const
 template <int D>
 GapChanges gap_changes(const Model<D>& model, const Coupling<D>& there, const State<D>& state)
 {
-    const LongWays<D>& ways = state.long_ways;
+    const GapWays<D>& ways = state.gap_ways;
     if (ways.pairs.empty())
         return {};
     const auto shift_of = [&](int solid, const Vec<D>& x) {
@@ -264,11 +268,12 @@ GapChanges gap_changes(const Model<D>& model, const Coupling<D>& there, const St
         std::vector<double>(there.network.elements, 0.0), std::vector<double>(there.network.rim.mouths.size(), 0.0), {}};
     for (const Film<D>& film : there.network.films) {
         const auto way = ways.pairs.find(film.pair);
-        changes.shares.push_back(way == ways.pairs.end() ? 0.0 : way->second);
+        DragParts& parts = changes.drag.emplace_back();
         if (way == ways.pairs.end())
             continue;
         const FilmMesh<D>& mesh = film.mesh;
         const double floor = model.gaps(mesh.master, mesh.other).floor;
+        double least = infinite, least_opened = 0; // of the film
         for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
             const FilmElement<D>& e = mesh.elements[k];
             double thinnest = infinite;
@@ -276,8 +281,14 @@ GapChanges gap_changes(const Model<D>& model, const Coupling<D>& there, const St
                 thinnest = std::min(thinnest, mesh.h[node]);
             const double opened = -e.into_other.dot(shift_of(mesh.master, e.centroid_master) -
                                                     shift_of(mesh.other, Vec<D>(e.place_on_other - mesh.shift)));
-            changes.elements[film.first_element + k] = std::min(opened, std::max(thinnest - floor, 0.0));
+            double& change = changes.elements[film.first_element + k];
+            change = std::min(opened, std::max(thinnest - floor, 0.0));
+            if (thinnest < least) {
+                least = thinnest;
+                least_opened = change;
+            }
         }
+        parts = drag_parts(way->second.share, way->second.change, least, least_opened);
     }
     for (std::size_t r = 0; r < changes.mouths.size(); ++r) {
         const Mouth<D>& mouth = there.network.rim.mouths[r];

@@ -21,13 +21,14 @@ public:
 
     /// The step size dt, or a smaller one that the gaps ask for.
     double limited(double dt) const;
-    /// The pairs whose gap changes by a larger part than `time.gap_cfl` in a step of length dt.
-    LongWays<D> long_ways(double dt) const;
+    /// How gaps change in a step of length dt, for their films' drag.
+    GapWays<D> ways(double dt) const;
 
 private:
     struct Pair {
         std::vector<int> films;                                   ///< their numbers
         double by_part = std::numeric_limits<double>::infinity(); ///< step in which the gap changes by the allowed part
+        bool has_mean = true;                                     ///< whether its drag may have a mean over the way
         bool any_factor = true;                                   ///< whether it may change by more
     };
     /// What a pair is expected to do in a step.
@@ -51,7 +52,7 @@ private:
     std::map<FilmPair<D>, Pair> pairs_;
 };
 
-/// Of the films and mouths of the state's long ways, once its bodies have moved: how much the gap has opened over the step.
+/// Of the films and mouths of the state's gap ways, once its bodies have moved: how much the gap has opened over the step.
 template <int D>
 GapChanges gap_changes(const Model<D>& model, const Coupling<D>& there, const State<D>& state);
 

@@ -134,9 +134,9 @@ void Simulation<D>::rehearse(double next_output)
 template <int D>
 void Simulation<D>::advance(double next_output, BulkViscosity viscosity, StepReport& report)
 {
-    LongWays<D> ways;
+    GapWays<D> ways;
     const Step step = choose_step(model_, state_, *here_, beyond_.histories, next_output, ways);
-    state_.long_ways = std::move(ways);
+    state_.gap_ways = std::move(ways);
     state_.drive = next_drive(model_, *here_, state_, step);
     LastPressure<D> past = recall_pressure(model_, *here_, step, state_);
     state_.turned = model_.viscous() ? std::set<FilmPair<D>>()

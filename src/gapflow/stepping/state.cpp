@@ -21,13 +21,14 @@ void list_pairs(StateArchive& archive, const std::string& name, std::set<FilmPai
     pairs = {list.begin(), list.end()};
 }
 
-template <int D>
-void list_pairs(StateArchive& archive, const std::string& name, const std::string& what, std::map<FilmPair<D>, double>& pairs)
+// `list_value`: lists what is kept of a pair.
+template <int D, class T, class ListValue>
+void list_pairs(StateArchive& archive, const std::string& name, std::map<FilmPair<D>, T>& pairs, ListValue&& list_value)
 {
-    std::vector<std::pair<FilmPair<D>, double>> list(pairs.begin(), pairs.end());
-    archive.each(name, list, [&](StateArchive& items, std::pair<FilmPair<D>, double>& item) {
+    std::vector<std::pair<FilmPair<D>, T>> list(pairs.begin(), pairs.end());
+    archive.each(name, list, [&](StateArchive& items, std::pair<FilmPair<D>, T>& item) {
         gapflow::list_state(items, item.first);
-        items(what, item.second);
+        list_value(items, item.second);
     });
     pairs = {list.begin(), list.end()};
 }
@@ -108,9 +109,12 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
     state.voids.list_state(archive);
     list_pairs(archive, "films_before", state.films_before);
     list_pairs(archive, "films_turned", state.turned);
-    archive.optional("long_ways", !state.long_ways.pairs.empty(), [&] {
-        LongWays<D>& ways = state.long_ways;
-        list_pairs(archive, "pairs", "share", ways.pairs);
+    archive.optional("gap_ways", !state.gap_ways.pairs.empty(), [&] {
+        GapWays<D>& ways = state.gap_ways;
+        list_pairs(archive, "pairs", ways.pairs, [](StateArchive& items, GapWay& way) {
+            items("share", way.share);
+            items("change", way.change);
+        });
         ways.from.resize(state.bodies.size());
         archive.each("from", ways.from, [](StateArchive& items, Pose<D>& pose) { list_pose(items, pose); });
     });
@@ -125,7 +129,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         archive("push", pressure.film);
         archive("last_push", pressure.film_mean);
         archive("increment", state.film_increment);
-        list_pairs(archive, "debts", "energy", state.film_debts);
+        list_pairs(archive, "debts", state.film_debts, [](StateArchive& items, double& energy) { items("energy", energy); });
     });
     archive("conduit_flux", state.velocity.mouth);
     if (model.driven())

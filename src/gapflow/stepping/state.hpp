@@ -39,11 +39,17 @@ struct Drive {
     Vec<D> flow = Vec<D>::Zero();     ///< mean velocity of fluid and solids before that step
 };
 
-/// Pairs whose gap changes by a large factor in a step, because their films take no large share of the bodies' relative velocity (stepping/gap_limit).
+/// How the gap of a pair changes in a step.
+struct GapWay {
+    double share = 0;  ///< of the bodies' relative velocity that drag takes
+    double change = 0; ///< of the gap, over the part that time.gap_cfl allows
+};
+
+/// The same of all pairs for whose drag it matters (stepping/gap_limit).
 template <int D>
-struct LongWays {
-    std::map<FilmPair<D>, double> pairs; ///< with the share of the relative velocity that drag takes in the step
-    std::vector<Pose<D>> from;           ///< of the bodies, before the step; empty without such pairs
+struct GapWays {
+    std::map<FilmPair<D>, GapWay> pairs;
+    std::vector<Pose<D>> from; ///< of the bodies, before the step; empty without such pairs
 };
 
 /// What a run remembers to tell that its flow has settled (stepping/steadiness).
@@ -67,7 +73,7 @@ struct State {
     Eigen::VectorXd node_outflow;       ///< L p + K V + D u* of the film nodes, where voids had to be found; else empty
     std::set<FilmPair<D>> films_before; ///< pairs that had films before the last step
     std::set<FilmPair<D>> turned;       ///< pairs whose films were reversed in the last step
-    LongWays<D> long_ways;              ///< of the last step
+    GapWays<D> gap_ways;                ///< of the last step
     FilmDebts<D> film_debts;            ///< energy that films gained in the last step: the next one takes it back
     std::vector<Vec<D>> film_increment; ///< acceleration of the films' elements in the last step, pressure and transport
     Drive<D> drive;

@@ -104,7 +104,7 @@ double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const
 
 template <int D>
 Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmHistories<D>& histories,
-                 double next_output, LongWays<D>& ways)
+                 double next_output, GapWays<D>& ways)
 {
     const Scene& scene = model.scene;
     const Grid<D>& grid = model.grid;
@@ -156,14 +156,14 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
         dt = left;
     else if (left < 2 * dt)
         dt = 0.5 * left;
-    ways = gaps.long_ways(dt);
+    ways = gaps.ways(dt);
     const double end = state.time + dt;
     return {state.steps + 1, state.time, dt, state.dt, next_output - end < 1e-12 * next_output ? next_output : end};
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Step choose_step<D>(const Model<D>&, const State<D>&, const Coupling<D>&, const FilmHistories<D>&, double,        \
-                                 LongWays<D>&);
+                                 GapWays<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -12,6 +12,6 @@ namespace gapflow {
 /// Collective.
 template <int D>
 Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmHistories<D>& histories,
-                 double next_output, LongWays<D>& ways);
+                 double next_output, GapWays<D>& ways);
 
 } // namespace gapflow

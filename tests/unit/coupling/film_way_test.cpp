@@ -32,6 +32,29 @@ TEST(FilmWay, ImplicitStepsLeaveWhatExactOnesLeave)
         EXPECT_NEAR(1 / (1 + share * steepened(share)), std::exp(-share), 1e-15);
 }
 
+// Drag that takes little of the speed counts with its mean over the way, drag that balances a force with its value at the end; where the gap hardly
+// changes, with what it is.
+TEST(FilmWay, PartsOfDrag)
+{
+    const DragParts little = drag_parts(0, 1, 0.2, -0.1);
+    EXPECT_EQ(little.mean, 1);
+    EXPECT_EQ(little.end, 0);
+    const DragParts some = drag_parts(0.2, 1, 0.2, -0.8); // nothing of it at the start: e^-0.2 is left
+    EXPECT_NEAR(some.mean, std::expm1(0.2) / 0.2, 0.02);
+    EXPECT_NEAR(some.end, 0, 1e-3);
+    for (const double much : {1e3, 1e6}) {
+        const DragParts balanced = drag_parts(much, 1, 0.2, -0.05);
+        EXPECT_NEAR(balanced.mean, 0, 2 / much);
+        EXPECT_NEAR(balanced.end, 1, 2 / much);
+    }
+    const DragParts pushed = drag_parts(-1.5, 1, 0.2, -0.05); // by other films
+    EXPECT_GT(pushed.mean, 0);
+    EXPECT_LT(pushed.mean, 1);
+    EXPECT_EQ(pushed.end, 0);
+    const DragParts still = drag_parts(0.5, 1e-6, 0.2, -1e-9);
+    EXPECT_NEAR(still.mean + still.end, 1, 1e-6);
+}
+
 // A strip of length L that closes from h0 to h1 with unit speed meets mu t L^3 (h0 + h1) / (2 h0^2 h1^2) by viscosity and
 // rho L^3 / 12 (1 / h1 - 1 / h0) by the growth of its inertia.
 TEST(FilmWay, ImpulsesOfAStrip)
@@ -60,13 +83,16 @@ TEST(FilmWay, ImpulsesOfAStrip)
         const WayAhead<2> way{{std::vector<double>(mesh.elements.size(), opened)}, viscosity_dt, 1e-6};
         const auto found = impulses_on_way<2>(coupling, films, links_of_films(coupling), way, V);
         EXPECT_TRUE(found.has_value());
-        return (*found)[mesh.master == 0 ? 0 : 1][1];
+        return std::array<double, 2>{found->inertia[mesh.master == 0 ? 0 : 1][1], found->all[mesh.master == 0 ? 0 : 1][1]};
     };
     const double inertia = std::pow(L, 3) / 12 * (1 / h1 - 1 / h0);
-    EXPECT_NEAR(impulse(0, h1 - h0), -inertia, 0.05 * inertia);
+    EXPECT_NEAR(impulse(0, h1 - h0)[0], -inertia, 0.05 * inertia);
+    EXPECT_EQ(impulse(0, h1 - h0)[0], impulse(0, h1 - h0)[1]);
     const double viscosity_dt = 1e-5, viscous = viscosity_dt * std::pow(L, 3) * (h0 + h1) / (2 * h0 * h0 * h1 * h1);
-    EXPECT_NEAR(impulse(viscosity_dt, h1 - h0) - impulse(0, h1 - h0), -viscous, 0.05 * viscous);
-    EXPECT_NEAR(impulse(viscosity_dt, 0), viscosity_dt * std::pow(L / h0, 3), 0.05 * viscosity_dt * std::pow(L / h0, 3));
+    const auto [by_inertia, by_all] = impulse(viscosity_dt, h1 - h0);
+    EXPECT_EQ(by_inertia, impulse(0, h1 - h0)[0]);
+    EXPECT_NEAR(by_all - by_inertia, -viscous, 0.05 * viscous);
+    EXPECT_NEAR(impulse(viscosity_dt, 0)[1], viscosity_dt * std::pow(L / h0, 3), 0.05 * viscosity_dt * std::pow(L / h0, 3));
 }
 
 } // namespace

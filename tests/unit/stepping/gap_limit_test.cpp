@@ -73,6 +73,29 @@ TEST(GapLimit, DragThatTakesAFifthOfTheSpeed)
     EXPECT_NEAR(lost, by_viscosity + by_inertia, 0.07 * (by_viscosity + by_inertia));
 }
 
+// A step that the gap limits takes from the plate what the way takes as well, and nearly so where drag takes much of the speed in a step.
+TEST(GapLimit, DragOfStepsThatTheGapLimits)
+{
+    const double viscosity = 1e-2, h0 = 0.003, L = 0.6;
+    Scene scene = plate(1e4, viscosity);
+    scene.long_ways = false;
+    Simulation<2> simulation(scene, Communicator());
+    const auto lost = [&] {
+        const RigidBody<2>& box = simulation.bodies()[0];
+        const double h = box.pose.position[1] - 0.15;
+        const double by_viscosity = viscosity * std::pow(L, 3) / (2 * box.mass) * (1 / (h * h) - 1 / (h0 * h0));
+        const double by_inertia = std::pow(L, 3) / 12 * (1 / h + 1 / h0) / (2 * box.mass);
+        return (1 + box.twist[1]) / (by_viscosity + by_inertia);
+    };
+    simulation.step(1e9);
+    EXPECT_NEAR(lost(), 1, 0.05);
+    simulation.step(1e9);
+    EXPECT_NEAR(lost(), 1, 0.05);
+    while (simulation.bodies()[0].twist[1] < -0.5)
+        simulation.step(1e9);
+    EXPECT_NEAR(lost(), 1, 0.13);
+}
+
 // A plate that nothing slows may close its gap in one step; its surface does not pass the floor's.
 TEST(GapLimit, SurfacesThatMeet)
 {
