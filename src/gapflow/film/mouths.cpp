@@ -432,6 +432,8 @@ FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>>
         for (const auto& [key, cell] : network.cells.cells)
             if (cell.kind == CellKind::film)
                 used.insert(cell.owner);
+        for (const auto& [face, film] : network.cells.closed)
+            used.insert(film);
         dropped = used.size() < network.films.size();
         if (dropped) {
             std::vector<Film<D>> kept;
