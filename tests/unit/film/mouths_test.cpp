@@ -190,6 +190,24 @@ TEST(Mouths, FilmsThatMeetAreJoined)
 }
 
 // Films of a lid over two boxes with bulk between them: two mouths each, numbers in one row.
+// A ball beyond a box's corner, close to it: the wedge between it and a face of the box is narrower than the cells that it leads through, and takes none
+// of them whole at one in seven places on the grid. (At four of the 64 a single cell holds both sides of the throat, with no face to close.)
+TEST(FilmNetwork, KeepsTheFilmOfACornerAcrossTheGrid)
+{
+    int kept = 0;
+    for (double x = 0; x < 1; x += 0.125)
+        for (double y = 0; y < 1; y += 0.125) {
+            FilmScene<2> scene(20);
+            scene.gap.threshold = 1.2;
+            const Vec<2> corner(9 + x, 8 + y);
+            scene.add_box("box", corner - Vec<2>(5, 4), corner);
+            scene.add_ball("ball", 3.2, corner + 3.245 * Vec<2>(std::cos(0.49), std::sin(0.49)));
+            scene.clip();
+            kept += !scene.network().films.empty();
+        }
+    EXPECT_GE(kept, 60);
+}
+
 TEST(FilmNetwork, CountsItsNodesAndNumbersItsFilms)
 {
     FilmScene<2> scene(14);
