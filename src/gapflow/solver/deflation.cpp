@@ -37,7 +37,7 @@ Deflation<D>::Deflation(const CoupledOperator<D>& matrix, const FilmBand<D>& ban
                                    [](const Component& c) { return c.grid_parts == 0 || c.grid_parts == 1; });
     if (weak_films == 0 && whole && all_constants_null())
         return;
-    number_columns(whole);
+    number_columns(whole, weak_films > 0);
     for (int& k : node_part_)
         if (k >= 0)
             k += columns_;
@@ -60,7 +60,7 @@ bool Deflation<D>::all_constants_null() const
 // Parts without a body or link have no energy and no column. Parts that lie wholly in the films' band have no column either: the band's
 // solve determines their level.
 template <int D>
-void Deflation<D>::number_columns(bool whole)
+void Deflation<D>::number_columns(bool whole, bool weak_films)
 {
     const Grid<D>& grid = *system_.grid;
     std::vector<char> grounded;
@@ -93,13 +93,43 @@ void Deflation<D>::number_columns(bool whole)
         if (banded[k] == static_cast<double>(size[k]))
             acted[k] = 0;
     std::vector<int> column(grounded.size(), -1);
+    const std::vector<char> null = whole_levels(acted, grounded, weak_films);
     for (std::size_t k = 0; k < column.size(); ++k)
-        if (acted[k] > 0 && !grounded[k])
+        if (acted[k] > 0 && !grounded[k] && !null[k])
             column[k] = columns_++;
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         if (int& k = part_(c); k >= 0)
             k = column[k];
     });
+}
+
+// Parts whose level, extended into the films, is that of all of a component whose constant is a null vector: there is no other part of the grid and
+// no film with a level of its own in it. What would be found of its energy is the round-off of the extension (two balls in the slots of a comb).
+template <int D>
+std::vector<char> Deflation<D>::whole_levels(const std::vector<double>& acted, const std::vector<char>& grounded,
+                                             bool weak_films) const
+{
+    const std::size_t count = acted.size();
+    std::vector<char> null(count, 0);
+    if (weak_films || !all_constants_null())
+        return null;
+    const Grid<D>& grid = *system_.grid;
+    std::vector<double> sums(2 * count, 0.0); // of each part: its component's number, summed over its cells, and their count
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (const int k = part_(c); k >= 0) {
+            sums[2 * k] += system_.component(c);
+            sums[2 * k + 1] += 1;
+        }
+    });
+    grid.comm().sum(sums);
+    std::vector<int> parts(system_.components.size(), 0);
+    const auto component = [&](std::size_t k) { return std::lround(sums[2 * k] / sums[2 * k + 1]); };
+    for (std::size_t k = 0; k < count; ++k)
+        if (acted[k] > 0 && !grounded[k])
+            ++parts[component(k)];
+    for (std::size_t k = 0; k < count; ++k)
+        null[k] = acted[k] > 0 && !grounded[k] && parts[component(k)] == 1 && !system_.components[component(k)].grounded;
+    return null;
 }
 
 template <int D>
