@@ -15,6 +15,7 @@
 #include "gapflow/stepping/step_end.hpp"
 #include "gapflow/stepping/step_size.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
+#include "gapflow/stepping/viscous_lag.hpp"
 
 #include <utility>
 #include <vector>
@@ -187,13 +188,15 @@ void Simulation<D>::follow_departures(const std::vector<Whereabouts>& before, St
         report.notes.push_back(std::move(note));
 }
 
-// The state's sums, and films with blind ends, once each.
+// The state's sums; notes on films with blind ends, and on steps too long for so viscous fluid.
 template <int D>
 void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
 {
     report_state(model_, *here_, state_, V, report);
     for (std::string& note : blind_end_notes(*here_, blind_told_))
         report.notes.push_back(std::move(note));
+    if (std::optional<std::string> note = viscous_lag_note(model_, state_))
+        report.notes.push_back(std::move(*note));
 }
 
 template <int D>

@@ -473,6 +473,31 @@ LoadAndTorque turning_cylinder_near_its_container(double radius, double clearanc
 }
 
 // Nearly touching: at 0.9 no film, at 0.99 a film of up to 2 cells.
+// A heavy ball coasts and slows down. Where viscosity crosses many cells in a step the run says that forces lag behind; not in shorter steps, nor where the ball's
+// motion is given.
+TEST(Viscosity, StepsTooLongForSoViscousFluidAreTold)
+{
+    const auto told = [](double max_step, bool free) {
+        Scene scene = closed_box(2, 1, 16);
+        scene.max_step = max_step / (16 * 16);
+        BodyScene body = ball("ball", 0.2, {0.5, 0.5, 0});
+        body.density = 1000;
+        body.velocity = {1e-3, 0, 0};
+        if (!free)
+            body.motion = BodyScene::Motion::prescribed;
+        scene.bodies = {body};
+        Simulation<2> simulation(scene, Communicator());
+        int notes = 0;
+        for (int i = 0; i < 10; ++i)
+            for (const std::string& note : simulation.step(1e9).notes)
+                notes += note.find("time.max_step") != std::string::npos;
+        return notes;
+    };
+    EXPECT_GT(told(100, true), 0);
+    EXPECT_EQ(told(35, true), 0);
+    EXPECT_EQ(told(100, false), 0);
+}
+
 TEST(Viscosity, TurningCylinderNearItsContainer)
 {
     const auto load = [](double eccentricity) {
