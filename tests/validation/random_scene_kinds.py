@@ -574,10 +574,12 @@ def tank(t):
 KINDS = {kind.__name__: kind for kind in (touching, overlapping, stacked, ceiling, rolling, flaps, springs, edges, funnels, cups, combs, dry, leaving, entering, tank)}
 
 
-def make(number, folder):
-    """(scene, tank) of a scene's number; its meshes are written into `folder`."""
+def make(number, folder, reynolds=None):
+    """(scene, tank) of a scene's number; its meshes are written into `folder`. `reynolds`: least and largest Reynolds number, all fluid viscous then."""
     for attempt in range(100):
         t = Tank(number, folder, attempt)
         if any(body.keys.get("motion") != "fixed" for body in t.bodies):    # there was room for one
+            if reynolds:
+                t.reynolds = 10**random.Random(number).uniform(*map(math.log10, reynolds))
             return t.scene(), t
     raise ValueError(f"scene {number} has no bodies that move")

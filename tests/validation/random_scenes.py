@@ -1,7 +1,7 @@
 """Random scenes of bodies that touch, 200 steps each with the default settings: they run, none crawls, and no energy comes from nowhere.
 
 Scenes are made in random_scene_kinds.py and follow from their number alone: 0 to 299 in 2D, 300 to 359 in 3D.
-    python3 random_scenes.py run NUMBERS|A-B... [--out FILE.jsonl] [--jobs N] [--limit SECONDS] [--save FOLDER]
+    python3 random_scenes.py run NUMBERS|A-B... [--out FILE.jsonl] [--jobs N] [--limit SECONDS] [--save FOLDER] [--reynolds LEAST LARGEST]
     python3 random_scenes.py judge FILE.jsonl...        what failed, by kind; what is slow among its kind
     python3 random_scenes.py show N                     the scene on the screen, its meshes into the current folder
 `run` appends a JSON line a scene to FILE; scenes that FILE has already are left out, so a batch that was stopped goes on.
@@ -185,10 +185,10 @@ def thrown(tank, bodies):
     return []
 
 
-def examine(number, limit=LIMIT, save=None):
+def examine(number, limit=LIMIT, save=None, reynolds=None):
     """Runs a scene; a record of what it did, "defects" being a list of short texts, empty when all is well (slowness is judged among a kind)."""
     with tempfile.TemporaryDirectory() as folder:
-        scene, tank = kinds.make(number, folder)
+        scene, tank = kinds.make(number, folder, reynolds)
         file, out = Path(folder) / "scene.toml", Path(folder) / "out"
         file.write_text(harness.scene_text(scene))
         start = time.monotonic()
@@ -216,7 +216,7 @@ def examine(number, limit=LIMIT, save=None):
         record["defects"] = defects
         if save and defects:
             Path(save).mkdir(parents=True, exist_ok=True)
-            show(number, save)
+            show(number, save, reynolds)
     return record
 
 
@@ -262,10 +262,10 @@ ALL = [case_of(kind) for kind in kinds.KINDS]
 
 # ---- command line
 
-def show(number, folder):
+def show(number, folder, reynolds=None):
     """The scene and its meshes into a folder, as scene_N.toml, their names made the scene's own; returns its text."""
     with tempfile.TemporaryDirectory() as made:
-        scene, _ = kinds.make(number, made)
+        scene, _ = kinds.make(number, made, reynolds)
         for body in scene["body"]:
             if "file" in body:
                 own = f"scene_{number}_{body['file']}"
@@ -293,7 +293,7 @@ def run_command(options):
     known = {json.loads(line)["number"] for line in options.out.read_text().splitlines()} if options.out and options.out.exists() else set()
     numbers, failed = [n for n in numbers_of(options.number) if n not in known], 0
     with ProcessPoolExecutor(options.jobs) as pool:    # a process each: the processor's seconds are those of one scene
-        for task in as_completed([pool.submit(examine, number, options.limit, options.save) for number in numbers]):
+        for task in as_completed([pool.submit(examine, number, options.limit, options.save, options.reynolds) for number in numbers]):
             record = task.result()
             failed += bool(record["defects"])
             print(told(record), flush=True)
@@ -324,6 +324,7 @@ def main():
     run.add_argument("--out", metavar="FILE", type=Path, help="a JSON line a scene is appended; scenes in it are left out")
     run.add_argument("--jobs", metavar="N", type=int, default=1)
     run.add_argument("--limit", metavar="SECONDS", type=float, default=LIMIT, help="of the processor, for a scene")
+    run.add_argument("--reynolds", metavar=("LEAST", "LARGEST"), nargs=2, type=float, help="between these instead of a scene's own, all fluid viscous")
     run.add_argument("--save", metavar="FOLDER", help="scenes with defects go here")
     judge = commands.add_parser("judge")
     judge.add_argument("file", nargs="+", type=Path)
