@@ -1,4 +1,5 @@
-// Films whose gap changes in a step (method, "Drag over a step"). On its way from h0 to h1 at constant speed the film resists with the mean over the way of the resistance's power of h,
+// Films whose gap changes in a step (method, "Drag over a step"). On its way from h0 to h1 at constant speed the film resists with the mean
+// over the way of the resistance's power of h,
 //
 //     mean h^-3 = (h0 + h1) / (2 h0^2 h1^2),     mean h^-2 = 1 / (h0 h1),     mean h^-1 = ln(h0 / h1) / (h0 - h1).
 //
