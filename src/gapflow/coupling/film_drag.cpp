@@ -201,13 +201,14 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
     const double rho = coupling.density;
     const WetShares& wet = terms.wet;
     const GapChanges& changes = terms.changes;
+    const auto parts_of = [&](std::size_t film) { return changes.drag.empty() ? DragParts() : changes.drag[film]; };
     std::vector<Shut<D>> shuts;
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const Vec<D>& centre = coupling.solids[mesh.master].centre;
         const Vec<D> other = coupling.solids[mesh.other].centre + mesh.shift;
         const Shut<D>& shut = shuts.emplace_back(coupling, mesh, mass);
-        const DragParts parts = changes.drag.empty() ? DragParts() : changes.drag[shuts.size() - 1];
+        const DragParts parts = parts_of(shuts.size() - 1);
         const std::vector<double> betas = element_betas(mesh, viscosity_dt, rho);
         for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
             const FilmElement<D>& e = mesh.elements[k];
@@ -237,7 +238,7 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
         const FilmMesh<D>& mesh = coupling.network.films[c.film].mesh;
         const double opened = changes.mouths.empty() ? 0.0 : changes.mouths[r];
         const double beta = mouth_beta(c.kind, viscosity_dt, rho, c.h, c.resistance);
-        const DragParts parts = changes.drag.empty() ? DragParts() : changes.drag[c.film];
+        const DragParts parts = parts_of(static_cast<std::size_t>(c.film));
         Drag drag = drag_of(opened != 0 ? beta * (parts.mean * square_mean(c.h, opened) + parts.end) : beta,
                             shuts[c.film].mouth_beta(rho * c.resistance / c.length));
         drag.wet = wet.mouths.empty() ? 1.0 : wet.mouths[r];
