@@ -10,9 +10,6 @@ namespace gapflow {
 
 namespace {
 
-// e to its power is as good as infinite.
-constexpr double largest_exponent = 30;
-
 double mean_of_cube(double h, double before)
 {
     return h * (before + h) / (2 * before * before);
@@ -127,13 +124,18 @@ double steepened(double share)
     return share == 0 ? 1.0 : std::expm1(share) / share;
 }
 
-// X0 is X with the thickness at the start. X is negative where a body's other films speed it up more.
+// X0 is X with the thickness at the start; drag at the end is 1 here. X is negative where a body's other films speed it up more. The two drags are
+// joined by their inverses, as they limit the speed: that of bodies left alone grows beyond all bounds where a film closes and X is large.
 DragParts drag_parts(double share, double change, double h, double opened)
 {
-    const double before = h - opened, at_start = std::max(share, 0.0) * std::pow(h / before, 3) / mean_of_cube(h, before);
-    const double alone = std::exp(-2 * at_start), balanced = 1 / (1 + at_start);
-    const double steep = 1 + std::min(change, 1.0) * (steepened(std::min(share, largest_exponent)) - 1);
-    return {alone * steep + (1 - alone) * balanced, (1 - alone) * (1 - balanced)};
+    const double before = h - opened, mean = mean_of_cube(h, before);
+    const double at_start = std::max(share, 0.0) * std::pow(h / before, 3) / mean;
+    const double alone = std::exp(-2 * at_start), not_alone = -std::expm1(-2 * at_start), balanced = 1 / (1 + at_start);
+    const double steep = 1 + std::min(change, 1.0) * (steepened(share) - 1);
+    const double of_balance = balanced * mean + 1 - balanced;
+    const double drag = 1 / (alone / (steep * mean) + not_alone / of_balance);
+    const double factor = drag / (alone * mean + not_alone * of_balance);
+    return {factor * (alone + not_alone * balanced), factor * not_alone * (1 - balanced)};
 }
 
 // The film's pressure impulse p solves L p = F V with F the rows of K, and acts with -F^T p. L with the resistances of the way, less L with

@@ -51,6 +51,15 @@ TEST(FilmWay, PartsOfDrag)
     EXPECT_GT(pushed.mean, 0);
     EXPECT_LT(pushed.mean, 1);
     EXPECT_EQ(pushed.end, 0);
+    for (const double much :
+         {1.0, 37.0, 1e3}) { // it closes to a third (a box above a floor in examples/11_pile): of 1 at the end
+        const DragParts closes = drag_parts(much, 0.9, 0.2, -0.4);
+        const double mean = 2.0 / 9, drag = closes.mean * mean + closes.end;
+        EXPECT_GT(drag, mean);
+        EXPECT_LT(drag, 1.2);
+    }
+    const DragParts from_afar = drag_parts(1e3, 1, 0.2, -0.2e8);
+    EXPECT_TRUE(std::isfinite(from_afar.mean) && std::isfinite(from_afar.end));
     const DragParts still = drag_parts(0.5, 1e-6, 0.2, -1e-9);
     EXPECT_NEAR(still.mean + still.end, 1, 1e-6);
 }
