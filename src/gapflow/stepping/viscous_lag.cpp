@@ -19,9 +19,8 @@ template <int D>
 std::optional<std::string> viscous_lag_note(const Model<D>& model, const State<D>& state)
 {
     const Scene& scene = model.scene;
-    const double dx = model.grid.dx(),
-                 step = largest_viscous_number * dx * dx * scene.density / std::max(scene.viscosity, 1e-300);
-    if (!(state.dt > step))
+    const double dx = model.grid.dx(), rate = scene.viscosity / (scene.density * dx * dx); // nu / dx^2
+    if (!(rate * state.dt > largest_viscous_number))
         return {};
     double largest = 0, change = 0;
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
@@ -32,8 +31,9 @@ std::optional<std::string> viscous_lag_note(const Model<D>& model, const State<D
     if (!(change > unsteady * largest))
         return {};
     return "bodies change their velocities faster than the pressure of so viscous fluid follows in steps of time.max_step = " +
-           short_text(scene.max_step) + " (nu dt / dx^2 up to " + short_text(scene.max_step * largest_viscous_number / step) +
-           "): their forces lag behind, and they may gain energy; use a time.max_step of " + short_text(step) + " or less";
+           short_text(scene.max_step) + " (nu dt / dx^2 up to " + short_text(scene.max_step * rate) +
+           "): their forces lag behind, and they may gain energy; use a time.max_step of " +
+           short_text(largest_viscous_number / rate) + " or less";
 }
 
 #define GAPFLOW_INSTANTIATE(D) template std::optional<std::string> viscous_lag_note<D>(const Model<D>&, const State<D>&);
