@@ -39,6 +39,13 @@ Eigen::VectorXd semidefinite_solution(const Eigen::MatrixXd& a, const Eigen::Vec
     return a.ldlt().solve(b);
 }
 
+Eigen::MatrixXd semidefinite_factor(const Eigen::MatrixXd& a, double rank_tolerance)
+{
+    const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(a);
+    const long rank = (eigen.values.array() > rank_tolerance).count();
+    return eigen.vectors.rightCols(rank) * eigen.values.tail(rank).cwiseSqrt().asDiagonal();
+}
+
 SingularVectors left_singular_vectors(const Eigen::MatrixXd& a)
 {
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU);

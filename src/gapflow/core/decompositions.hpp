@@ -32,6 +32,9 @@ std::optional<Eigen::MatrixXd> positive_definite_solution(const Eigen::MatrixXd&
 /// x with a x = b, for a symmetric positive semidefinite a and a b that it can make.
 Eigen::VectorXd semidefinite_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
+/// F with F F^T = a, for a symmetric positive semidefinite a: a column for each of its eigenvalues above `rank_tolerance`.
+Eigen::MatrixXd semidefinite_factor(const Eigen::MatrixXd& a, double rank_tolerance);
+
 /// Singular values in decreasing order and the vectors of one side as columns.
 struct SingularVectors {
     Eigen::VectorXd values;

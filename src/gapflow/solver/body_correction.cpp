@@ -1,9 +1,16 @@
-// Woodbury: (B^-1 + K M^-1 K^T)^-1 = B - B K (M + K^T B K)^-1 K^T B. The full small matrix, never one body at a time: block
-// diagonals are not safely definite. With W = B K stored (single precision, in the cells of mouths double: stiff links
-// amplify the rounding of the difference between a film node and its cell) a correction costs two passes over W; for
-// more bodies W is not stored and B is applied a second time to K (M + K^T W)^-1 K^T z.
+// Woodbury with the bodies' compliance M^-1 = F F^T, contacts held:
+//
+//     (B^-1 + K F F^T K^T)^-1 = B - W F (1 + F^T K^T W F)^-1 F^T W^T,   W = B K.
+//
+// The full small matrix, never one body at a time: block diagonals are not safely definite. Its eigenvalues are at least 1. Films of
+// very viscous fluid have an added mass of 1e10 bodies: against it contacts that are springs in M + K^T W are too weak, or so stiff that
+// the bodies' own inertia is lost to round-off. With W stored (single precision, in the cells of mouths double: stiff links amplify the rounding of the
+// difference between a film node and its cell) a correction costs two passes over W; for more bodies W is not stored and B is
+// applied a second time to K F (1 + F^T K^T W F)^-1 F^T K^T z.
 
 #include "gapflow/solver/body_correction.hpp"
+
+#include "gapflow/core/decompositions.hpp"
 
 #include <algorithm>
 
@@ -13,8 +20,7 @@ namespace gapflow {
 
 namespace {
 
-constexpr double held_stiffness =
-    1e6; // of contacts relative to the bodies' own with their added mass: rigid for a preconditioner
+constexpr double held = 1e-12; // a motion's compliance relative to the free body's, round-off: contacts hold it
 
 } // namespace
 
@@ -109,18 +115,19 @@ void BodyCorrection<D>::update()
 {
     if (!ready_)
         return;
-    if (in_part())
-        return update_motions();
-    const CoupledSystem<D>& system = matrix_.system();
-    Eigen::MatrixXd capacitance = added_ + Eigen::MatrixXd(system.mass);
-    if (system.contact.rows() > 0) {
-        const Eigen::VectorXd mobility = system.contact.cwiseAbs2() * capacitance.diagonal().cwiseInverse();
-        Eigen::VectorXd stiffness = held_stiffness * mobility.cwiseInverse();
-        stiffness = (mobility.array() > 0).select(stiffness, 0.0); // 0: constraints prevent the contact from moving its bodies
-        stiffness = stiffness.cwiseMin(system.contact_resistance);
-        capacitance += system.contact.transpose() * stiffness.asDiagonal() * system.contact;
-    }
-    capacitance_.compute(capacitance);
+    const Eigen::SparseMatrix<double>& mass = matrix_.system().mass;
+    const long dofs = matrix_.dofs();
+    const Eigen::VectorXd scale = mass.diagonal().cwiseSqrt();
+    const Eigen::MatrixXd momentum = in_part() ? Eigen::MatrixXd(mass * motions_) : Eigen::MatrixXd(scale.asDiagonal());
+    Eigen::MatrixXd response(dofs, momentum.cols());
+    for (long k = 0; k < momentum.cols(); ++k)
+        response.col(k) = matrix_.inverse_mass(momentum.col(k));
+    const Eigen::MatrixXd compliance = momentum.transpose() * response;
+    half_ = semidefinite_factor(0.5 * (compliance + compliance.transpose()), held);
+    if (!in_part())
+        half_ = scale.asDiagonal().inverse() * half_;
+    const Eigen::MatrixXd added = half_.transpose() * added_ * half_;
+    capacitance_.compute(Eigen::MatrixXd::Identity(added.rows(), added.cols()) + 0.5 * (added + added.transpose()));
     ready_ = capacitance_.info() == Eigen::Success;
 }
 
@@ -167,20 +174,7 @@ void BodyCorrection<D>::add_motions(const Inverse& inverse, double bytes_per_cel
         0.5 * (added_.bottomRightCorner(count - old, count - old) +
                added_.bottomRightCorner(count - old, count - old).transpose().eval());
     ready_ = true;
-    update_motions();
-}
-
-template <int D>
-void BodyCorrection<D>::update_motions()
-{
-    const Eigen::MatrixXd momentum = matrix_.system().mass * motions_;
-    Eigen::MatrixXd response(momentum.rows(), momentum.cols());
-    for (long k = 0; k < momentum.cols(); ++k)
-        response.col(k) = matrix_.inverse_mass(momentum.col(k));
-    const Eigen::MatrixXd C = momentum.transpose() * response;
-    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(C.rows(), C.cols());
-    middle_ = (one + C * added_).partialPivLu().solve(C);
-    middle_ = 0.5 * (middle_ + middle_.transpose().eval());
+    update();
 }
 
 template <int D>
@@ -191,8 +185,8 @@ void BodyCorrection<D>::correct(const Inverse& inverse, const UnknownVector<D>& 
     const CoupledSystem<D>& system = matrix_.system();
     const Grid<D>& grid = *system.grid;
     const Eigen::VectorXd wrench = matrix_.transpose_flux(z); // K^T B r = W^T r
-    const Eigen::VectorXd twist =
-        in_part() ? Eigen::VectorXd(middle_ * (motions_.transpose() * wrench)) : capacitance_.solve(wrench);
+    const Eigen::VectorXd force = in_part() ? Eigen::VectorXd(motions_.transpose() * wrench) : wrench;
+    const Eigen::VectorXd twist = half_ * capacitance_.solve(half_.transpose() * force);
     const int columns = static_cast<int>(twist.size());
     if (!kept_) {
         UnknownVector<D> modified = r;

@@ -10,8 +10,8 @@
 
 namespace gapflow {
 
-/// Turns B ~ L^-1 into (B^-1 + K M^-1 K^T)^-1 = B - W (M + K^T W)^-1 W^T,  W = B K. With some motions U alone, U^T M U = 1, into
-/// (B^-1 + K U C U^T K^T)^-1 = B - W U (C^-1 + U^T K^T W U)^-1 U^T W^T,  C = U^T M M_c^-1 M U,  M_c^-1: with the contacts held.
+/// Turns B ~ L^-1 into (B^-1 + K C K^T)^-1, C = M_c^-1: the bodies' response with the contacts held; with some motions U alone,
+/// U^T M U = 1, into (B^-1 + K U C U^T K^T)^-1, C = U^T M M_c^-1 M U.
 template <int D>
 class BodyCorrection {
 public:
@@ -51,7 +51,6 @@ private:
     };
     void find_exact_cells(std::vector<Index<D>> banded);
     void keep_column(const UnknownVector<D>& z);
-    void update_motions();
 
     const CoupledOperator<D>& matrix_;
     bool ready_ = false, kept_ = false;
@@ -60,8 +59,8 @@ private:
     std::vector<Index<D>>
         exact_cells_;       ///< of links and the films' band, on this rank: their entries of the columns are doubles
     Eigen::MatrixXd added_; ///< K^T B K, or U^T K^T B K U
-    Eigen::LLT<Eigen::MatrixXd> capacitance_;
-    Eigen::MatrixXd middle_; ///< (C^-1 + U^T K^T W U)^-1
+    Eigen::MatrixXd half_;  ///< F with C = F F^T
+    Eigen::LLT<Eigen::MatrixXd> capacitance_; ///< 1 + F^T added F
 };
 
 } // namespace gapflow

@@ -49,6 +49,20 @@ TEST(Decompositions, AnIndefiniteMatrixHasNoPositiveDefiniteSolution)
     EXPECT_FALSE(positive_definite_solution(a, b));
 }
 
+// What the matrix maps to 0 the factor maps to 0 by round-off, not by its root.
+TEST(Decompositions, AFactorOfASemidefiniteMatrixKeepsTheKernel)
+{
+    const Eigen::MatrixXd basis = random_matrix(6, 4);
+    const Eigen::VectorXd sizes = Eigen::Vector4d(1, 1, 1e-4, 1e-8);
+    const Eigen::MatrixXd a = basis * sizes.asDiagonal() * basis.transpose();
+    const Eigen::MatrixXd factor = semidefinite_factor(a, 1e-12),
+                          kernel = right_singular_vectors(basis.transpose()).vectors.rightCols(2);
+    ASSERT_EQ(factor.cols(), 4);
+    EXPECT_TRUE((factor * factor.transpose()).isApprox(a, 1e-14));
+    EXPECT_LT((factor.transpose() * kernel).cwiseAbs().maxCoeff(), 1e-11);
+    EXPECT_EQ(semidefinite_factor(Eigen::MatrixXd::Zero(3, 3), 1e-12).cols(), 0);
+}
+
 TEST(Decompositions, RightSingularVectorsSpanTheKernel)
 {
     const Eigen::MatrixXd a = random_matrix(2, 5);
