@@ -33,6 +33,8 @@ constexpr double impulse_round_off = 1e-14; // of the impulses
 // Inertia of a film over that of its bodies, at most: a film of no thickness has an infinite one, and how it shares an impulse with contacts that
 // hold the same bodies has no accuracy then.
 constexpr double heaviest_film = 1e4;
+// And at least: one that says less of its bodies than the forecast misses of them by far would only fill the matrix.
+constexpr double lightest_film = 0.02;
 
 // What a body's mobility says: its inverse and the roots of both where it has one, and what the body can do. All 0 of one that cannot move.
 template <int D>
@@ -63,9 +65,10 @@ OwnInertia<D> own_inertia(const TwistMatrix<D>& mobility)
     return own;
 }
 
-// As if the film acted through a spring of `heaviest_film` times the bodies' inertia: in terms of that, f becomes f / (1 + f / heaviest_film).
+// As if the film acted through a spring of `heaviest_film` times the bodies' inertia: in terms of that, f becomes f / (1 + f / heaviest_film). Nothing
+// of a film lighter than `lightest_film`.
 template <int D>
-PairMatrix<D> limited_inertia(const FilmInertia<D>& film, const OwnInertia<D>& a, const OwnInertia<D>& b)
+std::optional<PairMatrix<D>> limited_inertia(const FilmInertia<D>& film, const OwnInertia<D>& a, const OwnInertia<D>& b)
 {
     constexpr int n = twist_size<D>;
     Eigen::MatrixXd root = Eigen::MatrixXd::Zero(2 * n, 2 * n), inverse = root;
@@ -74,10 +77,12 @@ PairMatrix<D> limited_inertia(const FilmInertia<D>& film, const OwnInertia<D>& a
     inverse.topLeftCorner(n, n) = a.inverse_root;
     inverse.bottomRightCorner(n, n) = b.inverse_root;
     const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(root * film.matrix * root);
+    if (!(eigen.values[2 * n - 1] > lightest_film))
+        return {};
     const Eigen::VectorXd limited =
         eigen.values.unaryExpr([](double f) { return std::max(f, 0.0) / (1 + std::max(f, 0.0) / heaviest_film); });
     const Eigen::MatrixXd vectors = inverse * eigen.vectors;
-    return vectors * limited.asDiagonal() * vectors.transpose();
+    return PairMatrix<D>(vectors * limited.asDiagonal() * vectors.transpose());
 }
 
 // A V - w - C^T lambda and what it is made of, for many bodies.
@@ -104,16 +109,17 @@ public:
             if (place_[s] >= 0)
                 put(place_[s], place_[s], own[s].inertia);
         for (const FilmInertia<D>& film : inertia.films) {
-            const PairMatrix<D> matrix = limited_inertia<D>(film, own[film.a], own[film.b]);
+            const std::optional<PairMatrix<D>> matrix = limited_inertia<D>(film, own[film.a], own[film.b]);
+            if (!matrix)
+                continue;
             for (const auto& [i, a] : {std::pair(0, film.a), std::pair(n, film.b)})
                 for (const auto& [j, b] : {std::pair(0, film.a), std::pair(n, film.b)})
                     if (place_[a] >= 0 && place_[b] >= 0)
-                        put(place_[a], place_[b], matrix.template block<n, n>(i, j));
+                        put(place_[a], place_[b], matrix->template block<n, n>(i, j));
         }
         A_.resize(n * count, n * count);
         A_.setFromTriplets(entries.begin(), entries.end());
         make_rows(own);
-        make_pattern(entries);
     }
 
     /// V of the twists, C^T lambda of the impulses are those of a solve: w = A V - C^T lambda.
@@ -127,6 +133,9 @@ public:
         w_ = A_ * V_ - transpose_ * lambda_;
         lambda_ = projected(stacked(guess));
         follow();
+        for (std::size_t i = 0; i < contacts_.size(); ++i)
+            in_pattern_.push_back(lambda_[D * static_cast<long>(i)] > 0);
+        make_pattern();
     }
 
     /// One pass. Returns the largest change of a contact's speed, or nothing if the inertia is not positive definite.
@@ -207,16 +216,21 @@ private:
         transpose_ = rows_.transpose();
     }
 
-    // H = A + C^T S C has the same pattern whatever S: entries of A, and a block for each contact.
-    void make_pattern(std::vector<Eigen::Triplet<double>>& entries)
+    // H = A + C^T S C: entries of A, and a block for each contact that has pressed so far. Most of a bed's do not.
+    void make_pattern()
     {
-        for (const Contact<D>& c : contacts_)
-            for (int a : {c.point.a, c.point.b})
-                for (int b : {c.point.a, c.point.b})
-                    if (place_[a] >= 0 && place_[b] >= 0)
-                        for (int i = 0; i < n; ++i)
-                            for (int j = 0; j < n; ++j)
-                                entries.emplace_back(place_[a] + i, place_[b] + j, 0.0);
+        std::vector<Eigen::Triplet<double>> entries;
+        for (int column = 0; column < A_.outerSize(); ++column)
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(A_, column); entry; ++entry)
+                entries.emplace_back(entry.row(), entry.col(), entry.value());
+        for (std::size_t k = 0; k < contacts_.size(); ++k)
+            if (in_pattern_[k])
+                for (int a : {contacts_[k].point.a, contacts_[k].point.b})
+                    for (int b : {contacts_[k].point.a, contacts_[k].point.b})
+                        if (place_[a] >= 0 && place_[b] >= 0)
+                            for (int i = 0; i < n; ++i)
+                                for (int j = 0; j < n; ++j)
+                                    entries.emplace_back(place_[a] + i, place_[b] + j, 0.0);
         H_.resize(A_.rows(), A_.rows());
         H_.setFromTriplets(entries.begin(), entries.end());
         H_.makeCompressed();
@@ -361,6 +375,12 @@ private:
 
     bool factorise()
     {
+        bool more = false;
+        for (std::size_t i = 0; i < contacts_.size(); ++i)
+            if (!in_pattern_[i] && !slopes_[i].isZero(0))
+                in_pattern_[i] = more = true;
+        if (more)
+            make_pattern();
         std::copy(inertia_.begin(), inertia_.end(), H_.valuePtr());
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
             const Contact<D>& c = contacts_[i];
@@ -410,6 +430,7 @@ private:
     Eigen::SparseMatrix<double> A_, H_, rows_, transpose_; ///< A, A + C^T S C, C, C^T
     std::vector<std::array<Part, 2>> parts_;               ///< of C, by contact
     std::vector<double> inertia_;                          ///< values of A in the pattern of H
+    std::vector<char> in_pattern_;                         ///< whether H has a contact's block
     std::vector<Eigen::Matrix<double, D, D>> slopes_;      ///< S
     SparseCholesky factor_;
     bool is_factored_ = false;

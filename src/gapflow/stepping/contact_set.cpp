@@ -131,6 +131,7 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
     seen_.clear();
     seen_exact_ = one_at_a_time_ = false;
     repetitions_ = 0;
+    left_ = std::numeric_limits<double>::infinity();
     for (Contact<D>& c : contacts_) {
         if (last_dt > 0)
             c.sliding_impulse *= dt / last_dt;

@@ -15,6 +15,7 @@
 #include "gapflow/scene/scene.hpp"
 
 #include <array>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -141,7 +142,8 @@ private:
     double relaxation_ = 1; ///< of the pulls in the step's last round
     std::set<States> seen_; ///< used in the step's last solves, since the last change of tolerance
     bool seen_exact_ = false;
-    int repetitions_ = 0; ///< of states of exact solves in the step
+    double left_ = std::numeric_limits<double>::infinity(); ///< what was wrong in the last round if that was exact
+    int repetitions_ = 0;                                   ///< of states of exact solves in the step
     bool one_at_a_time_ = false;
 };
 
