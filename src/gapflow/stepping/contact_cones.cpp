@@ -28,6 +28,7 @@ constexpr double step_accuracy = 0.01; // of a Newton step, in what it leaves of
 // Conjugate gradients with an old factor go on while each iteration halves what is left, and until they have taken as long as a new factor, about.
 constexpr double slowest_correction = 0.5;
 constexpr int factor_worth = 20;
+constexpr double independent_secants = 1e-6; // of the largest, squared: below, what they tell is round-off
 constexpr double impulse_round_off = 1e-14; // of the impulses
 
 // Inertia of a film over that of its bodies, at most: a film of no thickness has an infinite one, and how it shares an impulse with contacts that
@@ -93,7 +94,8 @@ public:
         : contacts_(contacts), twists_(twists), place_(twists.size(), -1)
     {
         int count = 0;
-        std::vector<OwnInertia<D>> own(twists.size());
+        std::vector<OwnInertia<D>>& own = own_;
+        own.resize(twists.size());
         for (std::size_t s = 0; s < twists.size(); ++s)
             if (!inertia.mobility[s].isZero(0)) {
                 place_[s] = n * count++;
@@ -122,6 +124,39 @@ public:
         make_rows(own);
     }
 
+    /// Changes A such that it gives the secants: with S their twists and Y their impulses, scaled so that S^T Y = 1,
+    /// A - A S (S^T A S)^-1 S^T A + Y Y^T (BFGS in blocks).
+    void learn(const ContactSecants& secants)
+    {
+        const long count = secants.twists.cols();
+        Eigen::MatrixXd S = Eigen::MatrixXd::Zero(A_.rows(), count), Y = S;
+        for (std::size_t s = 0; s < twists_.size(); ++s)
+            if (place_[s] >= 0) {
+                S.middleRows(place_[s], n) = secants.twists.middleRows(n * static_cast<long>(s), n);
+                Y.middleRows(place_[s], n) = own_[s].admissible * secants.impulses.middleRows(n * static_cast<long>(s), n);
+            }
+        const Eigen::VectorXd scale = (S.transpose() * Y).diagonal().cwiseSqrt().cwiseInverse();
+        S = S * scale.asDiagonal();
+        Y = Y * scale.asDiagonal();
+        const Eigen::MatrixXd products = S.transpose() * Y;
+        const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(0.5 * (products + products.transpose()));
+        const long kept = (eigen.values.array() > independent_secants).count();
+        const Eigen::MatrixXd turn =
+            eigen.vectors.rightCols(kept) * eigen.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+        S = S * turn;
+        Y = Y * turn;
+        const Eigen::MatrixXd AS = A_ * S;
+        const Eigen::MatrixXd own = S.transpose() * AS;
+        change_.resize(A_.rows(), 2 * kept);
+        change_ << AS, Y;
+        weights_ = Eigen::MatrixXd::Zero(2 * kept, 2 * kept);
+        inverse_weights_ = Eigen::MatrixXd::Identity(2 * kept, 2 * kept);
+        inverse_weights_.topLeftCorner(kept, kept) = -0.5 * (own + own.transpose());
+        weights_.bottomRightCorner(kept, kept).setIdentity();
+        weights_.topLeftCorner(kept, kept) =
+            -Eigen::MatrixXd(own.llt().solve(Eigen::MatrixXd::Identity(kept, kept)));
+    }
+
     /// V of the twists, C^T lambda of the impulses are those of a solve: w = A V - C^T lambda.
     void start(const std::vector<ContactImpulse<D>>& given, const std::vector<ContactImpulse<D>>& guess)
     {
@@ -130,7 +165,7 @@ public:
             if (place_[s] >= 0)
                 V_.template segment<n>(place_[s]) = twists_[s];
         lambda_ = stacked(given);
-        w_ = A_ * V_ - transpose_ * lambda_;
+        w_ = inertia_times(V_) - transpose_ * lambda_;
         lambda_ = projected(stacked(guess));
         follow();
         for (std::size_t i = 0; i < contacts_.size(); ++i)
@@ -293,7 +328,7 @@ private:
             trial.template segment<D>(D * i) +=
                 stiffness_[i] * (least_.template segment<D>(D * i) - speeds.template segment<D>(D * i));
         impulse = projected(trial);
-        return A_ * V - w_ - transpose_ * impulse;
+        return inertia_times(V) - w_ - transpose_ * impulse;
     }
 
     // Derivative of a contact's projection.
@@ -333,7 +368,24 @@ private:
         is_factored_ = factorise();
         if (!is_factored_)
             return {};
-        return Eigen::VectorXd(-factor_.solve(lack));
+        return Eigen::VectorXd(-solve(lack));
+    }
+
+    Eigen::VectorXd inertia_times(const Eigen::VectorXd& V) const
+    {
+        Eigen::VectorXd product = A_ * V;
+        if (change_.cols() > 0)
+            product += change_ * (weights_ * (change_.transpose() * V));
+        return product;
+    }
+
+    // With the last factor, and by Woodbury with what secants change.
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const
+    {
+        Eigen::VectorXd x = factor_.solve(b);
+        if (change_.cols() > 0)
+            x -= solved_change_ * capacitance_.solve(change_.transpose() * x);
+        return x;
     }
 
     // The same by conjugate gradients with the last factor, where few contacts have changed since; empty where a new factor is the shorter way.
@@ -341,7 +393,7 @@ private:
     {
         const double enough = step_accuracy * lack.norm();
         double most = lack.norm();
-        Eigen::VectorXd x = Eigen::VectorXd::Zero(lack.size()), r = -lack, z = factor_.solve(r), p = z;
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(lack.size()), r = -lack, z = solve(r), p = z;
         for (double rz = r.dot(z); corrections_ < factor_worth; ++corrections_) {
             const Eigen::VectorXd product = multiplied(p);
             const double length = rz / p.dot(product);
@@ -354,7 +406,7 @@ private:
             most *= slowest_correction;
             if (r.norm() > most)
                 return {};
-            z = factor_.solve(r);
+            z = solve(r);
             const double next = r.dot(z);
             p = z + next / rz * p;
             rz = next;
@@ -370,7 +422,7 @@ private:
             auto part = y.template segment<D>(D * static_cast<long>(i));
             part = (slopes_[i] * part).eval();
         }
-        return A_ * x + transpose_ * y;
+        return inertia_times(x) + transpose_ * y;
     }
 
     bool factorise()
@@ -399,7 +451,13 @@ private:
                         }
                     }
         }
-        return factor_.factorise(H_);
+        if (!factor_.factorise(H_))
+            return false;
+        if (change_.cols() > 0) {
+            solved_change_ = factor_.solve_columns(change_);
+            capacitance_.compute(inverse_weights_ + change_.transpose() * solved_change_);
+        }
+        return true;
     }
 
     // Length of a step: the slope of the minimised function along it grows with the length.
@@ -432,6 +490,10 @@ private:
     std::vector<double> inertia_;                          ///< values of A in the pattern of H
     std::vector<char> in_pattern_;                         ///< whether H has a contact's block
     std::vector<Eigen::Matrix<double, D, D>> slopes_;      ///< S
+    std::vector<OwnInertia<D>> own_;
+    Eigen::MatrixXd change_, weights_, inverse_weights_; ///< U, W of A + U W U^T
+    Eigen::MatrixXd solved_change_;                      ///< H^-1 U without the change
+    Eigen::PartialPivLU<Eigen::MatrixXd> capacitance_;   ///< W^-1 + U^T H^-1 U
     SparseCholesky factor_;
     bool is_factored_ = false;
     int corrections_ = 0;                 ///< with this factor
@@ -446,11 +508,13 @@ template <int D>
 std::optional<ContactForecast<D>> solve_cones(const std::vector<Contact<D>>& contacts,
                                               const std::vector<ContactImpulse<D>>& given, const std::vector<Twist<D>>& twists,
                                               const NearInertia<D>& inertia, const std::vector<ContactImpulse<D>>& guess,
-                                              double accuracy)
+                                              double accuracy, const ContactSecants& secants)
 {
     if (contacts.empty())
         return {};
     Cones<D> cones(contacts, twists, inertia);
+    if (secants.twists.cols() > 0)
+        cones.learn(secants);
     cones.start(given, guess);
     double before = 0;
     for (int pass = 0; pass < most_cone_passes; ++pass) {
@@ -469,7 +533,7 @@ std::optional<ContactForecast<D>> solve_cones(const std::vector<Contact<D>>& con
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::optional<ContactForecast<D>> solve_cones<D>(                                                                 \
         const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&, const std::vector<Twist<D>>&,                   \
-        const NearInertia<D>&, const std::vector<ContactImpulse<D>>&, double);
+        const NearInertia<D>&, const std::vector<ContactImpulse<D>>&, double, const ContactSecants&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

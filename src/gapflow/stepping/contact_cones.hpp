@@ -14,6 +14,6 @@ template <int D>
 std::optional<ContactForecast<D>> solve_cones(const std::vector<Contact<D>>& contacts,
                                               const std::vector<ContactImpulse<D>>& given, const std::vector<Twist<D>>& twists,
                                               const NearInertia<D>& inertia, const std::vector<ContactImpulse<D>>& guess,
-                                              double accuracy);
+                                              double accuracy, const ContactSecants& secants = {});
 
 } // namespace gapflow

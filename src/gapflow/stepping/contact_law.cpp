@@ -200,9 +200,13 @@ private:
 
 template <int D>
 ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
-                                     const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, double accuracy)
+                                     const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, double accuracy,
+                                     const ContactSecants& secants)
 {
     ContactForecast<D> result{given, twists};
+    if (secants.twists.cols() > 0)
+        if (auto solved = solve_cones<D>(contacts, given, twists, inertia, given, accuracy, secants))
+            return *std::move(solved);
     Sweeps<D> sweeps(contacts, inertia, result);
     const int n = static_cast<int>(contacts.size());
     double fastest = 0;
@@ -217,8 +221,10 @@ ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, co
             break;
         fastest = std::max(fastest, largest);
         if (std::find(together.begin(), together.end(), sweep) != together.end()) {
-            const auto solve = contacts.size() <= most_equations ? solve_contacts<D> : solve_cones<D>;
-            if (auto solved = solve(contacts, given, twists, inertia, result.impulses, accuracy))
+            auto solved = contacts.size() <= most_equations
+                              ? solve_contacts<D>(contacts, given, twists, inertia, result.impulses, accuracy)
+                              : solve_cones<D>(contacts, given, twists, inertia, result.impulses, accuracy);
+            if (solved)
                 return *std::move(solved);
         }
     }
@@ -227,7 +233,8 @@ ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, co
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template ContactForecast<D> forecast_contacts<D>(const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&,    \
-                                                     const std::vector<Twist<D>>&, const NearInertia<D>&, double);
+                                                     const std::vector<Twist<D>>&, const NearInertia<D>&, double,  \
+                                                     const ContactSecants&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

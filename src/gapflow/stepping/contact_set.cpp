@@ -128,10 +128,9 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
                             const std::vector<Twist<D>>& expected, double dt, double last_dt)
 {
     relaxation_ = 1;
-    seen_.clear();
     seen_exact_ = one_at_a_time_ = false;
     repetitions_ = 0;
-    left_ = std::numeric_limits<double>::infinity();
+    forget_rounds();
     for (Contact<D>& c : contacts_) {
         if (last_dt > 0)
             c.sliding_impulse *= dt / last_dt;
