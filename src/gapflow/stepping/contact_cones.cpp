@@ -28,7 +28,6 @@ constexpr double step_accuracy = 0.01; // of a Newton step, in what it leaves of
 // Conjugate gradients with an old factor go on while each iteration halves what is left, and until they have taken as long as a new factor, about.
 constexpr double slowest_correction = 0.5;
 constexpr int factor_worth = 20;
-constexpr double independent_secants = 1e-6; // of the largest, squared: below, what they tell is round-off
 constexpr double impulse_round_off = 1e-14; // of the impulses
 
 // Inertia of a film over that of its bodies, at most: a film of no thickness has an infinite one, and how it shares an impulse with contacts that
@@ -91,15 +90,13 @@ template <int D>
 class Cones {
 public:
     Cones(const std::vector<Contact<D>>& contacts, const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia)
-        : contacts_(contacts), twists_(twists), place_(twists.size(), -1)
+        : contacts_(contacts), twists_(twists), place_(twists.size(), -1), own_(twists.size())
     {
         int count = 0;
-        std::vector<OwnInertia<D>>& own = own_;
-        own.resize(twists.size());
         for (std::size_t s = 0; s < twists.size(); ++s)
             if (!inertia.mobility[s].isZero(0)) {
                 place_[s] = n * count++;
-                own[s] = own_inertia<D>(inertia.mobility[s]);
+                own_[s] = own_inertia<D>(inertia.mobility[s]);
             }
         std::vector<Eigen::Triplet<double>> entries;
         const auto put = [&](int row, int column, const auto& block) {
@@ -109,9 +106,9 @@ public:
         };
         for (std::size_t s = 0; s < twists.size(); ++s)
             if (place_[s] >= 0)
-                put(place_[s], place_[s], own[s].inertia);
+                put(place_[s], place_[s], own_[s].inertia);
         for (const FilmInertia<D>& film : inertia.films) {
-            const std::optional<PairMatrix<D>> matrix = limited_inertia<D>(film, own[film.a], own[film.b]);
+            const std::optional<PairMatrix<D>> matrix = limited_inertia<D>(film, own_[film.a], own_[film.b]);
             if (!matrix)
                 continue;
             for (const auto& [i, a] : {std::pair(0, film.a), std::pair(n, film.b)})
@@ -121,40 +118,20 @@ public:
         }
         A_.resize(n * count, n * count);
         A_.setFromTriplets(entries.begin(), entries.end());
-        make_rows(own);
+        make_rows();
     }
 
-    /// Changes A such that it gives the secants: with S their twists and Y their impulses, scaled so that S^T Y = 1,
-    /// A - A S (S^T A S)^-1 S^T A + Y Y^T (BFGS in blocks).
-    void learn(const ContactSecants& secants)
+    /// Changes A such that it gives the secants. False if they tell nothing.
+    bool learn(const ContactSecants& secants)
     {
-        const long count = secants.twists.cols();
-        Eigen::MatrixXd S = Eigen::MatrixXd::Zero(A_.rows(), count), Y = S;
+        Eigen::MatrixXd S(A_.rows(), secants.twists.cols()), Y(A_.rows(), secants.twists.cols());
         for (std::size_t s = 0; s < twists_.size(); ++s)
             if (place_[s] >= 0) {
                 S.middleRows(place_[s], n) = secants.twists.middleRows(n * static_cast<long>(s), n);
                 Y.middleRows(place_[s], n) = own_[s].admissible * secants.impulses.middleRows(n * static_cast<long>(s), n);
             }
-        const Eigen::VectorXd scale = (S.transpose() * Y).diagonal().cwiseSqrt().cwiseInverse();
-        S = S * scale.asDiagonal();
-        Y = Y * scale.asDiagonal();
-        const Eigen::MatrixXd products = S.transpose() * Y;
-        const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(0.5 * (products + products.transpose()));
-        const long kept = (eigen.values.array() > independent_secants).count();
-        const Eigen::MatrixXd turn =
-            eigen.vectors.rightCols(kept) * eigen.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-        S = S * turn;
-        Y = Y * turn;
-        const Eigen::MatrixXd AS = A_ * S;
-        const Eigen::MatrixXd own = S.transpose() * AS;
-        change_.resize(A_.rows(), 2 * kept);
-        change_ << AS, Y;
-        weights_ = Eigen::MatrixXd::Zero(2 * kept, 2 * kept);
-        inverse_weights_ = Eigen::MatrixXd::Identity(2 * kept, 2 * kept);
-        inverse_weights_.topLeftCorner(kept, kept) = -0.5 * (own + own.transpose());
-        weights_.bottomRightCorner(kept, kept).setIdentity();
-        weights_.topLeftCorner(kept, kept) =
-            -Eigen::MatrixXd(own.llt().solve(Eigen::MatrixXd::Identity(kept, kept)));
+        change_ = secant_change(A_, S, Y);
+        return change_.has_value();
     }
 
     /// V of the twists, C^T lambda of the impulses are those of a solve: w = A V - C^T lambda.
@@ -214,7 +191,7 @@ private:
     static constexpr int n = twist_size<D>;
     using Part = Eigen::Matrix<double, D, n>; ///< a contact's rows for one of its bodies
 
-    void make_rows(const std::vector<OwnInertia<D>>& own)
+    void make_rows()
     {
         const long size = D * static_cast<long>(contacts_.size());
         given_speed_ = Eigen::VectorXd::Zero(size);
@@ -235,7 +212,7 @@ private:
                         given_speed_[r] += part.dot(twists_[solid]);
                         continue;
                     }
-                    const Twist<D> moved = own[solid].admissible * part;
+                    const Twist<D> moved = own_[solid].admissible * part;
                     parts_[i][e].row(k) = moved.transpose();
                     for (int j = 0; j < n; ++j) {
                         entries.emplace_back(r, place_[solid] + j, moved[j]);
@@ -374,17 +351,17 @@ private:
     Eigen::VectorXd inertia_times(const Eigen::VectorXd& V) const
     {
         Eigen::VectorXd product = A_ * V;
-        if (change_.cols() > 0)
-            product += change_ * (weights_ * (change_.transpose() * V));
+        if (change_)
+            product += change_->vectors * (change_->weights * (change_->vectors.transpose() * V));
         return product;
     }
 
-    // With the last factor, and by Woodbury with what secants change.
+    // With the last factor, and what secants change by Woodbury.
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const
     {
         Eigen::VectorXd x = factor_.solve(b);
-        if (change_.cols() > 0)
-            x -= solved_change_ * capacitance_.solve(change_.transpose() * x);
+        if (change_)
+            x -= solved_change_ * capacitance_.solve(change_->vectors.transpose() * x);
         return x;
     }
 
@@ -453,9 +430,9 @@ private:
         }
         if (!factor_.factorise(H_))
             return false;
-        if (change_.cols() > 0) {
-            solved_change_ = factor_.solve_columns(change_);
-            capacitance_.compute(inverse_weights_ + change_.transpose() * solved_change_);
+        if (change_) {
+            solved_change_ = factor_.solve_columns(change_->vectors);
+            capacitance_.compute(change_->inverse_weights + change_->vectors.transpose() * solved_change_);
         }
         return true;
     }
@@ -485,15 +462,15 @@ private:
     const std::vector<Contact<D>>& contacts_;
     const std::vector<Twist<D>>& twists_;
     std::vector<int> place_;                               ///< of every solid's twist, -1: cannot move
+    std::vector<OwnInertia<D>> own_;                       ///< of every solid
     Eigen::SparseMatrix<double> A_, H_, rows_, transpose_; ///< A, A + C^T S C, C, C^T
     std::vector<std::array<Part, 2>> parts_;               ///< of C, by contact
     std::vector<double> inertia_;                          ///< values of A in the pattern of H
     std::vector<char> in_pattern_;                         ///< whether H has a contact's block
     std::vector<Eigen::Matrix<double, D, D>> slopes_;      ///< S
-    std::vector<OwnInertia<D>> own_;
-    Eigen::MatrixXd change_, weights_, inverse_weights_; ///< U, W of A + U W U^T
-    Eigen::MatrixXd solved_change_;                      ///< H^-1 U without the change
-    Eigen::PartialPivLU<Eigen::MatrixXd> capacitance_;   ///< W^-1 + U^T H^-1 U
+    std::optional<LowRankChange> change_;                  ///< of A, by secants
+    Eigen::MatrixXd solved_change_;                        ///< H^-1 U without the change
+    Eigen::PartialPivLU<Eigen::MatrixXd> capacitance_;     ///< W^-1 + U^T H^-1 U
     SparseCholesky factor_;
     bool is_factored_ = false;
     int corrections_ = 0;                 ///< with this factor
@@ -513,8 +490,8 @@ std::optional<ContactForecast<D>> solve_cones(const std::vector<Contact<D>>& con
     if (contacts.empty())
         return {};
     Cones<D> cones(contacts, twists, inertia);
-    if (secants.twists.cols() > 0)
-        cones.learn(secants);
+    if (!secants.empty() && !cones.learn(secants))
+        return {};
     cones.start(given, guess);
     double before = 0;
     for (int pass = 0; pass < most_cone_passes; ++pass) {

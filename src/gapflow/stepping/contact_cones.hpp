@@ -9,7 +9,7 @@
 namespace gapflow {
 
 /// As forecast_contacts, from `guess` on; impulses that redundant contacts may share in many ways stay near its. Nothing where the
-/// inertia is not positive definite.
+/// inertia is not positive definite or the secants tell nothing.
 template <int D>
 std::optional<ContactForecast<D>> solve_cones(const std::vector<Contact<D>>& contacts,
                                               const std::vector<ContactImpulse<D>>& given, const std::vector<Twist<D>>& twists,

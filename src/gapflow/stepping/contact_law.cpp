@@ -204,7 +204,7 @@ ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, co
                                      const ContactSecants& secants)
 {
     ContactForecast<D> result{given, twists};
-    if (secants.twists.cols() > 0)
+    if (!secants.empty())
         if (auto solved = solve_cones<D>(contacts, given, twists, inertia, given, accuracy, secants))
             return *std::move(solved);
     Sweeps<D> sweeps(contacts, inertia, result);
@@ -233,7 +233,7 @@ ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, co
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template ContactForecast<D> forecast_contacts<D>(const std::vector<Contact<D>>&, const std::vector<ContactImpulse<D>>&,    \
-                                                     const std::vector<Twist<D>>&, const NearInertia<D>&, double,  \
+                                                     const std::vector<Twist<D>>&, const NearInertia<D>&, double,              \
                                                      const ContactSecants&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

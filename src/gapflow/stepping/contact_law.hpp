@@ -15,12 +15,6 @@
 
 namespace gapflow {
 
-/// What solves of a step tell of A: for each pair of them the change of all solids' twists and that of the contacts' impulses on them that made it, as
-/// columns.
-struct ContactSecants {
-    Eigen::MatrixXd twists, impulses;
-};
-
 /// The solution of the laws.
 template <int D>
 struct ContactForecast {
@@ -28,7 +22,8 @@ struct ContactForecast {
     std::vector<Twist<D>> twists; ///< V
 };
 
-/// `given`: lambda_0, one a contact. Speeds are found to `accuracy`, absolute. With `secants` A is changed such that it gives them.
+/// `given`: lambda_0, one a contact. Speeds are found to `accuracy`, absolute. A is changed such that it gives the
+/// secants, if there are any.
 template <int D>
 ContactForecast<D> forecast_contacts(const std::vector<Contact<D>>& contacts, const std::vector<ContactImpulse<D>>& given,
                                      const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, double accuracy,

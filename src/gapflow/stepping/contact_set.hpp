@@ -13,6 +13,7 @@
 #include "gapflow/coupling/coupling.hpp"
 #include "gapflow/coupling/film_inertia.hpp"
 #include "gapflow/scene/scene.hpp"
+#include "gapflow/stepping/contact_secants.hpp"
 
 #include <array>
 #include <limits>
@@ -99,7 +100,7 @@ public:
     ContactChange update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses, const NearInertia<D>& inertia,
                          const ContactAccuracy& accuracy, bool exact, int round);
 
-    /// Resets cycle detection, because voids changed.
+    /// What earlier rounds told holds no more: voids or links of films have changed.
     void forget_rounds();
 
     /// A held contact that closes: its solids are driven into each other, and neither can give way. Null: none.
@@ -142,9 +143,8 @@ private:
     double relaxation_ = 1; ///< of the pulls in the step's last round
     std::set<States> seen_; ///< used in the step's last solves, since the last change of tolerance
     bool seen_exact_ = false;
-    void learn(const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, bool exact);
-    Eigen::VectorXd last_twists_, last_impulses_; ///< of all solids, of the last exact solve; empty: none
-    Eigen::MatrixXd twist_changes_, impulse_changes_; ///< between exact solves of the step
+    void remember(const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia);
+    SecantMemory secants_;                                  ///< of the step's exact solves
     double left_ = std::numeric_limits<double>::infinity(); ///< what was wrong in the last round if that was exact
     int repetitions_ = 0;                                   ///< of states of exact solves in the step
     bool one_at_a_time_ = false;

@@ -38,7 +38,8 @@ public:
             speed_ = std::max({speed_, std::abs(c.approach), std::abs(c.target), std::abs(rate(c.normal, c, twists))});
             impulse_ = std::max(impulse_, std::abs(c.impulse));
         }
-        forecast_ = forecast_contacts<D>(contacts, given_, twists, inertia, forecast_accuracy * accuracy.contact * speed_, secants);
+        forecast_ =
+            forecast_contacts<D>(contacts, given_, twists, inertia, forecast_accuracy * accuracy.contact * speed_, secants);
         friction_.assign(mobility_.size(), 0.0);
         for (std::size_t i = 0; i < contacts.size(); ++i)
             for (int solid : {contacts[i].point.a, contacts[i].point.b})
@@ -212,22 +213,17 @@ template <int D>
 void ContactSet<D>::forget_rounds()
 {
     seen_.clear();
-    last_twists_.resize(0);
-    twist_changes_.resize(0, 0);
-    impulse_changes_.resize(0, 0);
+    secants_.forget();
     left_ = std::numeric_limits<double>::infinity();
 }
 
-// Another pair of the step's exact solves.
+// Another exact solve, for what pairs of them tell of the inertia.
 template <int D>
-void ContactSet<D>::learn(const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia, bool exact)
+void ContactSet<D>::remember(const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia)
 {
-    if (!exact)
-        return;
     constexpr int n = twist_size<D>;
-    Eigen::VectorXd now(n * static_cast<long>(twists.size())), impulses = Eigen::VectorXd::Zero(now.size());
-    for (std::size_t s = 0; s < twists.size(); ++s)
-        now.template segment<n>(n * static_cast<long>(s)) = twists[s];
+    const long count = static_cast<long>(twists.size());
+    Eigen::VectorXd stacked(n * count), impulses = Eigen::VectorXd::Zero(n * count);
     for (const Contact<D>& c : contacts_) {
         const auto push = [&](const RelativeRow<D>& row, double impulse) {
             impulses.template segment<n>(n * c.point.a) += impulse * row.a;
@@ -237,21 +233,12 @@ void ContactSet<D>::learn(const std::vector<Twist<D>>& twists, const NearInertia
         for (int k = 0; k < D - 1; ++k)
             push(c.tangents[k], c.tangential[k]);
     }
-    for (std::size_t s = 0; s < twists.size(); ++s)
+    for (long s = 0; s < count; ++s) {
+        stacked.template segment<n>(n * s) = twists[s];
         if (inertia.mobility[s].isZero(0))
-            impulses.template segment<n>(n * static_cast<long>(s)).setZero();
-    if (last_twists_.size() == now.size()) {
-        const Eigen::VectorXd moved = now - last_twists_, pushed = impulses - last_impulses_;
-        if (moved.dot(pushed) > 0) {
-            const long k = twist_changes_.cols();
-            twist_changes_.conservativeResize(now.size(), k + 1);
-            impulse_changes_.conservativeResize(now.size(), k + 1);
-            twist_changes_.col(k) = moved;
-            impulse_changes_.col(k) = pushed;
-        }
+            impulses.template segment<n>(n * s).setZero();
     }
-    last_twists_ = now;
-    last_impulses_ = impulses;
+    secants_.add(stacked, impulses);
 }
 
 template <int D>
@@ -259,8 +246,9 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
                                     const NearInertia<D>& inertia, const ContactAccuracy& accuracy, bool exact, int round)
 {
     take_impulses(impulses);
-    learn(twists, inertia, exact);
-    const ContactCheck<D> check(contacts_, twists, inertia, accuracy, {twist_changes_, impulse_changes_});
+    if (exact)
+        remember(twists, inertia);
+    const ContactCheck<D> check(contacts_, twists, inertia, accuracy, secants_.secants());
     const ContactForecast<D>& forecast = check.forecast();
     const auto [worst, violation] = check.worst();
     const double left = check.worst(bearable).second,
@@ -297,7 +285,7 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void ContactSet<D>::forget_rounds();                                                                              \
-    template void ContactSet<D>::learn(const std::vector<Twist<D>>&, const NearInertia<D>&, bool);                             \
+    template void ContactSet<D>::remember(const std::vector<Twist<D>>&, const NearInertia<D>&);                                \
     template void ContactSet<D>::take_impulses(const Eigen::VectorXd&);                                                        \
     template bool ContactSet<D>::repeats(const States&, bool);                                                                 \
     template ContactChange ContactSet<D>::update(const std::vector<Twist<D>>&, const Eigen::VectorXd&, const NearInertia<D>&,  \

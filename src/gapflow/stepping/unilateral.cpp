@@ -157,6 +157,7 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
     bool links_changed = false;
     std::optional<Rounds> all_rounds;
     const auto settle = [&] {
+        state.contacts.forget_rounds();
         Rounds& rounds = all_rounds.emplace(contacts, voids, !voids && !(contacts && contacts->likely_to_change(expected)));
         ContactChange change;
         bool new_voids;
