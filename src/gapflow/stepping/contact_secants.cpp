@@ -2,6 +2,8 @@
 
 #include "gapflow/core/decompositions.hpp"
 
+#include <algorithm>
+
 namespace gapflow {
 
 namespace {
@@ -30,9 +32,11 @@ void SecantMemory::add(const Eigen::VectorXd& twists, const Eigen::VectorXd& imp
 std::optional<LowRankChange> secant_change(const Eigen::SparseMatrix<double>& A, const Eigen::MatrixXd& S,
                                            const Eigen::MatrixXd& Y)
 {
+    if (S.cols() == 0)
+        return {};
     const Eigen::MatrixXd products = S.transpose() * Y;
     const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(0.5 * (products + products.transpose()));
-    const double largest = eigen.values.size() > 0 ? eigen.values[eigen.values.size() - 1] : 0.0;
+    const double largest = eigen.values[eigen.values.size() - 1];
     const long kept = (eigen.values.array() > told_by_round_off * std::max(largest, 0.0)).count();
     if (kept == 0)
         return {};
