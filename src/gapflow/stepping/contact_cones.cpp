@@ -66,9 +66,10 @@ OwnInertia<D> own_inertia(const TwistMatrix<D>& mobility)
 }
 
 // As if the film acted through a spring of `heaviest_film` times the bodies' inertia: in terms of that, f becomes f / (1 + f / heaviest_film). Nothing
-// of a film lighter than `lightest_film`.
+// of a film lighter than `lightest_film`. `limited` becomes true where that changes much.
 template <int D>
-std::optional<PairMatrix<D>> limited_inertia(const FilmInertia<D>& film, const OwnInertia<D>& a, const OwnInertia<D>& b)
+std::optional<PairMatrix<D>> limited_inertia(const FilmInertia<D>& film, const OwnInertia<D>& a, const OwnInertia<D>& b,
+                                             bool& limited)
 {
     constexpr int n = twist_size<D>;
     Eigen::MatrixXd root = Eigen::MatrixXd::Zero(2 * n, 2 * n), inverse = root;
@@ -77,12 +78,14 @@ std::optional<PairMatrix<D>> limited_inertia(const FilmInertia<D>& film, const O
     inverse.topLeftCorner(n, n) = a.inverse_root;
     inverse.bottomRightCorner(n, n) = b.inverse_root;
     const SymmetricEigen<> eigen = symmetric_eigen<Eigen::Dynamic>(root * film.matrix * root);
-    if (!(eigen.values[2 * n - 1] > lightest_film))
+    const double heaviest = eigen.values[2 * n - 1];
+    if (!(heaviest > lightest_film))
         return {};
-    const Eigen::VectorXd limited =
+    limited = limited || heaviest > heaviest_film;
+    const Eigen::VectorXd values =
         eigen.values.unaryExpr([](double f) { return std::max(f, 0.0) / (1 + std::max(f, 0.0) / heaviest_film); });
     const Eigen::MatrixXd vectors = inverse * eigen.vectors;
-    return PairMatrix<D>(vectors * limited.asDiagonal() * vectors.transpose());
+    return PairMatrix<D>(vectors * values.asDiagonal() * vectors.transpose());
 }
 
 // A V - w - C^T lambda and what it is made of, for many bodies.
@@ -108,7 +111,7 @@ public:
             if (place_[s] >= 0)
                 put(place_[s], place_[s], own_[s].inertia);
         for (const FilmInertia<D>& film : inertia.films) {
-            const std::optional<PairMatrix<D>> matrix = limited_inertia<D>(film, own_[film.a], own_[film.b]);
+            const std::optional<PairMatrix<D>> matrix = limited_inertia<D>(film, own_[film.a], own_[film.b], any_limited_);
             if (!matrix)
                 continue;
             for (const auto& [i, a] : {std::pair(0, film.a), std::pair(n, film.b)})
@@ -121,9 +124,12 @@ public:
         make_rows();
     }
 
-    /// Changes A such that it gives the secants. False if they tell nothing.
+    /// Changes A such that it gives the secants. False if they tell nothing: also where a film holds bodies as a contact does, from which it takes its impulse
+    /// with no change of a speed (BlockSlidesBeyondTheAngleOfFriction: the impulse would be ascribed to the sliding).
     bool learn(const ContactSecants& secants)
     {
+        if (any_limited_)
+            return false;
         Eigen::MatrixXd S(A_.rows(), secants.twists.cols()), Y(A_.rows(), secants.twists.cols());
         for (std::size_t s = 0; s < twists_.size(); ++s)
             if (place_[s] >= 0) {
@@ -463,6 +469,7 @@ private:
     const std::vector<Twist<D>>& twists_;
     std::vector<int> place_;                               ///< of every solid's twist, -1: cannot move
     std::vector<OwnInertia<D>> own_;                       ///< of every solid
+    bool any_limited_ = false;                             ///< whether a film is heavier than `heaviest_film`
     Eigen::SparseMatrix<double> A_, H_, rows_, transpose_; ///< A, A + C^T S C, C, C^T
     std::vector<std::array<Part, 2>> parts_;               ///< of C, by contact
     std::vector<double> inertia_;                          ///< values of A in the pattern of H

@@ -21,9 +21,9 @@ constexpr int most_repetitions = 5;
 constexpr double least_relaxation = 0.3;   // of sliding pulls
 constexpr double forecast_accuracy = 1e-2; // of the accuracy required of the speeds
 // Rounds that gain less than so much of what is wrong have reached what the forecast can do: two contacts in turn, each wrong as long as the other is right
-// (examples/11_pile at t = 0.404: eight exact solves for nothing). They end if no more is wrong than this.
+// (examples/11_pile at t = 0.404: eight exact solves for nothing). They end if no more is wrong than this, and friction is right.
 constexpr double least_gain = 0.5;
-constexpr ContactAccuracy bearable{1e-4, 0.05};
+constexpr double bearable = 1e-4; // of speeds and impulses
 
 // The forecast of the laws of contact after a solve, and the distance of the solve from it.
 template <int D>
@@ -251,7 +251,7 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
     const ContactCheck<D> check(contacts_, twists, inertia, accuracy, secants_.secants());
     const ContactForecast<D>& forecast = check.forecast();
     const auto [worst, violation] = check.worst();
-    const double left = check.worst(bearable).second,
+    const double left = check.worst({bearable, accuracy.friction}).second,
                  last_left = std::exchange(left_, exact ? left : std::numeric_limits<double>::infinity());
     if (violation <= accuracy.noticed || (left <= 1 && left > least_gain * last_left)) {
         // Where redundant contacts share a force, as floor and ceiling of a wedged body do, the solve's impulses may include
