@@ -15,6 +15,19 @@ double rate(const RelativeRow<D>& row, const Contact<D>& contact, const std::vec
     return row.a.dot(twists[contact.point.a]) + row.b.dot(twists[contact.point.b]);
 }
 
+// Adds a contact's impulse, friction included, to those on all solids, about their centres.
+template <int D>
+void add_impulse(const Contact<D>& c, std::vector<Twist<D>>& impulses)
+{
+    const auto add = [&](const RelativeRow<D>& row, double impulse) {
+        impulses[c.point.a] += impulse * row.a;
+        impulses[c.point.b] += impulse * row.b;
+    };
+    add(c.normal, c.impulse);
+    for (int k = 0; k < D - 1; ++k)
+        add(c.tangents[k], c.tangential[k]);
+}
+
 // Sliding friction turns with the slip: -bound (slip / |slip|). To first order this is a given impulse against the slip of the
 // round before, and across it the resistance bound / |slip|, part of the solve: an explicit treatment diverges where bodies
 // barely slide.

@@ -19,7 +19,8 @@ struct ContactSecants {
 /// The pairs of a step's solves.
 class SecantMemory {
 public:
-    /// Another solve of the same fluid: twists of all solids, and the impulses of the contacts on those that yield.
+    /// Another solve of the same fluid: twists of all solids, and the impulses of the contacts on them. (Solids that do not yield move alike in all
+    /// solves.)
     void add(const Eigen::VectorXd& twists, const Eigen::VectorXd& impulses);
     void forget() { *this = {}; }
     const ContactSecants& secants() const { return secants_; }

@@ -262,17 +262,9 @@ template <int D>
 std::vector<Twist<D>> ContactSet<D>::impact_impulses(std::size_t solids) const
 {
     std::vector<Twist<D>> impulses(solids, Twist<D>::Zero());
-    for (const Contact<D>& c : contacts_) {
-        if (!c.closed || !is_impact(c))
-            continue;
-        const auto add = [&](const RelativeRow<D>& row, double impulse) {
-            impulses[c.point.a] += impulse * row.a;
-            impulses[c.point.b] += impulse * row.b;
-        };
-        add(c.normal, c.impulse);
-        for (int k = 0; k < D - 1; ++k)
-            add(c.tangents[k], c.tangential[k]);
-    }
+    for (const Contact<D>& c : contacts_)
+        if (c.closed && is_impact(c))
+            add_impulse(c, impulses);
     return impulses;
 }
 

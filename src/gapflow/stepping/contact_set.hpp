@@ -143,7 +143,7 @@ private:
     double relaxation_ = 1; ///< of the pulls in the step's last round
     std::set<States> seen_; ///< used in the step's last solves, since the last change of tolerance
     bool seen_exact_ = false;
-    void remember(const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia);
+    void remember(const std::vector<Twist<D>>& twists);
     SecantMemory secants_;                                  ///< of the step's exact solves
     double left_ = std::numeric_limits<double>::infinity(); ///< what was wrong in the last round if that was exact
     int repetitions_ = 0;                                   ///< of states of exact solves in the step

@@ -219,26 +219,19 @@ void ContactSet<D>::forget_rounds()
 
 // Another exact solve, for what pairs of them tell of the inertia.
 template <int D>
-void ContactSet<D>::remember(const std::vector<Twist<D>>& twists, const NearInertia<D>& inertia)
+void ContactSet<D>::remember(const std::vector<Twist<D>>& twists)
 {
     constexpr int n = twist_size<D>;
-    const long count = static_cast<long>(twists.size());
-    Eigen::VectorXd stacked(n * count), impulses = Eigen::VectorXd::Zero(n * count);
-    for (const Contact<D>& c : contacts_) {
-        const auto push = [&](const RelativeRow<D>& row, double impulse) {
-            impulses.template segment<n>(n * c.point.a) += impulse * row.a;
-            impulses.template segment<n>(n * c.point.b) += impulse * row.b;
-        };
-        push(c.normal, c.impulse);
-        for (int k = 0; k < D - 1; ++k)
-            push(c.tangents[k], c.tangential[k]);
-    }
-    for (long s = 0; s < count; ++s) {
-        stacked.template segment<n>(n * s) = twists[s];
-        if (inertia.mobility[s].isZero(0))
-            impulses.template segment<n>(n * s).setZero();
-    }
-    secants_.add(stacked, impulses);
+    std::vector<Twist<D>> impulses(twists.size(), Twist<D>::Zero());
+    for (const Contact<D>& c : contacts_)
+        add_impulse(c, impulses);
+    const auto stacked = [](const std::vector<Twist<D>>& all) {
+        Eigen::VectorXd column(n * static_cast<long>(all.size()));
+        for (std::size_t s = 0; s < all.size(); ++s)
+            column.template segment<n>(n * static_cast<long>(s)) = all[s];
+        return column;
+    };
+    secants_.add(stacked(twists), stacked(impulses));
 }
 
 template <int D>
@@ -247,7 +240,7 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
 {
     take_impulses(impulses);
     if (exact)
-        remember(twists, inertia);
+        remember(twists);
     const ContactCheck<D> check(contacts_, twists, inertia, accuracy, secants_.secants());
     const ContactForecast<D>& forecast = check.forecast();
     const auto [worst, violation] = check.worst();
@@ -285,7 +278,7 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void ContactSet<D>::forget_rounds();                                                                              \
-    template void ContactSet<D>::remember(const std::vector<Twist<D>>&, const NearInertia<D>&);                                \
+    template void ContactSet<D>::remember(const std::vector<Twist<D>>&);                                                       \
     template void ContactSet<D>::take_impulses(const Eigen::VectorXd&);                                                        \
     template bool ContactSet<D>::repeats(const States&, bool);                                                                 \
     template ContactChange ContactSet<D>::update(const std::vector<Twist<D>>&, const Eigen::VectorXd&, const NearInertia<D>&,  \
