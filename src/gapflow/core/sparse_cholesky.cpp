@@ -12,6 +12,7 @@ namespace {
 constexpr long large = 20000; // rows
 // Work of a subtree over that of the whole tree: less leaves more to the top, more leaves threads waiting for the last subtree.
 constexpr double subtree_share = 1.0 / 64;
+constexpr int wide = 4; // columns from which a panel's arithmetic is a block's
 
 // Parent of every column in the elimination tree, of a matrix with both triangles whose columns are eliminated in `order` (Liu 1986).
 std::vector<int> elimination_tree(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXi& order)
@@ -87,10 +88,16 @@ void SparseCholesky::analyse(const Matrix& a)
 bool SparseCholesky::factorise(const Matrix& a)
 {
     factor_.factorize(a);
-    if (factor_.info() != Eigen::Success || !(factor_.vectorD().array() > 0).all())
+    if (factor_.info() != Eigen::Success)
         return false;
-    if (subtrees_.empty() && a.cols() > 0)
+    inverse_diagonal_ = factor_.vectorD();
+    if (!(inverse_diagonal_.array() > 0).all())
+        return false;
+    inverse_diagonal_ = inverse_diagonal_.cwiseInverse();
+    if (subtrees_.empty() && a.cols() > 0) {
         cut_tree();
+        find_panels();
+    }
     return true;
 }
 
@@ -152,34 +159,128 @@ void SparseCholesky::cut_tree()
                 crossing_[next[place_in_top[row[q]]]++] = {j, q};
 }
 
-Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
+void SparseCholesky::find_panels()
 {
     const Matrix& L = factor_.matrixL().nestedExpression();
     const int *begin = L.outerIndexPtr(), *row = L.innerIndexPtr();
+    panels_.clear();
+    first_panel_.clear();
+    top_panels_.clear();
+    const auto add_run = [&](int low, int high) {
+        for (int j = low, end; j < high; j = end) {
+            end = j + 1;
+            while (end < high && begin[end - 1] < begin[end] && row[begin[end - 1]] == end &&
+                   begin[end] - begin[end - 1] == begin[end + 1] - begin[end] + 1)
+                ++end;
+            panels_.push_back({j, end, begin[end] - begin[end - 1], inside_end_[end - 1] - begin[end - 1]});
+        }
+    };
+    for (const auto& [low, high] : subtrees_) {
+        first_panel_.push_back(static_cast<int>(panels_.size()));
+        add_run(low, high);
+    }
+    first_panel_.push_back(static_cast<int>(panels_.size()));
+    for (std::size_t t = 0, end; t < top_.size(); t = end) {
+        for (end = t + 1; end < top_.size() && top_[end] == top_[end - 1] + 1;)
+            ++end;
+        add_run(top_[t], top_[end - 1] + 1);
+    }
+    for (int k = first_panel_.back(); k < static_cast<int>(panels_.size()); ++k)
+        top_panels_.push_back(k);
+}
+
+void SparseCholesky::forward(const Panel& panel, int rows, double* y) const
+{
+    const Matrix& L = factor_.matrixL().nestedExpression();
+    const int* begin = L.outerIndexPtr();
     const double* value = L.valuePtr();
+    if (panel.end - panel.begin < wide) {
+        const int outside = panel.rows - rows;
+        for (int j = panel.begin; j < panel.end; ++j) {
+            const double mine = y[j];
+            for (int q = begin[j]; q < begin[j + 1] - outside; ++q)
+                y[L.innerIndexPtr()[q]] -= value[q] * mine;
+        }
+        return;
+    }
+    const int* row = L.innerIndexPtr() + begin[panel.end - 1];
+    static thread_local std::vector<double> sums;
+    sums.resize(rows);
+    double* const sum = sums.data();
+    for (int j = panel.begin; j < panel.end; ++j) {
+        const double mine = y[j];
+        const double* const v = value + begin[j];
+        const int within = panel.end - 1 - j;
+        double* const next = y + j + 1;
+        for (int k = 0; k < within; ++k)
+            next[k] -= v[k] * mine;
+    }
+    int j = panel.begin;
+    const auto below = [&](int column) { return value + begin[column] + (panel.end - 1 - column); };
+    std::fill_n(sum, rows, 0.0);
+    for (; j + 4 <= panel.end; j += 4) {
+        const double *v0 = below(j), *v1 = below(j + 1), *v2 = below(j + 2), *v3 = below(j + 3);
+        const double y0 = y[j], y1 = y[j + 1], y2 = y[j + 2], y3 = y[j + 3];
+        for (int i = 0; i < rows; ++i)
+            sum[i] += (v0[i] * y0 + v1[i] * y1) + (v2[i] * y2 + v3[i] * y3);
+    }
+    for (; j < panel.end; ++j) {
+        const double *v = below(j), mine = y[j];
+        for (int i = 0; i < rows; ++i)
+            sum[i] += v[i] * mine;
+    }
+    for (int i = 0; i < rows; ++i)
+        y[row[i]] -= sum[i];
+}
+
+void SparseCholesky::backward(const Panel& panel, double* y) const
+{
+    const Matrix& L = factor_.matrixL().nestedExpression();
+    const int* begin = L.outerIndexPtr();
+    const double* value = L.valuePtr();
+    if (panel.end - panel.begin < wide) {
+        for (int j = panel.end - 1; j >= panel.begin; --j) {
+            double sum = inverse_diagonal_[j] * y[j];
+            for (int q = begin[j]; q < begin[j + 1]; ++q)
+                sum -= value[q] * y[L.innerIndexPtr()[q]];
+            y[j] = sum;
+        }
+        return;
+    }
+    const int* row = L.innerIndexPtr() + begin[panel.end - 1];
+    const int rows = panel.rows;
+    static thread_local std::vector<double> gathered;
+    gathered.resize(rows);
+    double* const from = gathered.data();
+    for (int i = 0; i < rows; ++i)
+        from[i] = y[row[i]];
+    for (int j = panel.end - 1; j >= panel.begin; --j) {
+        const double* const v = value + begin[j];
+        const int within = panel.end - 1 - j;
+        const double *const next = y + j + 1, *const below = v + within;
+        double sum = 0;
+#pragma omp simd reduction(+ : sum)
+        for (int k = 0; k < within; ++k)
+            sum += v[k] * next[k];
+#pragma omp simd reduction(+ : sum)
+        for (int i = 0; i < rows; ++i)
+            sum += below[i] * from[i];
+        y[j] = inverse_diagonal_[j] * y[j] - sum;
+    }
+}
+
+Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
+{
+    const double* value = factor_.matrixL().nestedExpression().valuePtr();
     const auto& row_of = factor_.permutationPinv().indices(); // of a column in elimination order
-    const auto& diagonal = factor_.vectorD();
     const int subtrees = static_cast<int>(subtrees_.size());
     Eigen::VectorXd x(b.size()), y(b.size());
 
-    const auto forward = [&](int j, int end) {
-        const double mine = y[j];
-        for (int q = begin[j]; q < end; ++q)
-            y[row[q]] -= value[q] * mine;
-    };
-    const auto backward = [&](int j) {
-        double sum = (1 / diagonal[j]) * y[j];
-        for (int q = begin[j]; q < begin[j + 1]; ++q)
-            sum -= value[q] * y[row[q]];
-        y[j] = sum;
-        x[row_of[j]] = sum;
-    };
     for_each_job(subtrees, [&](int s) {
-        const auto [low, high] = subtrees_[s];
-        for (int j = low; j < high; ++j)
+        for (int j = subtrees_[s].begin; j < subtrees_[s].end; ++j)
             y[j] = b[row_of[j]];
-        for (int j = low; j < high; ++j)
-            forward(j, inside_end_[j]);
+        for (int k = first_panel_[s]; k < first_panel_[s + 1]; ++k)
+            forward(panels_[k], panels_[k].inside, y.data());
     });
     for_each_part(static_cast<long>(top_.size()), [&](long low, long high) {
         for (long t = low; t < high; ++t) {
@@ -189,14 +290,17 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
             y[top_[t]] = sum;
         }
     });
+    for (int k : top_panels_)
+        forward(panels_[k], panels_[k].rows, y.data());
+    for (std::size_t k = top_panels_.size(); k-- > 0;)
+        backward(panels_[top_panels_[k]], y.data());
     for (int j : top_)
-        forward(j, begin[j + 1]);
-    for (std::size_t t = top_.size(); t-- > 0;)
-        backward(top_[t]);
+        x[row_of[j]] = y[j];
     for_each_job(subtrees, [&](int s) {
-        const auto [low, high] = subtrees_[s];
-        for (int j = high - 1; j >= low; --j)
-            backward(j);
+        for (int k = first_panel_[s + 1]; k-- > first_panel_[s];)
+            backward(panels_[k], y.data());
+        for (int j = subtrees_[s].begin; j < subtrees_[s].end; ++j)
+            x[row_of[j]] = y[j];
     });
     return x;
 }

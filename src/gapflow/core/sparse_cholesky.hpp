@@ -26,6 +26,7 @@ public:
     /// Both, for a pattern that is used once.
     [[nodiscard]] bool compute(const Matrix& a);
     /// The solution of the matrix factorised last. On all threads, with the same bits for any number.
+    /// Columns in turn that have the same rows below them, as the unknowns have that a dense block ties, are one block of arithmetic.
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
     Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const;
     /// Entries of the factor below its diagonal.
@@ -40,11 +41,24 @@ private:
         int column;
         int entry;
     };
+    /// Columns begin .. end - 1, each with all rows below it in the panel and then `rows`, the same for all.
+    struct Panel {
+        int begin, end;
+        int rows, inside; ///< rows below the panel; those of them in its subtree
+    };
     void cut_tree();
+    /// Panels that lie in one subtree each, or in the top.
+    void find_panels();
+    void forward(const Panel& panel, int rows, double* y) const;
+    void backward(const Panel& panel, double* y) const;
 
     Eigen::SimplicialLDLT<Matrix, Eigen::Lower, EliminationOrder> factor_;
+    Eigen::VectorXd inverse_diagonal_;
     std::vector<Subtree> subtrees_;
-    std::vector<int> inside_end_;     ///< of a subtree's column: where its entries end that lie in the subtree
+    std::vector<int> inside_end_;  ///< of a subtree's column: where its entries end that lie in the subtree
+    std::vector<Panel> panels_;    ///< in the columns' order
+    std::vector<int> first_panel_; ///< of every subtree; and the end
+    std::vector<int> top_panels_;
     std::vector<int> top_;            ///< columns, ascending
     std::vector<int> crossing_begin_; ///< of every column in `top_`
     std::vector<Crossing> crossing_;  ///< ascending columns in each row

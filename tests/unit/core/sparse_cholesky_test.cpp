@@ -66,6 +66,33 @@ TEST(SparseCholesky, PiecesFollowEachOther) // two Laplacians side by side: two 
     EXPECT_LT((two.selfadjointView<Eigen::Lower>() * factor.solve(b) - b).norm(), 1e-12 * b.norm());
 }
 
+// Dense blocks, as condensed films leave them: panels of many columns. Every third row stands alone.
+TEST(SparseCholesky, DenseBlocks)
+{
+    constexpr int block = 9;
+    for (int blocks : {1, 40, 2400}) { // 2400: large enough to be cut
+        const int n = 3 * block * blocks / 2 + 1;
+        std::vector<Eigen::Triplet<double>> entries;
+        const auto row = [](int i) { return i / 2 * 3 + i % 2; };
+        for (int i = 0; i < n; ++i)
+            entries.emplace_back(i, i, 4.0 * block);
+        for (int k = 0; k < blocks; ++k)
+            for (int i = 0; i < block; ++i) {
+                for (int j = 0; j < i; ++j)
+                    entries.emplace_back(row(block * k + i), row(block * k + j), -1 - 0.5 * std::sin(i + 3 * j + k));
+                if (k > 0 && i < 3) // to the block before, and to one far away
+                    entries.emplace_back(row(block * k + i), row(block * (i == 2 ? k / 2 : k - 1) + i), -1.5);
+            }
+        Eigen::SparseMatrix<double> a(n, n);
+        a.setFromTriplets(entries.begin(), entries.end());
+        SparseCholesky factor;
+        ASSERT_TRUE(factor.compute(a));
+        const Eigen::VectorXd b = waves(n), x = factor.solve(b);
+        EXPECT_LT((a.selfadjointView<Eigen::Lower>() * x - b).norm(), 1e-13 * b.norm()) << blocks;
+        EXPECT_LT((factor.solve_columns(b) - x).norm(), 1e-13 * x.norm()) << blocks;
+    }
+}
+
 TEST(SparseCholesky, IndefiniteMatrixIsRefused)
 {
     SparseCholesky factor;
