@@ -1,5 +1,6 @@
 #include "gapflow/coupling/film_drag.hpp"
 
+#include "gapflow/core/decompositions.hpp"
 #include "gapflow/coupling/film_way.hpp"
 
 #include <algorithm>
@@ -154,6 +155,47 @@ struct Shut {
     }
 };
 
+// Shear between a film's walls, sum of m (w . (V_master - V_other))^2 / 2 over wrenches w about one point, in its principal ones: no more than a twist has components.
+template <int D>
+class WallShear {
+public:
+    WallShear(const Coupling<D>& coupling, const FilmMesh<D>& mesh)
+        : centre_(coupling.solids[mesh.master].centre),
+          other_(coupling.solids[mesh.other].centre + mesh.shift), place_(mesh.mid.empty() ? centre_ : mesh.mid.front())
+    {
+    }
+    void add(double mass, const Vec<D>& t, const Vec<D>& x)
+    {
+        const Twist<D> w = wrench<D>(t, x - place_);
+        sum_ += mass * w * w.transpose();
+        length_ = std::max(length_, (x - place_).norm());
+    }
+    template <class F>
+    void for_each_inertia(F&& f) const // f(row of the master, row of the other, mass)
+    {
+        Twist<D> scale = Twist<D>::Ones(); // forces and torques alike
+        scale.template tail<spin_size<D>>().setConstant(length_ > 0 ? 1 / length_ : 1.0);
+        const auto [masses, wrenches] = symmetric_eigen<twist_size<D>>(scale.asDiagonal() * sum_ * scale.asDiagonal());
+        for (int k = 0; k < twist_size<D>; ++k) {
+            if (!(masses[k] > 0))
+                continue;
+            const Twist<D> w = wrenches.col(k).cwiseQuotient(scale);
+            f(about(w, centre_), Twist<D>(-about(w, other_)), masses[k]);
+        }
+    }
+
+private:
+    Twist<D> about(Twist<D> w, const Vec<D>& centre) const
+    {
+        w.template tail<spin_size<D>>() += moment<D>(Vec<D>(place_ - centre), Vec<D>(w.template head<D>()));
+        return w;
+    }
+
+    Vec<D> centre_, other_, place_;
+    double length_ = 0;
+    TwistMatrix<D> sum_ = TwistMatrix<D>::Zero();
+};
+
 } // namespace
 
 // With g the tilt of d, which leads from wall to wall, and D t the change along t of d's part along the film,
@@ -203,10 +245,12 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
     const GapChanges& changes = terms.changes;
     const auto parts_of = [&](std::size_t film) { return changes.drag.empty() ? DragParts() : changes.drag[film]; };
     std::vector<Shut<D>> shuts;
+    const std::size_t tangential = static_cast<std::size_t>(coupling.network.elements) * (D - 1);
+    coupling.element_drag.reserve(coupling.network.elements);
+    coupling.drag_inertia.reserve(tangential + coupling.network.films.size() * twist_size<D> + coupling.network.rim.mouths.size());
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
-        const Vec<D>& centre = coupling.solids[mesh.master].centre;
-        const Vec<D> other = coupling.solids[mesh.other].centre + mesh.shift;
+        WallShear<D> shear(coupling, mesh);
         const Shut<D>& shut = shuts.emplace_back(coupling, mesh, mass);
         const DragParts parts = parts_of(shuts.size() - 1);
         const std::vector<double> betas = element_betas(mesh, viscosity_dt, rho);
@@ -227,10 +271,12 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
                      number,
                      -1,
                      t});
-                coupling.drag_inertia.push_back({{mesh.master, mesh.other, wrench<D>(t, e.centroid - centre),
-                                                  -wrench<D>(t, e.centroid - other), drag.wet * viscosity_dt * inverse}});
+                shear.add(drag.wet * viscosity_dt * inverse, t, e.centroid);
             }
         }
+        shear.for_each_inertia([&](const Twist<D>& row_master, const Twist<D>& row_other, double inertia) {
+            coupling.drag_inertia.push_back({{mesh.master, mesh.other, row_master, row_other, inertia}});
+        });
     }
     const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
     for (std::size_t r = 0; r < mouths.size(); ++r) {
