@@ -34,20 +34,30 @@ BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen:
 {
     if (mass.rows() == 0)
         return;
-    if (contact.rows() == 0) {
-        factor_ = factor_of(mass);
-    } else {
-        const Eigen::VectorXd inverse_mass = mass.diagonal().cwiseInverse();
-        const Eigen::VectorXd mobility = contact.cwiseAbs2() * inverse_mass;
-        for (long r = 0; r < mobility.size(); ++r) // 0: neither body can yield
-            stiffness_[r] = mobility[r] > 0 ? relative_stiffness / mobility[r] : 0.0;
-        for (long r = 0; r < mobility.size(); ++r)
-            if (resistance[r] < stiffness_[r]) {
-                stiffness_[r] = resistance[r];
-                rigid_[r] = 0;
-            }
-        factor_ = factor_of(mass + Eigen::SparseMatrix<double>(contact.transpose() * stiffness_.asDiagonal() * contact));
-    }
+    const Eigen::VectorXd inverse_mass = mass.diagonal().cwiseInverse();
+    const Eigen::VectorXd mobility = contact.cwiseAbs2() * inverse_mass;
+    for (long r = 0; r < mobility.size(); ++r) // 0: neither body can yield
+        stiffness_[r] = mobility[r] > 0 ? relative_stiffness / mobility[r] : 0.0;
+    for (long r = 0; r < mobility.size(); ++r)
+        if (resistance[r] < stiffness_[r]) {
+            stiffness_[r] = resistance[r];
+            rigid_[r] = 0;
+        }
+    factorise(mass);
+}
+
+BodyResponse BodyResponse::of_mass(const Eigen::SparseMatrix<double>& mass) const
+{
+    BodyResponse result = *this;
+    result.factorise(mass);
+    return result;
+}
+
+void BodyResponse::factorise(const Eigen::SparseMatrix<double>& mass)
+{
+    factor_ = factor_of(contact_.rows() == 0
+                            ? mass
+                            : mass + Eigen::SparseMatrix<double>(contact_.transpose() * stiffness_.asDiagonal() * contact_));
     if (!factor_)
         throw ComputationError("the mass matrix of the free bodies is not positive definite");
 }

@@ -20,12 +20,17 @@ public:
 
     /// Whether there is one.
     bool ready() const { return factor_ != nullptr; }
+    /// The same contacts, with what they share of impulses that others could take as well, on bodies of another mass.
+    BodyResponse of_mass(const Eigen::SparseMatrix<double>& mass) const;
+
     /// Twists under impulse w with the contacts at rest. Symmetric in w. `lambda`, if given, receives the contacts' impulses.
     Eigen::VectorXd operator()(const Eigen::VectorXd& w, Eigen::VectorXd* lambda = nullptr) const;
     /// The same with the contacts at the given speeds.
     Eigen::VectorXd operator()(const Eigen::VectorXd& w, const Eigen::VectorXd& speed, Eigen::VectorXd* lambda) const;
 
 private:
+    void factorise(const Eigen::SparseMatrix<double>& mass);
+
     std::shared_ptr<const BlockCholesky> factor_;        ///< of M + C^T diag(stiffness) C
     Eigen::SparseMatrix<double> contact_, contact_size_; ///< C, |C|
     Eigen::VectorXd stiffness_;

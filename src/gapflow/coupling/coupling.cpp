@@ -192,7 +192,8 @@ void project(const Coupling<D>& coupling, Eigen::VectorXd& all)
             all.segment<n>(n * b) = coupling.solids[s].admissible * all.segment<n>(n * b).eval();
 }
 
-// Adds the response of the free bodies, in their order, to the twists of all solids.
+} // namespace
+
 template <int D>
 void add_response(const Coupling<D>& coupling, Eigen::VectorXd V, std::vector<Twist<D>>& twists)
 {
@@ -202,8 +203,6 @@ void add_response(const Coupling<D>& coupling, Eigen::VectorXd V, std::vector<Tw
         if (const int b = coupling.free_body[s]; b >= 0)
             twists[s] += V.segment<n>(n * b);
 }
-
-} // namespace
 
 template <int D>
 Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
@@ -359,6 +358,7 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
     template std::vector<Twist<D>> intermediate_twists<D>(const Coupling<D>&, const std::vector<TwistMatrix<D>>&,              \
                                                           const std::vector<Twist<D>>&, const std::vector<double>&,            \
                                                           Eigen::VectorXd&);                                                   \
+    template void add_response<D>(const Coupling<D>&, Eigen::VectorXd, std::vector<Twist<D>>&);                                \
     template void add_pressure_impulse<D>(const Coupling<D>&, const UnknownVector<D>&, std::vector<Twist<D>>&,                 \
                                           Eigen::VectorXd&);
 GAPFLOW_INSTANTIATE(2)

@@ -171,6 +171,10 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
                                           const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal,
                                           Eigen::VectorXd& contact_impulse);
 
+/// Adds the response V of the free bodies, twist by twist in the system's order, to the twists of all solids.
+template <int D>
+void add_response(const Coupling<D>& coupling, Eigen::VectorXd V, std::vector<Twist<D>>& twists);
+
 /// Adds M^-1 K^T p to the twists of the free bodies, and its contribution to the held contacts' impulses. Collective.
 template <int D>
 void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p, std::vector<Twist<D>>& twists,

@@ -258,7 +258,7 @@ Stop iterate(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner
 template <int D>
 SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner<D>& preconditioner,
                                 const NullSpace<D>& null_space, KrylovVectors<D>& vectors, UnknownVector<D>& x,
-                                const UnknownVector<D>& rhs, const SolverOptions& options, double magnitude,
+                                const UnknownVector<D>& rhs, const SolverOptions& options, const ResidualScale& scale,
                                 SlowMotions& motions)
 {
     const CoupledSystem<D>& system = matrix.system();
@@ -269,7 +269,7 @@ SolveReport conjugate_gradients(const CoupledOperator<D>& matrix, Preconditioner
     motions.clear();
     compatible(system, null_space, rhs, r);
     const double size = std::sqrt(dot(grid, r, r));
-    const double reference = std::max(size, magnitude), target = options.tolerance * reference;
+    const double reference = scale.reference(size), target = options.tolerance * reference;
     bool reached = false; // by the recursive residual
     auto finish = [&](std::string reason) {
         compatible(system, null_space, x, p); // without what CG left in cells without unknown
@@ -336,9 +336,9 @@ template double true_residual<3>(const CoupledOperator<3>&, const NullSpace<3>&,
                                  UnknownVector<3>&, UnknownVector<3>&);
 template SolveReport conjugate_gradients<2>(const CoupledOperator<2>&, Preconditioner<2>&, const NullSpace<2>&,
                                             KrylovVectors<2>&, UnknownVector<2>&, const UnknownVector<2>&, const SolverOptions&,
-                                            double, SlowMotions&);
+                                            const ResidualScale&, SlowMotions&);
 template SolveReport conjugate_gradients<3>(const CoupledOperator<3>&, Preconditioner<3>&, const NullSpace<3>&,
                                             KrylovVectors<3>&, UnknownVector<3>&, const UnknownVector<3>&, const SolverOptions&,
-                                            double, SlowMotions&);
+                                            const ResidualScale&, SlowMotions&);
 
 } // namespace gapflow

@@ -335,9 +335,9 @@ void CoupledOperator<D>::add_flux(const Eigen::VectorXd& u, UnknownVector<D>& y)
 }
 
 template <int D>
-Eigen::VectorXd CoupledOperator<D>::inverse_mass(const Eigen::VectorXd& w) const
+Eigen::VectorXd CoupledOperator<D>::inverse_mass(const Eigen::VectorXd& w, Eigen::VectorXd* held) const
 {
-    return response_(w);
+    return response_(w, held);
 }
 
 template <int D>

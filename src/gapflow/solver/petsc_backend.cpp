@@ -172,15 +172,15 @@ template <int D>
 PetscBackend<D>::~PetscBackend() = default;
 
 template <int D>
-SolveReport PetscBackend<D>::solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, double magnitude, double tolerance,
-                                   KrylovVectors<D>& vectors)
+SolveReport PetscBackend<D>::solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, const ResidualScale& scale,
+                                   double tolerance, KrylovVectors<D>& vectors)
 {
     Data& d = *data_;
     const CoupledSystem<D>& system = d.matrix.system();
     const Grid<D>& grid = *system.grid;
     SolveReport report;
     compatible(system, d.null_space, rhs, vectors.r);
-    const double reference = std::max(std::sqrt(dot(grid, vectors.r, vectors.r)), magnitude);
+    const double reference = scale.reference(std::sqrt(dot(grid, vectors.r, vectors.r)));
     const double target = tolerance * reference;
     if (!std::isfinite(reference)) {
         report.residual = reference;

@@ -17,7 +17,7 @@ public:
     ~PetscBackend();
 
     /// As CoupledSolver::solve.
-    SolveReport solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, double magnitude, double tolerance,
+    SolveReport solve(UnknownVector<D>& x, const UnknownVector<D>& rhs, const ResidualScale& scale, double tolerance,
                       KrylovVectors<D>& vectors);
 
 private:

@@ -1,6 +1,7 @@
 #include "gapflow/solver/solver.hpp"
 
 #include "gapflow/solver/conjugate_gradients.hpp"
+#include "gapflow/solver/film_condensation.hpp"
 #include "gapflow/solver/petsc_backend.hpp"
 
 #include <cmath>
@@ -17,9 +18,12 @@ constexpr double slow_eigenvalue = 5; // eigenvalue above which a motion of the 
 template <int D>
 struct CoupledSolver<D>::Data {
     Data(const CoupledSystem<D>& system, const SolverOptions& chosen)
-        : options(chosen), matrix(system),
-          null_space(system), vectors{zero_vector(system), zero_vector(system), zero_vector(system), zero_vector(system)}
+        : options(chosen), whole(system), condensation(system), matrix(condensation.empty() ? system : condensation.reduced()),
+          null_space(matrix.system()), vectors{zero_vector(matrix.system()), zero_vector(matrix.system()),
+                                               zero_vector(matrix.system()), zero_vector(matrix.system())}
     {
+        if (!condensation.empty())
+            whole_null_space.emplace(system);
         if (options.backend == Backend::multigrid)
             preconditioner.emplace(matrix, options.bodies, options.ask_lightness);
         else
@@ -27,8 +31,12 @@ struct CoupledSolver<D>::Data {
     }
 
     SolverOptions options;
-    CoupledOperator<D> matrix;
-    NullSpace<D> null_space;
+    const CoupledSystem<D>& whole;
+    FilmCondensation<D> condensation;
+    CoupledOperator<D> matrix; ///< of the condensed system, if films are condensed
+    NullSpace<D> null_space;   ///< of that
+    std::optional<NullSpace<D>> whole_null_space;
+    std::optional<BodyMotion> motion; ///< of the last solve, where films are condensed
     KrylovVectors<D> vectors;
     SlowMotions motions; ///< of the last solve
     std::optional<Preconditioner<D>> preconditioner;
@@ -58,27 +66,66 @@ SolveReport CoupledSolver<D>::solve(UnknownVector<D>& p, const UnknownVector<D>&
 {
     const double start = MPI_Wtime();
     Data& d = *data_;
+    SolveReport report =
+        d.condensation.empty() ? solve_system(p, rhs, {magnitude}, tolerance) : solve_condensed(p, rhs, magnitude, tolerance);
+    report.seconds = MPI_Wtime() - start;
+    return report;
+}
+
+// The residual is the same, and so is what it is compared with: the norm of the whole right-hand side.
+template <int D>
+SolveReport CoupledSolver<D>::solve_condensed(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude,
+                                              double tolerance) const
+{
+    Data& d = *data_;
+    UnknownVector<D> b = zero_vector(d.whole);
+    compatible(d.whole, *d.whole_null_space, rhs, b);
+    const double size = std::sqrt(dot(*d.whole.grid, b, b));
+    const auto reduced = d.condensation.reduce(rhs.nodes);
+    b.cells = rhs.cells;
+    b.nodes = reduced.nodes;
+    if (d.matrix.dofs() > 0)
+        d.matrix.add_flux(-d.matrix.inverse_mass(reduced.wrench), b);
+    p.nodes = d.condensation.kept(p.nodes);
+    const SolveReport report = solve_system(p, b, {magnitude, size}, tolerance);
+    BodyMotion& motion = d.motion.emplace();
+    if (d.matrix.dofs() > 0)
+        motion.twist = d.matrix.inverse_mass(d.matrix.transpose_flux(p) + reduced.wrench, &motion.contact_impulse);
+    p.nodes = d.condensation.expand(rhs.nodes, p.nodes, motion.twist);
+    d.whole_null_space->project(p);
+    return report;
+}
+
+template <int D>
+const std::optional<BodyMotion>& CoupledSolver<D>::motion() const
+{
+    return data_->motion;
+}
+
+template <int D>
+SolveReport CoupledSolver<D>::solve_system(UnknownVector<D>& p, const UnknownVector<D>& rhs, const ResidualScale& scale,
+                                           double tolerance) const
+{
+    Data& d = *data_;
     SolverOptions options = d.options;
     options.tolerance = tolerance;
     SolveReport report;
     if (d.preconditioner) {
         correct_slow_motions();
-        report =
-            conjugate_gradients(d.matrix, *d.preconditioner, d.null_space, d.vectors, p, rhs, options, magnitude, d.motions);
+        report = conjugate_gradients(d.matrix, *d.preconditioner, d.null_space, d.vectors, p, rhs, options, scale, d.motions);
     }
     if (d.preconditioner && !report.converged && report.iterations < options.max_iterations && std::isfinite(report.residual)) {
         // Bodies that overlap far can make the films' part of the preconditioner indefinite: algebraic multigrid is not.
         const SolveReport first = report;
         if (!d.petsc)
             d.petsc.emplace(d.matrix, d.null_space, d.options);
-        report = d.petsc->solve(p, rhs, magnitude, tolerance, d.vectors);
+        report = d.petsc->solve(p, rhs, scale, tolerance, d.vectors);
         report.iterations += first.iterations;
         if (!report.converged)
             report.message = first.message + "; then " + report.message;
     } else if (!d.preconditioner) {
-        report = d.petsc->solve(p, rhs, magnitude, tolerance, d.vectors);
+        report = d.petsc->solve(p, rhs, scale, tolerance, d.vectors);
     }
-    report.seconds = MPI_Wtime() - start;
     return report;
 }
 
@@ -96,6 +143,7 @@ void CoupledSolver<D>::correct_slow_motions() const
 template <int D>
 void CoupledSolver<D>::update_bodies()
 {
+    data_->condensation.update_bodies();
     data_->matrix.update_bodies();
     if (data_->preconditioner) {
         data_->preconditioner->update_bodies();

@@ -5,9 +5,12 @@
 #include "gapflow/coupling/system.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace gapflow {
+
+struct ResidualScale;
 
 enum class Backend { multigrid, petsc };
 
@@ -30,6 +33,12 @@ struct SolveReport {
     std::string message; ///< reason if not converged; else empty
 };
 
+/// What the pressure of a solve does to the free bodies.
+struct BodyMotion {
+    Eigen::VectorXd twist;           ///< M^-1 K^T p
+    Eigen::VectorXd contact_impulse; ///< of the contacts that hold them
+};
+
 /// Set up once for a system, then solve for any number of right-hand sides. Keeps a reference to the system. Collective.
 template <int D>
 class CoupledSolver {
@@ -43,6 +52,10 @@ public:
     /// The same to another tolerance than the options'.
     SolveReport solve(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude, double tolerance) const;
 
+    /// Of the last solve, where films are condensed for it. Where contacts' rows nearly depend on each other M^-1 K^T p is not determined to round-off, and the
+    /// pressure belongs to this one.
+    const std::optional<BodyMotion>& motion() const;
+
     /// Reads the system's masses and contacts again after they changed; all else must be unchanged.
     void update_bodies();
 
@@ -53,6 +66,9 @@ public:
     double bytes_per_cell() const;
 
 private:
+    SolveReport solve_condensed(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude, double tolerance) const;
+    SolveReport solve_system(UnknownVector<D>& p, const UnknownVector<D>& rhs, const ResidualScale& scale,
+                             double tolerance) const;
     void correct_slow_motions() const;
 
     struct Data;

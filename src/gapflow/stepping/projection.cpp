@@ -106,7 +106,13 @@ SolveReport Projection<D>::solve(double tolerance)
         return report;
     twists_ = without_pressure_;
     contact_impulse_ = held_impulse_;
-    add_pressure_impulse(start_.coupling, impulse_, twists_, contact_impulse_);
+    const std::optional<BodyMotion>& motion = solver_->motion();
+    if (!motion) {
+        add_pressure_impulse(start_.coupling, impulse_, twists_, contact_impulse_);
+    } else if (start_.coupling.system.bodies > 0) {
+        add_response(start_.coupling, motion->twist, twists_);
+        contact_impulse_ += motion->contact_impulse;
+    }
     return report;
 }
 
