@@ -160,8 +160,8 @@ template <int D>
 class WallShear {
 public:
     WallShear(const Coupling<D>& coupling, const FilmMesh<D>& mesh)
-        : centre_(coupling.solids[mesh.master].centre),
-          other_(coupling.solids[mesh.other].centre + mesh.shift), place_(mesh.mid.empty() ? centre_ : mesh.mid.front())
+        : centre_(coupling.solids[mesh.master].centre), other_(coupling.solids[mesh.other].centre + mesh.shift),
+          place_(mesh.mid.empty() ? centre_ : mesh.mid.front())
     {
     }
     void add(double mass, const Vec<D>& t, const Vec<D>& x)
@@ -247,7 +247,8 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
     std::vector<Shut<D>> shuts;
     const std::size_t tangential = static_cast<std::size_t>(coupling.network.elements) * (D - 1);
     coupling.element_drag.reserve(coupling.network.elements);
-    coupling.drag_inertia.reserve(tangential + coupling.network.films.size() * twist_size<D> + coupling.network.rim.mouths.size());
+    coupling.drag_inertia.reserve(tangential + coupling.network.films.size() * twist_size<D> +
+                                  coupling.network.rim.mouths.size());
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         WallShear<D> shear(coupling, mesh);

@@ -330,7 +330,7 @@ FilmMeshOptions coupling_sizes(bool viscous)
         options.rings = viscous ? 0.4 : 0.6;
         options.inverse = viscous;
         options.kink = 0.06;
-        options.spacing = 0.5;
+        options.spacing = 1;
         options.ratio = 3;
     }
     return options;

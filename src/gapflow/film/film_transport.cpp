@@ -167,21 +167,20 @@ void FilmTransport<D>::balance_corners(std::span<const Vec<D>> flow)
 {
     const int count = static_cast<int>(mesh_.elements.size());
     std::vector<double> corner(D * count, 0.0), needs(D * count, 0.0);
-    std::vector<double> sum(count, 0.0);
-    for (const FilmPoint<D>& q : mesh_.points)
-        for (int i = 0; i < D; ++i) {
-            corner[D * q.element + i] += q.weight * q.h * q.shape[i];
-            sum[q.element] += q.weight * q.h * q.shape[i];
-        }
-    for (int e = 0; e < count; ++e)
+    for (int e = 0; e < count; ++e) {
+        double sum = 0;
+        for (int node : mesh_.elements[e].nodes)
+            sum += mesh_.h[node];
         for (int i = 0; i < D; ++i) {
             double& volume = corner[D * e + i];
-            volume *= end_volume_[e] / sum[e];
+            // int h N_i of an h that is linear: (sum + h_i) over (D + 1) sums
+            volume = end_volume_[e] * (sum + mesh_.h[mesh_.elements[e].nodes[i]]) / ((D + 1) * sum);
             // The old volume has the new one's distribution in the element.
             const double change = (end_volume_[e] - start_volume_[e]) / end_volume_[e] * volume / dt_;
             const double along = flow[e].dot(gradient_[e][i]);
             needs[D * e + i] = change - along + mouth_at_corner_[D * e + i];
         }
+    }
     std::vector<std::array<int, D>> nodes;
     for (const FilmElement<D>& e : mesh_.elements)
         nodes.push_back(e.nodes);

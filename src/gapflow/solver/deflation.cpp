@@ -9,8 +9,8 @@
 #include "gapflow/solver/deflation.hpp"
 
 #include "gapflow/core/decompositions.hpp"
-#include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/solver/grid_parts.hpp"
+#include "gapflow/solver/weak_films.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,26 +22,25 @@ namespace {
 constexpr int full_parts = 48;
 constexpr double round_off = 1e-12;      // of a level's energy with free bodies
 constexpr double negligible_part = 1e-8; // of a level, in its extension: films pass on their neighbours' levels, less and less
-constexpr double weak_mouths =
-    1e-6; // relative to the film's conductances: below, the band's own solve does not resolve the film's level
 
 } // namespace
 
 template <int D>
 Deflation<D>::Deflation(const CoupledOperator<D>& matrix, const FilmBand<D>& band)
-    : system_(matrix.system()), matrix_(matrix), band_(band), node_part_(matrix.system().nodes, -1)
+    : system_(matrix.system()), matrix_(matrix), band_(band)
 {
     // The usual case: the null space contains all constants, and no part of a component has a separate level.
-    const int weak_films = number_weak_films();
+    int weak = 0;
+    node_part_ = weak_films(system_, weak);
     const bool whole = std::all_of(system_.components.begin(), system_.components.end(),
                                    [](const Component& c) { return c.grid_parts == 0 || c.grid_parts == 1; });
-    if (weak_films == 0 && whole && all_constants_null())
+    if (weak == 0 && whole && all_constants_null())
         return;
-    number_columns(whole, weak_films > 0);
+    number_columns(whole, weak > 0);
     for (int& k : node_part_)
         if (k >= 0)
             k += columns_;
-    all_columns_ = columns_ += weak_films;
+    all_columns_ = columns_ += weak;
     if (columns_ > 0) {
         set_up_fluid();
         update_bodies();
@@ -130,36 +129,6 @@ std::vector<char> Deflation<D>::whole_levels(const std::vector<double>& acted, c
     for (std::size_t k = 0; k < count; ++k)
         null[k] = acted[k] > 0 && !grounded[k] && parts[component(k)] == 1 && !system_.components[component(k)].grounded;
     return null;
-}
-
-template <int D>
-int Deflation<D>::number_weak_films()
-{
-    DisjointSets films(system_.nodes);
-    matrix_.for_each_film_edge([&](int i, int j, double conductance) {
-        if (conductance != 0)
-            films.join(i, j);
-    });
-    std::vector<double> inside(system_.nodes, 0.0), outside(system_.nodes, 0.0);
-    matrix_.for_each_film_edge([&](int i, int, double conductance) {
-        inside[films.find(i)] = std::max(inside[films.find(i)], std::abs(conductance));
-    });
-    for (const Link& link : system_.links)
-        for (const auto& [node, weight] : link.nodes)
-            outside[films.find(node)] += link.conductance * weight * weight;
-    for (int i = 0; i < system_.nodes; ++i)
-        outside[films.find(i)] += std::abs(matrix_.film_ground()[i]);
-    int count = 0;
-    std::vector<int> column(system_.nodes, -1);
-    for (int i = 0; i < system_.nodes; ++i) {
-        const int r = films.find(i);
-        if (outside[r] > weak_mouths * inside[r])
-            continue;
-        if (column[r] < 0)
-            column[r] = count++;
-        node_part_[i] = column[r];
-    }
-    return count;
 }
 
 template <int D>

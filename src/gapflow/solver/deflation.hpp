@@ -33,8 +33,6 @@ private:
     /// `whole`: no component has several parts of the grid. `weak_films`: whether some have levels of their own.
     void number_columns(bool whole, bool weak_films);
     std::vector<char> whole_levels(const std::vector<double>& acted, const std::vector<char>& grounded, bool weak_films) const;
-    /// Numbers weak films' nodes from 0; how many there are.
-    int number_weak_films();
     /// Unit vector k, extended to all unknowns.
     void column(int k, UnknownVector<D>& z) const;
     void extend_over_band();

@@ -14,6 +14,7 @@
 
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/solver/weak_films.hpp"
 
 #include <algorithm>
 
@@ -50,9 +51,13 @@ FilmCondensation<D>::FilmCondensation(const CoupledSystem<D>& system) : system_(
     std::vector<std::vector<long>> fluxes(count); // entries of K
     for (std::size_t e = 0; e < system.node_flux.size(); ++e)
         fluxes[film_of[system.node_flux[e].row]].push_back(static_cast<long>(e));
+    int weak = 0;
+    const std::vector<int> weak_film = weak_films(system, weak);
     std::vector<char> condensed(count, 0);
     std::vector<Rim> rims(count);
-    for_each_job(count, [&](int f) { condensed[f] = condense(all[f], fluxes[f], rims[f]); });
+    for_each_job(count, [&](int f) {
+        condensed[f] = !all[f].inner.empty() && weak_film[all[f].inner.front()] < 0 && condense(all[f], fluxes[f], rims[f]);
+    });
 
     std::vector<Rim> used;
     std::vector<long> other_fluxes;

@@ -10,7 +10,7 @@
 namespace gapflow {
 
 /// The coupled system in the unknowns that are left, and the way to it and back. Eliminated nodes add to the masses of the bodies beside their film. Films stay
-/// whole where they are large, where voids lie in them, or where they weigh much more than the bodies beside them.
+/// whole where they are large, where voids lie in them, where their mouths conduct next to nothing, or where they weigh much more than the bodies beside them.
 template <int D>
 class FilmCondensation {
 public:
