@@ -7,7 +7,7 @@
 //     (L_rr + L_ri H) p_r + (K_r + H^T K_i) w = b_r + H^T b_i,
 //     (M + K_i^T L_ii^-1 K_i) w = (K_r + H^T K_i)^T p_r + K_i^T L_ii^-1 b_i:
 //
-// a system of the same kind (method, "Films condensed to their rims"). Contacts enter as before. A constant pressure drives no flow in it: rows of H sum to one, and the
+// a system of the same kind (method, "The coupled system"). Contacts enter as before. A constant pressure drives no flow in it: rows of H sum to one, and the
 // diagonal of L_rr + L_ri H is the negative sum of the others.
 
 #include "gapflow/solver/film_condensation.hpp"

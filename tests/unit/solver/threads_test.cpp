@@ -30,7 +30,8 @@ void compare(const TestScene<D>& scene)
     const UnknownVector<D> one = solved(*test, 1);
     for (int threads : {2, 3, 5}) {
         const UnknownVector<D> several = solved(*test, threads);
-        EXPECT_LT(distance(*test, several, one), 1e-11) << threads; // a thousandth of the tolerance: iterations pass round-off on
+        EXPECT_LT(distance(*test, several, one), 1e-11)
+            << threads; // a thousandth of the tolerance: iterations pass round-off on
     }
 }
 
