@@ -279,6 +279,15 @@ Eigen::VectorXd FilmCondensation<D>::expand(const Eigen::VectorXd& rhs, const Ei
     return all;
 }
 
+template <int D>
+long FilmCondensation<D>::bytes() const
+{
+    long numbers = 0;
+    for (const Film& film : films_)
+        numbers += film.factor.matrixLLT().size() + film.to_rim.size() + film.levels.size() + film.flux.size();
+    return empty() ? 0 : 8 * numbers + 12 * reduced_.film.nonZeros();
+}
+
 template class FilmCondensation<2>;
 template class FilmCondensation<3>;
 

@@ -36,6 +36,8 @@ public:
     /// Pressures of all nodes, from those of the nodes that are left and the bodies' response M^-1 K^T p.
     Eigen::VectorXd expand(const Eigen::VectorXd& rhs, const Eigen::VectorXd& nodes, const Eigen::VectorXd& twist) const;
 
+    long bytes() const;
+
 private:
     struct Film {
         std::vector<int> inner, rim;        ///< nodes of the system: eliminated, left

@@ -169,7 +169,8 @@ double CoupledSolver<D>::bytes_per_cell() const
     const Data& d = *data_;
     const Grid<D>& grid = *d.matrix.system().grid;
     const double vectors = 4.0 * 8.0 * d.vectors.r.cells.size();
-    return (vectors + d.matrix.bytes() + (d.preconditioner ? d.preconditioner->bytes() : 0)) / grid.owned_cells();
+    return (vectors + d.condensation.bytes() + d.matrix.bytes() + (d.preconditioner ? d.preconditioner->bytes() : 0)) /
+           grid.owned_cells();
 }
 
 template class CoupledSolver<2>;
