@@ -72,7 +72,8 @@ SolveReport CoupledSolver<D>::solve(UnknownVector<D>& p, const UnknownVector<D>&
     return report;
 }
 
-// The residual is the same, and so is what it is compared with: the norm of the whole right-hand side.
+// The residual is the same, and so is what it is compared with: the norm of the whole right-hand side. That is made compatible as a whole, so that the
+// pseudo-inverse is the whole system's.
 template <int D>
 SolveReport CoupledSolver<D>::solve_condensed(UnknownVector<D>& p, const UnknownVector<D>& rhs, double magnitude,
                                               double tolerance) const
@@ -81,8 +82,8 @@ SolveReport CoupledSolver<D>::solve_condensed(UnknownVector<D>& p, const Unknown
     UnknownVector<D> b = zero_vector(d.whole);
     compatible(d.whole, *d.whole_null_space, rhs, b);
     const double size = std::sqrt(dot(*d.whole.grid, b, b));
-    const auto reduced = d.condensation.reduce(rhs.nodes);
-    b.cells = rhs.cells;
+    const Eigen::VectorXd of_nodes = b.nodes;
+    const auto reduced = d.condensation.reduce(of_nodes);
     b.nodes = reduced.nodes;
     if (d.matrix.dofs() > 0)
         d.matrix.add_flux(-d.matrix.inverse_mass(reduced.wrench), b);
@@ -91,7 +92,7 @@ SolveReport CoupledSolver<D>::solve_condensed(UnknownVector<D>& p, const Unknown
     BodyMotion& motion = d.motion.emplace();
     if (d.matrix.dofs() > 0)
         motion.twist = d.matrix.inverse_mass(d.matrix.transpose_flux(p) + reduced.wrench, &motion.contact_impulse);
-    p.nodes = d.condensation.expand(rhs.nodes, p.nodes, motion.twist);
+    p.nodes = d.condensation.expand(of_nodes, p.nodes, motion.twist);
     d.whole_null_space->project(p);
     return report;
 }

@@ -89,6 +89,25 @@ TEST(FilmCondensation, SameAsTheWholeSystem)
     expect_the_same<3>(1e3, 1.0, SideKind::open, true);
 }
 
+// A right-hand side that changes the volume of enclosed fluid is made compatible as that of the whole system is: the pseudo-inverse is symmetric.
+TEST(FilmCondensation, IncompatibleRightHandSides)
+{
+    TestScene<2> scene = film_scene<2>(64, 1.0, 1.0, 1.0);
+    for (BodyShape<2>& body : scene.bodies)
+        body.fixed = true;
+    const auto test = build(scene);
+    ASSERT_FALSE(FilmCondensation<2>(test->system).empty());
+    ASSERT_EQ(test->system.null_space.cols(), 1);
+    UnknownVector<2> a = sample(*test, 0.5, 1), b = sample(*test, 0.5, 2), p = zeros(*test), q = zeros(*test);
+    a.nodes.array() += 1; // in the film alone
+    SolverOptions options;
+    options.tolerance = 1e-10;
+    const CoupledSolver<2> solver(test->system, options);
+    ASSERT_TRUE(solver.solve(p, a).converged);
+    ASSERT_TRUE(solver.solve(q, b).converged);
+    EXPECT_NEAR(inner(*test, b, p), inner(*test, a, q), 1e-8 * std::abs(inner(*test, a, p)));
+}
+
 // Against a film that weighs a million times its bodies their own mass would be lost to round-off.
 TEST(FilmCondensation, HeavyFilmsStayWhole)
 {
