@@ -165,7 +165,6 @@ void SparseCholesky::find_panels()
     const int *begin = L.outerIndexPtr(), *row = L.innerIndexPtr();
     panels_.clear();
     first_panel_.clear();
-    top_panels_.clear();
     const auto add_run = [&](int low, int high) {
         for (int j = low, end; j < high; j = end) {
             end = j + 1;
@@ -185,8 +184,6 @@ void SparseCholesky::find_panels()
             ++end;
         add_run(top_[t], top_[end - 1] + 1);
     }
-    for (int k = first_panel_.back(); k < static_cast<int>(panels_.size()); ++k)
-        top_panels_.push_back(k);
 }
 
 void SparseCholesky::forward(const Panel& panel, int rows, double* y) const
@@ -290,10 +287,11 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
             y[top_[t]] = sum;
         }
     });
-    for (int k : top_panels_)
+    const int first_of_top = subtrees > 0 ? first_panel_.back() : 0, panels = static_cast<int>(panels_.size());
+    for (int k = first_of_top; k < panels; ++k)
         forward(panels_[k], panels_[k].rows, y.data());
-    for (std::size_t k = top_panels_.size(); k-- > 0;)
-        backward(panels_[top_panels_[k]], y.data());
+    for (int k = panels; k-- > first_of_top;)
+        backward(panels_[k], y.data());
     for (int j : top_)
         x[row_of[j]] = y[j];
     for_each_job(subtrees, [&](int s) {

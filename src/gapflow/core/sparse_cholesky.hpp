@@ -55,10 +55,9 @@ private:
     Eigen::SimplicialLDLT<Matrix, Eigen::Lower, EliminationOrder> factor_;
     Eigen::VectorXd inverse_diagonal_;
     std::vector<Subtree> subtrees_;
-    std::vector<int> inside_end_;  ///< of a subtree's column: where its entries end that lie in the subtree
-    std::vector<Panel> panels_;    ///< in the columns' order
-    std::vector<int> first_panel_; ///< of every subtree; and the end
-    std::vector<int> top_panels_;
+    std::vector<int> inside_end_;     ///< of a subtree's column: where its entries end that lie in the subtree
+    std::vector<Panel> panels_;       ///< of the subtrees, then of the top
+    std::vector<int> first_panel_;    ///< of every subtree, and of the top
     std::vector<int> top_;            ///< columns, ascending
     std::vector<int> crossing_begin_; ///< of every column in `top_`
     std::vector<Crossing> crossing_;  ///< ascending columns in each row

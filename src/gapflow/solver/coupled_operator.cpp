@@ -18,7 +18,7 @@ namespace gapflow {
 template <int D>
 CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
     : system_(system), dofs_(twist_size<D> * system.bodies), conductance_(shared_conductances(system)),
-      ground_(system.nodes, 0.0)
+      ground_(film_grounds(system.film))
 {
     const Grid<D>& grid = *system.grid;
     const Block<D>& block = system.component.block();
@@ -43,12 +43,6 @@ CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
                               [&](long i) { return block.offset(system.cell_flux[i].row); });
     node_flux_runs_ =
         RowRuns(static_cast<long>(system.node_flux.size()), system.nodes, [&](long i) { return system.node_flux[i].row; });
-    for (int column = 0; column < system.film.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, column); entry; ++entry)
-            ground_[entry.row()] += entry.value();
-    for (int i = 0; i < system.nodes; ++i)
-        if (std::abs(ground_[i]) < 1e-12 * system.film.coeff(i, i))
-            ground_[i] = 0; // round-off
     update_bodies();
     halo_ = halo_of<D, double>(grid, system.conductance[0].block());
     partial_.resize(static_cast<long>(system.links.size()) + dofs_ + 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/coupling/body_response.hpp"
+#include "gapflow/solver/film_edges.hpp"
 #include "gapflow/solver/level.hpp"
 #include "gapflow/solver/row_runs.hpp"
 #include "gapflow/solver/vectors.hpp"
@@ -56,9 +57,7 @@ public:
     template <class F>
     void for_each_film_edge(F&& f) const
     {
-        for (int j = 0; j < system_.film.outerSize(); ++j)
-            for (Eigen::SparseMatrix<double>::InnerIterator entry(system_.film, j); entry && entry.row() < j; ++entry)
-                f(static_cast<int>(entry.row()), j, -entry.value());
+        gapflow::for_each_film_edge(system_.film, f);
     }
     const std::vector<double>& film_ground() const { return ground_; }
     long bytes() const;

@@ -14,6 +14,7 @@
 
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/solver/film_edges.hpp"
 #include "gapflow/solver/weak_films.hpp"
 
 #include <algorithm>
@@ -91,10 +92,10 @@ std::vector<typename FilmCondensation<D>::Film> FilmCondensation<D>::connected_n
         for (const auto& entry : link.nodes)
             linked[entry.first] = 1;
     DisjointSets sets(system_.nodes);
-    for (int j = 0; j < system_.film.outerSize(); ++j)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(system_.film, j); entry && entry.row() < j; ++entry)
-            if (entry.value() != 0)
-                sets.join(static_cast<int>(entry.row()), j);
+    for_each_film_edge(system_.film, [&](int i, int j, double conductance) {
+        if (conductance != 0)
+            sets.join(i, j);
+    });
     int count = 0;
     const std::vector<int> set = sets.numbers(count);
     std::vector<Film> films(count);
