@@ -38,40 +38,56 @@ void exchange(const Grid<D>& grid, CellField<D, T>& field, int layers)
     if (layers < 0)
         layers = grid.ghost();
     const Block<D>& block = field.block();
-    std::vector<T> out, in;
-    for (int axis = 0; axis < D; ++axis)
-        for (int end = 0; end < 2; ++end) { // end 1: send my last cells up, receive my low ghosts from below
-            const int to = grid.neighbour(axis, end), from = grid.neighbour(axis, 1 - end);
-            Index<D> send_low = block.low, send_high = block.high, take_low = block.low, take_high = block.high;
-            if (end == 1) {
-                send_low[axis] = grid.high()[axis] - layers;
-                send_high[axis] = grid.high()[axis];
-                take_low[axis] = grid.low()[axis] - layers;
-                take_high[axis] = grid.low()[axis];
-            } else {
-                send_low[axis] = grid.low()[axis];
-                send_high[axis] = grid.low()[axis] + layers;
-                take_low[axis] = grid.high()[axis];
-                take_high[axis] = grid.high()[axis] + layers;
+    std::array<LargeVector<T>, 2> out, in;
+    for (int axis = 0; axis < D; ++axis) {
+        // The layers of an end: this rank's last cells there, and the ghosts beyond.
+        struct Layers {
+            Index<D> low, high;
+        };
+        const auto layers_from = [&](int first) {
+            Layers result{block.low, block.high};
+            result.low[axis] = first;
+            result.high[axis] = first + layers;
+            return result;
+        };
+        const int low = grid.low()[axis], high = grid.high()[axis];
+        const std::array<Layers, 2> inner = {layers_from(low), layers_from(high - layers)},
+                                    ghosts = {layers_from(low - layers), layers_from(high)};
+        const int width = block.high[0] - block.low[0], row = axis == 0 ? layers : width;
+        const long size = (inner[0].high - inner[0].low).template cast<long>().prod();
+        MPI_Request requests[4];
+        int pending = 0;
+        const auto neighbour = [&](int end) { return grid.neighbour(axis, end); };
+        const auto is_other = [&](int end) { return neighbour(end) >= 0 && neighbour(end) != grid.comm().rank(); };
+        // What leaves through the high end arrives through the low end of the neighbour: the tag is the end it left through.
+        for (int end = 0; end < 2; ++end)
+            if (is_other(end)) {
+                in[end].resize(size);
+                MPI_Irecv(in[end].data(), static_cast<int>(size), mpi_type<T>(), neighbour(end), 2 * axis + 1 - end,
+                          grid.comm().mpi(), &requests[pending++]);
             }
-            out.clear();
-            if (to >= 0)
-                for_each_index<D>(send_low, send_high, [&](const Index<D>& c) { out.push_back(field(c)); });
-            if (from < 0 && to < 0)
+        for (int end = 0; end < 2; ++end) {
+            if (neighbour(end) < 0)
                 continue;
-            if (to == grid.comm().rank() && from == to) {
-                in.swap(out);
-            } else {
-                in.resize((take_high - take_low).template cast<long>().prod());
-                MPI_Sendrecv(out.data(), static_cast<int>(out.size()), mpi_type<T>(), to >= 0 ? to : MPI_PROC_NULL,
-                             2 * axis + end, in.data(), static_cast<int>(in.size()), mpi_type<T>(),
-                             from >= 0 ? from : MPI_PROC_NULL, 2 * axis + end, grid.comm().mpi(), MPI_STATUS_IGNORE);
-            }
-            if (from >= 0) {
-                const T* value = in.data();
-                for_each_index<D>(take_low, take_high, [&](const Index<D>& c) { field(c) = *value++; });
-            }
+            out[end].resize(size);
+            T* to = out[end].data();
+            for_each_row<D>(inner[end].low, inner[end].high,
+                            [&](const Index<D>& first) { to = std::copy_n(&field(first), row, to); });
+            if (is_other(end))
+                MPI_Isend(out[end].data(), static_cast<int>(size), mpi_type<T>(), neighbour(end), 2 * axis + end,
+                          grid.comm().mpi(), &requests[pending++]);
         }
+        MPI_Waitall(pending, requests, MPI_STATUSES_IGNORE);
+        for (int end = 0; end < 2; ++end) {
+            if (neighbour(end) < 0)
+                continue;
+            const T* from = (is_other(end) ? in[end] : out[1 - end]).data();
+            for_each_row<D>(ghosts[end].low, ghosts[end].high, [&](const Index<D>& first) {
+                std::copy_n(from, row, &field(first));
+                from += row;
+            });
+        }
+    }
 }
 
 template <int D, class T>
