@@ -297,9 +297,9 @@ Eigen::MatrixXd component_impulses(const Coupling<D>& coupling, Eigen::VectorXd&
     };
     for (const auto& entry : coupling.cell_flux)
         add(system.component(entry.row), entry.body, entry.flux);
-    coupling.grid->comm().sum(std::span<double>(sums.data(), static_cast<std::size_t>(sums.size())));
     for (const auto& entry : coupling.node_flux)
         add(system.node_component[entry.row], entry.body, entry.flux);
+    coupling.grid->comm().sum(std::span<double>(sums.data(), static_cast<std::size_t>(sums.size())));
     magnitude = sums.row(dofs).cwiseSqrt();
     return sums.topRows(dofs);
 }

@@ -1,5 +1,6 @@
 #include "gapflow/coupling/coupling.hpp"
 
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/coupling/film_rows.hpp"
 #include "gapflow/grid/body_flux.hpp"
@@ -150,8 +151,8 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
             add_block(coupling.free_body[s], coupling.free_body[s],
                       admissible_mass<D>(coupling.solids[s].admissible, mass[s], mass[s](0, 0)));
         }
-    std::map<std::pair<int, int>, TwistMatrix<D>> blocks;
-    std::pair<int, int> last[4]; // elements of a film come one after the other
+    std::map<std::pair<int, int>, TwistMatrix<D>> blocks; // of this rank's films
+    std::pair<int, int> last[4];                          // elements of a film come one after the other
     TwistMatrix<D>* last_block[4] = {};
     auto add_inertia = [&](const NormalInertia<D>& inertia) {
         const int a = coupling.free_body[inertia.master], b = coupling.free_body[inertia.other];
@@ -175,8 +176,12 @@ void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
         add_inertia(inertia);
     for (const DragInertia<D>& drag : coupling.drag_inertia)
         add_inertia(drag.inertia);
+    using Block = std::pair<std::array<int, 2>, TwistMatrix<D>>;
+    std::vector<Block> own;
     for (const auto& [place, block] : blocks)
-        add_block(place.first, place.second, block);
+        own.push_back({{place.first, place.second}, block});
+    for (const auto& [place, block] : all_values(coupling.grid->comm(), own))
+        add_block(place[0], place[1], block);
     const int dofs = n * coupling.system.bodies;
     coupling.system.mass.resize(dofs, dofs);
     coupling.system.mass.setFromTriplets(entries.begin(), entries.end());
@@ -226,18 +231,24 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     for (const Solid<D>& solid : coupling.solids)
         coupling.free_body.push_back(solid.motion == Motion::free ? coupling.system.bodies++ : -1);
     coupling.system.nodes = coupling.network.nodes;
+    if (grid.comm().size() > 1) {
+        coupling.system.own_node.assign(coupling.network.nodes, 0);
+        for (const Film<D>& film : coupling.network.films)
+            std::fill_n(coupling.system.own_node.begin() + film.first_node, film.mesh.h.size(), film.here);
+    }
 
     timer.emplace(timers.stage("system"));
     fill_grid(coupling);
-    FluxRows<D> rows;
     timer.emplace(timers.stage("films"));
     const DragTerms terms = drag ? drag(coupling) : DragTerms{};
     if (options.viscosity_dt > 0)
         find_drag(coupling, options.viscosity_dt, mass, terms);
-    assemble_films(coupling, rows);
-    timer.emplace(timers.stage("system"));
-    fill_flux(coupling, rows);
-    rows = {}; // large
+    {
+        FluxRows<D> rows(coupling.system); // large
+        assemble_films(coupling, rows);
+        timer.emplace(timers.stage("system"));
+        fill_flux(coupling, rows);
+    }
     fill_mass(coupling, mass);
     coupling.system.response = BodyResponse(coupling.system.mass, {}, {});
     find_components(coupling);
@@ -299,9 +310,10 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
     const int dofs = n * coupling.system.bodies;
     if (dofs == 0)
         return result;
-    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(dofs);
+    const Communicator& comm = coupling.grid->comm();
+    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(dofs); // of each rank's films; on one of them of the bodies too
     for (std::size_t s = 0; s < twists.size(); ++s)
-        if (const int b = coupling.free_body[s]; b >= 0)
+        if (const int b = coupling.free_body[s]; b >= 0 && comm.root())
             momentum.segment<n>(n * b) += mass[s] * twists[s];
     auto add = [&](const NormalInertia<D>& inertia, double speed) {
         const int a = coupling.free_body[inertia.master], b = coupling.free_body[inertia.other];
@@ -314,10 +326,13 @@ std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std
         if (b >= 0)
             momentum.segment<n>(n * b) += inertia.mass * speed * inertia.row_other;
     };
-    for (std::size_t e = 0; e < coupling.normal_inertia.size(); ++e)
-        add(coupling.normal_inertia[e], film_normal[e]);
+    auto inertia = coupling.normal_inertia.begin();
+    for (const Film<D>& film : coupling.network.films)
+        for (std::size_t e = 0; film.here && e < film.mesh.elements.size(); ++e)
+            add(*inertia++, film_normal[film.first_element + e]);
     for (const DragInertia<D>& drag : coupling.drag_inertia)
         add(drag.inertia, drag.speed);
+    comm.sum(std::span<double>(momentum.data(), momentum.size()));
     for (std::size_t s = 0; s < twists.size(); ++s)
         if (coupling.free_body[s] >= 0)
             result[s].setZero();

@@ -95,17 +95,17 @@ struct Coupling {
 
     CoupledSystem<D> system;    ///< the free bodies' part, with rows K_b P_b and masses P M P + m (1 - P) (Solid::admissible)
     std::vector<int> free_body; ///< number of each solid among the free bodies, -1: none
-    /// K of all solids but walls; `body` is the solid. The system contains the free bodies' share of it.
+    /// K of all solids but walls, in this rank's cells and own nodes; `body` is the solid. The system contains the free bodies' share of it.
     std::vector<BodyFlux<D, Index<D>>> cell_flux;
     std::vector<BodyFlux<D, int>> node_flux;
-    std::vector<NormalInertia<D>> normal_inertia; ///< one for each film element
+    std::vector<NormalInertia<D>> normal_inertia; ///< one for each element of this rank's films, in their order
     std::vector<Drag> element_drag, mouth_drag;   ///< one for each film element or mouth; empty without viscosity
     std::vector<std::vector<CarriedCell>>
         cells_behind; ///< of each mouth: the cells that the walls' flux enters; empty: those of its pressure
-    std::vector<DragInertia<D>> drag_inertia;
-    Eigen::VectorXd held_speed;       ///< of the contacts in system.contact, less the share of solids that are not free
-    Eigen::VectorXd held_impulse;     ///< expected of them
-    std::vector<SealedPocket> sealed; ///< components that touch no open side, but the first (largest) one
+    std::vector<DragInertia<D>> drag_inertia; ///< of this rank's films
+    Eigen::VectorXd held_speed;               ///< of the contacts in system.contact, less the share of solids that are not free
+    Eigen::VectorXd held_impulse;             ///< expected of them
+    std::vector<SealedPocket> sealed;         ///< components that touch no open side, but the first (largest) one
 };
 
 struct CouplingOptions {

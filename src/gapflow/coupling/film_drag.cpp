@@ -266,6 +266,8 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
             drag.wet = wet.elements.empty() ? 1.0 : wet.elements[number];
             coupling.element_drag.push_back(drag);
             for (const Vec<D>& t : tangents<D>(e.normal)) {
+                if (!film.here)
+                    break;
                 const WallRows<D> rows = wall_rows(coupling, mesh, e, t, drag.wet);
                 coupling.drag_inertia.push_back(
                     {{mesh.master, mesh.other, rows.master, rows.other, drag.wet * rho * e.volume * drag.theta},
@@ -290,6 +292,8 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
                             shuts[c.film].mouth_beta(rho * c.resistance / c.length));
         drag.wet = wet.mouths.empty() ? 1.0 : wet.mouths[r];
         coupling.mouth_drag.push_back(drag);
+        if (!coupling.network.films[c.film].here)
+            continue;
         coupling.drag_inertia.push_back(
             {{mesh.master, mesh.other, (1 - 0.5 * drag.wet) * wrench<D>(c.outward, c.x - coupling.solids[mesh.master].centre),
               0.5 * drag.wet * wrench<D>(c.outward, c.x - coupling.solids[mesh.other].centre - mesh.shift),
@@ -385,7 +389,7 @@ double film_loss(const Coupling<D>& coupling, const std::vector<Twist<D>>& twist
             speed - inertia.row_master.dot(twists[inertia.master]) - inertia.row_other.dot(twists[inertia.other]);
         loss += inertia.mass / kappa * lag * lag;
     }
-    return loss;
+    return coupling.grid->comm().sum(loss);
 }
 
 template <int D>
@@ -399,6 +403,7 @@ std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vect
         impulse[inertia.master] += inertia.mass * lag * inertia.row_master;
         impulse[inertia.other] += inertia.mass * lag * inertia.row_other;
     }
+    coupling.grid->comm().sum(std::span<double>(impulse.data()->data(), impulse.size() * twist_size<D>));
     return impulse;
 }
 

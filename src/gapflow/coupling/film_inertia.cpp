@@ -1,4 +1,5 @@
 #include "gapflow/coupling/film_inertia.hpp"
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/core/sparse_cholesky.hpp"
 #include "gapflow/core/threads.hpp"
 
@@ -33,10 +34,16 @@ public:
         of(inertia.master, inertia.other) += inertia.mass * row * row.transpose();
     }
 
+    /// Of all ranks. Collective.
     std::vector<FilmInertia<D>> list() const
     {
-        std::vector<FilmInertia<D>> films;
+        std::vector<FilmInertia<D>> own, films;
         for (const auto& [pair, matrix] : sums_)
+            own.push_back({pair.first, pair.second, matrix});
+        Pairs all(coupling_); // images of a pair may be several ranks'
+        for (const FilmInertia<D>& film : all_values(coupling_.grid->comm(), own))
+            all.of(film.a, film.b) += film.matrix;
+        for (const auto& [pair, matrix] : all.sums_)
             if (!matrix.isZero(0))
                 films.push_back({pair.first, pair.second, 0.5 * (matrix + matrix.transpose())});
         return films;
@@ -74,7 +81,7 @@ void add_pressure(const Coupling<D>& coupling, const std::vector<char>& is_void,
     std::vector<int> film_of(system.nodes, -1);
     for (std::size_t f = 0; f < films.size(); ++f) {
         const auto count = static_cast<int>(films[f].mesh.h.size());
-        if (count <= most_nodes && films[f].pair.master != films[f].pair.other)
+        if (films[f].here && count <= most_nodes && films[f].pair.master != films[f].pair.other)
             std::fill_n(film_of.begin() + films[f].first_node, count, static_cast<int>(f));
     }
     auto counts = [&](int node) { return film_of[node] >= 0 && (is_void.empty() || !is_void[node]); };

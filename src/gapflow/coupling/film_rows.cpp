@@ -14,7 +14,9 @@ namespace gapflow {
 
 namespace {
 
-constexpr long items_a_chunk = 256;   // of a thread's work
+constexpr long items_a_chunk = 256; // of a thread's work
+constexpr int cells_around_points =
+    5; // in which a film's share of rows may lie, beside its mouths' cells: those of faces behind its mouths, four cells away
 constexpr double equally_near = 1e-9; // squares of distances that differ by this part are the same
 
 template <int D>
@@ -27,10 +29,10 @@ public:
 
     void assemble()
     {
-        rows_.nodes.assign(network_.nodes, {});
         if (D == 2 && !coupling_.mouth_drag.empty())
             closed_areas_ = closed_areas(grid_, network_);
         find_mouths();
+        find_films();
         assemble_elements();
         assemble_closed_faces();
         assemble_other_walls();
@@ -39,6 +41,39 @@ public:
     }
 
 private:
+    /// A box of cells; they may lie beyond a periodic domain.
+    struct CellBox {
+        Index<D> low = Index<D>::Constant(std::numeric_limits<int>::max()),
+                 high = Index<D>::Constant(std::numeric_limits<int>::min());
+
+        void add(const Index<D>& cell)
+        {
+            low = low.cwiseMin(cell);
+            high = high.cwiseMax(cell);
+        }
+        void widen(int cells)
+        {
+            low.array() -= cells;
+            high.array() += cells;
+        }
+        /// Whether an image of the box has cells in common with the other.
+        bool meets(const CellBox& other, const Grid<D>& grid) const
+        {
+            if ((other.low.array() > other.high.array()).any())
+                return false;
+            for (int axis = 0; axis < D; ++axis) {
+                const int period = grid.periodic(axis) ? grid.cells()[axis] : 0;
+                bool meets = false;
+                for (int image = -1; image <= 1; ++image)
+                    meets = meets ||
+                            (low[axis] + image * period <= other.high[axis] && high[axis] + image * period >= other.low[axis]);
+                if (!meets)
+                    return false;
+            }
+            return true;
+        }
+    };
+
     struct Third {
         long key;
         int solid;
@@ -82,15 +117,48 @@ private:
                 mouths_[mouth.film].push_back(&mouth);
     }
 
+    // The films that this rank assembles: its own, and those whose mouths or closest points lie in its cells or among its own films' cells.
+    void find_films()
+    {
+        assembled_.assign(network_.films.size(), 1);
+        if (grid_.comm().size() == 1)
+            return;
+        CellBox own_cells;
+        for (const auto& [key, cell] : network_.cells.cells)
+            if (cell.kind == CellKind::film && film(cell.owner).here)
+                own_cells.add(grid_.cell_of_key(key));
+        CellBox block;
+        block.add(grid_.low());
+        block.add(grid_.high() - Index<D>::Ones());
+        for_each_job(static_cast<int>(network_.films.size()), [&](int k) {
+            CellBox points;
+            for (const Vec<D>& y : film(k).mesh.y)
+                points.add(grid_.cell_of(y));
+            points.widen(cells_around_points);
+            assembled_[k] = film(k).here || points.meets(block, grid_) || points.meets(own_cells, grid_);
+            for (const Mouth<D>* mouth : mouths_[k])
+                for (const auto& entry : mouth->cells)
+                    assembled_[k] = assembled_[k] || grid_.owns(grid_.cell_of_key(entry.first));
+        });
+    }
+
     // Stiffness S / rho grad N_i . grad N_j (harmonic on coarse elements), the flux that moves with the master, and
     // inertia across the gap.
     void assemble_elements()
     {
-        coupling_.normal_inertia.resize(network_.elements);
+        std::vector<std::size_t> first(network_.films.size()); // of a film's elements among this rank's
+        std::size_t elements = 0;
+        for (std::size_t k = 0; k < first.size(); ++k) {
+            first[k] = elements;
+            elements += network_.films[k].here ? network_.films[k].mesh.elements.size() : 0;
+        }
+        coupling_.normal_inertia.resize(elements);
         std::vector<std::vector<Column>> columns(network_.films.size());
         for_each_job(static_cast<int>(network_.films.size()), [&](int k) {
             const Film<D>& f = film(k);
             const FilmMesh<D>& mesh = f.mesh;
+            if (!f.here)
+                return;
             for (std::size_t number = 0; number < mesh.elements.size(); ++number) {
                 const FilmElement<D>& e = mesh.elements[number];
                 const NormalRows<D> normal = normal_rows<D>(mesh, e, coupling_.solids);
@@ -102,22 +170,26 @@ private:
                                        lean * (normal.master - across));
                     rows_.add_node(f.first_node + e.nodes[i], mesh.other, lean * normal.other);
                 }
-                coupling_.normal_inertia[f.first_element + number] = {mesh.master, mesh.other, normal.master, normal.other,
-                                                                      coupling_.density * e.volume};
+                coupling_.normal_inertia[first[k] + number] = {mesh.master, mesh.other, normal.master, normal.other,
+                                                               coupling_.density * e.volume};
                 if (!coupling_.element_drag.empty())
                     add_entrainment(f, e);
             }
             columns[k] = stiffness(f);
         });
         Eigen::SparseMatrix<double>& matrix = coupling_.system.film;
+        long nodes = 0;
+        for (const std::vector<Column>& of_film : columns)
+            nodes += static_cast<long>(of_film.size());
         matrix.resize(network_.nodes, network_.nodes);
-        matrix.reserve(static_cast<long>(D == 2 ? 3 : 8) * network_.nodes);
+        matrix.reserve((D == 2 ? 3 : 8) * nodes);
         for (std::size_t k = 0; k < columns.size(); ++k)
-            for (std::size_t j = 0; j < columns[k].size(); ++j) {
-                const int first = network_.films[k].first_node, column = first + static_cast<int>(j);
+            for (std::size_t j = 0; j < network_.films[k].mesh.h.size(); ++j) {
+                const int film_begin = network_.films[k].first_node, column = film_begin + static_cast<int>(j);
                 matrix.startVec(column);
-                for (const auto& [i, value] : columns[k][j])
-                    matrix.insertBack(first + i, column) = value;
+                if (!columns[k].empty())
+                    for (const auto& [i, value] : columns[k][j])
+                        matrix.insertBack(film_begin + i, column) = value;
             }
         matrix.finalize();
     }
@@ -177,6 +249,9 @@ private:
     void assemble_closed_faces()
     {
         for_each_closed_face(grid_, network_, [&](int k, const ClosedArea<D>& face, const Index<D>& offset) {
+            const FilmCell<D>* cell = network_.cells.cells.find(face.key);
+            if (cell && cell->kind == CellKind::film ? !assembled_[cell->owner] : !grid_.owns(grid_.cell_of_key(face.key)))
+                return;
             const int master = film(k).mesh.master;
             closed_flux_[face.key].push_back({master, wrench<D>(face.area, face.x - centre(master)),
                                               centre(master) - grid_.dx() * offset.template cast<double>()});
@@ -236,7 +311,8 @@ private:
         assemble_points(remainder, lost);
         const std::vector<Nearest> nearest = nearest_mouths();
         for (std::size_t i = 0; i < cells.size(); ++i)
-            if (const auto& [key, cell] = cells.item(static_cast<int>(i)); cell.kind == CellKind::film)
+            if (const auto& [key, cell] = cells.item(static_cast<int>(i));
+                cell.kind == CellKind::film && assembled_[cell.owner])
                 add_to_mouths(cell.owner, nearest[i], remainder[i], lost);
         for (int k = 0; k < static_cast<int>(network_.films.size()); ++k)
             if (!lost[k].isZero(0))
@@ -247,7 +323,7 @@ private:
     void add_own_flux(const typename KeyMap<FilmCell<D>>::Item& item, Twist<D>& remainder, std::vector<Third>& thirds) const
     {
         const auto& [key, cell] = item;
-        if (cell.kind != CellKind::film)
+        if (cell.kind != CellKind::film || !assembled_[cell.owner])
             return;
         const FilmMesh<D>& mesh = film(cell.owner).mesh;
         const Vec<D> here = grid_.dx() * cell.offset(cell.owner).template cast<double>();
@@ -271,13 +347,18 @@ private:
     {
         const int films = static_cast<int>(network_.films.size());
         std::vector<std::vector<Leaving>> leaving(films);
-        for_each_job(films, [&](int k) { leaving[k] = leaving_points(k, remainder, lost[k]); });
+        for_each_job(films, [&](int k) {
+            if (assembled_[k])
+                leaving[k] = leaving_points(k, remainder, lost[k]);
+        });
         for (const std::vector<Leaving>& of_film : leaving)
             for (const Leaving& point : of_film)
                 if (point.owner > point.film)
                     add_leaving(point);
         for_each_job(films, [&](int k) {
             const FilmMesh<D>& mesh = film(k).mesh;
+            if (!film(k).here)
+                return;
             for (const FilmPoint<D>& point : mesh.points)
                 add_at_point(k, point, mesh.other, other_centre(mesh),
                              wrench<D>(point.area, point.area_centroid - other_centre(mesh)), 1.0);
@@ -319,7 +400,7 @@ private:
         const FilmMesh<D>& mesh = film(point.film).mesh;
         if (point.owner < 0)
             add_relative(to_cell(point.key), mesh, mesh.other, other_centre(mesh), point.flux, -1.0);
-        else
+        else if (film(point.owner).here)
             add_in_film_cell(*network_.cells.cells.find(point.key), point.film, grid_.cell_of_key(point.key), point.flux, -1.0);
     }
 
@@ -362,7 +443,7 @@ private:
         for_each_part(static_cast<long>(cells.size()), [&](long begin, long end) {
             for (long k = begin; k < end; ++k) {
                 const auto& [key, cell] = cells.item(static_cast<int>(k));
-                if (cell.kind != CellKind::film)
+                if (cell.kind != CellKind::film || !assembled_[cell.owner])
                     continue;
                 const Vec<D> x = grid_.cell_centre(grid_.cell_of_key(key) + cell.offset(cell.owner));
                 const std::vector<Vec<D>>& places = mouth_places_[cell.owner];
@@ -431,8 +512,10 @@ private:
     // A third body's flux in a film cell goes to the nearest point's nodes, relative to the master.
     void assemble_third_bodies()
     {
-        std::erase_if(third_,
-                      [&](const Third& third) { return third.flux.template head<D>().norm() <= 1e-14 * grid_.face_area(); });
+        std::erase_if(third_, [&](const Third& third) {
+            return !film(network_.cells.cells.find(third.key)->owner).here ||
+                   third.flux.template head<D>().norm() <= 1e-14 * grid_.face_area();
+        });
         std::vector<Nearest> nearest(third_.size());
         for_each_part(static_cast<long>(third_.size()), [&](long begin, long end) {
             for (long i = begin; i < end; ++i)
@@ -473,7 +556,8 @@ private:
                 link.nodes.emplace_back(mouth.nodes[i], mouth.shape[i]);
             for (const auto& [key, weight] : mouth.cells)
                 link.cells.emplace_back(key, -weight);
-            add_mouth(coupling_, links.size(), 1.0, rows_);
+            if (assembled_[mouth.film])
+                add_mouth(coupling_, links.size(), 1.0, rows_);
             links.push_back(std::move(link));
         }
         for (const Joint<D>& joint : network_.rim.joints) {
@@ -491,6 +575,7 @@ private:
     const Grid<D>& grid_;
     const FilmNetwork<D>& network_;
     const FaceCache<D>& faces_;
+    std::vector<char> assembled_;                      ///< whether this rank assembles each film
     std::vector<std::vector<const Mouth<D>*>> mouths_; ///< of each film, those that end in cells
     std::vector<std::vector<Vec<D>>> mouth_places_;    ///< where they are
     KeyMap<std::vector<CellFlux>> closed_flux_;
@@ -519,8 +604,7 @@ void append_rows(Coupling<D>& coupling, const FluxRows<D>& rows, std::vector<Bod
         }
     };
     for (const auto& [key, fluxes] : rows.cells)
-        if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
-            append(coupling.cell_flux, coupling.system.cell_flux, c, fluxes);
+        append(coupling.cell_flux, coupling.system.cell_flux, grid.cell_of_key(key), fluxes);
     for (int node = 0; node < static_cast<int>(rows.nodes.size()); ++node)
         append(coupling.node_flux, free_nodes, node, rows.nodes[node]);
 }

@@ -8,16 +8,27 @@
 
 namespace gapflow {
 
-/// K while it is assembled: flux rows of cells (all of the grid's that films touch) and of film nodes.
+/// K while it is assembled: flux rows of this rank's cells that films touch and of its film nodes. What is added to others is left out.
 template <int D>
 struct FluxRows {
+    explicit FluxRows(const CoupledSystem<D>& of) : nodes(of.nodes), system(of) {}
+
     /// Flux per unit twist of the few solids in a row, in the order in which they were added.
     using Row = InlineVector<std::pair<int, Twist<D>>, 2>;
     KeyMap<Row> cells;      ///< by Grid::key
     std::vector<Row> nodes; ///< of film nodes
+    const CoupledSystem<D>& system;
 
-    void add_cell(long key, int solid, const Twist<D>& flux) { add(cells[key], solid, flux); }
-    void add_node(int node, int solid, const Twist<D>& flux) { add(nodes[node], solid, flux); }
+    void add_cell(long key, int solid, const Twist<D>& flux)
+    {
+        if (system.grid->owns(system.grid->cell_of_key(key)))
+            add(cells[key], solid, flux);
+    }
+    void add_node(int node, int solid, const Twist<D>& flux)
+    {
+        if (system.owns(node))
+            add(nodes[node], solid, flux);
+    }
 
 private:
     static void add(Row& row, int solid, const Twist<D>& flux)
@@ -32,7 +43,7 @@ private:
 };
 
 /// Adds all contributions of films to K (except the grid's own J of bulk and mixed cells), and fills the system's film
-/// matrix and links and the coupling's normal inertia. The same on every rank.
+/// matrix and links and the coupling's normal inertia.
 template <int D>
 void assemble_films(Coupling<D>& coupling, FluxRows<D>& rows);
 

@@ -74,8 +74,6 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
         out.cells(entry.row) += value;
         squares += value * value;
     }
-    if (sum_of_squares)
-        squares = grid.comm().sum(squares);
 
     auto add_node = [&](int node, double value) {
         out.nodes[node] += value;
@@ -84,7 +82,7 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
     for (const auto& entry : coupling.node_flux)
         add_node(entry.row, entry.flux.dot(twists[entry.body]));
     for (const Film<D>& film : coupling.network.films)
-        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+        for (std::size_t e = 0; film.here && e < film.mesh.elements.size(); ++e) {
             const FilmElement<D>& element = film.mesh.elements[e];
             for (int i = 0; i < D; ++i)
                 add_node(film.first_node + element.nodes[i],
@@ -92,14 +90,15 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
         }
     const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
     for (std::size_t r = 0; r < mouths.size(); ++r) {
-        for (int i = 0; i < D - 1; ++i)
+        for (int i = 0; i < D - 1 && coupling.network.films[mouths[r].film].here; ++i)
             add_node(mouths[r].nodes[i], mouths[r].shape[i] * u.mouth[r]);
         for (const auto& [key, weight] : mouths[r].cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
                 out.cells(c) -= weight * u.mouth[r];
     }
+    grid.comm().sum(std::span<double>(out.nodes.data(), out.nodes.size()));
     if (sum_of_squares)
-        *sum_of_squares = squares + squares_of_round_off(coupling, twists);
+        *sum_of_squares = grid.comm().sum(squares) + squares_of_round_off(coupling, twists);
 }
 
 template <int D>
@@ -176,9 +175,9 @@ std::vector<Twist<D>> impulses(const Coupling<D>& coupling, const UnknownVector<
     };
     for (const auto& entry : coupling.cell_flux)
         add(entry.body, p.cells(entry.row) * entry.flux);
-    coupling.grid->comm().sum(sums);
     for (const auto& entry : coupling.node_flux)
         add(entry.body, p.nodes[entry.row] * entry.flux);
+    coupling.grid->comm().sum(sums);
     std::vector<Twist<D>> result(coupling.solids.size());
     for (std::size_t s = 0; s < result.size(); ++s)
         result[s] = Eigen::Map<const Twist<D>>(&sums[n * s]);

@@ -69,11 +69,13 @@ struct CoupledSystem {
     /// connect the cells that the films join.
     std::vector<FilmFace<D>> film_faces;
     int nodes = 0;
-    Eigen::SparseMatrix<double> film;             ///< nodes x nodes, symmetric, positive semidefinite; the same on all ranks
+    /// Nodes whose rows this rank has: each is one rank's. Empty: every rank has all rows.
+    std::vector<char> own_node;
+    Eigen::SparseMatrix<double> film;             ///< nodes x nodes, symmetric, positive semidefinite; the columns of own nodes
     std::vector<Link> links;                      ///< the same list on all ranks
     int bodies = 0;                               ///< free bodies; dof = twist_size<D> * body + component
     std::vector<BodyFlux<D, Index<D>>> cell_flux; ///< K in this rank's cells
-    std::vector<BodyFlux<D, int>> node_flux;      ///< K in film nodes, the same on all ranks
+    std::vector<BodyFlux<D, int>> node_flux;      ///< K in own film nodes
     Eigen::SparseMatrix<double> mass;             ///< dofs x dofs, symmetric positive definite; the same on all ranks
     /// Contacts that hold the bodies: C, rows x dofs, and the resistance of each. M^-1 in this system stands for
     /// BodyResponse(mass, contact, contact_resistance).
@@ -87,6 +89,8 @@ struct CoupledSystem {
     /// Null vectors of L + K M^-1 K^T: combinations of the components' constants, orthonormal coefficients
     /// (components x null vectors), found by coupling (kernel of K^T on the floating components).
     Eigen::MatrixXd null_space;
+
+    bool owns(int node) const { return own_node.empty() || own_node[node]; }
 };
 
 } // namespace gapflow

@@ -53,7 +53,7 @@ void WetSystem<D>::take_out(const std::vector<char>& is_void, const Eigen::Vecto
             if (!is_void[entry.row()] && !is_void[column])
                 entries.emplace_back(static_cast<int>(entry.row()), column, entry.value());
     for (int node = 0; node < system.nodes; ++node)
-        if (is_void[node]) // any number: the row has no other entry, and its right-hand side is 0
+        if (is_void[node] && system.owns(node)) // any number: the row has no other entry, and its right-hand side is 0
             entries.emplace_back(node, node, 1.0);
     system.film.setFromTriplets(entries.begin(), entries.end());
 
@@ -81,8 +81,7 @@ void WetSystem<D>::close(const std::vector<char>& shut)
     coupling_.node_flux.resize(entries_[1]);
     system.cell_flux.resize(entries_[2]);
     node_flux_.resize(entries_[3]);
-    FluxRows<D> rows;
-    rows.nodes.resize(system.nodes);
+    FluxRows<D> rows(system);
     for (std::size_t r = 0; r < shut.size(); ++r)
         if (shut[r])
             add_mouth(coupling_, r, -1.0, rows);
@@ -113,9 +112,13 @@ typename WetSystem<D>::Outcome WetSystem<D>::outcome(const UnknownVector<D>& p, 
     UnknownVector<D> all = p;
     all.nodes += b_.nodes;
     Outcome outcome;
+    const Communicator& comm = coupling_.grid->comm();
     outcome.outflow = star_outflow_ + film_outflow(all, &outcome.drop).nodes;
+    if (!comm.root()) // each rank adds its nodes' part
+        outcome.outflow.setZero();
     for (const auto& entry : coupling_.node_flux)
         outcome.outflow[entry.row] += entry.flux.dot(twists[entry.body] - star_twists_[entry.body]);
+    comm.sum(std::span<double>(outcome.outflow.data(), outcome.outflow.size()));
     return outcome;
 }
 
@@ -126,7 +129,7 @@ UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p, std::vect
     const Grid<D>& grid = *coupling_.grid;
     UnknownVector<D> out{CellField<D>(grid), Eigen::VectorXd::Zero(coupling_.system.nodes)};
     for (const Film<D>& film : coupling_.network.films)
-        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+        for (std::size_t e = 0; film.here && e < film.mesh.elements.size(); ++e) {
             const FilmElement<D>& element = film.mesh.elements[e];
             Vec<D> gradient = Vec<D>::Zero();
             for (int i = 0; i < D; ++i)
@@ -147,11 +150,13 @@ UnknownVector<D> WetSystem<D>::film_outflow(const UnknownVector<D>& p, std::vect
             sums[r] += weight * p.nodes[node];
         const double flux = link.conductance * sums[r];
         for (const auto& [node, weight] : link.nodes)
-            out.nodes[node] += weight * flux;
+            if (coupling_.system.owns(node))
+                out.nodes[node] += weight * flux;
         for (const auto& [key, weight] : link.cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
                 out.cells(c) += weight * flux;
     }
+    grid.comm().sum(std::span<double>(out.nodes.data(), out.nodes.size()));
     if (drop)
         drop->assign(sums.begin(), sums.begin() + static_cast<long>(coupling_.network.rim.mouths.size()));
     return out;

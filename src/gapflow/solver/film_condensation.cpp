@@ -13,11 +13,13 @@
 #include "gapflow/solver/film_condensation.hpp"
 
 #include "gapflow/core/disjoint_sets.hpp"
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/solver/film_edges.hpp"
 #include "gapflow/solver/weak_films.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace gapflow {
 
@@ -37,16 +39,22 @@ constexpr double constant = 1e-6; // what rows of H may sum to besides 1: a film
 template <int D>
 FilmCondensation<D>::FilmCondensation(const CoupledSystem<D>& system) : system_(system)
 {
-    std::vector<Film> all = connected_nodes();
-    std::size_t inner = 0;
-    for (const Film& film : all)
-        inner += film.rim.empty() ? 0 : film.inner.size();
-    if (static_cast<double>(inner) < worthwhile * static_cast<double>(system.grid->cells().template cast<long>().prod()))
+    const Communicator& comm = system.grid->comm();
+    std::vector<Film> own = connected_nodes();
+    long inner = 0;
+    for (const Film& film : own)
+        inner += film.rim.empty() ? 0 : static_cast<long>(film.inner.size());
+    if (!system.own_node.empty())
+        inner = comm.sum(inner);
+    const bool worth =
+        static_cast<double>(inner) >= worthwhile * static_cast<double>(system.grid->cells().template cast<long>().prod());
+    reduces_ = system.nodes > 0 && (worth || !system.own_node.empty());
+    if (!reduces_)
         return;
-    const int count = static_cast<int>(all.size());
+    const int count = static_cast<int>(own.size());
     std::vector<int> film_of(system.nodes);
     for (int f = 0; f < count; ++f)
-        for (const std::vector<int>* nodes : {&all[f].inner, &all[f].rim})
+        for (const std::vector<int>* nodes : {&own[f].inner, &own[f].rim})
             for (int i : *nodes)
                 film_of[i] = f;
     std::vector<std::vector<long>> fluxes(count); // entries of K
@@ -54,34 +62,45 @@ FilmCondensation<D>::FilmCondensation(const CoupledSystem<D>& system) : system_(
         fluxes[film_of[system.node_flux[e].row]].push_back(static_cast<long>(e));
     int weak = 0;
     const std::vector<int> weak_film = weak_films(system, weak);
-    std::vector<char> condensed(count, 0);
-    std::vector<Rim> rims(count);
+    std::vector<Remainder> left(count);
     for_each_job(count, [&](int f) {
-        condensed[f] = !all[f].inner.empty() && weak_film[all[f].inner.front()] < 0 && condense(all[f], fluxes[f], rims[f]);
+        left[f].condensed =
+            worth && !own[f].inner.empty() && weak_film[own[f].inner.front()] < 0 && condense(own[f], fluxes[f], left[f]);
+        if (!left[f].condensed)
+            left[f] = whole(own[f], fluxes[f]);
     });
-
-    std::vector<Rim> used;
-    std::vector<long> other_fluxes;
-    number_.assign(system.nodes, 0);
-    for (int f = 0; f < count; ++f) {
-        if (!condensed[f]) {
-            other_fluxes.insert(other_fluxes.end(), fluxes[f].begin(), fluxes[f].end());
-            continue;
-        }
-        for (int i : all[f].inner)
-            number_[i] = -1;
-        films_.push_back(std::move(all[f]));
-        used.push_back(std::move(rims[f]));
+    for (int f = 0; f < count; ++f)
+        if (left[f].condensed)
+            films_.push_back(std::move(own[f]));
+    if (system.own_node.empty()) {
+        reduces_ = !films_.empty();
+        if (reduces_)
+            assemble(left);
+    } else {
+        assemble(of_all_ranks(std::move(left)));
     }
-    if (empty())
-        return;
-    int left = 0;
-    for (int& number : number_)
-        number = number < 0 ? -1 : left++;
-    reduced_ = system;
-    reduced_.nodes = left;
-    assemble(used, other_fluxes);
-    update_bodies();
+    if (reduces_)
+        update_bodies();
+}
+
+// In the order of their first nodes.
+template <int D>
+std::vector<typename FilmCondensation<D>::Remainder> FilmCondensation<D>::of_all_ranks(std::vector<Remainder> left) const
+{
+    std::vector<int> at(system_.nodes, -1); // by the first node
+    for (std::size_t f = 0; f < left.size(); ++f)
+        at[left[f].nodes.front()] = static_cast<int>(f);
+    const std::size_t own = left.size();
+    exchange_items(
+        system_.grid->comm(), at.size(), [&](std::size_t i) { return at[i] >= 0 && at[i] < static_cast<int>(own); },
+        [&](ByteWriter& out, std::size_t i) { left[at[i]].each_field(out); },
+        [&](ByteReader& in, std::size_t i) {
+            at[i] = static_cast<int>(left.size());
+            left.emplace_back().each_field(in);
+        });
+    std::sort(left.begin(), left.end(),
+              [](const Remainder& a, const Remainder& b) { return a.nodes.front() < b.nodes.front(); });
+    return left;
 }
 
 template <int D>
@@ -100,12 +119,14 @@ std::vector<typename FilmCondensation<D>::Film> FilmCondensation<D>::connected_n
     const std::vector<int> set = sets.numbers(count);
     std::vector<Film> films(count);
     for (int i = 0; i < system_.nodes; ++i)
-        (linked[i] ? films[set[i]].rim : films[set[i]].inner).push_back(i);
+        if (system_.owns(i))
+            (linked[i] ? films[set[i]].rim : films[set[i]].inner).push_back(i);
+    std::erase_if(films, [](const Film& film) { return film.inner.empty() && film.rim.empty(); });
     return films;
 }
 
 template <int D>
-bool FilmCondensation<D>::condense(Film& film, const std::vector<long>& fluxes, Rim& rim) const
+bool FilmCondensation<D>::condense(Film& film, const std::vector<long>& fluxes, Remainder& left) const
 {
     constexpr int n = twist_size<D>;
     const long inner = static_cast<long>(film.inner.size()), outer = static_cast<long>(film.rim.size());
@@ -135,69 +156,89 @@ bool FilmCondensation<D>::condense(Film& film, const std::vector<long>& fluxes, 
     if (!((sums.array() - 1).abs() < constant).all())
         return false;
     film.levels = sums.cwiseInverse().asDiagonal() * film.levels;
-    rim.fluid = fluid.bottomRightCorner(outer, outer) + film.to_rim.transpose() * film.levels;
+    const Eigen::MatrixXd rim_fluid = fluid.bottomRightCorner(outer, outer) + film.to_rim.transpose() * film.levels;
 
     for (long e : fluxes)
         film.bodies.push_back(system_.node_flux[e].body);
     std::sort(film.bodies.begin(), film.bodies.end());
     film.bodies.erase(std::unique(film.bodies.begin(), film.bodies.end()), film.bodies.end());
-    Eigen::MatrixXd flux = Eigen::MatrixXd::Zero(inner + outer, n * static_cast<long>(film.bodies.size()));
+    const long bodies = static_cast<long>(film.bodies.size());
+    Eigen::MatrixXd flux = Eigen::MatrixXd::Zero(inner + outer, n * bodies);
     for (long e : fluxes) {
         const BodyFlux<D, int>& entry = system_.node_flux[e];
         const long b = std::lower_bound(film.bodies.begin(), film.bodies.end(), entry.body) - film.bodies.begin();
         flux.row(place(entry.row)).template segment<n>(n * b) += entry.flux.transpose();
     }
     film.flux = flux.topRows(inner);
-    rim.flux = flux.bottomRows(outer) + film.levels.transpose() * film.flux;
-    rim.mass = film.flux.transpose() * film.factor.solve(film.flux);
-    for (std::size_t b = 0; b < film.bodies.size(); ++b)
-        for (long k = 0; k < n; ++k) {
-            const long own = n * film.bodies[b] + k, here = n * static_cast<long>(b) + k;
-            if (rim.mass(here, here) > heaviest * system_.mass.coeff(own, own))
-                return false;
-        }
+    const Eigen::MatrixXd rim_flux = flux.bottomRows(outer) + film.levels.transpose() * film.flux;
+    const Eigen::MatrixXd mass = film.flux.transpose() * film.factor.solve(film.flux);
+    const auto dof = [&](long k) { return n * film.bodies[k / n] + static_cast<int>(k % n); };
+    for (long k = 0; k < n * bodies; ++k)
+        if (mass(k, k) > heaviest * system_.mass.coeff(dof(k), dof(k)))
+            return false;
+
+    left.nodes = film.rim;
+    left.fluid.reserve(outer * outer);
+    for (long j = 0; j < outer; ++j) {
+        double sum = 0;
+        for (long i = 0; i < outer; ++i)
+            if (i != j) {
+                const double value = 0.5 * (rim_fluid(i, j) + rim_fluid(j, i));
+                left.fluid.emplace_back(film.rim[i], film.rim[j], value);
+                sum += value;
+            }
+        left.fluid.emplace_back(film.rim[j], film.rim[j], -sum);
+        for (long b = 0; b < bodies; ++b)
+            left.flux.push_back({film.rim[j], film.bodies[b], rim_flux.row(j).template segment<n>(n * b).transpose()});
+    }
+    for (long j = 0; j < n * bodies; ++j)
+        for (long i = 0; i < n * bodies; ++i)
+            left.mass.emplace_back(dof(i), dof(j), 0.5 * (mass(i, j) + mass(j, i)));
     return true;
 }
 
 template <int D>
-void FilmCondensation<D>::assemble(const std::vector<Rim>& rims, const std::vector<long>& other_fluxes)
+typename FilmCondensation<D>::Remainder FilmCondensation<D>::whole(const Film& film, const std::vector<long>& fluxes) const
 {
-    constexpr int n = twist_size<D>;
-    std::vector<Eigen::Triplet<double>> fluid, mass;
-    std::vector<char> replaced(system_.nodes, 0);
+    Remainder left;
+    std::merge(film.inner.begin(), film.inner.end(), film.rim.begin(), film.rim.end(), std::back_inserter(left.nodes));
+    for (int node : left.nodes)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(system_.film, node); entry; ++entry)
+            left.fluid.emplace_back(static_cast<int>(entry.row()), node, entry.value());
+    for (long e : fluxes)
+        left.flux.push_back(system_.node_flux[e]);
+    return left;
+}
+
+template <int D>
+void FilmCondensation<D>::assemble(const std::vector<Remainder>& films)
+{
+    number_.assign(system_.nodes, -1);
+    for (const Remainder& film : films)
+        for (int i : film.nodes)
+            number_[i] = 0;
+    int nodes = 0;
+    std::size_t entries = 0;
+    for (int& number : number_)
+        number = number < 0 ? -1 : nodes++;
+    for (const Remainder& film : films)
+        entries += film.fluid.size();
+    reduced_ = system_;
+    reduced_.nodes = nodes;
+    reduced_.own_node.clear();
     reduced_.node_flux.clear();
-    for (std::size_t f = 0; f < films_.size(); ++f) {
-        const Film& film = films_[f];
-        const Rim& rim = rims[f];
-        const long nodes = static_cast<long>(film.rim.size()), bodies = static_cast<long>(film.bodies.size());
-        for (int i : film.rim)
-            replaced[i] = 1;
-        for (long j = 0; j < nodes; ++j) {
-            const int row = number_[film.rim[j]];
-            double sum = 0;
-            for (long i = 0; i < nodes; ++i)
-                if (i != j) {
-                    const double value = 0.5 * (rim.fluid(i, j) + rim.fluid(j, i));
-                    fluid.emplace_back(number_[film.rim[i]], row, value);
-                    sum += value;
-                }
-            fluid.emplace_back(row, row, -sum);
-            for (long b = 0; b < bodies; ++b)
-                reduced_.node_flux.push_back({row, film.bodies[b], rim.flux.row(j).template segment<n>(n * b).transpose()});
+    std::vector<Entry> fluid, mass;
+    fluid.reserve(entries);
+    for (const bool condensed : {true, false})
+        for (const Remainder& film : films) {
+            if (film.condensed != condensed)
+                continue;
+            for (const Entry& entry : film.fluid)
+                fluid.emplace_back(number_[entry.row()], number_[entry.col()], entry.value());
+            for (const BodyFlux<D, int>& entry : film.flux)
+                reduced_.node_flux.push_back({number_[entry.row], entry.body, entry.flux});
+            mass.insert(mass.end(), film.mass.begin(), film.mass.end());
         }
-        for (long j = 0; j < n * bodies; ++j)
-            for (long i = 0; i < n * bodies; ++i)
-                mass.emplace_back(n * film.bodies[i / n] + static_cast<int>(i % n),
-                                  n * film.bodies[j / n] + static_cast<int>(j % n), 0.5 * (rim.mass(i, j) + rim.mass(j, i)));
-    }
-    for (int j = 0; j < system_.nodes; ++j)
-        if (number_[j] >= 0 && !replaced[j])
-            for (Eigen::SparseMatrix<double>::InnerIterator entry(system_.film, j); entry; ++entry)
-                fluid.emplace_back(number_[entry.row()], number_[j], entry.value());
-    for (long e : other_fluxes) {
-        const BodyFlux<D, int>& entry = system_.node_flux[e];
-        reduced_.node_flux.push_back({number_[entry.row], entry.body, entry.flux});
-    }
     reduced_.film.resize(reduced_.nodes, reduced_.nodes);
     reduced_.film.setFromTriplets(fluid.begin(), fluid.end());
     added_.resize(system_.mass.rows(), system_.mass.cols());
@@ -237,7 +278,11 @@ Eigen::VectorXd FilmCondensation<D>::kept(const Eigen::VectorXd& nodes) const
 template <int D>
 typename FilmCondensation<D>::Reduced FilmCondensation<D>::reduce(const Eigen::VectorXd& rhs) const
 {
+    const Communicator& comm = system_.grid->comm();
+    const bool shared = !system_.own_node.empty(); // each rank adds its films' part
     Reduced result{kept(rhs), Eigen::VectorXd::Zero(system_.mass.rows())};
+    if (shared && !comm.root())
+        result.nodes.setZero();
     std::vector<Eigen::VectorXd> wrench(films_.size());
     for_each_job(static_cast<int>(films_.size()), [&](int f) {
         const Film& film = films_[f];
@@ -250,6 +295,10 @@ typename FilmCondensation<D>::Reduced FilmCondensation<D>::reduce(const Eigen::V
         for (std::size_t b = 0; b < films_[f].bodies.size(); ++b)
             result.wrench.template segment<twist_size<D>>(twist_size<D> * films_[f].bodies[b]) +=
                 wrench[f].template segment<twist_size<D>>(twist_size<D> * static_cast<long>(b));
+    if (shared) {
+        comm.sum(std::span<double>(result.nodes.data(), result.nodes.size()));
+        comm.sum(std::span<double>(result.wrench.data(), result.wrench.size()));
+    }
     return result;
 }
 
@@ -268,15 +317,20 @@ Eigen::VectorXd FilmCondensation<D>::expand(const Eigen::VectorXd& rhs, const Ei
                                             const Eigen::VectorXd& twist) const
 {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(system_.nodes);
-    for (int i = 0; i < system_.nodes; ++i)
-        if (number_[i] >= 0)
-            all[i] = nodes[number_[i]];
     for_each_job(static_cast<int>(films_.size()), [&](int f) {
         const Film& film = films_[f];
-        const Eigen::VectorXd rim = all(film.rim), own = rhs(film.inner);
+        Eigen::VectorXd rim(film.rim.size());
+        for (std::size_t k = 0; k < film.rim.size(); ++k)
+            rim[static_cast<long>(k)] = nodes[number_[film.rim[k]]];
+        const Eigen::VectorXd own = rhs(film.inner);
         const Eigen::VectorXd inner = film.factor.solve(own - film.to_rim * rim - film.flux * of_bodies(film, twist));
         all(film.inner) = inner;
     });
+    if (!system_.own_node.empty())
+        system_.grid->comm().sum(std::span<double>(all.data(), all.size()));
+    for (int i = 0; i < system_.nodes; ++i)
+        if (number_[i] >= 0)
+            all[i] = nodes[number_[i]];
     return all;
 }
 

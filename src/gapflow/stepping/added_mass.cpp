@@ -53,6 +53,8 @@ Response<D> response(const Coupling<D>& coupling, const CoupledSolver<D>& solver
     std::vector<Twist<D>> impulse = impulses(coupling, p);
     for (Twist<D>& one : impulse)
         one = -one;
+    if (!grid.comm().root()) // each rank adds its films' part
+        std::fill(impulse.begin(), impulse.end(), Twist<D>::Zero());
     for (const NormalInertia<D>& inertia : coupling.normal_inertia) {
         const double speed = inertia.row_master.dot(twists[inertia.master]) + inertia.row_other.dot(twists[inertia.other]);
         if (speed == 0)
@@ -60,6 +62,7 @@ Response<D> response(const Coupling<D>& coupling, const CoupledSolver<D>& solver
         impulse[inertia.master] += inertia.mass * speed * inertia.row_master;
         impulse[inertia.other] += inertia.mass * speed * inertia.row_other;
     }
+    grid.comm().sum(std::span<double>(impulse.data()->data(), impulse.size() * twist_size<D>));
     return {std::move(impulse), solve};
 }
 

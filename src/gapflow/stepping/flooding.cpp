@@ -130,15 +130,16 @@ void pass_on(const Coupling<D>& coupling, const VoidSet<D>& voids, const std::ve
     for (const auto& entry : coupling.node_flux)
         outflow[entry.row] += entry.flux.dot(twists[entry.body]);
     for (const Film<D>& film : network.films)
-        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
+        for (std::size_t e = 0; film.here && e < film.mesh.elements.size(); ++e) {
             const FilmElement<D>& element = film.mesh.elements[e];
             for (int i = 0; i < D; ++i)
                 outflow[film.first_node + element.nodes[i]] -=
                     element.volume * element.gradient[i].dot(flow.velocity[film.first_element + e]);
         }
     for (std::size_t r = 0; r < mouths.size(); ++r)
-        for (int i = 0; i < D - 1; ++i)
+        for (int i = 0; i < D - 1 && network.films[mouths[r].film].here; ++i)
             outflow[mouths[r].nodes[i]] += mouths[r].shape[i] * flow.mouth[r];
+    network.ranks.sum(std::span<double>(outflow.data(), outflow.size()));
 
     std::vector<char> carries(network.elements, 0), done(network.nodes, 0);
     std::deque<int> queue;

@@ -38,8 +38,13 @@ std::vector<ForceParts<D>> force_parts(const Model<D>& model, const Coupling<D>&
         if (!diffusion.impulses.empty())
             add(solid, &ForceParts<D>::shear, diffusion.impulses[b]);
     }
+    std::vector<Twist<D>> of_nodes(parts.size(), Twist<D>::Zero());
     for (const BodyFlux<D, int>& entry : there.node_flux)
-        add(entry.body, &ForceParts<D>::film, end.impulse.nodes[entry.row] * entry.flux);
+        if (static_cast<std::size_t>(entry.body) < parts.size())
+            of_nodes[entry.body] += end.impulse.nodes[entry.row] * entry.flux / step.dt;
+    model.grid.comm().sum(std::span<double>(of_nodes.data()->data(), of_nodes.size() * twist_size<D>));
+    for (std::size_t b = 0; b < parts.size(); ++b)
+        parts[b].film = of_nodes[b];
     if (!there.drag_inertia.empty()) {
         const std::vector<Twist<D>> shear = drag_impulses(there, end.twists);
         for (std::size_t b = 0; b < parts.size(); ++b)

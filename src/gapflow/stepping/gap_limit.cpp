@@ -2,6 +2,7 @@
 
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/short_text.hpp"
@@ -93,6 +94,7 @@ void GapLimit<D>::add(int number, const Film<D>& film)
         dt = std::min(dt, std::sqrt(2 * scene.gap_cfl * h / std::max(rate(A_), tiny)));
     }
     Pair& pair = pairs_[film.pair];
+    pair.here = film.here;
     pair.films.push_back(number);
     pair.by_part = std::min(pair.by_part, dt);
     // Not with dry gaps; nor with bodies whose motion is given: there the film's force is what is asked for; nor without a floor, where the
@@ -173,6 +175,20 @@ bool GapLimit<D>::admits(const FilmPair<D>& pair, const Pair& films, double dt) 
            share_of(pair, way, impulses->inertia, dt) <= small_share;
 }
 
+// The largest step up to dt that is admitted, by bisection.
+template <int D>
+double GapLimit<D>::limited_by(const FilmPair<D>& pair, const Pair& films, double dt) const
+{
+    double good = films.by_part, bad = dt;
+    if (admits(pair, films, dt))
+        return dt;
+    while (bad > closeness * good) {
+        const double middle = std::sqrt(good * bad);
+        (admits(pair, films, middle) ? good : bad) = middle;
+    }
+    return good;
+}
+
 // Pairs that ask for the smallest steps come first: their limit spares the others the search.
 template <int D>
 double GapLimit<D>::limited(double dt) const
@@ -191,14 +207,7 @@ double GapLimit<D>::limited(double dt) const
             dt = films.by_part;
             continue;
         }
-        double good = films.by_part, bad = dt;
-        if (admits(pair, films, dt))
-            continue;
-        while (bad > closeness * good) {
-            const double middle = std::sqrt(good * bad);
-            (admits(pair, films, middle) ? good : bad) = middle;
-        }
-        dt = good;
+        dt = model_.grid.comm().min(films.here ? limited_by(pair, films, dt) : dt);
     }
     return dt;
 }
@@ -224,6 +233,8 @@ GapWays<D> GapLimit<D>::ways(double dt) const
     }
     for_each_job(static_cast<int>(drags.size()), [&](int k) {
         const auto& [pair, films] = *drags[k].of;
+        if (!films.here)
+            return;
         const Way way = way_ahead(pair, films, dt);
         if (way.passes) // and has turned round by the end of a longer step: the mean alone
             return;
@@ -231,6 +242,10 @@ GapWays<D> GapLimit<D>::ways(double dt) const
         if (const auto found = impulses_on_way<D>(here_, films.films, links_, way.films, way.W))
             drags[k].impulse = {found->all[0] - found->inertia[0], found->all[1] - found->inertia[1]};
     });
+    exchange_items(
+        model_.grid.comm(), drags.size(), [&](std::size_t k) { return drags[k].of->second.here; },
+        [&](ByteWriter& out, std::size_t k) { out(drags[k].W, drags[k].impulse); },
+        [&](ByteReader& in, std::size_t k) { in(drags[k].W, drags[k].impulse); });
     std::vector<Twist<D>> change(state_.bodies.size(), Twist<D>::Zero());
     const auto each_body = [&](const Drag& drag, auto&& take) {
         for (const int side : {0, 1})

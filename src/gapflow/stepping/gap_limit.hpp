@@ -29,6 +29,7 @@ private:
         std::vector<int> films;                                   ///< their numbers
         double by_part = std::numeric_limits<double>::infinity(); ///< step in which the gap changes by the allowed part
         bool has_mean = true;                                     ///< whether its drag may have a mean over the way
+        bool here = true;                                         ///< Film::here of its films
         bool any_factor = true;                                   ///< whether it may change by more
     };
     /// What a pair is expected to do in a step.
@@ -43,6 +44,7 @@ private:
     Way way_ahead(const FilmPair<D>& pair, const Pair& films, double dt) const;
     double share_of(const FilmPair<D>& pair, const Way& way, const std::array<Twist<D>, 2>& impulses, double dt) const;
     bool admits(const FilmPair<D>& pair, const Pair& films, double dt) const;
+    double limited_by(const FilmPair<D>& pair, const Pair& films, double dt) const;
 
     const Model<D>& model_;
     const State<D>& state_;

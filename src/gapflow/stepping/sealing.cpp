@@ -116,10 +116,10 @@ public:
             const int axis = of / 2, end = of % 2;
             add(side(of), parts.component(c), (2 * end - 1) * coupling.open(axis, f) * grid.face_area() * u.grid(axis, f));
         });
-        grid.comm().sum(std::span<double>(driven.data(), static_cast<std::size_t>(driven.size())));
-        grid.comm().sum(std::span<double>(magnitude.data(), static_cast<std::size_t>(magnitude.size())));
         for (const auto& entry : coupling.node_flux)
             add(entry.body, parts.node_component[entry.row], entry.flux.dot(twists[entry.body]));
+        grid.comm().sum(std::span<double>(driven.data(), static_cast<std::size_t>(driven.size())));
+        grid.comm().sum(std::span<double>(magnitude.data(), static_cast<std::size_t>(magnitude.size())));
     }
 
     int side(int s) const { return static_cast<int>(coupling_.solids.size()) + s; }
@@ -147,9 +147,9 @@ Eigen::MatrixXd forces_of(const Coupling<D>& coupling, const FluidParts<D>& part
     };
     for (const auto& entry : coupling.cell_flux)
         add(parts.component(entry.row), entry.body, entry.flux);
-    coupling.grid->comm().sum(std::span<double>(sums.data(), static_cast<std::size_t>(sums.size())));
     for (const auto& entry : coupling.node_flux)
         add(parts.node_component[entry.row], entry.body, entry.flux);
+    coupling.grid->comm().sum(std::span<double>(sums.data(), static_cast<std::size_t>(sums.size())));
     area = sums.row(dofs);
     return sums.topRows(dofs);
 }
