@@ -123,7 +123,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
                    const std::set<FilmPair<D>>& alive, const std::function<DragTerms(const Coupling<D>&)>& drag = {});
 
 /// out = D u + K V of every unknown: the outflow from its volume when the fluid moves with u and the solids with their
-/// twists. `sum_of_magnitudes` (if not null) receives the sum over rows of the squares of the terms' magnitudes.
+/// twists. `sum_of_squares` (if not null) receives the sum over rows of the squares of the terms' magnitudes. Collective.
 template <int D>
 void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::vector<Twist<D>>& twists, UnknownVector<D>& out,
              double* sum_of_squares = nullptr);
@@ -165,7 +165,7 @@ template <int D>
 void hold_contacts(Coupling<D>& coupling, const std::vector<HeldContact<D>>& contacts, const std::vector<Twist<D>>& twists);
 
 /// Twists of the free bodies before the solve: V* = M^-1 (M_body V_body + sum rho S N^T (w_n* - N V_prescribed)), admissible
-/// and with held contacts at their speeds; others as given. `contact_impulse` becomes that of the held contacts.
+/// and with held contacts at their speeds; others as given. `contact_impulse` becomes that of the held contacts. Collective.
 template <int D>
 std::vector<Twist<D>> intermediate_twists(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
                                           const std::vector<Twist<D>>& twists, const std::vector<double>& film_normal,

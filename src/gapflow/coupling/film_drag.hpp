@@ -56,11 +56,11 @@ double entrained_flux(const Coupling<D>& coupling, std::size_t mouth, const std:
 template <int D>
 void add_entrainment(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, double share, FluidVelocity<D>& u);
 
-/// Energy that drag and shear dissipate in films and mouths over the step, at the velocities of its end.
+/// Energy that drag and shear dissipate in films and mouths over the step, at the velocities of its end. Collective.
 template <int D>
 double film_loss(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, const FluidVelocity<D>& u);
 
-/// Impulse of the films' shear on every solid about its centre; the pressure's entrainment is in impulses().
+/// Impulse of the films' shear on every solid about its centre; the pressure's entrainment is in impulses(). Collective.
 template <int D>
 std::vector<Twist<D>> drag_impulses(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists);
 

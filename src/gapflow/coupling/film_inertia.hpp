@@ -27,7 +27,7 @@ struct NearInertia {
     std::vector<FilmInertia<D>> films; ///< at most one for each pair of solids
 };
 
-/// `mass` of every solid: its own with a part of the bulk's added mass. Void nodes do not count. Reads the system as it is without voids.
+/// `mass` of every solid: its own with a part of the bulk's added mass. Void nodes do not count. Collective. Reads the system as it is without voids.
 template <int D>
 NearInertia<D> near_inertia(const Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass,
                             const std::vector<char>& is_void);

@@ -89,11 +89,13 @@ SolveReport CoupledSolver<D>::solve_condensed(UnknownVector<D>& p, const Unknown
         d.matrix.add_flux(-d.matrix.inverse_mass(reduced.wrench), b);
     p.nodes = d.condensation.kept(p.nodes);
     const SolveReport report = solve_system(p, b, {magnitude, size}, tolerance);
-    BodyMotion& motion = d.motion.emplace();
+    BodyMotion motion;
     if (d.matrix.dofs() > 0)
         motion.twist = d.matrix.inverse_mass(d.matrix.transpose_flux(p) + reduced.wrench, &motion.contact_impulse);
     p.nodes = d.condensation.expand(of_nodes, p.nodes, motion.twist);
     d.whole_null_space->project(p);
+    if (d.matrix.system().nodes < d.whole.nodes)
+        d.motion = std::move(motion);
     return report;
 }
 

@@ -45,7 +45,7 @@ std::vector<ForceParts<D>> force_parts(const Model<D>& model, const Coupling<D>&
     model.grid.comm().sum(std::span<double>(of_nodes.data()->data(), of_nodes.size() * twist_size<D>));
     for (std::size_t b = 0; b < parts.size(); ++b)
         parts[b].film = of_nodes[b];
-    if (!there.drag_inertia.empty()) {
+    if (!there.element_drag.empty()) {
         const std::vector<Twist<D>> shear = drag_impulses(there, end.twists);
         for (std::size_t b = 0; b < parts.size(); ++b)
             add(static_cast<int>(b), &ForceParts<D>::film, shear[b]);

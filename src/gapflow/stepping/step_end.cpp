@@ -44,7 +44,7 @@ std::vector<Twist<D>> wrenches(const Model<D>& model, const Coupling<D>& there, 
                                const std::vector<RigidBody<D>>& bodies)
 {
     std::vector<Twist<D>> impulse = impulses(there, end.impulse);
-    if (!there.drag_inertia.empty()) {
+    if (!there.element_drag.empty()) {
         const std::vector<Twist<D>> shear = drag_impulses(there, end.twists);
         for (std::size_t s = 0; s < impulse.size(); ++s)
             impulse[s] += shear[s];
