@@ -248,10 +248,11 @@ private:
     // From outside film k a closed face is part of the film's master.
     void assemble_closed_faces()
     {
-        for_each_closed_face(grid_, network_, [&](int k, const ClosedArea<D>& face, const Index<D>& offset) {
-            const FilmCell<D>* cell = network_.cells.cells.find(face.key);
-            if (cell && cell->kind == CellKind::film ? !assembled_[cell->owner] : !grid_.owns(grid_.cell_of_key(face.key)))
-                return;
+        const auto counts = [&](long key) {
+            const FilmCell<D>* cell = network_.cells.cells.find(key);
+            return cell && cell->kind == CellKind::film ? assembled_[cell->owner] != 0 : grid_.owns(grid_.cell_of_key(key));
+        };
+        for_each_closed_face(grid_, network_, counts, [&](int k, const ClosedArea<D>& face, const Index<D>& offset) {
             const int master = film(k).mesh.master;
             closed_flux_[face.key].push_back({master, wrench<D>(face.area, face.x - centre(master)),
                                               centre(master) - grid_.dx() * offset.template cast<double>()});

@@ -16,9 +16,10 @@ struct ClosedArea {
     Vec<D> area; ///< normal times open area, out of the cell
 };
 
-/// Calls f(film, face, offset) for every face that a film closes, from each cell beside it that is not the film's own; `offset`: of the film's frame, in cells.
-template <int D, class F>
-void for_each_closed_face(const Grid<D>& grid, const FilmNetwork<D>& network, F&& f)
+/// Calls f(film, face, offset) for every face that a film closes, from each cell beside it that is not the film's own and whose key `counts`; `offset`: of the
+/// film's frame, in cells.
+template <int D, class Counts, class F>
+void for_each_closed_face(const Grid<D>& grid, const FilmNetwork<D>& network, Counts&& counts, F&& f)
 {
     const FilmCells<D>& cells = network.cells;
     const FaceCache<D>& faces = *network.faces;
@@ -27,12 +28,17 @@ void for_each_closed_face(const Grid<D>& grid, const FilmNetwork<D>& network, F&
             const int* closed = side.inside ? cells.closed.find(faces.key(side.axis, side.face)) : nullptr;
             if (!closed)
                 continue;
+            const long beyond = grid.key(grid.wrapped(side.cell));
+            const bool here = !(cell.kind == CellKind::film && cell.owner == *closed) && counts(key);
+            const bool there = !cells.cells.contains(beyond) && counts(beyond);
+            if (!here && !there) // faces far from this rank's block are not known to it
+                continue;
             const Index<D> offset = cell.offset(*closed);
             const Vec<D> x = faces.open_centroid(side.axis, side.face) + grid.dx() * offset.template cast<double>();
             const Vec<D> area = (2 * side.end - 1) * faces.open(side.axis, side.face) * grid.face_area() * unit<D>(side.axis);
-            if (!(cell.kind == CellKind::film && cell.owner == *closed))
+            if (here)
                 f(*closed, ClosedArea<D>{key, x, area}, offset);
-            if (const long beyond = grid.key(grid.wrapped(side.cell)); !cells.cells.contains(beyond))
+            if (there)
                 f(*closed, ClosedArea<D>{beyond, x, -area}, offset);
         }
 }
