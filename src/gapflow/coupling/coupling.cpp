@@ -131,6 +131,8 @@ void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
         });
     }
     append_rows(coupling, rows, system.node_flux);
+    coupling.cell_flux.shrink_to_fit(); // large
+    system.cell_flux.shrink_to_fit();
 }
 
 // Mass of the free bodies and the films' blocks that couple two of them: P M P + m (1 - P) with the projectors P onto the

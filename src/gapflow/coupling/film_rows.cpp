@@ -84,6 +84,11 @@ private:
     const Film<D>& film(int k) const { return network_.films[k]; }
     const Vec<D>& centre(int solid) const { return coupling_.solids[solid].centre; }
     Vec<D> other_centre(const FilmMesh<D>& mesh) const { return centre(mesh.other) + mesh.shift; }
+    Twist<D> other_flux(const FilmMesh<D>& mesh, const FilmPoint<D>& point) const
+    {
+        const auto [area, centroid] = wall_share(mesh, point);
+        return wrench<D>(area, centroid - other_centre(mesh));
+    }
 
     // Flux w of the other wall (or a third body's) relative to the master: + for the body, - for the master.
     // Wrenches are about the body's centre (in the film's frame: `centre`); the master's about its own.
@@ -361,8 +366,7 @@ private:
             if (!film(k).here)
                 return;
             for (const FilmPoint<D>& point : mesh.points)
-                add_at_point(k, point, mesh.other, other_centre(mesh),
-                             wrench<D>(point.area, point.area_centroid - other_centre(mesh)), 1.0);
+                add_at_point(k, point, mesh.other, other_centre(mesh), other_flux(mesh, point), 1.0);
         });
         for (const std::vector<Leaving>& of_film : leaving)
             for (const Leaving& point : of_film)
@@ -377,7 +381,7 @@ private:
         const FilmMesh<D>& mesh = film(k).mesh;
         std::vector<Leaving> leaving;
         for (const FilmPoint<D>& point : mesh.points) {
-            const Twist<D> flux = wrench<D>(point.area, point.area_centroid - other_centre(mesh));
+            const Twist<D> flux = other_flux(mesh, point);
             const Index<D> c = grid_.wrapped(grid_.cell_of(point.y + 1e-9 * grid_.dx() * point.other_normal));
             const long key = grid_.in_domain(c) ? grid_.key(c) : -1;
             const int i = cells.index(key);

@@ -67,18 +67,31 @@ struct RimEdge {
     double length;  ///< 2D: 1
 };
 
+/// A share of the other's surface, as an area vector that points into the other (out of the fluid).
+template <int D>
+struct WallShare {
+    Vec<D> area, centroid;
+};
+
+/// How a quadrature point says its share of the other's surface (wall_share()).
+template <int D>
+struct PointShare {
+    double fraction; ///< of the flat simplex of its element's y_0..y_{D-1}
+};
+template <>
+struct PointShare<2> {
+    WallShare<2> share; ///< curved walls have other shares than their chord
+};
+
 /// Quadrature point: a piece of an element, cut so that the closest points y lie in one grid cell.
 template <int D>
-struct FilmPoint {
+struct FilmPoint : PointShare<D> {
     int element;
     std::array<double, D> shape; ///< shape functions (barycentric coordinates) at the piece's centroid
     double weight;               ///< measure of the piece at mid-gap
     double h;                    ///< thickness there, not less than the floor
     Vec<D> x, y;                 ///< on the master and on the other
     Vec<D> other_normal;         ///< unit, out of the other
-    Vec<D> area;          ///< share of the area vector of the flat simplex of the element's y_0..y_{D-1}, pointing into the
-                          ///< other (out of the fluid); pieces sum to the simplex exactly
-    Vec<D> area_centroid; ///< of that share, on the flat simplex
 };
 
 template <int D>
@@ -103,6 +116,10 @@ struct FilmMesh {
         f(master, other, shift, other_patch, x, y, mid, h, skin, elements, rim, points, viscous, flat, capped);
     }
 };
+
+/// Of a point of the mesh, on the flat simplex of its element's y_0..y_{D-1}: an element's shares sum to the simplex.
+template <int D>
+WallShare<D> wall_share(const FilmMesh<D>& mesh, const FilmPoint<D>& point);
 
 struct FilmMeshOptions {
     double dx = 1;                  ///< grid spacing

@@ -182,9 +182,9 @@ void bend_areas(const Vec<2>& area, const std::array<Vec<2>, 2>& y, std::span<Fi
     sum.head<2>() -= weight * area;
     for (FilmPoint<2>& p : points) {
         const Twist<2> flux = (own(p) - p.weight / weight * sum) / weight;
-        p.area = flux.head<2>();
+        const Vec<2> share = flux.head<2>();
         // where an area has that moment
-        p.area_centroid = centre + flux[2] / p.area.squaredNorm() * Vec<2>(p.area[1], -p.area[0]);
+        p.share = {share, centre + flux[2] / share.squaredNorm() * Vec<2>(share[1], -share[0])};
     }
 }
 
@@ -282,8 +282,10 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
         p.element = e;
         p.shape = piece.centre;
         p.weight = piece.fraction * element.measure;
-        p.area = piece.fraction * area;
-        p.area_centroid = at<D>(y, piece.centre);
+        if constexpr (D == 2)
+            p.share = {piece.fraction * area, at<D>(y, piece.centre)};
+        else
+            p.fraction = piece.fraction;
         gap(piece.centre, p);
         if constexpr (D == 2)
             for (const auto& end_shape : piece.ends) {
@@ -321,6 +323,21 @@ void add_points(const GapTest<D>& test, int master_patch, int other_patch, bool 
     element.inverse = std::max(element.inverse, element.measure * element.measure / element.volume);
 }
 
+template <int D>
+WallShare<D> wall_share(const FilmMesh<D>& mesh, const FilmPoint<D>& point)
+{
+    if constexpr (D == 2) {
+        return point.share;
+    } else {
+        std::array<Vec<D>, D> y;
+        for (int k = 0; k < D; ++k)
+            y[k] = mesh.y[mesh.elements[point.element].nodes[k]];
+        return {point.fraction * area_vector<D>(y), at<D>(y, point.shape)};
+    }
+}
+
+template WallShare<2> wall_share(const FilmMesh<2>&, const FilmPoint<2>&);
+template WallShare<3> wall_share(const FilmMesh<3>&, const FilmPoint<3>&);
 template Vec<2> area_vector<2>(const std::array<Vec<2>, 2>&);
 template Vec<3> area_vector<3>(const std::array<Vec<3>, 3>&);
 template void add_points(const GapTest<2>&, int, int, bool, int, FilmMesh<2>&);

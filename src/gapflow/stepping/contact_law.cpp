@@ -61,6 +61,7 @@ public:
     {
         constexpr int n = twist_size<D>;
         std::map<std::pair<int, int>, int> block_of;
+        films_.reserve(inertia.films.size());
         for (const FilmInertia<D>& film : inertia.films) {
             FilmBlock<D> block{film.a, film.b, film.matrix, PairMatrix<D>::Zero(), {}, {}};
             block.mobility.template topLeftCorner<n, n>() = mobility_[film.a];

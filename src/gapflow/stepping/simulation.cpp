@@ -158,6 +158,7 @@ void Simulation<D>::advance(double next_output, BulkViscosity viscosity, StepRep
     drive_fluid(model_, there, state_.drive, step, star);
     star.twists =
         forced_twists(model_, state_.bodies, state_.drive, star.pressure_change, *left.fractions, *there.fractions, step);
+    left.fractions.reset(); // large
     Diffusion<D> diffusion;
     if (model_.viscous() && viscosity == BulkViscosity::acts)
         diffusion = timed(stages_, "viscosity", [&] {

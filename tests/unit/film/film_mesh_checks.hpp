@@ -65,7 +65,7 @@ Vec<D> other_area(const FilmMesh<D>& film)
 {
     Vec<D> sum = Vec<D>::Zero();
     for (const auto& p : film.points)
-        sum += p.area;
+        sum += wall_share(film, p).area;
     return sum;
 }
 
@@ -105,7 +105,7 @@ void check_film(const FilmMesh<D>& film, const FilmMeshOptions& options)
     std::vector<Vec<D>> share(film.elements.size(), Vec<D>::Zero());
     std::vector<Spin<D>> turn(film.elements.size(), Spin<D>::Zero()); // about the mean of the closest points
     for (const auto& p : film.points) {
-        ASSERT_TRUE(p.x.allFinite() && p.y.allFinite() && p.other_normal.allFinite() && p.area.allFinite());
+        ASSERT_TRUE(p.x.allFinite() && p.y.allFinite() && p.other_normal.allFinite());
         ASSERT_TRUE(p.weight > 0 && p.h >= options.floor);
         ASSERT_NEAR(p.other_normal.norm(), 1, 1e-12);
         const auto& e = film.elements[p.element];
@@ -116,11 +116,13 @@ void check_film(const FilmMesh<D>& film, const FilmMeshOptions& options)
         if (!options.viscous)
             lean[p.element] -= p.weight * p.h * (p.other_normal - p.other_normal.dot(normal) * normal);
         ++pieces[p.element];
-        share[p.element] += p.area;
+        const auto [area, centroid] = wall_share(film, p);
+        ASSERT_TRUE(area.allFinite() && centroid.allFinite());
+        share[p.element] += area;
         Vec<D> mean = Vec<D>::Zero();
         for (int i : e.nodes)
             mean += film.y[i] / D;
-        turn[p.element] += moment<D>(Vec<D>(p.area_centroid - mean), p.area);
+        turn[p.element] += moment<D>(Vec<D>(centroid - mean), area);
     }
     std::map<std::array<int, 2>, int> uses;
     for (std::size_t i = 0; i < film.elements.size(); ++i) {

@@ -125,7 +125,7 @@ TEST(CurvedFilm, WallThatSlidesAlongItselfSweepsNothing)
         std::vector<double> swept(film.h.size(), 0);
         for (const auto& p : film.points)
             for (int i = 0; i < 2; ++i) // of a turn about the other's centre
-                swept[film.elements[p.element].nodes[i]] += p.shape[i] * moment<2>(p.area_centroid, p.area)[0];
+                swept[film.elements[p.element].nodes[i]] += p.shape[i] * moment<2>(p.share.centroid, p.share.area)[0];
         for (std::size_t i = 0; i < film.h.size(); ++i)
             EXPECT_LT(std::abs(swept[i]), 0.05 * film.h[i] * outer)
                 << "node " << i << " of " << film.h.size() << ", h = " << film.h[i];
@@ -423,7 +423,7 @@ double squeeze_force(const FilmMesh<D>& film)
     Eigen::VectorXd swept = Eigen::VectorXd::Zero(n);
     for (const FilmPoint<D>& p : film.points)
         for (int k = 0; k < D; ++k)
-            swept[film.elements[p.element].nodes[k]] -= p.shape[k] * p.area[D - 1];
+            swept[film.elements[p.element].nodes[k]] -= p.shape[k] * wall_share(film, p).area[D - 1];
     for (const FilmElement<D>& e : film.elements)
         for (int i = 0; i < D; ++i)
             for (int j = 0; j < D; ++j)
