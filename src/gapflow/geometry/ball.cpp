@@ -65,6 +65,14 @@ public:
         return {radius_ * n, n, r - radius_, Feature::face, 0};
     }
     double distance(const Vec<D>& x) const override { return x.norm() - radius_; }
+    std::optional<double> entry(const Vec<D>& x, const Vec<D>& u) const override
+    {
+        const double towards = -x.dot(u), reach = (x + towards * u).squaredNorm(), r2 = radius_ * radius_;
+        if (towards <= 0 || reach >= r2)
+            return std::numeric_limits<double>::infinity();
+        const double r = x.norm(); // the nearer root, without the difference of nearly equal numbers
+        return std::max((r - radius_) * (r + radius_), 0.0) / (towards + std::sqrt(r2 - reach));
+    }
     Vec<D> onto(const Vec<D>& x, int) const override { return closest(x).x; }
     Vec<D> patch_normal(const Vec<D>& x, int) const override { return closest(x).normal; }
     double curvature(int) const override { return 1 / radius_; }

@@ -3,6 +3,8 @@
 #include "gapflow/geometry/requirement.hpp"
 #include "gapflow/geometry/shape.hpp"
 
+#include <algorithm>
+
 namespace gapflow {
 namespace {
 
@@ -37,6 +39,20 @@ public:
         const Vec<D> beyond = x.cwiseAbs() - half_;
         const double largest = beyond.maxCoeff();
         return largest <= 0 ? largest : beyond.cwiseMax(0).norm();
+    }
+
+    std::optional<double> entry(const Vec<D>& x, const Vec<D>& u) const override
+    {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        double in = 0, out = infinity;
+        for (int i = 0; i < D; ++i) {
+            const double outside = std::abs(x[i]) - half_[i], away = x[i] < 0 ? -u[i] : u[i]; // from the middle, along the axis
+            if (outside > 0)
+                in = std::max(in, away < 0 ? outside / -away : infinity);
+            if (away != 0)
+                out = std::min(out, away < 0 ? (std::abs(x[i]) + half_[i]) / -away : -outside / away);
+        }
+        return in <= out ? in : infinity;
     }
 
     Vec<D> onto(const Vec<D>& x, int patch) const override

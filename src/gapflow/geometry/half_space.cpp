@@ -2,6 +2,8 @@
 #include "gapflow/geometry/requirement.hpp"
 #include "gapflow/geometry/shape.hpp"
 
+#include <algorithm>
+
 namespace gapflow {
 namespace {
 
@@ -16,6 +18,11 @@ public:
         return {x - d * normal_, normal_, d, Feature::face, 0};
     }
     double distance(const Vec<D>& x) const override { return normal_.dot(x); }
+    std::optional<double> entry(const Vec<D>& x, const Vec<D>& u) const override
+    {
+        const double closing = -normal_.dot(u);
+        return closing > 0 ? std::max(normal_.dot(x), 0.0) / closing : std::numeric_limits<double>::infinity();
+    }
     Vec<D> onto(const Vec<D>& x, int) const override { return x - normal_.dot(x) * normal_; }
     Vec<D> patch_normal(const Vec<D>&, int) const override { return normal_; }
     double curvature(int) const override { return 0; }

@@ -47,6 +47,10 @@ public:
         p.normal = rotation_ * p.normal;
         return p;
     }
+    std::optional<double> entry(const Vec<D>& x_world, const Vec<D>& u_world) const
+    {
+        return shape_->entry(to_body(x_world), rotation_.transpose() * u_world);
+    }
     Vec<D> onto(const Vec<D>& x_world, int patch) const { return to_world(shape_->onto(to_body(x_world), patch)); }
     Vec<D> patch_normal(const Vec<D>& x_world, int patch) const
     {

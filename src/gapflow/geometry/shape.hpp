@@ -8,6 +8,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,13 @@ public:
     virtual SurfacePoint<D> closest(const Vec<D>& x) const = 0;
     /// Signed distance alone (cheaper).
     virtual double distance(const Vec<D>& x) const { return closest(x).distance; }
+    /// How far it is along a ray from x, outside the solid, in the direction of the unit vector u to where it first enters the solid; infinity: nowhere.
+    /// Empty: there is no closed form.
+    virtual std::optional<double> entry(const Vec<D>& x, const Vec<D>& u) const
+    {
+        (void)x, (void)u;
+        return {};
+    }
     /// Point of the given patch next to x, a point near it: where a new vertex of a refined surface mesh goes. Flat patches:
     /// of its plane (identity on it). Curved patches: radially from centre or axis, coordinates along the axis kept; the
     /// patch's continuation past its border, where x is past it. Meshes: the closest point of the patch's facets.

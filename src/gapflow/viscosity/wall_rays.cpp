@@ -1,7 +1,9 @@
-// Sphere tracing with exact distances, then the Illinois variant of regula falsi inside the last step.
+// Shapes that know where a ray enters them are asked for that. Past others rays are traced with exact distances, sphere by sphere, then by the Illinois
+// variant of regula falsi inside the last step.
 #include "gapflow/viscosity/wall_rays.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gapflow {
@@ -73,13 +75,52 @@ double WallRays<D>::distance(const Vec<D>& x, int* image)
     }
 }
 
+// A solid that the ray enters within the list's radius is listed. Beyond, the list is made anew where the ray leaves that.
+template <int D>
+std::optional<WallHit<D>> WallRays<D>::nearest_entry(const Vec<D>& x, const Vec<D>& direction, double longest)
+{
+    for (;;) {
+        const Vec<D> from_centre = x - centre_;
+        const double way = from_centre.norm() + slack * dx_;
+        WallHit<D> hit{std::numeric_limits<double>::infinity(), -1};
+        for (const Near& near : near_) {
+            if (near.phi - way > std::min(hit.distance, longest))
+                continue;
+            const std::optional<double> t = image(near.image).shape.entry(x, direction);
+            if (!t)
+                return {};
+            if (*t < hit.distance || (*t == hit.distance && near.image < hit.image))
+                hit = {*t, near.image};
+        }
+        const double along = from_centre.dot(direction), radius = complete_ - slack * dx_,
+                     square = radius * radius - from_centre.squaredNorm() + along * along;
+        const double known = complete_ >= wanted_ ? longest : square > 0 ? -along + std::sqrt(square) : 0.0;
+        if (hit.distance <= std::min(known, longest))
+            return hit;
+        if (known >= longest)
+            return WallHit<D>{};
+        find(x + std::max(known, 0.0) * direction, std::min(wanted_, first_radius * dx_));
+    }
+}
+
 template <int D>
 WallHit<D> WallRays<D>::cast(const Vec<D>& x, const Vec<D>& direction, double longest)
 {
-    WallHit<D> hit;
-    double before = 0, phi_before = distance(x, &hit.image);
-    if (phi_before <= 0)
-        return hit;
+    WallHit<D> start;
+    const double phi = distance(x, &start.image);
+    if (phi <= 0)
+        return start;
+    if (const std::optional<WallHit<D>> entry = nearest_entry(x, direction, longest))
+        return *entry;
+    return trace(x, direction, longest, start, phi);
+}
+
+template <int D>
+WallHit<D> WallRays<D>::trace(const Vec<D>& x, const Vec<D>& direction, double longest, const WallHit<D>& start,
+                              double phi_start)
+{
+    WallHit<D> hit = start;
+    double before = 0, phi_before = phi_start;
     double t = 0, phi = phi_before;
     while (phi > accuracy * dx_) {
         if (t >= longest)

@@ -3,6 +3,7 @@
 
 #include "gapflow/grid/face_fractions.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace gapflow {
@@ -34,6 +35,9 @@ private:
     };
 
     void find(const Vec<D>& x, double radius);
+    /// The least entry of the solids that the ray from x may reach; empty if one of them has no closed form.
+    std::optional<WallHit<D>> nearest_entry(const Vec<D>& x, const Vec<D>& direction, double longest);
+    WallHit<D> trace(const Vec<D>& x, const Vec<D>& direction, double longest, const WallHit<D>& start, double phi_start);
 
     const FaceClipper<D>& clipper_;
     double dx_;

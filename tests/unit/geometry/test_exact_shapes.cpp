@@ -164,6 +164,45 @@ TEST(Shapes, BadParametersAreRefused)
     EXPECT_THROW(make_half_space<3>({0, 0, 0}), InputError);
 }
 
+// Rays from outside enter where the distance falls to 0 first, and nowhere else: near, far, along faces.
+template <int D>
+void check_entries(const Shape<D>& shape, double reach)
+{
+    std::mt19937 random(11);
+    int hits = 0, misses = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const Vec<D> x = random_point<D>(random, reach);
+        Vec<D> u = random_point<D>(random, 1).normalized();
+        if (k % 4 == 0) // along an axis
+            u = (k % 8 ? 1 : -1) * unit<D>(k / 8 % D);
+        if (shape.distance(x) <= 0)
+            continue;
+        const std::optional<double> t = shape.entry(x, u);
+        ASSERT_TRUE(t.has_value());
+        const double end = std::isfinite(*t) ? *t : 4 * reach;
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < 200; ++i)
+            least = std::min(least, shape.distance(x + i / 200.0 * end * u));
+        EXPECT_GT(least, -1e-14 * reach);
+        if (std::isfinite(*t)) {
+            EXPECT_NEAR(shape.distance(x + *t * u), 0, 1e-14 * reach);
+        }
+        ++(std::isfinite(*t) ? hits : misses);
+    }
+    EXPECT_GT(hits, 100);
+    EXPECT_GT(misses, 100);
+}
+TEST(Shapes, RaysEnterWhereTheDistanceVanishes)
+{
+    check_entries<2>(*make_ball<2>(0.7), 2);
+    check_entries<3>(*make_ball<3>(0.7), 2);
+    check_entries<2>(*make_box<2>({1.5, 0.4}), 2);
+    check_entries<3>(*make_box<3>({1.5, 0.4, 1.0}), 2);
+    check_entries<2>(*make_half_space<2>({1.0, 2.0}), 2);
+    check_entries<3>(*make_half_space<3>({0.0, 0.0, 1.0}), 2);
+    EXPECT_FALSE(make_capsule<3>(0.5, 1.0)->entry({2, 0, 0}, {-1, 0, 0}));
+}
+
 TEST(PlacedShape, QueriesInTheWorld)
 {
     const auto box = make_box<3>({2, 4, 6});

@@ -96,7 +96,7 @@ TEST(WallRays, EndAtTheFirstSolid)
         double least = std::numeric_limits<double>::infinity();
         for (double t = 0; t < end - 0.1 * dx; t += 0.1 * dx)
             least = std::min(least, balls.distance(x + t * direction));
-        EXPECT_GT(least, -1e-3 * dx); // strides of a twentieth of a cell pass through what is thinner
+        EXPECT_GT(least, -1e-9 * dx);
         if (hit.image >= 0) {
             EXPECT_NEAR(balls.distance(x + end * direction), 0, 1e-8 * dx);
         }
