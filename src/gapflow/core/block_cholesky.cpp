@@ -18,7 +18,6 @@ namespace {
 template <int B>
 class Factor final : public BlockCholesky {
     using Block = Eigen::Matrix<double, B, B>;
-    using Part = Eigen::Matrix<double, B, 1>;
 
 public:
     explicit Factor(const Eigen::SparseMatrix<double>& matrix) : count_(static_cast<int>(matrix.rows() / B))
@@ -60,27 +59,47 @@ public:
 
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const override
     {
-        std::vector<Part> x(count_);
+        Eigen::VectorXd x(b.size());
+        solve<1>(b, x);
+        return x;
+    }
+
+    Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const override
+    {
+        Eigen::MatrixXd x(b.rows(), b.cols());
+        long k = 0;
+        for (; k + wide <= b.cols(); k += wide)
+            solve<wide>(b.middleCols(k, wide), x.middleCols(k, wide));
+        for (; k < b.cols(); ++k)
+            solve<1>(b.col(k), x.col(k));
+        return x;
+    }
+
+private:
+    static constexpr int wide = 4; ///< columns at a time
+
+    template <int W, class From, class To>
+    void solve(const From& b, To&& result) const
+    {
+        using Parts = Eigen::Matrix<double, B, W>;
+        std::vector<Parts> x(count_);
         for (int i = 0; i < count_; ++i)
-            x[place_[i]] = b.template segment<B>(B * i);
+            x[place_[i]] = b.template middleRows<B>(B * i);
         for (int k = 0; k < count_; ++k) {
             x[k] = (inverse_[k].template triangularView<Eigen::Lower>() * x[k]).eval();
             for (int n = begin_[k]; n < begin_[k + 1]; ++n)
                 x[rows_[n]].noalias() -= lower_[n] * x[k];
         }
         for (int k = count_ - 1; k >= 0; --k) {
-            Part sum = x[k];
+            Parts sum = x[k];
             for (int n = begin_[k]; n < begin_[k + 1]; ++n)
                 sum.noalias() -= lower_[n].transpose() * x[rows_[n]];
             x[k] = inverse_[k].transpose().template triangularView<Eigen::Upper>() * sum;
         }
-        Eigen::VectorXd result(B * count_);
         for (int i = 0; i < count_; ++i)
-            result.template segment<B>(B * i) = x[place_[i]];
-        return result;
+            result.template middleRows<B>(B * i) = x[place_[i]];
     }
 
-private:
     // Places of the blocks in the order of elimination.
     void number(const Eigen::SparseMatrix<double>& matrix)
     {

@@ -16,6 +16,8 @@ public:
     virtual ~BlockCholesky() = default;
     /// A^-1 b.
     virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
+    /// The same of every column, several at a time: L is read once for them.
+    virtual Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const = 0;
 };
 
 } // namespace gapflow

@@ -67,6 +67,22 @@ Eigen::VectorXd BodyResponse::operator()(const Eigen::VectorXd& w, Eigen::Vector
     return (*this)(w, Eigen::VectorXd::Zero(contact_.rows()), lambda);
 }
 
+Eigen::MatrixXd BodyResponse::of_columns(const Eigen::MatrixXd& w) const
+{
+    if (contact_.rows() == 0)
+        return factor_->solve_columns(w);
+    Eigen::MatrixXd impulse = Eigen::MatrixXd::Zero(contact_.rows(), w.cols()), V;
+    for (int pass = 0; pass < most_passes; ++pass) {
+        V = factor_->solve_columns(w + contact_.transpose() * impulse);
+        const Eigen::MatrixXd difference = contact_ * V, size = contact_size_ * V.cwiseAbs();
+        impulse -= rigid_.cwiseProduct(stiffness_).asDiagonal() * difference;
+        const auto left = (rigid_.asDiagonal() * difference).cwiseAbs().colwise().maxCoeff();
+        if ((left.array() <= round_off * size.colwise().maxCoeff().array()).all())
+            break;
+    }
+    return V;
+}
+
 Eigen::VectorXd BodyResponse::operator()(const Eigen::VectorXd& w, const Eigen::VectorXd& speed, Eigen::VectorXd* lambda) const
 {
     if (contact_.rows() == 0) {

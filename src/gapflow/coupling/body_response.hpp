@@ -25,6 +25,8 @@ public:
 
     /// Twists under impulse w with the contacts at rest. Symmetric in w. `lambda`, if given, receives the contacts' impulses.
     Eigen::VectorXd operator()(const Eigen::VectorXd& w, Eigen::VectorXd* lambda = nullptr) const;
+    /// The same for every column.
+    Eigen::MatrixXd of_columns(const Eigen::MatrixXd& w) const;
     /// The same with the contacts at the given speeds.
     Eigen::VectorXd operator()(const Eigen::VectorXd& w, const Eigen::VectorXd& speed, Eigen::VectorXd* lambda) const;
 

@@ -38,6 +38,8 @@ public:
     void add_flux(const Eigen::VectorXd& u, UnknownVector<D>& y) const;
     /// M^-1 w, contacts held; `held`, if given, receives their impulses.
     Eigen::VectorXd inverse_mass(const Eigen::VectorXd& w, Eigen::VectorXd* held = nullptr) const;
+    /// The same of every column.
+    Eigen::MatrixXd inverse_mass_of_columns(const Eigen::MatrixXd& w) const { return response_.of_columns(w); }
 
     /// The parts of apply(), for callers that pass over memory once for several things: first begin_product (once as long as
     /// p is not written beyond the domain), then product_plane of every plane normal to the last axis, once p is known on the

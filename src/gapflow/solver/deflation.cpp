@@ -251,10 +251,7 @@ void Deflation<D>::update_bodies()
     const int dofs = matrix_.dofs();
     Eigen::MatrixXd energy = energy_;
     if (dofs > 0) {
-        Eigen::MatrixXd twists(dofs, full_);
-        for (int k = 0; k < full_; ++k)
-            twists.col(k) = matrix_.inverse_mass(flux_.col(k));
-        energy += flux_.transpose() * twists;
+        energy += flux_.transpose() * matrix_.inverse_mass_of_columns(flux_);
         // A level that drives only bodies which contacts hold is a null vector: what is left of its energy is round-off, which the pseudo-inverse would scale up.
         const Eigen::VectorXd mass = system_.mass.diagonal();
         for (int k = 0; k < full_; ++k)
