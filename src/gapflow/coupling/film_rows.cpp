@@ -74,6 +74,8 @@ private:
         }
     };
 
+    using Nearest = InlineVector<int, 2>; // those that are equally near share what goes to the nearest
+
     struct Third {
         long key;
         int solid;
@@ -303,34 +305,45 @@ private:
     void assemble_other_walls()
     {
         const KeyMap<FilmCell<D>>& cells = network_.cells.cells;
+        const std::vector<Nearest> nearest = nearest_mouths();
         std::vector<Twist<D>> remainder(cells.size(),
                                         Twist<D>::Zero()); // of film cells: own J of the other wall less what its points took
         for (const std::vector<Third>&thirds :
              each_chunk(static_cast<long>(cells.size()), items_a_chunk, [&](long begin, long end) {
                  std::vector<Third> thirds;
                  for (long i = begin; i < end; ++i)
-                     add_own_flux(cells.item(static_cast<int>(i)), remainder[i], thirds);
+                     if (counts(cells.item(static_cast<int>(i)).second, nearest[i]))
+                         add_own_flux(cells.item(static_cast<int>(i)), remainder[i], thirds);
                  return thirds;
              }))
             third_.insert(third_.end(), thirds.begin(), thirds.end());
         std::vector<Twist<D>> lost(network_.films.size(), Twist<D>::Zero());
         assemble_points(remainder, lost);
-        const std::vector<Nearest> nearest = nearest_mouths();
         for (std::size_t i = 0; i < cells.size(); ++i)
-            if (const auto& [key, cell] = cells.item(static_cast<int>(i));
-                cell.kind == CellKind::film && assembled_[cell.owner])
+            if (const auto& [key, cell] = cells.item(static_cast<int>(i)); counts(cell, nearest[i]))
                 add_to_mouths(cell.owner, nearest[i], remainder[i], lost);
         for (int k = 0; k < static_cast<int>(network_.films.size()); ++k)
             if (!lost[k].isZero(0))
                 spread(k, lost[k]);
     }
 
+    // Whether what a film cell has left over is in a row of this rank: of its films, or of its cells through the nearest mouths.
+    bool counts(const FilmCell<D>& cell, const Nearest& nearest) const
+    {
+        if (cell.kind != CellKind::film || !assembled_[cell.owner])
+            return false;
+        const auto leads_here = [&](int mouth) {
+            const auto& cells = mouths_[cell.owner][mouth]->cells;
+            return std::any_of(cells.begin(), cells.end(),
+                               [&](const auto& entry) { return grid_.owns(grid_.cell_of_key(entry.first)); });
+        };
+        return film(cell.owner).here || std::any_of(nearest.begin(), nearest.end(), leads_here);
+    }
+
     // What solids' own surfaces give a film cell: the other wall's flux to `remainder`, third bodies' to `thirds`.
     void add_own_flux(const typename KeyMap<FilmCell<D>>::Item& item, Twist<D>& remainder, std::vector<Third>& thirds) const
     {
         const auto& [key, cell] = item;
-        if (cell.kind != CellKind::film || !assembled_[cell.owner])
-            return;
         const FilmMesh<D>& mesh = film(cell.owner).mesh;
         const Vec<D> here = grid_.dx() * cell.offset(cell.owner).template cast<double>();
         for (const CellFlux& flux : own_flux(grid_.cell_of_key(key)))
@@ -423,8 +436,6 @@ private:
             for (const FilmPoint<D>& point : mesh.points)
                 add_at_point(k, point, mesh.other, other_centre(mesh), flux, 1.0 / static_cast<double>(mesh.points.size()));
     }
-
-    using Nearest = InlineVector<int, 2>; // those that are equally near share what goes to the nearest
 
     /// Those of n items whose distance is the least, but for round-off.
     template <class Distance>
