@@ -265,9 +265,9 @@ void find_drag(Coupling<D>& coupling, double viscosity_dt, const std::vector<Twi
                 opened != 0 ? e.inverse * ((1 - parts.end) * linear_mean(mesh, e, opened) + parts.end) : e.inverse;
             drag.wet = wet.elements.empty() ? 1.0 : wet.elements[number];
             coupling.element_drag.push_back(drag);
+            if (!film.here)
+                continue;
             for (const Vec<D>& t : tangents<D>(e.normal)) {
-                if (!film.here)
-                    break;
                 const WallRows<D> rows = wall_rows(coupling, mesh, e, t, drag.wet);
                 coupling.drag_inertia.push_back(
                     {{mesh.master, mesh.other, rows.master, rows.other, drag.wet * rho * e.volume * drag.theta},

@@ -32,7 +32,7 @@ public:
         if (D == 2 && !coupling_.mouth_drag.empty())
             closed_areas_ = closed_areas(grid_, network_);
         find_mouths();
-        find_films();
+        choose_films();
         assemble_elements();
         assemble_closed_faces();
         assemble_other_walls();
@@ -63,11 +63,11 @@ private:
                 return false;
             for (int axis = 0; axis < D; ++axis) {
                 const int period = grid.periodic(axis) ? grid.cells()[axis] : 0;
-                bool meets = false;
+                bool any = false;
                 for (int image = -1; image <= 1; ++image)
-                    meets = meets ||
-                            (low[axis] + image * period <= other.high[axis] && high[axis] + image * period >= other.low[axis]);
-                if (!meets)
+                    any = any ||
+                          (low[axis] + image * period <= other.high[axis] && high[axis] + image * period >= other.low[axis]);
+                if (!any)
                     return false;
             }
             return true;
@@ -125,7 +125,7 @@ private:
     }
 
     // The films that this rank assembles: its own, and those whose mouths or closest points lie in its cells or among its own films' cells.
-    void find_films()
+    void choose_films()
     {
         assembled_.assign(network_.films.size(), 1);
         if (grid_.comm().size() == 1)
@@ -255,11 +255,11 @@ private:
     // From outside film k a closed face is part of the film's master.
     void assemble_closed_faces()
     {
-        const auto counts = [&](long key) {
+        const auto is_needed = [&](long key) {
             const FilmCell<D>* cell = network_.cells.cells.find(key);
             return cell && cell->kind == CellKind::film ? assembled_[cell->owner] != 0 : grid_.owns(grid_.cell_of_key(key));
         };
-        for_each_closed_face(grid_, network_, counts, [&](int k, const ClosedArea<D>& face, const Index<D>& offset) {
+        for_each_closed_face(grid_, network_, is_needed, [&](int k, const ClosedArea<D>& face, const Index<D>& offset) {
             const int master = film(k).mesh.master;
             closed_flux_[face.key].push_back({master, wrench<D>(face.area, face.x - centre(master)),
                                               centre(master) - grid_.dx() * offset.template cast<double>()});

@@ -15,7 +15,7 @@ namespace gapflow {
 template <int D>
 class FilmCondensation {
 public:
-    /// Keeps a reference. Collective, as the other functions are but for the vectors' size and the bytes.
+    /// Keeps a reference. Collective, as reduce() and expand() are.
     explicit FilmCondensation(const CoupledSystem<D>& system);
     FilmCondensation(const FilmCondensation&) = delete;
 

@@ -78,6 +78,14 @@ void expect_the_same(double film, double density, SideKind sides, bool contacts)
     }
 }
 
+auto film_between_fixed_bodies()
+{
+    TestScene<2> scene = film_scene<2>(64, 1.0, 1.0, 1.0);
+    for (BodyShape<2>& body : scene.bodies)
+        body.fixed = true;
+    return build(scene);
+}
+
 TEST(FilmCondensation, SameAsTheWholeSystem)
 {
     for (bool contacts : {false, true})
@@ -92,10 +100,7 @@ TEST(FilmCondensation, SameAsTheWholeSystem)
 // A right-hand side that changes the volume of enclosed fluid is made compatible as that of the whole system is: the pseudo-inverse is symmetric.
 TEST(FilmCondensation, IncompatibleRightHandSides)
 {
-    TestScene<2> scene = film_scene<2>(64, 1.0, 1.0, 1.0);
-    for (BodyShape<2>& body : scene.bodies)
-        body.fixed = true;
-    const auto test = build(scene);
+    const auto test = film_between_fixed_bodies();
     ASSERT_FALSE(FilmCondensation<2>(test->system).empty());
     ASSERT_EQ(test->system.null_space.cols(), 1);
     UnknownVector<2> a = sample(*test, 0.5, 1), b = sample(*test, 0.5, 2), p = zeros(*test), q = zeros(*test);
@@ -120,10 +125,7 @@ TEST(FilmCondensation, HeavyFilmsStayWhole)
 // film is heavy, too.)
 TEST(FilmCondensation, FilmsNearlyCutInTwoStayWhole)
 {
-    TestScene<2> scene = film_scene<2>(64, 1.0, 1.0, 1.0);
-    for (BodyShape<2>& body : scene.bodies)
-        body.fixed = true;
-    const auto test = build(scene);
+    const auto test = film_between_fixed_bodies();
     EXPECT_FALSE(FilmCondensation<2>(test->system).empty());
     Eigen::SparseMatrix<double>& film = test->system.film;
     for (int node : {8, 20}) { // edges to the next node
