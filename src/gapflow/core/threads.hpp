@@ -68,6 +68,22 @@ auto each_chunk(long n, long size, F&& f)
     return results;
 }
 
+/// What f(i, items) adds to `items` for all 0 <= i < n, in the order of i.
+template <class T, class F>
+std::vector<T> items_of(long n, F&& f)
+{
+    constexpr long size = 256; // of a thread's piece of work
+    std::vector<T> all;
+    for (const std::vector<T>&items : each_chunk(n, size, [&](long begin, long end) {
+             std::vector<T> items;
+             for (long i = begin; i < end; ++i)
+                 f(i, items);
+             return items;
+         }))
+        all.insert(all.end(), items.begin(), items.end());
+    return all;
+}
+
 /// Calls f(k) for low <= k < high.
 template <class F>
 void for_each_plane(int low, int high, F&& f)

@@ -154,9 +154,12 @@ std::set<std::pair<int, int>> pairs_of_links(const Coupling<D>& coupling, const 
     for (const Link& link : coupling.system.links) {
         if (!leads_on(link, shut) || link.nodes.empty())
             continue;
+        int last = -1; // a link's cells mostly have the same label
         for (const auto& [key, weight] : link.cells)
-            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && label(c) >= 0)
-                pairs.insert({label(c), labels + link.nodes.front().first});
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && label(c) >= 0 && label(c) != last) {
+                last = label(c);
+                pairs.insert({last, labels + link.nodes.front().first});
+            }
     }
     return pairs;
 }

@@ -1,6 +1,7 @@
 #include "gapflow/coupling/coupling.hpp"
 
 #include "gapflow/core/sharing.hpp"
+#include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/coupling/film_rows.hpp"
 #include "gapflow/grid/body_flux.hpp"
@@ -55,26 +56,29 @@ void fill_grid(Coupling<D>& coupling)
         Index<D> most = Index<D>::Zero(); // periods
         for (int axis = 0; axis < D; ++axis)
             most[axis] = grid.periodic(axis);
-        for (const auto& [key, cell] : network.cells.cells)
-            for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
-                if (!side.inside || !network.cells.closed.contains(network.faces->key(side.axis, side.face)))
-                    continue;
-                // Every place where this rank stores the face (periodic: the same face on both sides).
-                for_each_index<D>(-most, most + Index<D>::Ones(), [&](const Index<D>& periods) {
-                    const Index<D> f = grid.wrapped(side.face) + periods.cwiseProduct(grid.cells());
-                    if (!coupling.open[side.axis].block().contains(f))
-                        return;
-                    double& open = coupling.open(side.axis, f);
-                    const bool mine =
-                        (f.array() >= low.array()).all() && (f.array() < (high + step<D>(side.axis)).array()).all();
-                    if (mine && open > 1e-12)
-                        coupling.system.film_faces.push_back({side.axis,
-                                                              f,
-                                                              open * unit_conductance / grid.spread(side.axis, f[side.axis]),
-                                                              {has_unknown(f - step<D>(side.axis)), has_unknown(f)}});
-                    open = 0;
-                });
-            }
+        const auto closed =
+            items_of<CellSide<D>>(static_cast<long>(network.cells.cells.size()), [&](long i, std::vector<CellSide<D>>& sides) {
+                const Index<D> cell = grid.cell_of_key(network.cells.cells.item(static_cast<int>(i)).first);
+                for (const CellSide<D>& side : sides_of(grid, cell))
+                    if (side.inside && network.cells.closed.contains(network.faces->key(side.axis, side.face)))
+                        sides.push_back(side);
+            });
+        for (const CellSide<D>& side : closed) {
+            // Every place where this rank stores the face (periodic: the same face on both sides).
+            for_each_index<D>(-most, most + Index<D>::Ones(), [&](const Index<D>& periods) {
+                const Index<D> f = grid.wrapped(side.face) + periods.cwiseProduct(grid.cells());
+                if (!coupling.open[side.axis].block().contains(f))
+                    return;
+                double& open = coupling.open(side.axis, f);
+                const bool mine = (f.array() >= low.array()).all() && (f.array() < (high + step<D>(side.axis)).array()).all();
+                if (mine && open > 1e-12)
+                    coupling.system.film_faces.push_back({side.axis,
+                                                          f,
+                                                          open * unit_conductance / grid.spread(side.axis, f[side.axis]),
+                                                          {has_unknown(f - step<D>(side.axis)), has_unknown(f)}});
+                open = 0;
+            });
+        }
     }
     CoupledSystem<D>& system = coupling.system;
     system.grid = coupling.grid;
@@ -118,18 +122,18 @@ void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
 {
     const Grid<D>& grid = *coupling.grid;
     CoupledSystem<D>& system = coupling.system;
-    for (const Index<D>& c : coupling.fractions->surface_cells) {
-        const auto kind = static_cast<CellKind>(coupling.kind(c));
-        if (kind != CellKind::bulk && kind != CellKind::mixed)
-            continue;
-        for_each_body_flux(grid, *coupling.fractions, c, [&](int solid, const Twist<D>& flux) {
-            if (coupling.solids[solid].wall)
-                return;
-            coupling.cell_flux.push_back({c, solid, flux});
-            if (const int b = coupling.free_body[solid]; b >= 0)
-                system.cell_flux.push_back({c, b, coupling.solids[solid].admissible * flux});
-        });
-    }
+    append_entries<D, Index<D>>(
+        static_cast<long>(coupling.fractions->surface_cells.size()),
+        [&](long i, FluxEntries<D, Index<D>>& entries) {
+            const Index<D>& c = coupling.fractions->surface_cells[i];
+            const auto kind = static_cast<CellKind>(coupling.kind(c));
+            if (kind == CellKind::bulk || kind == CellKind::mixed)
+                for_each_body_flux(grid, *coupling.fractions, c, [&](int solid, const Twist<D>& flux) {
+                    if (!coupling.solids[solid].wall)
+                        entries.add(coupling, c, solid, flux);
+                });
+        },
+        coupling.cell_flux, system.cell_flux);
     append_rows(coupling, rows, system.node_flux);
     coupling.cell_flux.shrink_to_fit(); // large
     system.cell_flux.shrink_to_fit();

@@ -31,6 +31,7 @@ public:
     {
         if (D == 2 && !coupling_.mouth_drag.empty())
             closed_areas_ = closed_areas(grid_, network_);
+
         find_mouths();
         choose_films();
         assemble_elements();
@@ -259,11 +260,18 @@ private:
             const FilmCell<D>* cell = network_.cells.cells.find(key);
             return cell && cell->kind == CellKind::film ? assembled_[cell->owner] != 0 : grid_.owns(grid_.cell_of_key(key));
         };
-        for_each_closed_face(grid_, network_, is_needed, [&](int k, const ClosedArea<D>& face, const Index<D>& offset) {
-            const int master = film(k).mesh.master;
-            closed_flux_[face.key].push_back({master, wrench<D>(face.area, face.x - centre(master)),
-                                              centre(master) - grid_.dx() * offset.template cast<double>()});
-        });
+        const std::vector<ClosedFace<D>> faces = closed_faces(grid_, network_, is_needed);
+        closed_flux_.reserve(faces.size());
+        closed_of_.reserve(faces.size());
+        for (const auto& [k, face, offset] : faces) {
+            const int master = film(k).mesh.master, number = static_cast<int>(closed_flux_.size());
+            closed_flux_.push_back({{master, wrench<D>(face.area, face.x - centre(master)),
+                                     centre(master) - grid_.dx() * offset.template cast<double>()},
+                                    -1});
+            const auto [list, is_new] = closed_of_.insert(face.key, {number, number});
+            if (!is_new)
+                list.last = closed_flux_[list.last].next = number;
+        }
     }
 
     struct CellFlux {
@@ -271,6 +279,21 @@ private:
         Twist<D> flux; ///< wrench about the solid's centre
         Vec<D> centre; ///< of the solid's image at this place
     };
+
+    // A cell's closed faces: places in `closed_flux_`, each with the next.
+    struct ClosedList {
+        int first = -1, last = -1;
+    };
+    struct ListedFlux {
+        CellFlux flux;
+        int next;
+    };
+    template <class F>
+    void for_each_closed_flux(const ClosedList& list, F&& f) const
+    {
+        for (int i = list.first; i >= 0; i = closed_flux_[i].next)
+            f(closed_flux_[i].flux);
+    }
 
     // Flux of each solid out of a film cell through its own clipped faces; none where all of them lie in one solid.
     InlineVector<CellFlux, 4> own_flux(const Index<D>& c) const
@@ -348,9 +371,9 @@ private:
         const Vec<D> here = grid_.dx() * cell.offset(cell.owner).template cast<double>();
         for (const CellFlux& flux : own_flux(grid_.cell_of_key(key)))
             add_in_film_cell_of(key, mesh, flux, here, remainder, thirds);
-        if (const auto* closed = closed_flux_.find(key))
-            for (const CellFlux& flux : *closed)
-                add_in_film_cell_of(key, mesh, flux, here, remainder, thirds);
+        if (const ClosedList* closed = closed_of_.find(key))
+            for_each_closed_flux(*closed,
+                                 [&](const CellFlux& flux) { add_in_film_cell_of(key, mesh, flux, here, remainder, thirds); });
     }
 
     // Flux of a film's point that leaves for a cell of the grid or for another film.
@@ -543,12 +566,9 @@ private:
                 add_at_point(owner, film(owner).mesh.points[point], third_[i].solid, third_[i].centre, third_[i].flux,
                              1.0 / static_cast<double>(nearest[i].size()));
         }
-        for (const auto& [key, fluxes] : closed_flux_) { // bulk and mixed cells beside closed faces
-            if (network_.cells.kind(key, CellKind::bulk) == CellKind::film)
-                continue;
-            for (const CellFlux& flux : fluxes)
-                rows_.add_cell(key, flux.solid, flux.flux);
-        }
+        for (const auto& entry : closed_of_) // bulk and mixed cells beside closed faces
+            if (const long key = entry.first; network_.cells.kind(key, CellKind::bulk) != CellKind::film)
+                for_each_closed_flux(entry.second, [&](const CellFlux& flux) { rows_.add_cell(key, flux.solid, flux.flux); });
     }
 
     // Method, "Mouths and joints": q = (p_film - p_bulk) length / (rho R) + q*; length h nu . U_m moves with the master.
@@ -594,7 +614,8 @@ private:
     std::vector<char> assembled_;                      ///< whether this rank assembles each film
     std::vector<std::vector<const Mouth<D>*>> mouths_; ///< of each film, those that end in cells
     std::vector<std::vector<Vec<D>>> mouth_places_;    ///< where they are
-    KeyMap<std::vector<CellFlux>> closed_flux_;
+    std::vector<ListedFlux> closed_flux_;              ///< of masters, out of cells beside closed faces
+    KeyMap<ClosedList> closed_of_;
     std::vector<std::vector<ClosedArea<D>>> closed_areas_; ///< of each film
     std::vector<Third> third_;
 };
@@ -607,22 +628,21 @@ template <int D>
 void append_rows(Coupling<D>& coupling, const FluxRows<D>& rows, std::vector<BodyFlux<D, int>>& free_nodes)
 {
     const Grid<D>& grid = *coupling.grid;
-    std::size_t entries = 0;
-    for (const auto& row : rows.nodes)
-        entries += row.size();
-    coupling.node_flux.reserve(coupling.node_flux.size() + entries);
-    free_nodes.reserve(free_nodes.size() + entries);
-    auto append = [&](auto& all, auto& free, const auto& row, const auto& fluxes) {
-        for (const auto& [solid, flux] : fluxes) {
-            all.push_back({row, solid, flux});
-            if (const int b = coupling.free_body[solid]; b >= 0)
-                free.push_back({row, b, coupling.solids[solid].admissible * flux});
-        }
-    };
-    for (const auto& [key, fluxes] : rows.cells)
-        append(coupling.cell_flux, coupling.system.cell_flux, grid.cell_of_key(key), fluxes);
-    for (int node = 0; node < static_cast<int>(rows.nodes.size()); ++node)
-        append(coupling.node_flux, free_nodes, node, rows.nodes[node]);
+    append_entries<D, Index<D>>(
+        static_cast<long>(rows.cells.size()),
+        [&](long i, FluxEntries<D, Index<D>>& entries) {
+            const auto& [key, fluxes] = rows.cells.item(static_cast<int>(i));
+            for (const auto& [solid, flux] : fluxes)
+                entries.add(coupling, grid.cell_of_key(key), solid, flux);
+        },
+        coupling.cell_flux, coupling.system.cell_flux);
+    append_entries<D, int>(
+        static_cast<long>(rows.nodes.size()),
+        [&](long node, FluxEntries<D, int>& entries) {
+            for (const auto& [solid, flux] : rows.nodes[node])
+                entries.add(coupling, static_cast<int>(node), solid, flux);
+        },
+        coupling.node_flux, free_nodes);
 }
 
 template <int D>

@@ -1,6 +1,7 @@
 // The films' share of the coupled system (method, "Rows of the film", "Mouths and joints").
 #pragma once
 
+#include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/coupling.hpp"
 
 #include <utility>
@@ -21,7 +22,7 @@ struct FluxRows {
 
     void add_cell(long key, int solid, const Twist<D>& flux)
     {
-        if (system.grid->owns(system.grid->cell_of_key(key)))
+        if (system.grid->comm().size() == 1 || system.grid->owns(system.grid->cell_of_key(key)))
             add(cells[key], solid, flux);
     }
     void add_node(int node, int solid, const Twist<D>& flux)
@@ -46,6 +47,44 @@ private:
 /// matrix and links and the coupling's normal inertia.
 template <int D>
 void assemble_films(Coupling<D>& coupling, FluxRows<D>& rows);
+
+/// Entries of K, of all solids and of the free bodies among them.
+template <int D, class Row>
+struct FluxEntries {
+    std::vector<BodyFlux<D, Row>> all, free;
+
+    void add(const Coupling<D>& coupling, const Row& row, int solid, const Twist<D>& flux)
+    {
+        all.push_back({row, solid, flux});
+        if (const int b = coupling.free_body[solid]; b >= 0)
+            free.push_back({row, b, coupling.solids[solid].admissible * flux});
+    }
+};
+
+/// Appends to both lists what add(i, entries) adds for every i < n, on threads.
+template <int D, class Row, class Add>
+void append_entries(long n, Add&& add, std::vector<BodyFlux<D, Row>>& all, std::vector<BodyFlux<D, Row>>& free)
+{
+    constexpr long chunk = 1024;
+    std::vector<FluxEntries<D, Row>> chunks = each_chunk(n, chunk, [&](long begin, long end) {
+        FluxEntries<D, Row> entries;
+        for (long i = begin; i < end; ++i)
+            add(i, entries);
+        return entries;
+    });
+    std::size_t all_count = all.size(), free_count = free.size();
+    for (const FluxEntries<D, Row>& entries : chunks) {
+        all_count += entries.all.size();
+        free_count += entries.free.size();
+    }
+    all.reserve(all_count);
+    free.reserve(free_count);
+    for (FluxEntries<D, Row>& entries : chunks) {
+        all.insert(all.end(), entries.all.begin(), entries.all.end());
+        free.insert(free.end(), entries.free.begin(), entries.free.end());
+        entries = {};
+    }
+}
 
 /// Appends the rows to K of all solids (coupling.cell_flux, node_flux) and to the free bodies' share of it: in cells that of the system, in
 /// film nodes `free_nodes`.

@@ -2,6 +2,7 @@
 
 #include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/grid/cell_marks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,46 +80,6 @@ void cells_on_segment(const Grid<D>& grid, const Vec<D>& x, const Vec<D>& y, std
 }
 
 namespace {
-
-/// Marks on the cells of a box.
-template <int D>
-class CellMarks {
-public:
-    CellMarks(const Index<D>& low, const Index<D>& high) : block_(low, high), marks_(block_.size, 0) {}
-
-    bool operator()(const Index<D>& cell) const { return marks_[block_.offset(cell)]; }
-    /// Marks a cell of the domain and its periodic images, as far as they lie in the box.
-    void set_images(const Grid<D>& grid, const Index<D>& cell)
-    {
-        Index<D> first = Index<D>::Zero(), last = Index<D>::Zero(); // periods
-        for (int axis = 0; axis < D; ++axis)
-            if (grid.periodic(axis)) {
-                const int n = grid.cells()[axis];
-                first[axis] = -((cell[axis] - block_.low[axis]) / n);
-                last[axis] = (block_.high[axis] - 1 - cell[axis]) / n;
-            }
-        for_each_index<D>(first, last + Index<D>::Ones(), [&](const Index<D>& periods) {
-            if (const Index<D> image = cell + periods.cwiseProduct(grid.cells()); block_.contains(image))
-                marks_[block_.offset(image)] = 1;
-        });
-    }
-    /// Marks the cells up to so many away along an axis, too.
-    void spread(int axis, int distance)
-    {
-        const std::vector<char> before = marks_;
-        const long stride = block_.stride[axis], slab = stride * (block_.high[axis] - block_.low[axis]);
-        for (long from = 0; from < block_.size; from += slab) // planes across the axis follow each other in a slab
-            for (long d = stride; d <= distance * stride && d < slab; d += stride)
-                for (long i = from; i < from + slab - d; ++i) {
-                    marks_[i] |= before[i + d];
-                    marks_[i + d] |= before[i];
-                }
-    }
-
-private:
-    Block<D> block_;
-    std::vector<char> marks_;
-};
 
 /// Representative points of the open faces of a cell.
 template <int D>
@@ -220,10 +181,14 @@ struct Classifier {
             for (const auto& [key, touch] : of_film)
                 result.cells[key].touches.push_back(touch);
         result.cells.sort();
-        for (auto& [key, cell] : result.cells)
-            std::stable_sort(cell.touches.begin(), cell.touches.end(), [](const Touch<D>& a, const Touch<D>& b) {
-                return static_cast<float>(a.measure) > static_cast<float>(b.measure);
-            });
+        for_each_part(static_cast<long>(result.cells.size()), [&](long begin, long end) {
+            for (long i = begin; i < end; ++i) {
+                auto& touches_of_cell = result.cells.item(static_cast<int>(i)).second.touches;
+                std::stable_sort(touches_of_cell.begin(), touches_of_cell.end(), [](const Touch<D>& a, const Touch<D>& b) {
+                    return static_cast<float>(a.measure) > static_cast<float>(b.measure);
+                });
+            }
+        });
     }
 
     void set_kind(long key, FilmCell<D>& cell) const
@@ -428,27 +393,29 @@ void reopen_strangled(const FaceCache<D>& faces, FilmCells<D>& cells)
 {
     const Grid<D>& grid = faces.grid();
     auto is_mixed = [&](long key) { return cells.kind(key, CellKind::bulk) == CellKind::mixed; };
-    std::vector<long> found;
-    for (const auto& [key, cell] : cells.cells) {
+    const auto found = items_of<long>(static_cast<long>(cells.cells.size()), [&](long i, std::vector<long>& strangled) {
+        const auto& [key, cell] = cells.cells.item(static_cast<int>(i));
         if (cell.kind != CellKind::mixed || !grid.owns(grid.cell_of_key(key)))
-            continue;
+            return;
+        const auto sides = sides_of(grid, grid.cell_of_key(key));
         double aperture = 0;
-        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key)))
+        for (const CellSide<D>& side : sides)
             aperture += open_after_closing(faces, cells, side.axis, side.face);
         if (aperture >= strangled_aperture)
-            continue;
-        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
+            return;
+        for (const CellSide<D>& side : sides) {
             const long face = faces.key(side.axis, side.face);
             if (side.inside && cells.closed.contains(face) && is_mixed(grid.key(grid.wrapped(side.cell))))
-                found.push_back(face);
+                strangled.push_back(face);
         }
-    }
+    });
     KeyMap<char> reopened;
     for (long face : all_values(grid.comm(), found))
         reopened.insert(face);
     if (reopened.empty())
         return;
     KeyMap<int> still_closed;
+    still_closed.reserve(cells.closed.size());
     for (const auto& [face, film] : cells.closed)
         if (!reopened.contains(face))
             still_closed.insert(face, film);
@@ -514,7 +481,9 @@ void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D
             close(i, closed);
         return closed;
     });
-    for (const auto& [i, closed] : all_items(grid.comm(), chunks))
+    const auto all = all_items(grid.comm(), chunks);
+    cells.closed.reserve(all.size());
+    for (const auto& [i, closed] : all)
         cells.closed.insert(closed.first, closed.second);
     reopen_strangled(faces, cells);
 }

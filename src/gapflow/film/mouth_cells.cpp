@@ -35,9 +35,9 @@ template <int D>
 std::vector<std::vector<ClosedArea<D>>> closed_areas(const Grid<D>& grid, const FilmNetwork<D>& network)
 {
     std::vector<std::vector<ClosedArea<D>>> areas(network.films.size());
-    for_each_closed_face(
-        grid, network, [&](long key) { return network.cells.kind(key, CellKind::bulk) != CellKind::film; },
-        [&](int film, const ClosedArea<D>& face, const Index<D>&) { areas[film].push_back(face); });
+    const auto is_outside = [&](long key) { return network.cells.kind(key, CellKind::bulk) != CellKind::film; };
+    for (const ClosedFace<D>& face : closed_faces(grid, network, is_outside))
+        areas[face.film].push_back(face.area);
     return areas;
 }
 

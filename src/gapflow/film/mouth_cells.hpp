@@ -1,6 +1,7 @@
 // The faces that films close, and the cells behind those at a mouth (method, "Mouths and joints", "Films of viscous fluid").
 #pragma once
 
+#include "gapflow/core/threads.hpp"
 #include "gapflow/film/mouths.hpp"
 
 #include <span>
@@ -16,14 +17,22 @@ struct ClosedArea {
     Vec<D> area; ///< normal times open area, out of the cell
 };
 
-/// Calls f(film, face, offset) for every face that a film closes, from each cell beside it that is not the film's own and whose key `counts`; `offset`: of the
-/// film's frame, in cells.
-template <int D, class Counts, class F>
-void for_each_closed_face(const Grid<D>& grid, const FilmNetwork<D>& network, Counts&& counts, F&& f)
+/// A face that a film closes, seen from a cell beside it that is not the film's own.
+template <int D>
+struct ClosedFace {
+    int film;
+    ClosedArea<D> area;
+    Index<D> offset; ///< of the film's frame, in cells
+};
+
+/// Those seen from cells whose key `counts`, in the order of the film cells beside them.
+template <int D, class Counts>
+std::vector<ClosedFace<D>> closed_faces(const Grid<D>& grid, const FilmNetwork<D>& network, Counts&& counts)
 {
     const FilmCells<D>& cells = network.cells;
     const FaceCache<D>& faces = *network.faces;
-    for (const auto& [key, cell] : cells.cells)
+    return items_of<ClosedFace<D>>(static_cast<long>(cells.cells.size()), [&](long i, std::vector<ClosedFace<D>>& found) {
+        const auto& [key, cell] = cells.cells.item(static_cast<int>(i));
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
             const int* closed = side.inside ? cells.closed.find(faces.key(side.axis, side.face)) : nullptr;
             if (!closed)
@@ -37,10 +46,11 @@ void for_each_closed_face(const Grid<D>& grid, const FilmNetwork<D>& network, Co
             const Vec<D> x = faces.open_centroid(side.axis, side.face) + grid.dx() * offset.template cast<double>();
             const Vec<D> area = (2 * side.end - 1) * faces.open(side.axis, side.face) * grid.face_area() * unit<D>(side.axis);
             if (here)
-                f(*closed, ClosedArea<D>{key, x, area}, offset);
+                found.push_back({*closed, {key, x, area}, offset});
             if (there)
-                f(*closed, ClosedArea<D>{beyond, x, -area}, offset);
+                found.push_back({*closed, {beyond, x, -area}, offset});
         }
+    });
 }
 
 /// The faces that each film closes, from all cells that are no film's.

@@ -23,8 +23,9 @@ struct Extrapolation {
     const Grid<D>& grid;
     CellField<D>& u;
     CellField<D, std::int8_t>& valid;
-    Index<D> low, end;                // owned faces
-    std::vector<Index<D>> candidates; // owned, reached by no layer yet, beside one that is
+    Index<D> low, end;                        // owned faces
+    std::vector<std::vector<Index<D>>> holes; // owned faces that are not valid, by plane
+    std::vector<Index<D>> candidates;         // owned, reached by no layer yet, beside one that is
     std::vector<double> values;
 
     bool owned(const Index<D>& f) const { return (f.array() >= low.array()).all() && (f.array() < end.array()).all(); }
@@ -65,20 +66,20 @@ struct Extrapolation {
         }
     }
 
-    // Normalises `valid`, zeroes u elsewhere and queues the first layer.
-    void first_sweep()
+    // Normalises `valid` and zeroes u elsewhere.
+    void clear_holes()
     {
         const int n = end[0] - low[0];
-        const std::vector<std::vector<Index<D>>> invalid = each_plane(low[D - 1], end[D - 1], [&](int plane) {
+        holes = each_plane(low[D - 1], end[D - 1], [&](int plane) {
             std::vector<Index<D>> of_plane;
             for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
                 std::int8_t* mark = &valid(row);
-                int holes = 0;
+                int count = 0;
                 for (int i = 0; i < n; ++i) {
                     mark[i] = mark[i] != 0;
-                    holes += 1 - mark[i];
+                    count += 1 - mark[i];
                 }
-                if (holes == 0)
+                if (count == 0)
                     return;
                 Index<D> f = row;
                 for (int i = 0; i < n; ++i, ++f[0])
@@ -89,13 +90,17 @@ struct Extrapolation {
             });
             return of_plane;
         });
-        exchange(grid, valid, 2);
-        exchange(grid, u, 2);
-        for (const std::vector<Index<D>>& of_plane : invalid)
+    }
+
+    // Once the ghosts are known, too.
+    void queue_first_layer()
+    {
+        for (const std::vector<Index<D>>& of_plane : holes)
             for (const Index<D>& f : of_plane)
                 for (int axis = 0; axis < D; ++axis)
                     if (valid(f - step<D>(axis)) > 0 || valid(f + step<D>(axis)) > 0)
                         queue(f);
+        holes.clear();
     }
 
     // Queues the owned neighbours of ghosts that another rank filled in this layer.
@@ -146,8 +151,10 @@ struct Extrapolation {
                 valid(candidates[i]) = static_cast<std::int8_t>(layer + 1);
             }
         });
-        exchange(grid, valid, 1);
-        exchange(grid, u, 1);
+    }
+
+    void queue_next_layer(int layer)
+    {
         std::vector<Index<D>> filled;
         filled.swap(candidates);
         for (const Index<D>& f : filled)
@@ -162,15 +169,31 @@ template <int D>
 void extrapolate(const Grid<D>& grid, FaceField<D>& u, FaceField<D, std::int8_t>& valid, int layers)
 {
     assert(grid.ghost() >= 2 && layers <= 126);
-    for (int axis = 0; axis < D; ++axis) {
-        Extrapolation<D> field{grid, u[axis], valid[axis], grid.low(), owned_faces_end(grid, axis), {}, {}};
+    std::vector<Extrapolation<D>> fields; // of the axes, whose lists are made side by side
+    for (int axis = 0; axis < D; ++axis)
+        fields.push_back({grid, u[axis], valid[axis], grid.low(), owned_faces_end(grid, axis), {}, {}, {}});
+    for (Extrapolation<D>& field : fields) {
         field.clear_outside();
-        field.first_sweep();
-        for (int layer = 1; layer <= layers && grid.comm().any(!field.candidates.empty()); ++layer)
-            field.fill_layer(layer);
-        for (const Index<D>& f : field.candidates)
-            valid(axis, f) = 0;
+        field.clear_holes();
+        exchange(grid, field.valid, 2);
+        exchange(grid, field.u, 2);
     }
+    for_each_job(D, [&](int axis) { fields[axis].queue_first_layer(); });
+    const auto any = [&] {
+        return grid.comm().any(
+            std::any_of(fields.begin(), fields.end(), [](const auto& field) { return !field.candidates.empty(); }));
+    };
+    for (int layer = 1; layer <= layers && any(); ++layer) {
+        for (Extrapolation<D>& field : fields) {
+            field.fill_layer(layer);
+            exchange(grid, field.valid, 1);
+            exchange(grid, field.u, 1);
+        }
+        for_each_job(D, [&](int axis) { fields[axis].queue_next_layer(layer); });
+    }
+    for (Extrapolation<D>& field : fields)
+        for (const Index<D>& f : field.candidates)
+            field.valid(f) = 0;
     exchange(grid, u);
     exchange(grid, valid);
 }

@@ -103,14 +103,15 @@ private:
     // The faces in the order of their numbers; their memory, the most there is in crowds, is asked for once.
     void gather(std::vector<Work>& works)
     {
-        result_.faces.reserve(count_);
-        for (Work& work : works) {
-            result_.faces.insert(result_.faces.end(), std::make_move_iterator(work.faces.begin()),
-                                 std::make_move_iterator(work.faces.end()));
-            work = {};
-        }
-        const std::size_t before = result_.faces.size();
         result_.faces.resize(count_);
+        std::vector<std::size_t> first{0}; // of every work
+        for (const Work& work : works)
+            first.push_back(first.back() + work.faces.size());
+        for_each_job(static_cast<int>(works.size()), [&](int k) {
+            std::move(works[k].faces.begin(), works[k].faces.end(), result_.faces.begin() + static_cast<long>(first[k]));
+            works[k] = {};
+        });
+        const std::size_t before = first.back();
         for_each_part(static_cast<long>(whole_.size()), [&](long begin, long end) {
             for (long i = begin; i < end; ++i)
                 data_.clip(whole_[i].first, whole_[i].second, result_.faces[before + i]);
@@ -296,19 +297,29 @@ private:
             const int cut = result_.cut(axis, face);
             return cut < -1 ? data_.images[inside(cut)].solid : -1;
         };
-        std::erase_if(surface_cells_, [&](const Index<D>& cell) {
+        const auto lacks_entries = [&](const Index<D>& cell) {
             if (!(cell.array() < high_.array()).all())
-                return true;
+                return false;
             const int first = solid_around(0, cell);
-            bool same = first >= 0;
-            for_each_face(cell, [&](int axis, const Index<D>& face) { same &= solid_around(axis, face) == first; });
-            return same;
-        });
-        for (const Index<D>& cell : surface_cells_)
+            bool same = first >= 0, any = false;
             for_each_face(cell, [&](int axis, const Index<D>& face) {
-                if (result_.cut(axis, face) < -1)
-                    add_entry(axis, face);
+                const int solid = solid_around(axis, face);
+                same &= solid == first;
+                any |= solid >= 0;
             });
+            return any && !same;
+        };
+        std::vector<char> lacks(surface_cells_.size());
+        for_each_part(static_cast<long>(lacks.size()), [&](long begin, long end) {
+            for (long i = begin; i < end; ++i)
+                lacks[i] = lacks_entries(surface_cells_[i]);
+        });
+        for (std::size_t i = 0; i < lacks.size(); ++i)
+            if (lacks[i])
+                for_each_face(surface_cells_[i], [&](int axis, const Index<D>& face) {
+                    if (result_.cut(axis, face) < -1)
+                        add_entry(axis, face);
+                });
     }
 
     const Grid<D>& grid_;

@@ -31,13 +31,15 @@ CoupledOperator<D>::CoupledOperator(const CoupledSystem<D>& system)
             link_nodes_.add(node, weight);
         link_nodes_.end_list();
     }
+    std::vector<int> place(system.links.empty() ? 0 : system.component.size(), -1); // of a cell among the linked ones
     for (const auto& entry : link_cells_.entries())
-        linked_cells_.push_back(entry.number);
-    std::sort(linked_cells_.begin(), linked_cells_.end());
-    linked_cells_.erase(std::unique(linked_cells_.begin(), linked_cells_.end()), linked_cells_.end());
-    cell_links_ = link_cells_.transposed(static_cast<long>(linked_cells_.size()), [&](long cell) {
-        return std::lower_bound(linked_cells_.begin(), linked_cells_.end(), cell) - linked_cells_.begin();
-    });
+        place[entry.number] = 0;
+    for (std::size_t cell = 0; cell < place.size(); ++cell)
+        if (place[cell] == 0) {
+            place[cell] = static_cast<int>(linked_cells_.size());
+            linked_cells_.push_back(static_cast<long>(cell));
+        }
+    cell_links_ = link_cells_.transposed(static_cast<long>(linked_cells_.size()), [&](long cell) { return place[cell]; });
     node_links_ = link_nodes_.transposed(system.nodes, [](int node) { return node; });
     cell_flux_runs_ = RowRuns(static_cast<long>(system.cell_flux.size()), system.component.size(),
                               [&](long i) { return block.offset(system.cell_flux[i].row); });

@@ -14,6 +14,7 @@
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/solver/loose_cells.hpp"
+#include "gapflow/solver/sorted_cells.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -36,46 +37,38 @@ constexpr double shift = 1e-12;        // relative, on the diagonal: films whose
 
 /// Cells around the links.
 struct Surroundings {
-    std::vector<long> cells; ///< sorted
-    bool crowded;            ///< the links' cells and those beside them alone
-    KeyMap<double> by_links; ///< what the links conduct to each of their cells
+    std::vector<long> cells;      ///< sorted
+    bool crowded;                 ///< the links' cells and those beside them alone
+    std::vector<long> linked;     ///< the links' cells, sorted
+    std::vector<double> by_links; ///< what the links conduct to each of them
 };
 
 /// All cells within `layers` steps of the links' cells, or within one.
 template <int D>
 Surroundings around_links(const CoupledSystem<D>& system)
 {
-    const Grid<D>& grid = *system.grid;
-    Surroundings around;
+    std::vector<std::pair<long, double>> ties;
     for (const Link& link : system.links)
         for (const auto& [key, weight] : link.cells)
-            around.by_links[key] += link.conductance * weight * weight;
-    KeyMap<char> known;
-    known.reserve(8 * around.by_links.size());
-    std::vector<long>& found = around.cells;
-    for (const auto& entry : around.by_links) {
-        found.push_back(entry.first);
-        known.insert(entry.first);
+            ties.emplace_back(key, link.conductance * weight * weight);
+    std::stable_sort(ties.begin(), ties.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    Surroundings around;
+    for (const auto& [key, conductance] : ties) {
+        if (around.linked.empty() || around.linked.back() != key) {
+            around.linked.push_back(key);
+            around.by_links.push_back(0);
+        }
+        around.by_links.back() += conductance;
     }
-    const auto crowd = [&] { return found.size() > few_cells; };
-    std::size_t beside = 0; // end of those one step away
-    for (std::size_t layer = 0, first = 0; layer < layers; ++layer) {
-        const std::size_t end = found.size();
-        for (; first < end && (layer == 0 || !crowd()); ++first)
-            for (int side = 0; side < 2 * D; ++side) {
-                Index<D> c = grid.cell_of_key(found[first]);
-                c[side / 2] += side % 2 ? 1 : -1;
-                c = grid.wrapped(c);
-                if (grid.in_domain(c) && known.insert(grid.key(c)).second)
-                    found.push_back(grid.key(c));
-            }
-        if (layer == 0)
-            beside = found.size();
+    const auto crowd = [](const std::vector<long>& cells) { return cells.size() > few_cells; };
+    around.cells = with_neighbours(*system.grid, around.linked);
+    around.crowded = crowd(around.cells);
+    for (int layer = 1; layer < layers && !around.crowded; ++layer) {
+        std::vector<long> wider = with_neighbours(*system.grid, around.cells);
+        around.crowded = crowd(wider);
+        if (!around.crowded)
+            around.cells = std::move(wider);
     }
-    around.crowded = crowd();
-    if (around.crowded)
-        found.resize(beside);
-    std::sort(found.begin(), found.end());
     return around;
 }
 
@@ -85,16 +78,20 @@ constexpr int told_width = 2 * D + 1;
 
 /// Clears the first entry of the cells that a crowd's band does not need.
 template <int D>
-void leave_out(const Grid<D>& grid, const std::vector<long>& around, const KeyMap<double>& by_links, std::vector<double>& told)
+void leave_out(const Grid<D>& grid, const Surroundings& around, std::vector<double>& told)
 {
     std::vector<CellTies<D>> cells;
     std::vector<double*> needed;
-    for (std::size_t i = 0; i < around.size(); ++i) {
+    std::size_t link = 0;
+    for (std::size_t i = 0; i < around.cells.size(); ++i) {
         double* const entry = &told[told_width<D> * i];
         if (entry[0] <= 0)
             continue;
-        const double* links = by_links.find(around[i]);
-        CellTies<D>& cell = cells.emplace_back(CellTies<D>{around[i], {}, links ? *links : 0.0});
+        const long key = around.cells[i];
+        while (link < around.linked.size() && around.linked[link] < key)
+            ++link;
+        const bool is_linked = link < around.linked.size() && around.linked[link] == key;
+        CellTies<D>& cell = cells.emplace_back(CellTies<D>{key, {}, is_linked ? around.by_links[link] : 0.0});
         std::copy_n(entry + 1, 2 * D, cell.faces.begin());
         needed.push_back(entry);
     }
@@ -121,7 +118,9 @@ void FilmBand<D>::find_cells()
     const Block<D> level = block_of_level<D>(grid.low(), grid.high());
     // Every rank sends its cells' data: whether there is an unknown, and the conductances around.
     constexpr int width = told_width<D>;
-    const auto [around, crowded, by_links] = around_links(system_);
+    const Surroundings surroundings = around_links(system_);
+    const std::vector<long>& around = surroundings.cells;
+
     std::vector<double> told(width * around.size(), 0.0);
     for (std::size_t i = 0; i < around.size(); ++i) {
         const Index<D> c = grid.cell_of_key(around[i]);
@@ -132,8 +131,8 @@ void FilmBand<D>::find_cells()
         told[width * i] = 1;
     }
     grid.comm().sum(told);
-    if (crowded)
-        leave_out<D>(grid, around, by_links, told);
+    if (surroundings.crowded)
+        leave_out<D>(grid, surroundings, told);
     for (std::size_t i = 0; i < around.size(); ++i)
         if (told[width * i] > 0) {
             rows_.insert(around[i], system_.nodes + static_cast<int>(keys_.size()));
@@ -143,16 +142,22 @@ void FilmBand<D>::find_cells()
         }
     size_ = system_.nodes + static_cast<int>(keys_.size());
 
+    NeighbourWalk<D> walk(grid, keys_);
     for (std::size_t i = 0; i < keys_.size(); ++i) {
         const Index<D> c = grid.cell_of_key(keys_[i]);
         const int row = system_.nodes + static_cast<int>(i);
         if (grid.owns(c))
             owned_.push_back({row, c, level.offset(c)});
+        beside_.emplace_back();
         for (int side = 0; side < 2 * D; ++side) {
+            const long place = walk(c, side);
+            beside_.back()[side] = place < 0 ? -1 : system_.nodes + static_cast<int>(place);
+            if (place >= 0 || faces_[i][side] <= 0)
+                continue;
             Index<D> other = c;
             other[side / 2] += side % 2 ? 1 : -1;
             other = grid.wrapped(other);
-            if (faces_[i][side] > 0 && grid.in_domain(other) && grid.owns(other) && !rows_.contains(grid.key(other)))
+            if (grid.in_domain(other) && grid.owns(other))
                 outside_.push_back({level.offset(other), row, faces_[i][side]});
         }
     }
@@ -190,7 +195,6 @@ template <int D>
 template <class F, class Join>
 void FilmBand<D>::for_each_term(F&& f, Join&& join, std::vector<char>& fixed) const
 {
-    const Grid<D>& grid = *system_.grid;
     matrix_.for_each_film_edge([&](int i, int j, double conductance) {
         f(i, i, conductance);
         f(j, j, conductance);
@@ -203,16 +207,12 @@ void FilmBand<D>::for_each_term(F&& f, Join&& join, std::vector<char>& fixed) co
         fixed[i] = matrix_.film_ground()[i] != 0;
     }
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        const Index<D> c = grid.cell_of_key(keys_[i]);
         const int row = system_.nodes + static_cast<int>(i);
         for (int side = 0; side < 2 * D; ++side) {
             const double a = faces_[i][side];
             if (a <= 0)
                 continue;
-            Index<D> other = c;
-            other[side / 2] += side % 2 ? 1 : -1;
-            other = grid.wrapped(other);
-            const int column = grid.in_domain(other) ? row_of(grid.key(other)) : -1;
+            const int column = beside_[i][side];
             if (column == row)
                 continue; // periodic axis of one cell
             f(row, row, a);
@@ -410,7 +410,7 @@ long FilmBand<D>::bytes() const
 {
     if (empty())
         return 0;
-    return factor_.entries() * 12 + static_cast<long>(keys_.size()) * (8 + 2 * D * 8) +
+    return factor_.entries() * 12 + static_cast<long>(keys_.size()) * (8 + 2 * D * 12) +
            static_cast<long>(outside_.size() * sizeof(Neighbour));
 }
 

@@ -91,6 +91,7 @@ private:
     std::vector<LinkCell> outside_links_;          ///< those of them whose cells are not in the band, by links
     WeightedLists<int> link_rows_;                 ///< by link, rows of the band that it enters: nodes, then cells
     std::vector<std::array<double, 2 * D>> faces_; ///< conductances around every band cell
+    std::vector<std::array<int, 2 * D>> beside_;   ///< rows of the cells beyond these faces, -1: not in the band
     std::vector<int> block_;                       ///< number of the floating block of a row, -1: fixed from outside
     std::vector<long> block_size_;
     SparseCholesky factor_;

@@ -3,6 +3,7 @@
 #include "gapflow/solver/loose_cells.hpp"
 
 #include "gapflow/core/disjoint_sets.hpp"
+#include "gapflow/solver/sorted_cells.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -20,19 +21,18 @@ struct Face {
 template <int D>
 std::vector<Face> faces_between(const Grid<D>& grid, std::span<const CellTies<D>> cells)
 {
+    std::vector<long> keys;
+    for (const CellTies<D>& cell : cells)
+        keys.push_back(cell.key);
+    NeighbourWalk<D> walk(grid, keys);
     std::vector<Face> faces;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        for (int axis = 0; axis < D; ++axis) {
-            const double conductance = cells[i].faces[2 * axis + 1];
-            const Index<D> beyond = grid.wrapped(grid.cell_of_key(cells[i].key) + step<D>(axis));
-            if (conductance <= 0 || !grid.in_domain(beyond))
-                continue;
-            const long key = grid.key(beyond);
-            const auto other = std::lower_bound(cells.begin(), cells.end(), key,
-                                                [](const CellTies<D>& cell, long wanted) { return cell.key < wanted; });
-            if (other != cells.end() && other->key == key)
-                faces.push_back({static_cast<int>(i), static_cast<int>(other - cells.begin()), conductance});
-        }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const Index<D> c = grid.cell_of_key(keys[i]);
+        for (int axis = 0; axis < D; ++axis)
+            if (const double conductance = cells[i].faces[2 * axis + 1]; conductance > 0)
+                if (const long other = walk(c, 2 * axis + 1); other >= 0)
+                    faces.push_back({static_cast<int>(i), static_cast<int>(other), conductance});
+    }
     std::stable_sort(faces.begin(), faces.end(), [](const Face& f, const Face& g) { return f.conductance > g.conductance; });
     return faces;
 }

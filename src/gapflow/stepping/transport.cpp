@@ -1,7 +1,7 @@
 #include "gapflow/stepping/transport.hpp"
 
 #include "gapflow/film/film_vorticity.hpp"
-#include "gapflow/film/key_map.hpp"
+#include "gapflow/grid/cell_marks.hpp"
 #include "gapflow/grid/interpolation.hpp"
 #include "gapflow/stepping/advection.hpp"
 #include "gapflow/stepping/extrapolation_share.hpp"
@@ -86,22 +86,22 @@ std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& ther
             flows_out[mouths[r].film] = 1;
     if (std::none_of(flows_out.begin(), flows_out.end(), [](char out) { return out; }))
         return {};
-    KeyMap<char> cells; // that mouths with an outflow lead to
+    // Faces of the cells that mouths with an outflow lead to, and of those up to `reach` from one.
+    const Index<D> around = Index<D>::Constant(reach + 1);
+    CellMarks<D> cells(grid.low() - around, grid.high() + around);
     for (const Mouth<D>& mouth : mouths)
         if (flows_out[mouth.film])
             for (const auto& [key, weight] : mouth.cells)
                 if (std::abs(weight) >= least_weight)
-                    cells.insert(key);
+                    cells.set_images(grid, grid.cell_of_key(key));
+    for (int axis = 0; axis < D; ++axis)
+        cells.spread(axis, reach);
     FaceField<D, std::int8_t> near(grid);
-    for (const auto& entry : cells) {
-        const Index<D> c = grid.cell_of_key(entry.first);
-        for (int axis = 0; axis < D; ++axis)
-            for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 1) + gapflow::step<D>(axis),
-                              [&](const Index<D>& face) {
-                                  if (const Index<D> f = grid.wrapped(face); near[axis].block().contains(f))
-                                      near(axis, f) = 1;
-                              });
-    }
+    for (int axis = 0; axis < D; ++axis)
+        for_each_row_on_threads<D>(grid.low(), owned_faces_end(grid, axis), [&](Index<D> f) {
+            for (std::int8_t* mark = &near(axis, f); f[0] < owned_faces_end(grid, axis)[0]; ++f[0], ++mark)
+                *mark = static_cast<std::int8_t>(cells(f) || cells(f - gapflow::step<D>(axis)));
+        });
     return near;
 }
 
