@@ -2,6 +2,7 @@
 
 #include "gapflow/core/threads.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace gapflow {
@@ -305,7 +306,32 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
 
 Eigen::MatrixXd SparseCholesky::solve_columns(const Eigen::MatrixXd& b) const
 {
-    return factor_.solve(b);
+    constexpr int width = 8; // columns that an entry of the factor is read for at once
+    using Row = Eigen::Matrix<double, 1, width>;
+    const Matrix& L = factor_.matrixL().nestedExpression();
+    const int *begin = L.outerIndexPtr(), *row = L.innerIndexPtr(), n = static_cast<int>(b.rows());
+    const double* value = L.valuePtr();
+    const auto& row_of = factor_.permutationPinv().indices(); // of a column in elimination order
+    Eigen::MatrixXd x(b.rows(), b.cols());
+    Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor> y(b.rows(), width);
+    for (long first = 0; first < b.cols(); first += width) {
+        const long count = std::min<long>(width, b.cols() - first);
+        y.setZero();
+        for (int j = 0; j < n; ++j)
+            y.row(j).head(count) = b.row(row_of[j]).segment(first, count);
+        for (int j = 0; j < n; ++j)
+            if (const Row mine = y.row(j); !mine.isZero(0))
+                for (int q = begin[j]; q < begin[j + 1]; ++q)
+                    y.row(row[q]) -= value[q] * mine;
+        for (int j = n - 1; j >= 0; --j) {
+            Row sum = inverse_diagonal_[j] * y.row(j);
+            for (int q = begin[j]; q < begin[j + 1]; ++q)
+                sum -= value[q] * y.row(row[q]);
+            y.row(j) = sum;
+            x.row(row_of[j]).segment(first, count) = sum.head(count);
+        }
+    }
+    return x;
 }
 
 long SparseCholesky::entries() const

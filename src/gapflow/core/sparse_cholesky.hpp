@@ -28,6 +28,7 @@ public:
     /// The solution of the matrix factorised last. On all threads, with the same bits for any number.
     /// Columns in turn that have the same rows below them, as the unknowns have that a dense block ties, are one block of arithmetic.
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    /// The same of every column, on this thread alone.
     Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const;
     /// Entries of the factor below its diagonal.
     long entries() const;

@@ -9,6 +9,7 @@
 #include "gapflow/solver/deflation.hpp"
 
 #include "gapflow/core/decompositions.hpp"
+#include "gapflow/solver/band_levels.hpp"
 #include "gapflow/solver/grid_parts.hpp"
 #include "gapflow/solver/weak_films.hpp"
 
@@ -20,8 +21,7 @@ namespace gapflow {
 namespace {
 
 constexpr int full_parts = 48;
-constexpr double round_off = 1e-12;      // of a level's energy with free bodies
-constexpr double negligible_part = 1e-8; // of a level, in its extension: films pass on their neighbours' levels, less and less
+constexpr double round_off = 1e-12; // of a level's energy with free bodies
 
 } // namespace
 
@@ -132,47 +132,6 @@ std::vector<char> Deflation<D>::whole_levels(const std::vector<double>& acted, c
 }
 
 template <int D>
-void Deflation<D>::column(int k, UnknownVector<D>& z) const
-{
-    z.cells.fill(0);
-    z.nodes.setZero();
-    prolong(Eigen::VectorXd::Unit(columns_, k), z);
-}
-
-// Extends each column that is not a film of its own over the band.
-template <int D>
-void Deflation<D>::extend_over_band()
-{
-    extension_.resize(full_, band_.size());
-    if (band_.empty())
-        return;
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<char> film_column(columns_, 0);
-    for (int k : node_part_)
-        if (k >= 0)
-            film_column[k] = 1;
-    UnknownVector<D> z = zero_vector(system_), y = zero_vector(system_);
-    for (int k = 0; k < full_; ++k) {
-        if (film_column[k])
-            continue;
-        column(k, z); // not extended yet
-        Eigen::VectorXd extension = Eigen::VectorXd::Zero(band_.size());
-        for (int pass = 0; pass < 2; ++pass) { // refined once: the factor carries a small shift
-            matrix_.apply_fluid(z, y);
-            const Eigen::VectorXd more = -band_.solve(band_.gather(y));
-            extension += more;
-            z.nodes += more.head(system_.nodes);
-            for (const auto& entry : band_.owned())
-                z.cells(entry.cell) += more[entry.row];
-        }
-        for (int row = 0; row < band_.size(); ++row)
-            if (std::abs(extension[row]) > negligible_part)
-                entries.emplace_back(k, row, extension[row]);
-    }
-    extension_.setFromTriplets(entries.begin(), entries.end());
-}
-
-template <int D>
 typename Deflation<D>::Magnitudes Deflation<D>::magnitudes() const
 {
     const int dofs = matrix_.dofs();
@@ -212,22 +171,41 @@ typename Deflation<D>::Magnitudes Deflation<D>::magnitudes() const
 }
 
 template <int D>
+Eigen::MatrixXd Deflation<D>::flux_of_levels() const
+{
+    const Grid<D>& grid = *system_.grid;
+    Eigen::MatrixXd flux = Eigen::MatrixXd::Zero(matrix_.dofs(), full_);
+    if (matrix_.dofs() == 0)
+        return flux;
+    CellField<D, int> row(grid, -1); // of the band
+    for (const auto& entry : band_.owned())
+        row(entry.cell) = entry.row;
+    const auto add = [&](int column, int of_band, const auto& entry) {
+        const auto wrench = [&](int k) { return flux.block(twist_size<D> * entry.body, k, twist_size<D>, 1); };
+        if (column >= 0 && column < full_)
+            wrench(column) += entry.flux;
+        if (of_band < 0)
+            return;
+        for (Eigen::SparseMatrix<double>::InnerIterator level(extension_, of_band); level; ++level)
+            wrench(static_cast<int>(level.row())) += level.value() * entry.flux;
+    };
+    for (const auto& entry : system_.cell_flux)
+        add(part_(entry.row), row(entry.row), entry);
+    grid.comm().sum(std::span<double>(flux.data(), flux.size()));
+    for (const auto& entry : system_.node_flux)
+        add(node_part_[entry.row], band_.empty() ? -1 : entry.row, entry);
+    return flux;
+}
+
+template <int D>
 void Deflation<D>::set_up_fluid()
 {
     full_ = std::min(columns_, full_parts);
     const int dofs = matrix_.dofs();
-    extend_over_band();
-    energy_ = Eigen::MatrixXd::Zero(full_, full_);
-    flux_.resize(dofs, full_);
-    UnknownVector<D> z = zero_vector(system_), y = zero_vector(system_);
-    for (int k = 0; k < full_; ++k) {
-        column(k, z);
-        matrix_.apply_fluid(z, y);
-        energy_.col(k) = restricted(y).head(full_);
-        if (dofs > 0)
-            flux_.col(k) = matrix_.transpose_flux(z);
-    }
-    energy_ = 0.5 * (energy_ + energy_.transpose().eval());
+    const BandLevels<D> levels(matrix_, band_, part_, node_part_, full_);
+    extension_ = levels.extension();
+    energy_ = levels.energy(extension_);
+    flux_ = flux_of_levels();
     const Eigen::VectorXd mass = system_.mass.diagonal();
     magnitudes_ = magnitudes();
     const auto& [links, fluxes, squares] = magnitudes_;

@@ -33,9 +33,8 @@ private:
     /// `whole`: no component has several parts of the grid. `weak_films`: whether some have levels of their own.
     void number_columns(bool whole, bool weak_films);
     std::vector<char> whole_levels(const std::vector<double>& acted, const std::vector<char>& grounded, bool weak_films) const;
-    /// Unit vector k, extended to all unknowns.
-    void column(int k, UnknownVector<D>& z) const;
-    void extend_over_band();
+    /// K^T Z of the full columns. Collective.
+    Eigen::MatrixXd flux_of_levels() const;
     /// The extension times c, of one unknown of the band.
     double extended(int row, const Eigen::VectorXd& c) const
     {

@@ -325,22 +325,44 @@ Eigen::VectorXd FilmBand<D>::gather(const UnknownVector<D>& v) const
     return values;
 }
 
+namespace {
+
+/// Takes the mean over every floating block off the columns.
+void remove_means(const std::vector<int>& block, const std::vector<long>& block_size, Eigen::Ref<Eigen::MatrixXd> columns)
+{
+    if (block_size.empty())
+        return;
+    for (long k = 0; k < columns.cols(); ++k) {
+        std::vector<double> mean(block_size.size(), 0.0);
+        for (std::size_t i = 0; i < block.size(); ++i)
+            if (block[i] >= 0)
+                mean[block[i]] += columns(static_cast<long>(i), k) / static_cast<double>(block_size[block[i]]);
+        for (std::size_t i = 0; i < block.size(); ++i)
+            if (block[i] >= 0)
+                columns(static_cast<long>(i), k) -= mean[block[i]];
+    }
+}
+
+} // namespace
+
 template <int D>
 Eigen::VectorXd FilmBand<D>::solve(const Eigen::VectorXd& r) const
 {
-    auto without_block_constants = [&](Eigen::VectorXd v) {
-        if (block_size_.empty())
-            return v;
-        std::vector<double> mean(block_size_.size(), 0.0);
-        for (int i = 0; i < size_; ++i)
-            if (block_[i] >= 0)
-                mean[block_[i]] += v[i] / block_size_[block_[i]];
-        for (int i = 0; i < size_; ++i)
-            if (block_[i] >= 0)
-                v[i] -= mean[block_[i]];
-        return v;
-    };
-    return without_block_constants(factor_.solve(without_block_constants(r)));
+    Eigen::VectorXd x = r;
+    remove_means(block_, block_size_, x);
+    x = factor_.solve(x);
+    remove_means(block_, block_size_, x);
+    return x;
+}
+
+template <int D>
+Eigen::MatrixXd FilmBand<D>::solve_columns(const Eigen::MatrixXd& r) const
+{
+    Eigen::MatrixXd x = r;
+    remove_means(block_, block_size_, x);
+    x = factor_.solve_columns(x);
+    remove_means(block_, block_size_, x);
+    return x;
 }
 
 template <int D>

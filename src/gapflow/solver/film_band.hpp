@@ -38,6 +38,46 @@ public:
     /// The submatrix' inverse; on floating blocks, without connections to the outside, the pseudo-inverse.
     Eigen::VectorXd solve(const Eigen::VectorXd& r) const;
 
+    /// The same of every column, on this thread alone.
+    Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& r) const;
+
+    /// The submatrix as differences. Calls f(i, j, conductance) for the film's edges and the faces between two of the band's cells.
+    template <class F>
+    void for_each_edge(F&& f) const
+    {
+        matrix_.for_each_film_edge(f);
+        for (std::size_t i = 0; i < keys_.size(); ++i)
+            for (int axis = 0; axis < D; ++axis)
+                if (const int row = system_.nodes + static_cast<int>(i), other = beside_[i][2 * axis + 1];
+                    other >= 0 && other != row && faces_[i][2 * axis + 1] > 0)
+                    f(row, other, faces_[i][2 * axis + 1]);
+    }
+    /// Calls f(row, conductance) for what leads to the pressure 0: the film's grounds, and faces on open sides of the domain.
+    template <class F>
+    void for_each_ground(F&& f) const
+    {
+        for (int i = 0; i < system_.nodes; ++i)
+            if (matrix_.film_ground()[i] != 0)
+                f(i, matrix_.film_ground()[i]);
+        for_each_side([&](int row, const Index<D>& cell, double conductance) {
+            if (!system_.grid->in_domain(cell))
+                f(row, conductance);
+        });
+    }
+    /// Calls f(row, cell, conductance) for the faces between the band's cells and this rank's other ones.
+    template <class F>
+    void for_each_face_beside(F&& f) const
+    {
+        for_each_side([&](int row, const Index<D>& cell, double conductance) {
+            if (system_.grid->in_domain(cell) && system_.grid->owns(cell))
+                f(row, cell, conductance);
+        });
+    }
+    /// Rows of a link's nodes and cells in the band, with their weights.
+    auto link_rows(long link) const { return link_rows_[link]; }
+    /// Row of a cell; -1 outside the band.
+    int row_of(long key) const;
+
     /// First half: correction = solve(r on the band); turns `level.b`, which holds scale * r, into scale * (r - L correction).
     void first(const UnknownVector<D>& r, double scale, Level<D>& level);
     /// Second half: correction += solve(-L x) with x = scale * level.x in the cells; ghosts of level.x are up to date.
@@ -72,7 +112,18 @@ private:
     /// The weighted sum of a link over the band's nodes and cells.
     double sum_over_band(int link, const Eigen::VectorXd& values) const;
     void find_cells();
-    int row_of(long key) const; ///< of a cell; -1 outside the band
+    /// Calls f(row, cell, conductance) for the open faces from the band's cells to cells that are not in the band.
+    template <class F>
+    void for_each_side(F&& f) const
+    {
+        for (std::size_t i = 0; i < keys_.size(); ++i)
+            for (int side = 0; side < 2 * D; ++side)
+                if (beside_[i][side] < 0 && faces_[i][side] > 0) {
+                    Index<D> cell = system_.grid->cell_of_key(keys_[i]);
+                    cell[side / 2] += side % 2 ? 1 : -1;
+                    f(system_.nodes + static_cast<int>(i), system_.grid->wrapped(cell), faces_[i][side]);
+                }
+    }
     /// Calls f(i, j, value) for the terms that make up the submatrix' lower triangle, and join(i, j) for rows that one of them
     /// ties; `fixed` becomes 1 in rows that something outside the band fixes.
     template <class F, class Join>
