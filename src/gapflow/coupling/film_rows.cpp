@@ -342,9 +342,7 @@ private:
             third_.insert(third_.end(), thirds.begin(), thirds.end());
         std::vector<Twist<D>> lost(network_.films.size(), Twist<D>::Zero());
         assemble_points(remainder, lost);
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            if (const auto& [key, cell] = cells.item(static_cast<int>(i)); counts(cell, nearest[i]))
-                add_to_mouths(cell.owner, nearest[i], remainder[i], lost);
+        add_to_mouths(nearest, remainder, lost);
         for (int k = 0; k < static_cast<int>(network_.films.size()); ++k)
             if (!lost[k].isZero(0))
                 spread(k, lost[k]);
@@ -494,15 +492,27 @@ private:
 
     // A film cell's remainder leaves through the nearest mouths of its film (spread over all mouths it would short-circuit
     // pockets that several films enclose); without mouths it is spread over the film.
-    void add_to_mouths(int owner, const Nearest& nearest, const Twist<D>& rest, std::vector<Twist<D>>& lost)
+    void add_to_mouths(const std::vector<Nearest>& nearest, const std::vector<Twist<D>>& remainder, std::vector<Twist<D>>& lost)
     {
-        if (nearest.empty())
-            lost[owner] += rest;
-        const FilmMesh<D>& mesh = film(owner).mesh;
-        for (int mouth : nearest)
-            for (const auto& [to, weight] : mouths_[owner][mouth]->cells)
-                add_relative(to_cell(to), mesh, mesh.other, other_centre(mesh), rest,
-                             weight / static_cast<double>(nearest.size()));
+        const KeyMap<FilmCell<D>>& cells = network_.cells.cells;
+        std::vector<std::vector<Twist<D>>> through(mouths_.size()); // of each film, its mouths
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const FilmCell<D>& cell = cells.item(static_cast<int>(i)).second;
+            if (!counts(cell, nearest[i]))
+                continue;
+            if (nearest[i].empty())
+                lost[cell.owner] += remainder[i];
+            through[cell.owner].resize(mouths_[cell.owner].size(), Twist<D>::Zero());
+            for (int mouth : nearest[i])
+                through[cell.owner][mouth] += remainder[i] / static_cast<double>(nearest[i].size());
+        }
+        for (std::size_t k = 0; k < through.size(); ++k) {
+            const FilmMesh<D>& mesh = film(static_cast<int>(k)).mesh;
+            for (std::size_t mouth = 0; mouth < through[k].size(); ++mouth)
+                if (!through[k][mouth].isZero(0))
+                    for (const auto& [to, weight] : mouths_[k][mouth]->cells)
+                        add_relative(to_cell(to), mesh, mesh.other, other_centre(mesh), through[k][mouth], weight);
+        }
     }
 
     // Flux of a solid out of a film cell: the other wall's into `rest`, the master's vanishes, third bodies' for later.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace gapflow {
 
@@ -26,6 +27,18 @@ double squares_of_round_off(const Coupling<D>& coupling, const std::vector<Twist
     }
     const double flux = share * coupling.grid->face_area() * fastest;
     return (coupling.system.nodes + 1) * flux * flux;
+}
+
+// Of every entry: its solid's flux.
+template <int D, class Row>
+std::vector<double> flux_of(const std::vector<BodyFlux<D, Row>>& entries, const std::vector<Twist<D>>& twists)
+{
+    std::vector<double> flux(entries.size());
+    for_each_part(static_cast<long>(entries.size()), [&](long begin, long end) {
+        for (long k = begin; k < end; ++k)
+            flux[k] = entries[k].flux.dot(twists[entries[k].body]);
+    });
+    return flux;
 }
 
 } // namespace
@@ -69,29 +82,32 @@ void outflow(const Coupling<D>& coupling, const FluidVelocity<D>& u, const std::
         });
         return sum_of_plane;
     });
-    for (const auto& entry : coupling.cell_flux) {
-        const double value = entry.flux.dot(twists[entry.body]);
-        out.cells(entry.row) += value;
-        squares += value * value;
-    }
-
-    auto add_node = [&](int node, double value) {
-        out.nodes[node] += value;
-        squares += value * value;
+    const auto add = [](double& to, double value, double& sum) {
+        to += value;
+        sum += value * value;
     };
-    for (const auto& entry : coupling.node_flux)
-        add_node(entry.row, entry.flux.dot(twists[entry.body]));
-    for (const Film<D>& film : coupling.network.films)
+    const std::vector<double> into_cells = flux_of(coupling.cell_flux, twists),
+                              into_nodes = flux_of(coupling.node_flux, twists);
+    for (std::size_t k = 0; k < into_cells.size(); ++k)
+        add(out.cells(coupling.cell_flux[k].row), into_cells[k], squares);
+    for (std::size_t k = 0; k < into_nodes.size(); ++k)
+        add(out.nodes[coupling.node_flux[k].row], into_nodes[k], squares);
+    const std::vector<Film<D>>& films = coupling.network.films;
+    std::vector<double> squares_of(films.size(), 0.0);
+    for_each_job(static_cast<int>(films.size()), [&](int k) {
+        const Film<D>& film = films[k];
         for (std::size_t e = 0; film.here && e < film.mesh.elements.size(); ++e) {
             const FilmElement<D>& element = film.mesh.elements[e];
             for (int i = 0; i < D; ++i)
-                add_node(film.first_node + element.nodes[i],
-                         -element.volume * element.gradient[i].dot(u.film[film.first_element + e]));
+                add(out.nodes[film.first_node + element.nodes[i]],
+                    -element.volume * element.gradient[i].dot(u.film[film.first_element + e]), squares_of[k]);
         }
+    });
+    squares = std::accumulate(squares_of.begin(), squares_of.end(), squares);
     const std::vector<Mouth<D>>& mouths = coupling.network.rim.mouths;
     for (std::size_t r = 0; r < mouths.size(); ++r) {
-        for (int i = 0; i < D - 1 && coupling.network.films[mouths[r].film].here; ++i)
-            add_node(mouths[r].nodes[i], mouths[r].shape[i] * u.mouth[r]);
+        for (int i = 0; i < D - 1 && films[mouths[r].film].here; ++i)
+            add(out.nodes[mouths[r].nodes[i]], mouths[r].shape[i] * u.mouth[r], squares);
         for (const auto& [key, weight] : mouths[r].cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
                 out.cells(c) -= weight * u.mouth[r];
