@@ -373,9 +373,14 @@ typename CellStates<D>::State CellStates<D>::operator()(const Index<D>& cell)
     const auto [state, is_new] = known_.insert(grid.key(w));
     if (!is_new)
         return state;
-    state = {kind_of(faces_, cells_, w), 0, false, 0};
+    const FilmCell<D>* classified = cells_.cells.find(grid.key(w));
+    state = {classified ? classified->kind : CellKind::solid, 0, false, 0}; // as kind_of()
     for (const CellSide<D>& side : sides_of(grid, w)) {
-        const double open = open_after_closing(faces_, cells_, side.axis, side.face);
+        double open = faces_.open(side.axis, side.face);
+        if (!classified && open > negligible_opening)
+            state.kind = CellKind::bulk;
+        if (open > 0 && cells_.closed.contains(faces_.key(side.axis, side.face)))
+            open = 0;
         state.aperture += open;
         if (open > negligible_opening && side.inside)
             state.open |= 1u << (2 * side.axis + side.end);

@@ -153,7 +153,7 @@ private:
     /// What a thread knows of the places that it has come by.
     struct Around {
         CellStates<D> states;
-        std::vector<int> candidates;
+        typename FaceClipper<D>::Nearby solids;
     };
 
     // First match: closed, side of the domain, free mouth, joint of neighbours, mouth, joint within reach, blind.
@@ -234,9 +234,9 @@ private:
         for (int axis = 0; axis < D; ++axis)
             if (grid_.periodic(axis))
                 wrap[axis] = -std::floor((x[axis] - grid_.origin()[axis]) / size[axis]) * size[axis];
-        clipper_.near(x + wrap, grid_.dx(), around.candidates);
+        clipper_.near(x + wrap, grid_.dx(), around.solids);
         const FilmMesh<D>& mesh = films_[point.film].mesh;
-        for (int i : around.candidates) {
+        for (int i : around.solids.images) {
             const Image<D>& image = clipper_.images()[i];
             const Vec<D> shift = image.shift - wrap;
             const double same = 1e-9 * size.norm();

@@ -27,25 +27,27 @@ Vec<D> velocity_at_face(const FaceField<D>& u, int axis, const Index<D>& f)
     return value;
 }
 
-// Solids near a face, kept from face to face for its memory.
+// Solids near a face, kept from face to face: the next one mostly has the same.
+template <int D>
 struct Near {
-    std::vector<int> images;
+    typename FaceClipper<D>::Nearby solids;
     std::vector<double> distances;
 };
 
 // Component along `axis` of n n . (U_b - u) at a face: the difference of u from the nearest solid's normal velocity.
 template <int D>
 double normal_surplus(const Coupling<D>& c, const FaceField<D>& u, int axis, const Index<D>& f, const std::vector<Twist<D>>& V,
-                      Near& near)
+                      Near<D>& near)
 {
     const Grid<D>& grid = *c.grid;
     const Vec<D> x = grid.face_centre(axis, f);
-    c.clipper->near(x, grid.dx(), near.images);
+    c.clipper->near(x, grid.dx(), near.solids);
+    const std::vector<int>& nearby = near.solids.images;
     // Halfway between two solids each counts by half, so that the order in the scene has no influence.
     const auto& images = c.clipper->images();
     double distance = grid.dx();
     near.distances.clear();
-    for (int i : near.images) {
+    for (int i : nearby) {
         near.distances.push_back(images[i].shape.distance(x));
         distance = std::min(distance, near.distances.back());
     }
@@ -54,9 +56,9 @@ double normal_surplus(const Coupling<D>& c, const FaceField<D>& u, int axis, con
     const Vec<D> fluid = velocity_at_face(u, axis, f);
     double surplus = 0;
     int count = 0;
-    for (std::size_t k = 0; k < near.images.size(); ++k)
-        if (near.images.size() == 1 || near.distances[k] <= distance + 1e-9 * grid.dx()) {
-            const int i = near.images[k];
+    for (std::size_t k = 0; k < nearby.size(); ++k)
+        if (nearby.size() == 1 || near.distances[k] <= distance + 1e-9 * grid.dx()) {
+            const int i = nearby[k];
             const Vec<D> n = images[i].shape.closest(x).normal;
             const Vec<D> relative =
                 velocity_at<D>(V[images[i].solid], x - c.solids[images[i].solid].centre - images[i].shift) - fluid;
@@ -79,7 +81,7 @@ void follow_solids(const Coupling<D>& c, const FaceField<D, std::int8_t>& valid,
                            [&](const Index<D>& f) { faces.emplace_back(axis, f); });
     std::vector<double> surplus(faces.size());
     for_each_part(static_cast<long>(faces.size()), [&](long begin, long end) {
-        Near near;
+        Near<D> near;
         for (long k = begin; k < end; ++k)
             surplus[k] = normal_surplus(c, u, faces[k].first, faces[k].second, V, near);
     });
@@ -227,7 +229,7 @@ void share_uncovered_faces(const Coupling<D>& there, const FaceFractions<D>& old
                            const FaceField<D>& u, const std::vector<Twist<D>>& V, FaceField<D>& u_star)
 {
     const Grid<D>& grid = *there.grid;
-    Near near;
+    Near<D> near;
     for (int axis = 0; axis < D; ++axis)
         for_each_marked<D>(film_faces[axis], grid.low(), owned_faces_end(grid, axis), 1, [&](const Index<D>& f) {
             const double a_old = old.open(axis, f), a_new = there.fractions->open(axis, f);
