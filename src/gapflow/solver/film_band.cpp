@@ -346,23 +346,25 @@ void remove_means(const std::vector<int>& block, const std::vector<long>& block_
 } // namespace
 
 template <int D>
-Eigen::VectorXd FilmBand<D>::solve(const Eigen::VectorXd& r) const
+template <class Columns, class Solve>
+Columns FilmBand<D>::between_means(Columns x, Solve&& solve) const
 {
-    Eigen::VectorXd x = r;
     remove_means(block_, block_size_, x);
-    x = factor_.solve(x);
+    x = solve(x);
     remove_means(block_, block_size_, x);
     return x;
 }
 
 template <int D>
+Eigen::VectorXd FilmBand<D>::solve(const Eigen::VectorXd& r) const
+{
+    return between_means(r, [this](const Eigen::VectorXd& b) { return factor_.solve(b); });
+}
+
+template <int D>
 Eigen::MatrixXd FilmBand<D>::solve_columns(const Eigen::MatrixXd& r) const
 {
-    Eigen::MatrixXd x = r;
-    remove_means(block_, block_size_, x);
-    x = factor_.solve_columns(x);
-    remove_means(block_, block_size_, x);
-    return x;
+    return between_means(r, [this](const Eigen::MatrixXd& b) { return factor_.solve_columns(b); });
 }
 
 template <int D>

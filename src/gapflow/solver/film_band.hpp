@@ -112,6 +112,9 @@ private:
     /// The weighted sum of a link over the band's nodes and cells.
     double sum_over_band(int link, const Eigen::VectorXd& values) const;
     void find_cells();
+    /// solve(x), with the means over the floating blocks taken off before and after.
+    template <class Columns, class Solve>
+    Columns between_means(Columns x, Solve&& solve) const;
     /// Calls f(row, cell, conductance) for the open faces from the band's cells to cells that are not in the band.
     template <class F>
     void for_each_side(F&& f) const
