@@ -14,6 +14,8 @@ public:
     CellMarks(const Index<D>& low, const Index<D>& high) : block_(low, high), marks_(block_.size, 0) {}
 
     bool operator()(const Index<D>& cell) const { return marks_[block_.offset(cell)]; }
+    /// The marks from a cell on, along the first axis.
+    const char* row(const Index<D>& cell) const { return &marks_[block_.offset(cell)]; }
     /// Marks a cell of the domain and its periodic images, as far as they lie in the box.
     void set_images(const Grid<D>& grid, const Index<D>& cell)
     {

@@ -87,21 +87,41 @@ std::optional<FaceField<D, std::int8_t>> faces_near_jets(const Coupling<D>& ther
     if (std::none_of(flows_out.begin(), flows_out.end(), [](char out) { return out; }))
         return {};
     // Faces of the cells that mouths with an outflow lead to, and of those up to `reach` from one.
-    const Index<D> around = Index<D>::Constant(reach + 1);
-    CellMarks<D> cells(grid.low() - around, grid.high() + around);
+    std::vector<Index<D>> jets;
+    Index<D> low = grid.high(), high = grid.low(); // of all near them
     for (const Mouth<D>& mouth : mouths)
         if (flows_out[mouth.film])
             for (const auto& [key, weight] : mouth.cells)
-                if (std::abs(weight) >= least_weight)
-                    cells.set_images(grid, grid.cell_of_key(key));
+                if (std::abs(weight) >= least_weight) {
+                    jets.push_back(grid.cell_of_key(key));
+                    low = low.cwiseMin(jets.back() - Index<D>::Constant(reach));
+                    high = high.cwiseMax(jets.back() + Index<D>::Constant(reach + 1));
+                }
+    for (int axis = 0; axis < D; ++axis)
+        if (grid.periodic(axis) && (low[axis] < 0 || high[axis] >= grid.cells()[axis])) {
+            low[axis] = grid.low()[axis];
+            high[axis] = grid.high()[axis];
+        }
+    low = low.cwiseMax(grid.low());
+    high = high.cwiseMin(grid.high());
+    FaceField<D, std::int8_t> near(grid);
+    if (!(low.array() < high.array()).all())
+        return near;
+    const Index<D> around = Index<D>::Constant(reach + 1);
+    CellMarks<D> cells(low - around, high + around);
+    for (const Index<D>& cell : jets)
+        cells.set_images(grid, cell);
     for (int axis = 0; axis < D; ++axis)
         cells.spread(axis, reach);
-    FaceField<D, std::int8_t> near(grid);
-    for (int axis = 0; axis < D; ++axis)
-        for_each_row_on_threads<D>(grid.low(), owned_faces_end(grid, axis), [&](Index<D> f) {
-            for (std::int8_t* mark = &near(axis, f); f[0] < owned_faces_end(grid, axis)[0]; ++f[0], ++mark)
-                *mark = static_cast<std::int8_t>(cells(f) || cells(f - gapflow::step<D>(axis)));
+    for (int axis = 0; axis < D; ++axis) {
+        const Index<D> end = (high + gapflow::step<D>(axis)).cwiseMin(owned_faces_end(grid, axis));
+        for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) {
+            std::int8_t* mark = &near(axis, row);
+            const char *above = cells.row(row), *below = cells.row(row - gapflow::step<D>(axis));
+            for (int i = 0; i < end[0] - low[0]; ++i)
+                mark[i] = static_cast<std::int8_t>(above[i] | below[i]);
         });
+    }
     return near;
 }
 
