@@ -65,7 +65,7 @@ struct FluxEntries {
 template <int D, class Row, class Add>
 void append_entries(long n, Add&& add, std::vector<BodyFlux<D, Row>>& all, std::vector<BodyFlux<D, Row>>& free)
 {
-    constexpr long chunk = 1024;
+    constexpr long chunk = 1024; // of a thread's piece of work
     std::vector<FluxEntries<D, Row>> chunks = each_chunk(n, chunk, [&](long begin, long end) {
         FluxEntries<D, Row> entries;
         for (long i = begin; i < end; ++i)

@@ -327,16 +327,24 @@ Eigen::VectorXd FilmBand<D>::gather(const UnknownVector<D>& v) const
 
 namespace {
 
-/// Takes the mean over every floating block off the columns.
+/// Means of the values over every floating block.
+std::vector<double> block_means(const std::vector<int>& block, const std::vector<long>& block_size,
+                                const Eigen::Ref<const Eigen::VectorXd>& values)
+{
+    std::vector<double> mean(block_size.size(), 0.0);
+    for (std::size_t i = 0; i < block.size(); ++i)
+        if (block[i] >= 0)
+            mean[block[i]] += values[static_cast<long>(i)] / static_cast<double>(block_size[block[i]]);
+    return mean;
+}
+
+/// Takes them off the columns.
 void remove_means(const std::vector<int>& block, const std::vector<long>& block_size, Eigen::Ref<Eigen::MatrixXd> columns)
 {
     if (block_size.empty())
         return;
     for (long k = 0; k < columns.cols(); ++k) {
-        std::vector<double> mean(block_size.size(), 0.0);
-        for (std::size_t i = 0; i < block.size(); ++i)
-            if (block[i] >= 0)
-                mean[block[i]] += columns(static_cast<long>(i), k) / static_cast<double>(block_size[block[i]]);
+        const std::vector<double> mean = block_means(block, block_size, columns.col(k));
         for (std::size_t i = 0; i < block.size(); ++i)
             if (block[i] >= 0)
                 columns(static_cast<long>(i), k) -= mean[block[i]];
@@ -374,10 +382,8 @@ void FilmBand<D>::first(const UnknownVector<D>& r, double scale, Level<D>& level
         return;
     const Eigen::VectorXd on_band = gather(r);
     correction_ = solve(on_band);
-    std::vector<double> mean(block_size_.size(), 0.0); // the floating blocks' constants in r, which solve() does not act on
-    for (int i = 0; i < size_; ++i)
-        if (block_[i] >= 0)
-            mean[block_[i]] += on_band[i] / block_size_[block_[i]];
+    const std::vector<double> mean =
+        block_means(block_, block_size_, on_band); // the floating blocks' constants in r, which solve() does not act on
     for (const OwnedCell& entry : owned_)
         level.b[entry.level_offset] = block_[entry.row] >= 0 && level.inverse(entry.cell) > 0
                                           ? static_cast<float>(scale * mean[block_[entry.row]])
