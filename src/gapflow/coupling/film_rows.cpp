@@ -14,7 +14,6 @@ namespace gapflow {
 
 namespace {
 
-constexpr long items_a_chunk = 256; // of a thread's work
 constexpr int cells_around_points =
     5; // in which a film's share of rows may lie, beside its mouths' cells: those of faces behind its mouths, four cells away
 constexpr double equally_near = 1e-9; // squares of distances that differ by this part are the same
@@ -331,15 +330,10 @@ private:
         const std::vector<Nearest> nearest = nearest_mouths();
         std::vector<Twist<D>> remainder(cells.size(),
                                         Twist<D>::Zero()); // of film cells: own J of the other wall less what its points took
-        for (const std::vector<Third>&thirds :
-             each_chunk(static_cast<long>(cells.size()), items_a_chunk, [&](long begin, long end) {
-                 std::vector<Third> thirds;
-                 for (long i = begin; i < end; ++i)
-                     if (counts(cells.item(static_cast<int>(i)).second, nearest[i]))
-                         add_own_flux(cells.item(static_cast<int>(i)), remainder[i], thirds);
-                 return thirds;
-             }))
-            third_.insert(third_.end(), thirds.begin(), thirds.end());
+        third_ = items_of<Third>(static_cast<long>(cells.size()), [&](long i, std::vector<Third>& thirds) {
+            if (const auto& item = cells.item(static_cast<int>(i)); counts(item.second, nearest[i]))
+                add_own_flux(item, remainder[i], thirds);
+        });
         std::vector<Twist<D>> lost(network_.films.size(), Twist<D>::Zero());
         assemble_points(remainder, lost);
         add_to_mouths(nearest, remainder, lost);
