@@ -76,6 +76,7 @@ public:
     Vec<D> onto(const Vec<D>& x, int) const override { return closest(x).x; }
     Vec<D> patch_normal(const Vec<D>& x, int) const override { return closest(x).normal; }
     double curvature(int) const override { return 1 / radius_; }
+    std::optional<double> sphere_radius() const override { return radius_; }
     std::vector<Core<D>> cores() const override { return {{Vec<D>::Zero(), Vec<D>::Zero(), radius_}}; }
 
     SurfaceMesh<D> surface_mesh() const override

@@ -40,6 +40,7 @@ public:
     Bounds<D> bounds() const override { return inner_->bounds(); }
     std::vector<Plane<D>> planes() const override { return inner_->planes(); }
     bool complement() const override { return !inner_->complement(); }
+    std::optional<double> sphere_radius() const override { return inner_->sphere_radius(); }
     bool inside_out() const override { return !inner_->inside_out(); }
     bool convex() const override { return false; }
 

@@ -115,6 +115,8 @@ public:
     /// everything outside that intersection.
     virtual std::vector<Plane<D>> planes() const { return {}; }
     virtual bool complement() const { return false; }
+    /// Radius of the surface, if it is a sphere (2D: a circle) about the frame's origin; empty for all other shapes.
+    virtual std::optional<double> sphere_radius() const { return {}; }
     /// The solid is the outside of its surface (every shape turned inside out).
     virtual bool inside_out() const { return false; }
     /// The solid is convex: the nearest point on it is unique for every point of the fluid.

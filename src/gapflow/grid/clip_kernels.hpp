@@ -8,7 +8,8 @@
 
 namespace gapflow {
 
-/// A solid that cuts a face: by its planes (in the world) if it has any, else by its distance.
+/// A solid that cuts a face: by its planes (in the world) if it has any, else by its distance; spheres in 3D by the disc in which the
+/// face's plane cuts them, unless they overlap others.
 template <int D>
 struct Cutter {
     const PlacedShape<D>* shape;

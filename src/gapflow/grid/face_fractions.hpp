@@ -2,11 +2,10 @@
 //
 //     a_f + sum_b s_{f,b} = 1,   with the centroid of every part.
 //
-// Cut-cell mode clips each face exactly where surfaces cross it: by the planes of flat-faced bodies, else by phi taken
-// linear on >= 4 pieces of the face (3D: >= 2 x 2 x 2 triangles); second order (after Ng, Min & Gibou, J. Comput. Phys. 228,
-// 2009). Voxel mode gives a cell to the body that holds its centre (Robinson-Mosher, Schroeder & Fedkiw, J. Comput. Phys.
-// 230, 2011); a face between cells of two different bodies is half of either (the pair of virtual faces of Qiu, Yu &
-// Fedkiw, 2015).
+// Cut-cell mode clips each face exactly where surfaces cross it: by the planes of flat-faced bodies, by the discs in which balls are
+// cut, else (3D) by phi taken linear on >= 2 x 2 x 2 triangles: second order (after Ng, Min & Gibou, J. Comput. Phys. 228, 2009).
+// Voxel mode gives a cell to the body that holds its centre (Robinson-Mosher, Schroeder & Fedkiw, J. Comput. Phys. 230, 2011); a
+// face between cells of two different bodies is half of either (the pair of virtual faces of Qiu, Yu & Fedkiw, 2015).
 #pragma once
 
 #include "gapflow/geometry/solid.hpp"
