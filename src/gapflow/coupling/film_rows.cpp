@@ -2,7 +2,7 @@
 
 #include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
-#include "gapflow/film/film_cells.hpp"
+#include "gapflow/film/cell_states.hpp"
 #include "gapflow/film/film_motion.hpp"
 #include "gapflow/film/mouth_cells.hpp"
 #include "gapflow/grid/inline_vector.hpp"

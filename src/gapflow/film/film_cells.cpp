@@ -2,6 +2,7 @@
 
 #include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/film/cell_states.hpp"
 #include "gapflow/grid/cell_marks.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace gapflow {
 
 namespace {
 
-// Open fractions below this do not count.
-constexpr double negligible_opening = 1e-12;
 // In dx: points this close to a plane of the grid count as on it, as for fractions.
 constexpr double beside_plane = 1e-6;
 
@@ -345,50 +344,6 @@ FilmCells<D> classify_cells(const FaceCache<D>& faces, const FilmGaps<D>& gaps)
     return result;
 }
 
-template <int D>
-CellKind kind_of(const FaceCache<D>& faces, const FilmCells<D>& cells, const Index<D>& cell)
-{
-    const Index<D> w = faces.grid().wrapped(cell);
-    if (const FilmCell<D>* known = cells.cells.find(faces.grid().key(w)))
-        return known->kind;
-    for (int axis = 0; axis < D; ++axis)
-        for (int end = 0; end < 2; ++end)
-            if (faces.open(axis, w + end * step<D>(axis)) > negligible_opening)
-                return CellKind::bulk;
-    return CellKind::solid;
-}
-
-template <int D>
-double open_after_closing(const FaceCache<D>& faces, const FilmCells<D>& cells, int axis, const Index<D>& face)
-{
-    const double open = faces.open(axis, face);
-    return open > 0 && cells.closed.contains(faces.key(axis, face)) ? 0.0 : open;
-}
-
-template <int D>
-typename CellStates<D>::State CellStates<D>::operator()(const Index<D>& cell)
-{
-    const Grid<D>& grid = faces_.grid();
-    const Index<D> w = grid.wrapped(cell);
-    const auto [state, is_new] = known_.insert(grid.key(w));
-    if (!is_new)
-        return state;
-    const FilmCell<D>* classified = cells_.cells.find(grid.key(w));
-    state = {classified ? classified->kind : CellKind::solid, 0, false, 0}; // as kind_of()
-    for (const CellSide<D>& side : sides_of(grid, w)) {
-        double open = faces_.open(side.axis, side.face);
-        if (!classified && open > negligible_opening)
-            state.kind = CellKind::bulk;
-        if (open > 0 && cells_.closed.contains(faces_.key(side.axis, side.face)))
-            open = 0;
-        state.aperture += open;
-        if (open > negligible_opening && side.inside)
-            state.open |= 1u << (2 * side.axis + side.end);
-        state.leads_out |= open > negligible_opening && !side.inside;
-    }
-    return state;
-}
-
 namespace {
 
 // A mixed cell whose faces to other mixed cells were closed may be left with a sliver of an opening, through which all fluid that its
@@ -499,8 +454,8 @@ namespace {
 template <int D>
 class PocketFinder {
 public:
-    PocketFinder(const FaceCache<D>& faces, const FilmCells<D>& cells, const KeyMap<char>& reached)
-        : grid_(faces.grid()), states_(faces, cells), reached_(reached)
+    PocketFinder(const CellStates<D>& states, const KeyMap<char>& reached)
+        : grid_(states.grid()), states_(states), reached_(reached)
     {
     }
 
@@ -534,7 +489,7 @@ public:
 
 private:
     const Grid<D>& grid_;
-    CellStates<D> states_;
+    const CellStates<D>& states_;
     const KeyMap<char>& reached_;
     KeyMap<char> done_, large_; ///< cells of components already visited; of those that are not pockets
     std::vector<long> component_;
@@ -543,7 +498,8 @@ private:
 } // namespace
 
 template <int D>
-std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<long>& reached, FilmCells<D>& cells)
+std::vector<long> absorb_pockets(const FaceCache<D>& faces, const CellStates<D>& states, const std::vector<long>& reached,
+                                 FilmCells<D>& cells)
 {
     const Grid<D>& grid = faces.grid();
     KeyMap<char> reach;
@@ -553,7 +509,7 @@ std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<lo
     // may find the same pocket. Numbered by the cell whose film takes them.
     const long count = static_cast<long>(cells.cells.size()), threads = thread_count();
     const auto pockets = each_chunk(count, std::max(1L, (count + threads - 1) / threads), [&](long begin, long end) {
-        PocketFinder<D> finder(faces, cells, reach);
+        PocketFinder<D> finder(states, reach);
         NumberedItems<long> found;
         for (long i = begin; i < end; ++i) {
             const auto& [key, cell] = cells.cells.item(static_cast<int>(i));
@@ -601,14 +557,12 @@ std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<lo
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template class FilmGaps<D>;                                                                                                \
-    template class CellStates<D>;                                                                                              \
     template std::array<CellSide<D>, 2 * D> sides_of<D>(const Grid<D>&, const Index<D>&);                                      \
     template void cells_on_segment<D>(const Grid<D>&, const Vec<D>&, const Vec<D>&, std::vector<Index<D>>&);                   \
     template FilmCells<D> classify_cells<D>(const FaceCache<D>&, const FilmGaps<D>&);                                          \
-    template CellKind kind_of<D>(const FaceCache<D>&, const FilmCells<D>&, const Index<D>&);                                   \
-    template double open_after_closing<D>(const FaceCache<D>&, const FilmCells<D>&, int, const Index<D>&);                     \
     template void close_faces<D>(const FaceCache<D>&, const FilmGaps<D>&, FilmCells<D>&);                                      \
-    template std::vector<long> absorb_pockets<D>(const FaceCache<D>&, const std::vector<long>&, FilmCells<D>&);
+    template std::vector<long> absorb_pockets<D>(const FaceCache<D>&, const CellStates<D>&, const std::vector<long>&,          \
+                                                 FilmCells<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -108,39 +108,14 @@ FilmCells<D> classify_cells(const FaceCache<D>& faces, const FilmGaps<D>& gaps);
 template <int D>
 void close_faces(const FaceCache<D>& faces, const FilmGaps<D>& gaps, FilmCells<D>& cells);
 
-/// Kinds and openings of cells after faces were closed, computed on first request.
 template <int D>
-class CellStates {
-public:
-    struct State {
-        CellKind kind;
-        unsigned open;   ///< bit 2 axis + end: that face is open and leads to another cell of the domain
-        bool leads_out;  ///< a face is open and leads out of the domain
-        double aperture; ///< sum of open fractions
-    };
-
-    CellStates(const FaceCache<D>& faces, const FilmCells<D>& cells) : faces_(faces), cells_(cells) {}
-    /// The cell may lie outside the domain along periodic axes.
-    State operator()(const Index<D>& cell);
-    const Grid<D>& grid() const { return faces_.grid(); }
-
-private:
-    const FaceCache<D>& faces_;
-    const FilmCells<D>& cells_;
-    KeyMap<State> known_;
-};
+class CellStates;
 
 /// Turns small components of the grid that touch a film and that no mouth reaches into film; `reached` are the keys of
-/// cells in mouths' stencils. Returns the keys of the cells that changed (close_faces and the mouths must then be redone). Collective.
+/// cells in mouths' stencils, `states` those of `cells`. Returns the keys of the cells that changed (close_faces and the mouths must then
+/// be redone). Collective.
 template <int D>
-std::vector<long> absorb_pockets(const FaceCache<D>& faces, const std::vector<long>& reached, FilmCells<D>& cells);
-
-/// Kind of any cell of the domain, near films or not.
-template <int D>
-CellKind kind_of(const FaceCache<D>& faces, const FilmCells<D>& cells, const Index<D>& cell);
-
-/// Open fraction of a face after films have closed theirs.
-template <int D>
-double open_after_closing(const FaceCache<D>& faces, const FilmCells<D>& cells, int axis, const Index<D>& face);
+std::vector<long> absorb_pockets(const FaceCache<D>& faces, const CellStates<D>& states, const std::vector<long>& reached,
+                                 FilmCells<D>& cells);
 
 } // namespace gapflow

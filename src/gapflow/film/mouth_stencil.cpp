@@ -12,7 +12,7 @@ constexpr double minimum_weight = 0.02; // of a stencil: below, there is none
 
 // Corners of the stencil joined to `start` through open faces between corners.
 template <int D>
-unsigned connected_corners(CellStates<D>& states, const std::array<Index<D>, 1 << D>& cell, int start)
+unsigned connected_corners(const CellStates<D>& states, const std::array<Index<D>, 1 << D>& cell, int start)
 {
     unsigned found = 1u << start, next = found;
     while (next) {
@@ -35,7 +35,7 @@ unsigned connected_corners(CellStates<D>& states, const std::array<Index<D>, 1 <
 
 // Cells joined to `start` through open faces within one cell of the stencil at base .. base + 1.
 template <int D>
-std::vector<Index<D>> connected_around(CellStates<D>& states, const Index<D>& start, const Index<D>& base)
+std::vector<Index<D>> connected_around(const CellStates<D>& states, const Index<D>& start, const Index<D>& base)
 {
     std::vector<Index<D>> found{start};
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -55,7 +55,7 @@ std::vector<Index<D>> connected_around(CellStates<D>& states, const Index<D>& st
 } // namespace
 
 template <int D>
-std::vector<std::pair<long, double>> mouth_stencil(CellStates<D>& states, const Vec<D>& y)
+std::vector<std::pair<long, double>> mouth_stencil(const CellStates<D>& states, const Vec<D>& y)
 {
     const Grid<D>& grid = states.grid();
     constexpr int count = 1 << D;
@@ -111,7 +111,7 @@ std::vector<std::pair<long, double>> mouth_stencil(CellStates<D>& states, const 
     return result;
 }
 
-template std::vector<std::pair<long, double>> mouth_stencil<2>(CellStates<2>&, const Vec<2>&);
-template std::vector<std::pair<long, double>> mouth_stencil<3>(CellStates<3>&, const Vec<3>&);
+template std::vector<std::pair<long, double>> mouth_stencil<2>(const CellStates<2>&, const Vec<2>&);
+template std::vector<std::pair<long, double>> mouth_stencil<3>(const CellStates<3>&, const Vec<3>&);
 
 } // namespace gapflow

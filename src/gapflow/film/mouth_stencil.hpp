@@ -1,7 +1,7 @@
 // The cells of the grid from which a mouth takes its pressure and to which its flux goes (method, "Mouths and joints").
 #pragma once
 
-#include "gapflow/film/film_cells.hpp"
+#include "gapflow/film/cell_states.hpp"
 
 #include <utility>
 #include <vector>
@@ -12,6 +12,6 @@ namespace gapflow {
 /// nearby (within one cell of the stencil, so that nothing leaks through a thin wall). Grid::key, weight; sum 1. Empty
 /// if there is no such cell.
 template <int D>
-std::vector<std::pair<long, double>> mouth_stencil(CellStates<D>& states, const Vec<D>& y);
+std::vector<std::pair<long, double>> mouth_stencil(const CellStates<D>& states, const Vec<D>& y);
 
 } // namespace gapflow

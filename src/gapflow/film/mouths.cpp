@@ -69,7 +69,7 @@ public:
 
     /// Finds the type of end at each point of the rims, on the rank that has its place; after the first call only for points near cells that
     /// changed since. Collective.
-    void find(const FaceCache<D>& faces, const std::vector<long>& changed)
+    void find(const CellStates<D>& states, const std::vector<long>& changed)
     {
         KeyMap<char> near;
         for (long key : changed)
@@ -83,7 +83,7 @@ public:
                    (!found_ || near.contains(block(grid_.cell_of(points_[i].x))));
         };
         for_each_part(static_cast<long>(points_.size()), [&](long begin, long end) {
-            Around around{CellStates<D>(faces, cells_), {}};
+            Around around{states, {}};
             for (long i = begin; i < end; ++i)
                 if (is_sought(i)) {
                     ends_[i] = {};
@@ -152,7 +152,7 @@ private:
 
     /// What a thread knows of the places that it has come by.
     struct Around {
-        CellStates<D> states;
+        const CellStates<D>& states;
         typename FaceClipper<D>::Nearby solids;
     };
 
@@ -264,7 +264,8 @@ private:
 
     // A mouth thicker than two cells that continues as a channel is connected to all cells across it: the mean of several stencils, one for
     // each cell of thickness. With a single stencil in the middle the flow would converge to it, and this transverse flow would drag on the walls.
-    std::vector<std::pair<long, double>> stencil_across(const RimPoint<D>& point, const Vec<D>& y, CellStates<D>& states) const
+    std::vector<std::pair<long, double>> stencil_across(const RimPoint<D>& point, const Vec<D>& y,
+                                                        const CellStates<D>& states) const
     {
         const int count = static_cast<int>(std::ceil(point.h / grid_.dx() - 1e-9));
         if (point.h <= 2 * grid_.dx() || kind_of_rim(point) != MouthKind::smooth)
@@ -422,8 +423,9 @@ FilmNetwork<D> build_film_network(const Grid<D>& grid, std::span<const Solid<D>>
         std::vector<long> changed;
         for (int pass = 0; pass < 10; ++pass) {
             close_faces<D>(*faces, gaps, network.cells);
-            finder.find(*faces, changed);
-            changed = absorb_pockets(*faces, finder.reached(), network.cells);
+            const CellStates<D> states(*faces, network.cells);
+            finder.find(states, changed);
+            changed = absorb_pockets(*faces, states, finder.reached(), network.cells);
             if (changed.empty())
                 break;
         }

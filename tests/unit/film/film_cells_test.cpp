@@ -1,7 +1,7 @@
 // Which cells hold film and which faces films close, where both are known by hand.
 #include "film_scene.hpp"
 
-#include "gapflow/film/film_cells.hpp"
+#include "gapflow/film/cell_states.hpp"
 
 #include <algorithm>
 #include <map>
@@ -129,7 +129,7 @@ TEST(FilmCells, TheCellInWhichPlatesEndIsMixed)
     for (int x = 2; x < 8; ++x)
         EXPECT_EQ(kind_of<2>(scene->faces(), found.cells, {x, 4}), x == 2 || x == 7 ? CellKind::mixed : CellKind::film);
     EXPECT_EQ(found.cells.closed.size(), 5u);
-    CellStates<2> states(scene->faces(), found.cells);
+    const CellStates<2> states(scene->faces(), found.cells);
     for (int x : {2, 7}) {
         const auto state = states({x, 4});
         EXPECT_EQ(state.kind, CellKind::mixed);
@@ -201,7 +201,8 @@ TEST(AbsorbPockets, TakesSmallPartsThatNoConduitReaches)
             std::vector<long> reach;
             if (reached)
                 reach.push_back(scene->grid().key({6, 7}));
-            std::vector<long> changed = absorb_pockets<2>(scene->faces(), reach, found.cells);
+            std::vector<long> changed =
+                absorb_pockets<2>(scene->faces(), CellStates<2>(scene->faces(), found.cells), reach, found.cells);
             EXPECT_EQ(changed.size(), depth == 3 && !reached ? 9u : 0u) << depth;
             std::sort(changed.begin(), changed.end());
             EXPECT_EQ(std::unique(changed.begin(), changed.end()), changed.end());
@@ -212,7 +213,7 @@ TEST(AbsorbPockets, TakesSmallPartsThatNoConduitReaches)
             }
             EXPECT_EQ(count(found.cells)[CellKind::film], 4 + static_cast<int>(changed.size()));
             close_faces<2>(scene->faces(), found.gaps, found.cells);
-            CellStates<2> after(scene->faces(), found.cells);
+            const CellStates<2> after(scene->faces(), found.cells);
             EXPECT_EQ(after({6, 7}).open, changed.empty() ? 15u : 0u);
         }
     }

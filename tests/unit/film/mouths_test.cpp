@@ -1,6 +1,7 @@
 // Where films exchange fluid: a mouth's resistance, and what the ends of films with known geometry join.
 #include "film_scene.hpp"
 
+#include "gapflow/film/cell_states.hpp"
 #include "gapflow/film/mouths.hpp"
 
 #include <cmath>
