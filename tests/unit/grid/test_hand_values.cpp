@@ -205,6 +205,21 @@ TEST(HandValues, BallIsExact3D)
     }
 }
 
+// A ball that touches a grid plane, but for round-off of its place, has no part of its faces.
+TEST(HandValues, BallTouchingFacesHoldsNoPart)
+{
+    const auto grid = unit_grid<3>(12);
+    const double dx = grid.dx();
+    for (const double past : {-1e-12, 0.0, 1e-12, 1e-8}) {
+        Scene<3> scene(grid);
+        const int ball = scene.add("ball", make_ball<3>(3 * dx), pose<3>({(6 + past) * dx, 5.7 * dx, 6.4 * dx}));
+        const FaceClipper<3> clipper(grid, scene.solids, FractionMode::cut_cell);
+        const auto face = clipped<3>(clipper, 0, {9, 5, 6});
+        EXPECT_EQ(fraction_in(face, ball), 0) << past;
+        EXPECT_EQ(face.open, 1) << past;
+    }
+}
+
 // A ball that spins moves no fluid: the flux of its surface out of any cell is zero (but for parts and openings below 1e-6 of a face).
 TEST(HandValues, SpinningBallHasNoFlux)
 {
