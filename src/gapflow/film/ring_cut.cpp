@@ -20,12 +20,6 @@ constexpr int most_rings = 1000;
 // In dx: balls that overlap no further touch. Those that touch overlap by their places' round-off or not (random scene 441).
 constexpr double overlap = 1e-6;
 
-bool is_ball(const Shape<3>& shape)
-{
-    const std::vector<Core<3>> cores = shape.cores();
-    return cores.size() == 1 && cores.front().from == cores.front().to;
-}
-
 class BallRays {
 public:
     /// A point of the ball and what it has opposite.
@@ -43,9 +37,8 @@ public:
 
     explicit BallRays(const GapTest<3>& test) : test_(test)
     {
-        const Core<3> core = test.master.shape().cores().front();
-        centre_ = test.master.to_world(core.from);
-        radius_ = core.radius;
+        centre_ = test.master.to_world(Vec<3>::Zero());
+        radius_ = *test.master.shape().sphere_radius();
         pole_ = (test.other.closest(centre_).x - centre_).normalized();
         const Vec<3> n = test.master.rotation().transpose() * pole_;
         int axis = 0;
@@ -291,7 +284,8 @@ private:
 
 std::optional<GapCut<3>> ring_cut(const GapTest<3>& test)
 {
-    if (test.options.rings <= 0 || !is_ball(test.master.shape()) || !test.other.shape().convex() ||
+    const Shape<3>& master = test.master.shape();
+    if (test.options.rings <= 0 || !master.sphere_radius() || master.inside_out() || !test.other.shape().convex() ||
         test.other.shape().inside_out())
         return {};
     return RingMesh(test).cut();

@@ -23,12 +23,19 @@ double cross(const Point& a, const Point& b)
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// a - sin a cos a with s = sin a >= 0; its series where the difference would lose digits.
-double segment(double s, double a, double cosine)
+// Of the triangle over a polygon's first corner and an edge from a to b.
+void add_triangle(const Point& first, const Point& a, const Point& b, PartSum<3>& sum)
+{
+    const Point to_a = a - first, to_b = b - first;
+    sum.add(0.5 * cross(to_a, to_b), first + (to_a + to_b) / 3);
+}
+
+// a - sin a cos a of s = sin a >= 0 and cos a >= 0; its series where the difference would lose digits.
+double segment(double s, double cosine)
 {
     const double q = s * s;
     if (q > 0.02)
-        return a - s * cosine;
+        return std::atan2(s, cosine) - s * cosine;
     return s * q *
            (2. / 3 + q * (1. / 5 + q * (3. / 28 + q * (5. / 72 + q * (35. / 704 + q * (63. / 1664 + q * (77. / 2560)))))));
 }
@@ -45,10 +52,7 @@ public:
             empty_ = false;
             return;
         }
-        const Point a = last_ - first_, b = x - first_;
-        const double area = 0.5 * cross(a, b);
-        sum_.area += area;
-        sum_.moment += area * (first_ + (a + b) / 3);
+        add_triangle(first_, last_, x, sum_);
         last_ = x;
     }
 
@@ -61,41 +65,35 @@ public:
             const double s = std::min(0.5 * chord.norm() / r, 1.0),
                          cosine = std::sqrt(std::max(0.5 * (1 + from.dot(to) / r2), 0.0));
             const double sign = cross(from, to) < 0 ? -1 : 1;
-            const double f = segment(s, s * s > 0.02 ? std::atan2(s, cosine) : 0, cosine);
-            const double area = sign * r2 * f;
-            sum_.area += area;
-            sum_.moment += area * 0.5 * (last_ + x);
+            const double f = segment(s, cosine);
+            sum_.add(sign * r2 * f, 0.5 * (last_ + x));
             if (s > 0) // along the chord's normal, which turns with the sign
                 sum_.moment += 0.5 * r2 * (2. / 3 * s * s - f * cosine / s) * Point(chord.y(), -chord.x());
         }
         line_to(x);
     }
 
-    AreaMoment sum() const { return sum_; }
+    PartSum<3> sum() const { return sum_; }
     const Point& first() const { return first_; }
 
 private:
     const Disc& disc_;
     Point first_, last_;
     bool empty_ = true;
-    AreaMoment sum_;
+    PartSum<3> sum_;
 };
 
 } // namespace
 
-AreaMoment area_of(std::span<const Point> polygon)
+PartSum<3> area_of(std::span<const Point> polygon)
 {
-    AreaMoment sum;
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-        const Point a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
-        const double area = 0.5 * cross(a, b);
-        sum.area += area;
-        sum.moment += area * (polygon[0] + (a + b) / 3);
-    }
+    PartSum<3> sum;
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        add_triangle(polygon[0], polygon[i], polygon[i + 1], sum);
     return sum;
 }
 
-AreaMoment area_inside(const Disc& disc, std::span<const Point> polygon)
+PartSum<3> area_inside(const Disc& disc, std::span<const Point> polygon)
 {
     const double r = disc.radius;
     const std::size_t n = polygon.size();
@@ -103,7 +101,8 @@ AreaMoment area_inside(const Disc& disc, std::span<const Point> polygon)
         return {};
     double size = 0; // no two corners are farther from each other
     for (const Point& x : polygon)
-        size = std::max(size, 2 * (x - polygon[0]).norm());
+        size = std::max(size, (x - polygon[0]).squaredNorm());
+    size = 2 * std::sqrt(size);
     // Seen from the centre of a disc as large as this, what is outside of it spans less than half a turn: one arc will do.
     const bool projects = r < size;
     const auto onto_circle = [&](const Point& x) {

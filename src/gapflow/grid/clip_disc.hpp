@@ -1,9 +1,7 @@
 // A disc in a convex polygon. Private to grid/.
 #pragma once
 
-#include <Eigen/Core>
-
-#include <span>
+#include "gapflow/grid/clip_kernels.hpp"
 
 namespace gapflow {
 
@@ -12,15 +10,10 @@ struct Disc {
     double radius;
 };
 
-struct AreaMoment {
-    double area = 0;
-    Eigen::Vector2d moment = Eigen::Vector2d::Zero(); ///< integral of the place
-};
-
 /// Area and first moment of a convex polygon (its corners counterclockwise).
-AreaMoment area_of(std::span<const Eigen::Vector2d> polygon);
+PartSum<3> area_of(std::span<const Eigen::Vector2d> polygon);
 
 /// Those of the disc's part inside it. Errors of the area: round-off of the places, times the polygon's size.
-AreaMoment area_inside(const Disc& disc, std::span<const Eigen::Vector2d> polygon);
+PartSum<3> area_inside(const Disc& disc, std::span<const Eigen::Vector2d> polygon);
 
 } // namespace gapflow

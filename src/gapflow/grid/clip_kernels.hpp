@@ -17,7 +17,7 @@ struct Cutter {
     bool complement; ///< the solid is outside the planes' intersection
 };
 
-/// Measure and first moment of one part of a face, in units of the face: coordinate i in [0, 1] runs along tangent i.
+/// Measure and first moment of one part of a face; in units of the face, if not said otherwise: coordinate i in [0, 1] runs along tangent i.
 template <int D>
 struct PartSum {
     using Local = Eigen::Matrix<double, D - 1, 1>;
@@ -28,6 +28,18 @@ struct PartSum {
     {
         measure += m;
         moment += m * centroid;
+    }
+    PartSum& operator+=(const PartSum& other)
+    {
+        measure += other.measure;
+        moment += other.moment;
+        return *this;
+    }
+    PartSum& operator-=(const PartSum& other)
+    {
+        measure -= other.measure;
+        moment -= other.moment;
+        return *this;
     }
 };
 

@@ -4,7 +4,7 @@
 //
 // exactly by the planes of flat-faced solids, and by phi of other shapes interpolated on 2 x 2 x 2 triangles whose diagonals
 // meet in the middle of the face (the pattern has the square's own symmetries), those near a surface cut in four once more
-// (error of the volume of a capsule's cap of radius 4 dx: -0.13 % instead of -0.52 %). Each fragment stores the solids in which it lies: none:
+// (error of the volume of a ball of radius 4 dx that is cut so: -0.13 % instead of -0.52 %). Each fragment stores the solids in which it lies: none:
 // open; one: that solid's; several: split once more where their distances, linear on the triangles about its middle, are equal. All
 // splits divide the whole fragment, so the parts sum to the square. Exact for flat faces that do not overlap, else second
 // order (after Ng, Min & Gibou 2009).
@@ -315,20 +315,18 @@ private:
             places[i] = {fragment.u[i] * edges_[0], fragment.v[i] * edges_[1]};
         const std::span<const Eigen::Vector2d> polygon = std::span(places).first(fragment.n);
         const Eigen::Vector2d scale(edges_[0], edges_[1]);
-        AreaMoment rest = area_of(polygon);
-        const auto add = [&](const AreaMoment& part, PartSum<3>& sum) {
-            sum.measure += part.area / scale.prod();
-            sum.moment += part.moment.cwiseQuotient(scale) / scale.prod();
+        PartSum<3> rest = area_of(polygon);
+        const auto in_units_of_face = [&](const PartSum<3>& part) {
+            return PartSum<3>{part.measure / scale.prod(), part.moment.cwiseQuotient(scale) / scale.prod()};
         };
         for (const SphereSections::Section& section : spheres_.sections()) {
-            const AreaMoment part = spheres_.part(section, polygon);
-            if (part.area <= tolerance_ * scale.prod())
+            const PartSum<3> part = spheres_.part(section, polygon);
+            if (part.measure <= tolerance_ * scale.prod())
                 continue;
-            rest.area -= part.area;
-            rest.moment -= part.moment;
-            add(part, sums_->solid[section.cutter]);
+            rest -= part;
+            sums_->solid[section.cutter] += in_units_of_face(part);
         }
-        add(rest, sums_->open);
+        sums_->open += in_units_of_face(rest);
     }
 
     // A fragment in several solids.

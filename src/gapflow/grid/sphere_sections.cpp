@@ -32,6 +32,15 @@ std::vector<Point> nearer_part(std::span<const Point> polygon, const Disc& near,
     return part;
 }
 
+// Does a ball, one of the cutters, overlap others?
+bool overlaps(std::span<const Cutter<3>> cutters, std::size_t ball, const Vec<3>& centre, double radius)
+{
+    for (std::size_t other = 0; other < cutters.size(); ++other)
+        if (other != ball && cutters[other].shape->distance(centre) < radius)
+            return true;
+    return false;
+}
+
 } // namespace
 
 bool SphereSections::take(const Vec<3>& corner, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters,
@@ -48,18 +57,13 @@ bool SphereSections::take(const Vec<3>& corner, const std::array<int, 2>& tangen
             continue;
         }
         const std::optional<double> radius = placed.shape().sphere_radius();
-        if (!radius) {
-            clear();
-            return false;
-        }
         const bool hollow = placed.shape().inside_out();
         const Vec<3> centre = placed.to_world(Vec<3>::Zero()), x = centre - corner;
         hollows += hollow;
-        for (std::size_t other = 0; other < cutters.size() && !hollow; ++other)
-            if (other != i && cutters[other].shape->distance(centre) < *radius - tolerance) {
-                clear();
-                return false;
-            }
+        if (!radius || (!hollow && overlaps(cutters, i, centre, *radius - tolerance))) {
+            clear();
+            return false;
+        }
         const double height = x[normal];
         sections_.push_back(
             {i, {{x[tangents[0]], x[tangents[1]]}, std::sqrt(std::max((*radius - height) * (*radius + height), 0.0))}, hollow});
@@ -69,15 +73,16 @@ bool SphereSections::take(const Vec<3>& corner, const std::array<int, 2>& tangen
     return !empty();
 }
 
-AreaMoment SphereSections::part(const Section& section, std::span<const Point> polygon) const
+PartSum<3> SphereSections::part(const Section& section, std::span<const Point> polygon) const
 {
     if (!section.hollow)
         return part_of_ball(section, polygon);
-    const AreaMoment all = area_of(polygon), hole = area_inside(section.disc, polygon);
-    return {all.area - hole.area, all.moment - hole.moment};
+    PartSum<3> part = area_of(polygon);
+    part -= area_inside(section.disc, polygon);
+    return part;
 }
 
-AreaMoment SphereSections::part_of_ball(const Section& ball, std::span<const Point> polygon) const
+PartSum<3> SphereSections::part_of_ball(const Section& ball, std::span<const Point> polygon) const
 {
     std::vector<Point> mine; // where other balls have taken off a part
     const Disc* hole = nullptr;
@@ -90,9 +95,9 @@ AreaMoment SphereSections::part_of_ball(const Section& ball, std::span<const Poi
         }
     if (!hole)
         return area_inside(ball.disc, polygon);
-    const AreaMoment near_hole = area_inside(*hole, nearer_part(polygon, ball.disc, *hole)),
-                     near_ball = area_inside(ball.disc, nearer_part(polygon, *hole, ball.disc));
-    return {near_hole.area + near_ball.area, near_hole.moment + near_ball.moment};
+    PartSum<3> part = area_inside(*hole, nearer_part(polygon, ball.disc, *hole));
+    part += area_inside(ball.disc, nearer_part(polygon, *hole, ball.disc));
+    return part;
 }
 
 } // namespace gapflow

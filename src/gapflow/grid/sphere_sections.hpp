@@ -2,7 +2,6 @@
 #pragma once
 
 #include "gapflow/grid/clip_disc.hpp"
-#include "gapflow/grid/clip_kernels.hpp"
 
 #include <vector>
 
@@ -17,9 +16,9 @@ public:
     /// may do so: a hollow one and a flat solid).
     bool take(const Vec<3>& corner, const std::array<int, 2>& tangents, std::span<const Cutter<3>> cutters, double tolerance);
     void clear() { sections_.clear(); }
-    /// Cutters that are spheres.
     bool empty() const { return sections_.empty(); }
 
+    /// Of a cutter that is a sphere.
     struct Section {
         std::size_t cutter;
         Disc disc; ///< radius 0: the plane misses the sphere
@@ -27,10 +26,10 @@ public:
     };
     const std::vector<Section>& sections() const { return sections_; }
     /// What a section's solid has of a convex polygon (counterclockwise).
-    AreaMoment part(const Section& section, std::span<const Eigen::Vector2d> polygon) const;
+    PartSum<3> part(const Section& section, std::span<const Eigen::Vector2d> polygon) const;
 
 private:
-    AreaMoment part_of_ball(const Section& ball, std::span<const Eigen::Vector2d> polygon) const;
+    PartSum<3> part_of_ball(const Section& ball, std::span<const Eigen::Vector2d> polygon) const;
 
     std::vector<Section> sections_;
 };

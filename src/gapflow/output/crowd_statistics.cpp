@@ -46,8 +46,7 @@ double ball_below(double radius, double h)
 template <int D>
 double ball_radius(const Shape<D>& shape)
 {
-    const std::vector<Core<D>> cores = shape.cores();
-    return cores.size() == 1 && cores[0].from == cores[0].to && shape.planes().empty() ? cores[0].radius : 0;
+    return shape.inside_out() ? 0 : shape.sphere_radius().value_or(0);
 }
 
 // Points in a shape, evenly; its centre of volume if none is.

@@ -18,7 +18,7 @@ using Polygon = std::vector<Point>;
 const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 /// The same in the unit square by Gauss' rule, v = v_c + r sin t, between all places where a bound of u or v changes.
-AreaMoment by_quadrature(const Disc& disc)
+PartSum<3> by_quadrature(const Disc& disc)
 {
     using Real = long double;
     static constexpr std::array<Real, 5> nodes{0.1488743389816312108848260L, 0.4333953941292471907992659L,
@@ -66,9 +66,9 @@ TEST(ClipDisc, IsTheIntegral)
         const double radius = std::pow(10.0, k % 5 - 1) * (0.3 + number(random)), angle = 2 * M_PI * number(random);
         const Point on_circle(1.4 * number(random) - 0.2, 1.4 * number(random) - 0.2);
         const Disc disc{on_circle - radius * Point(std::cos(angle), std::sin(angle)), radius};
-        const AreaMoment part = area_inside(disc, square), exact = by_quadrature(disc);
+        const PartSum<3> part = area_inside(disc, square), exact = by_quadrature(disc);
         const double round_off = 4e-16 * std::max(1.0, radius);
-        ASSERT_NEAR(part.area, exact.area, round_off) << "radius " << radius << " at " << disc.centre.transpose();
+        ASSERT_NEAR(part.measure, exact.measure, round_off) << "radius " << radius << " at " << disc.centre.transpose();
         ASSERT_LE((part.moment - exact.moment).norm(), 8 * round_off)
             << "radius " << radius << " at " << disc.centre.transpose();
     }
@@ -91,8 +91,8 @@ TEST(ClipDisc, PartsOfPolygonsAddUp)
                 for (Polygon* part : {&low, &high})
                     part->push_back(p + f / (f - g) * (q - p));
         }
-        const AreaMoment all = area_inside(disc, square), a = area_inside(disc, low), b = area_inside(disc, high);
-        ASSERT_NEAR(all.area, a.area + b.area, 2e-15);
+        const PartSum<3> all = area_inside(disc, square), a = area_inside(disc, low), b = area_inside(disc, high);
+        ASSERT_NEAR(all.measure, a.measure + b.measure, 2e-15);
         ASSERT_LE((all.moment - a.moment - b.moment).norm(), 2e-15);
     }
 }
@@ -103,17 +103,17 @@ TEST(ClipDisc, IsContinuousWhereCasesMeet)
     for (const double radius : {0.5, 1.0, std::sqrt(2.0), std::sqrt(0.5)})
         for (const Point& centre : {Point(0, 0), Point(0.5, 0.5), Point(1, 0), Point(0.5, 0), Point(-0.5, 0.5), Point(1.5, 0.5),
                                     Point(0, 1 + radius), Point(-radius, 0.3), Point(radius, 0.5)}) {
-            const AreaMoment part = area_inside({centre, radius}, square);
+            const PartSum<3> part = area_inside({centre, radius}, square);
             for (const Point& by : {Point(1e-9, -1e-9), Point(-1e-9, 1e-9), Point(0, 1e-9)}) {
-                const AreaMoment moved = area_inside({centre + by, radius}, square);
-                EXPECT_NEAR(part.area, moved.area, 1e-8) << "radius " << radius << " at " << centre.transpose();
+                const PartSum<3> moved = area_inside({centre + by, radius}, square);
+                EXPECT_NEAR(part.measure, moved.measure, 1e-8) << "radius " << radius << " at " << centre.transpose();
                 EXPECT_LE((part.moment - moved.moment).norm(), 1e-8) << "radius " << radius << " at " << centre.transpose();
             }
         }
-    EXPECT_NEAR(area_inside({{0.5, 0.5}, 0.5}, square).area, M_PI / 4, 1e-15);
-    EXPECT_NEAR(area_inside({{0, 0}, 1}, square).area, M_PI / 4, 1e-15);
-    EXPECT_EQ(area_inside({{2, 2}, 0.75}, square).area, 0);
-    EXPECT_EQ(area_inside({{0.4, 0.5}, 3}, square).area, 1);
+    EXPECT_NEAR(area_inside({{0.5, 0.5}, 0.5}, square).measure, M_PI / 4, 1e-15);
+    EXPECT_NEAR(area_inside({{0, 0}, 1}, square).measure, M_PI / 4, 1e-15);
+    EXPECT_EQ(area_inside({{2, 2}, 0.75}, square).measure, 0);
+    EXPECT_EQ(area_inside({{0.4, 0.5}, 3}, square).measure, 1);
 }
 
 } // namespace
