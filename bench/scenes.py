@@ -1,4 +1,4 @@
-"""Scenes that measure speed, as TOML text: two plates with a thin gap, and balls packed at random."""
+"""Scenes that measure speed, as TOML text: two plates with a thin gap, balls packed at random, and balls on a jittered lattice."""
 import sys
 
 import numpy as np
@@ -62,6 +62,22 @@ def balls(n, cells, diameter=8.0):
     return document(f"{n} balls of {diameter:g} cells, {cells} cells a side", cells, bodies, 3, gravity=1.0)
 
 
+def lattice(a_side, cells, diameter=8.0):
+    """a_side^3 balls of this diameter (in cells) on a cubic lattice in a closed unit box of cells^3, each moved by up to 0.3 cells
+    along each axis, always alike."""
+    x = (np.indices([a_side] * 3).reshape(3, -1).T + 0.5) * cells / a_side
+    x += np.random.default_rng(1).uniform(-0.3, 0.3, x.shape)
+    bodies = [(f"ball{i}", ['shape = "ball"', f"radius = {0.5 * diameter / cells!r}", f"position = {toml(c / cells)}"])
+              for i, c in enumerate(x)]
+    return document(f"{a_side**3} balls of {diameter:g} cells on a jittered lattice, {cells} cells a side", cells, bodies, 3, gravity=1.0)
+
+
+def viscous(text):
+    """The same scene with a viscosity of 1e-3."""
+    return text.replace("[fluid]\n", "[fluid]\nviscosity = 1e-3\n")
+
+
 if __name__ == "__main__":
-    kind, first, second = sys.argv[1:4]  # plates CELLS GAP | balls N CELLS
-    sys.stdout.write(plates(int(first), float(second)) if kind == "plates" else balls(int(first), int(second)))
+    kind, first, second = sys.argv[1:4]  # plates CELLS GAP | balls N CELLS | lattice A_SIDE CELLS
+    scene = {"plates": plates, "balls": balls, "lattice": lattice}[kind]
+    sys.stdout.write(scene(int(first), float(second) if kind == "plates" else int(second)))
