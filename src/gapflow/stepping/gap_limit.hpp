@@ -17,7 +17,7 @@ public:
     /// Before a step from `state` with the coupled system `here`; V, A: twists and accelerations of all solids. All of it must outlive this
     /// object. Throws ComputationError where prescribed bodies have met and continue to approach.
     GapLimit(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const std::vector<Twist<D>>& V,
-             const std::vector<Twist<D>>& A);
+             const std::vector<Twist<D>>& A, double flow_speed);
 
     /// The step size dt, or a smaller one that the gaps ask for.
     double limited(double dt) const;
@@ -40,9 +40,15 @@ private:
         std::array<Twist<D>, 2> W; ///< mean twists of master and other on the way
         WayAhead<D> films;
     };
+    /// What films take of their bodies' velocities.
+    struct Taken {
+        double share;                   ///< of the relative velocity: |F|^2 / (W.F), in the metric of the bodies' mobility
+        std::array<Twist<D>, 2> change; ///< of the twists of master and other
+    };
     void add(int number, const Film<D>& film);
     Way way_ahead(const FilmPair<D>& pair, const Pair& films, double dt) const;
-    double share_of(const FilmPair<D>& pair, const Way& way, const std::array<Twist<D>, 2>& impulses, double dt) const;
+    Taken taken(const FilmPair<D>& pair, const Way& way, const std::array<Twist<D>, 2>& impulses, double dt) const;
+    double largest_change(const Pair& films, const std::array<Twist<D>, 2>& change) const;
     bool admits(const FilmPair<D>& pair, const Pair& films, double dt) const;
     double limited_by(const FilmPair<D>& pair, const Pair& films, double dt) const;
 
@@ -50,6 +56,7 @@ private:
     const State<D>& state_;
     const Coupling<D>& here_;
     const std::vector<Twist<D>>&V_, &A_;
+    double flow_speed_;
     std::vector<std::vector<int>> links_; ///< of each film
     std::map<FilmPair<D>, Pair> pairs_;
 };

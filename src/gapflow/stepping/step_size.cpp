@@ -132,7 +132,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
             dt = std::min(dt, limit_of_oscillation(bodies[b], V[b], A[b], scene, dx));
     const std::vector<Solid<D>>& solids = here.solids;
     std::map<FilmPair<D>, int> counted; // elements of each pair's films so far, as its memory has them
-    GapLimit<D> gaps(model, state, here, V, A);
+    GapLimit<D> gaps(model, state, here, V, A, speed);
     for (const Film<D>& film : here.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const int first = counted[film.pair];

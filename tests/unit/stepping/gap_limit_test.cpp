@@ -73,6 +73,32 @@ TEST(GapLimit, DragThatTakesAFifthOfTheSpeed)
     EXPECT_NEAR(lost, by_viscosity + by_inertia, 0.07 * (by_viscosity + by_inertia));
 }
 
+// A plate that comes down slowly limits no step by its film's drag where the flow elsewhere is much faster: what the step misses of its speed is little
+// beside that.
+TEST(GapLimit, ASlowPlateInFastFlow)
+{
+    const double viscosity = 2e-4, h0 = 0.001, L = 0.6, V = 0.04;
+    Scene scene = plate(1e4, viscosity);
+    scene.bodies[0].position = {0.97, 0.15 + h0, 0};
+    scene.bodies[0].velocity = {0, -V, 0};
+    scene.max_step = 0.01; // 0.4 of the gap, half of the speed
+    BodyScene fast;
+    fast.name = "fast";
+    fast.shape = BodyScene::ShapeKind::box;
+    fast.size = {0.4, 0.2, 0};
+    fast.position = {0.97, 0.72, 0};
+    fast.motion = BodyScene::Motion::prescribed;
+    scene.bodies.push_back(fast);
+    EXPECT_LT(Simulation<2>(scene, Communicator()).step(1e9).dt, 0.75 * scene.max_step);
+    scene.bodies[1].velocity = {1.2, 0, 0};
+    Simulation<2> simulation(scene, Communicator());
+    EXPECT_EQ(simulation.step(1e9).dt, scene.max_step);
+    const RigidBody<2>& box = simulation.bodies()[0];
+    const double h = box.pose.position[1] - 0.15, lost = V + box.twist[1];
+    const double by_viscosity = viscosity * std::pow(L, 3) / (2 * box.mass) * (1 / (h * h) - 1 / (h0 * h0));
+    EXPECT_NEAR(lost, by_viscosity, 0.15 * by_viscosity);
+}
+
 // A step that the gap limits takes from the plate what the way takes as well, and nearly so where drag takes much of the speed in a step.
 TEST(GapLimit, DragOfStepsThatTheGapLimits)
 {
