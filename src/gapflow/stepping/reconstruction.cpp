@@ -2,6 +2,7 @@
 
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/extrapolation.hpp"
+#include "gapflow/stepping/flooding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -178,6 +179,55 @@ FaceField<D, std::int8_t> known_faces(const Coupling<D>& c, double widest, const
     return valid;
 }
 
+// Velocities across the closed faces of mouths' cells, of the first extrapolated layer: linear extrapolation takes what mouths bring into the cell for a
+// gradient. Fluid that comes out of a film is no faster than it is there: beyond the velocity at the cell's opposite face, extrapolated ones go no further
+// than that of a mouth's fluid. (Method, "The time step", stage 7.) Collective.
+template <int D>
+void bound_by_mouths(const Coupling<D>& c, const FaceField<D, std::int8_t>& valid, const std::vector<Twist<D>>& V,
+                     const std::vector<double>& flux, FaceField<D>& u)
+{
+    constexpr std::int8_t known = 1, first_layer = 2;
+    const Grid<D>& grid = *c.grid;
+    struct Bounded {
+        int axis;
+        Index<D> face;
+        double u;
+    };
+    std::vector<Bounded> bounded;
+    for (std::size_t r = 0; r < c.network.rim.mouths.size(); ++r) {
+        const Mouth<D>& mouth = c.network.rim.mouths[r];
+        const int master = c.network.films[mouth.film].mesh.master;
+        const Vec<D> wall = velocity_at<D>(V[master], mouth.x - c.solids[master].centre);
+        const double speed = std::abs(flux[r] - carried_flux(c, mouth, V)) / (mouth.length * mouth.h);
+        for (const auto& [key, weight] : mouth.cells)
+            for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
+                const int axis = side.axis;
+                const Index<D> f = grid.wrapped(side.face), end = owned_faces_end(grid, axis);
+                if ((f.array() < grid.low().array()).any() || (f.array() >= end.array()).any() || valid(axis, f) != first_layer)
+                    continue;
+                const Index<D> opposite = f + (side.end == 0 ? 1 : -1) * step<D>(axis);
+                if (valid(axis, opposite) != known)
+                    continue;
+                const double across = u(axis, opposite);
+                bounded.push_back(
+                    {axis, f,
+                     std::clamp(u(axis, f), std::min(across, wall[axis] - speed), std::max(across, wall[axis] + speed))});
+            }
+    }
+    // Of a face's bounds the widest.
+    std::sort(bounded.begin(), bounded.end(), [&](const Bounded& a, const Bounded& b) {
+        if (a.axis != b.axis)
+            return a.axis < b.axis;
+        if (a.face != b.face)
+            return std::lexicographical_compare(a.face.begin(), a.face.end(), b.face.begin(), b.face.end());
+        const double now = u(a.axis, a.face);
+        return std::abs(a.u - now) < std::abs(b.u - now);
+    });
+    for (std::size_t k = 0; k < bounded.size(); ++k)
+        if (k == 0 || bounded[k].axis != bounded[k - 1].axis || bounded[k].face != bounded[k - 1].face)
+            u(bounded[k].axis, bounded[k].face) = bounded[k].u;
+}
+
 } // namespace
 
 template <int D>
@@ -213,6 +263,8 @@ Reconstruction<D> reconstruct(const Model<D>& model, const Coupling<D>& here, St
     extrapolate(grid, u, valid, extrapolated_layers);
     fill_velocity_ghosts(grid, u, sides);
     follow_solids(here, valid, V, sides, u);
+    bound_by_mouths(here, valid, V, state.velocity.mouth, u);
+    fill_velocity_ghosts(grid, u, sides);
     for (Sliver<D>& face : result.slivers) {
         face.extrapolated = u(face.axis, face.at);
         face.around = velocity_at_face(u, face.axis, face.at).norm();
