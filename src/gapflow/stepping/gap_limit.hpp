@@ -14,8 +14,8 @@ namespace gapflow {
 template <int D>
 class GapLimit {
 public:
-    /// Before a step from `state` with the coupled system `here`; V, A: twists and accelerations of all solids. All of it must outlive this
-    /// object. Throws ComputationError where prescribed bodies have met and continue to approach.
+    /// Before a step from `state` with the coupled system `here`; V, A: twists and accelerations of all solids; `flow_speed`: the flow's largest
+    /// speed. All but that must outlive this object. Throws ComputationError where prescribed bodies have met and continue to approach.
     GapLimit(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const std::vector<Twist<D>>& V,
              const std::vector<Twist<D>>& A, double flow_speed);
 

@@ -181,7 +181,7 @@ FaceField<D, std::int8_t> known_faces(const Coupling<D>& c, double widest, const
 
 // Velocities across the closed faces of mouths' cells, of the first extrapolated layer: linear extrapolation takes what mouths bring into the cell for a
 // gradient. Fluid that comes out of a film is no faster than it is there: beyond the velocity at the cell's opposite face, extrapolated ones go no further
-// than that of a mouth's fluid. (Method, "The time step", stage 7.) Collective.
+// than that of a mouth's fluid (method, "The time step", stage 7). Ghosts of u are not kept up to date.
 template <int D>
 void bound_by_mouths(const Coupling<D>& c, const FaceField<D, std::int8_t>& valid, const std::vector<Twist<D>>& V,
                      const std::vector<double>& flux, FaceField<D>& u)
@@ -261,10 +261,9 @@ Reconstruction<D> reconstruct(const Model<D>& model, const Coupling<D>& here, St
         follow_solids(here, painted_valid, V, sides, result.painted);
     }
     extrapolate(grid, u, valid, extrapolated_layers);
-    fill_velocity_ghosts(grid, u, sides);
-    follow_solids(here, valid, V, sides, u);
     bound_by_mouths(here, valid, V, state.velocity.mouth, u);
     fill_velocity_ghosts(grid, u, sides);
+    follow_solids(here, valid, V, sides, u);
     for (Sliver<D>& face : result.slivers) {
         face.extrapolated = u(face.axis, face.at);
         face.around = velocity_at_face(u, face.axis, face.at).norm();
