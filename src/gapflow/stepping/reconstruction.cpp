@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -179,7 +180,7 @@ FaceField<D, std::int8_t> known_faces(const Coupling<D>& c, double widest, const
     return valid;
 }
 
-// Velocities across the closed faces of mouths' cells, of the first extrapolated layer: linear extrapolation takes what mouths bring into the cell for a
+// Velocities across the closed faces of cells that mouths flow into, of the first extrapolated layer: linear extrapolation takes what mouths bring into the cell for a
 // gradient. Fluid that comes out of a film is no faster than it is there: beyond the velocity at the cell's opposite face, extrapolated ones go no further
 // than that of a mouth's fluid (method, "The time step", stage 7). Ghosts of u are not kept up to date.
 template <int D>
@@ -193,14 +194,24 @@ void bound_by_mouths(const Coupling<D>& c, const FaceField<D, std::int8_t>& vali
         Index<D> face;
         double u;
     };
+    const std::vector<Mouth<D>>& mouths = c.network.rim.mouths;
+    std::vector<double> out;               // of the film, relative to its walls
+    std::unordered_map<long, double> into; // the cells
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
+        out.push_back(flux[r] - carried_flux(c, mouths[r], V));
+        for (const auto& [key, weight] : mouths[r].cells)
+            into[key] += weight * out[r];
+    }
     std::vector<Bounded> bounded;
-    for (std::size_t r = 0; r < c.network.rim.mouths.size(); ++r) {
-        const Mouth<D>& mouth = c.network.rim.mouths[r];
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
+        const Mouth<D>& mouth = mouths[r];
         const int master = c.network.films[mouth.film].mesh.master;
         const Vec<D> wall = velocity_at<D>(V[master], mouth.x - c.solids[master].centre);
-        const double speed = std::abs(flux[r] - carried_flux(c, mouth, V)) / (mouth.length * mouth.h);
+        const double speed = std::abs(out[r]) / (mouth.length * mouth.h);
         for (const auto& [key, weight] : mouth.cells)
             for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
+                if (into.at(key) <= 0)
+                    break;
                 const int axis = side.axis;
                 const Index<D> f = grid.wrapped(side.face), end = owned_faces_end(grid, axis);
                 if ((f.array() < grid.low().array()).any() || (f.array() >= end.array()).any() || valid(axis, f) != first_layer)

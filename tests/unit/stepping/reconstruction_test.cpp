@@ -86,7 +86,7 @@ TEST(Reconstruction, WhatMouthsBringIsNoGradient)
                             continue;
                         state.velocity = {FaceField<2>(grid), std::vector<Vec<2>>(at.here.network.elements, Vec<2>::Zero()),
                                           std::vector<double>(at.here.network.elements, 0.0),
-                                          std::vector<double>(at.here.network.rim.mouths.size(), 0.0)};
+                                          std::vector<double>(at.here.network.rim.mouths.size(), 1e-3)};
                         state.velocity.grid(0, fast) = 1;
                         reconstruct(model, at.here, state, at.twists);
                         EXPECT_LT(std::abs(state.velocity.grid(0, closed)), 1 + 1e-12) << "face " << closed.transpose();
