@@ -11,6 +11,23 @@
 namespace gapflow {
 namespace {
 
+// A fixed box at x, its lowest point a gap above the floor.
+Scene box_above_floor(double x, double gap, double angle)
+{
+    Scene scene;
+    scene.size = {2, 2, 0};
+    scene.cells = {20, 20, 1};
+    BodyScene box;
+    box.name = "box";
+    box.shape = BodyScene::ShapeKind::box;
+    box.motion = BodyScene::Motion::fixed;
+    box.size = {0.6, 0.5, 0};
+    box.angle = angle;
+    box.position = {x, gap + 0.5 * (box.size[0] * std::sin(angle) + box.size[1] * std::cos(angle)), 0};
+    scene.bodies = {box};
+    return scene;
+}
+
 // A corner 1e-4 cells over the floor, and a film in the wedge beside it, all of one flux. The corner lies anywhere in its cell, so faces
 // that the film leaves may be open a hundred times as wide as the film is thick. No face gets more than the film's flux.
 TEST(Reconstruction, AFaceTakesNoMoreThanTheFlux)
@@ -19,19 +36,7 @@ TEST(Reconstruction, AFaceTakesNoMoreThanTheFlux)
     int faces = 0;
     for (double angle : {5.0, 20.0, 30.0, 40.0, 45.0})
         for (int k = 0; k < 10; ++k) {
-            Scene scene;
-            scene.size = {2, 2, 0};
-            scene.cells = {20, 20, 1};
-            BodyScene box;
-            box.name = "box";
-            box.shape = BodyScene::ShapeKind::box;
-            box.motion = BodyScene::Motion::fixed;
-            box.size = {0.6, 0.5, 0};
-            box.angle = angle / 180 * std::numbers::pi;
-            box.position = {1 + 0.1 * k * dx,
-                            1e-4 * dx + 0.5 * (box.size[0] * std::sin(box.angle) + box.size[1] * std::cos(box.angle)), 0};
-            scene.bodies = {box};
-            const Model<2> model(scene, Communicator());
+            const Model<2> model(box_above_floor(1 + 0.1 * k * dx, 1e-4 * dx, angle / 180 * std::numbers::pi), Communicator());
             State<2> state(model);
             StepReport report;
             StageTimers timers;
@@ -61,17 +66,7 @@ TEST(Reconstruction, WhatMouthsBringIsNoGradient)
     int faces = 0;
     for (double gap : {0.2, 0.6, 0.9})
         for (double place : {0.0, 0.3, 0.7}) {
-            Scene scene;
-            scene.size = {2, 2, 0};
-            scene.cells = {20, 20, 1};
-            BodyScene box;
-            box.name = "box";
-            box.shape = BodyScene::ShapeKind::box;
-            box.motion = BodyScene::Motion::fixed;
-            box.size = {0.6, 0.5, 0};
-            box.position = {1 + place * dx, gap * dx + 0.25, 0};
-            scene.bodies = {box};
-            const Model<2> model(scene, Communicator());
+            const Model<2> model(box_above_floor(1 + place * dx, gap * dx, 0), Communicator());
             const Grid<2>& grid = model.grid;
             State<2> state(model);
             StepReport report;
