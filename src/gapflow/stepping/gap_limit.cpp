@@ -37,13 +37,21 @@ constexpr double driven_step = 1e-3;
 constexpr double tiny = std::numeric_limits<double>::min();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+// Velocity of a point of the master against the one of the other solid that it faces, at the given twists (or accelerations).
+template <int D>
+Vec<D> relative_velocity(const Coupling<D>& here, const FilmMesh<D>& mesh, const Twist<D>& master, const Twist<D>& other,
+                         const Vec<D>& on_master, const Vec<D>& on_other)
+{
+    return velocity_at<D>(master, on_master - here.solids[mesh.master].centre) -
+           velocity_at<D>(other, on_other - here.solids[mesh.other].centre - mesh.shift);
+}
+
 // Opening rate of two points that face each other at the given twists (or accelerations) of the solids.
 template <int D>
 double opening(const Coupling<D>& here, const FilmMesh<D>& mesh, const std::vector<Twist<D>>& twist, const Vec<D>& out_of_other,
                const Vec<D>& on_master, const Vec<D>& on_other)
 {
-    return out_of_other.dot(velocity_at<D>(twist[mesh.master], on_master - here.solids[mesh.master].centre) -
-                            velocity_at<D>(twist[mesh.other], on_other - here.solids[mesh.other].centre - mesh.shift));
+    return out_of_other.dot(relative_velocity(here, mesh, twist[mesh.master], twist[mesh.other], on_master, on_other));
 }
 
 // When a distance that opens with rate v and acceleration a has fallen by `left`.
@@ -174,9 +182,7 @@ double GapLimit<D>::largest_change(const Pair& films, const std::array<Twist<D>,
     for (const int f : films.films) {
         const FilmMesh<D>& mesh = here_.network.films[f].mesh;
         for (const FilmPoint<D>& q : mesh.points)
-            largest = std::max(largest, (velocity_at<D>(change[0], q.x - here_.solids[mesh.master].centre) -
-                                         velocity_at<D>(change[1], q.y - here_.solids[mesh.other].centre - mesh.shift))
-                                            .norm());
+            largest = std::max(largest, relative_velocity(here_, mesh, change[0], change[1], q.x, q.y).norm());
     }
     return largest;
 }

@@ -17,6 +17,13 @@ namespace {
 // Layers of faces that velocities are extrapolated into solids and films.
 constexpr int extrapolated_layers = 4;
 
+// Whether the face is one of this rank's.
+template <int D>
+bool owns_face(const Grid<D>& grid, int axis, const Index<D>& f)
+{
+    return (f.array() >= grid.low().array()).all() && (f.array() < owned_faces_end(grid, axis).array()).all();
+}
+
 // u at a face centre, ghosts filled.
 template <int D>
 Vec<D> velocity_at_face(const FaceField<D>& u, int axis, const Index<D>& f)
@@ -110,8 +117,7 @@ void paint_films(const Coupling<D>& c, Reconstruction<D>& into, FaceField<D, std
             continue;
         for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
             const Index<D> f = grid.wrapped(side.face);
-            const Index<D> end = owned_faces_end(grid, side.axis);
-            if ((f.array() < grid.low().array()).any() || (f.array() >= end.array()).any() || valid(side.axis, f))
+            if (!owns_face(grid, side.axis, f) || valid(side.axis, f))
                 continue;
             valid(side.axis, f) = 1;
             into.film_faces(side.axis, f) = 1;
@@ -208,13 +214,13 @@ void bound_by_mouths(const Coupling<D>& c, const FaceField<D, std::int8_t>& vali
         const int master = c.network.films[mouth.film].mesh.master;
         const Vec<D> wall = velocity_at<D>(V[master], mouth.x - c.solids[master].centre);
         const double speed = std::abs(out[r]) / (mouth.length * mouth.h);
-        for (const auto& [key, weight] : mouth.cells)
+        for (const auto& [key, weight] : mouth.cells) {
+            if (into.at(key) <= 0)
+                continue;
             for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key))) {
-                if (into.at(key) <= 0)
-                    break;
                 const int axis = side.axis;
-                const Index<D> f = grid.wrapped(side.face), end = owned_faces_end(grid, axis);
-                if ((f.array() < grid.low().array()).any() || (f.array() >= end.array()).any() || valid(axis, f) != first_layer)
+                const Index<D> f = grid.wrapped(side.face);
+                if (!owns_face(grid, axis, f) || valid(axis, f) != first_layer)
                     continue;
                 const Index<D> opposite = f + (side.end == 0 ? 1 : -1) * step<D>(axis);
                 if (valid(axis, opposite) != known)
@@ -224,6 +230,7 @@ void bound_by_mouths(const Coupling<D>& c, const FaceField<D, std::int8_t>& vali
                     {axis, f,
                      std::clamp(u(axis, f), std::min(across, wall[axis] - speed), std::max(across, wall[axis] + speed))});
             }
+        }
     }
     // Of a face's bounds the widest.
     std::sort(bounded.begin(), bounded.end(), [&](const Bounded& a, const Bounded& b) {
