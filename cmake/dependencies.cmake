@@ -9,6 +9,8 @@ find_package(CLI11 2.1 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED) # for METIS' order of elimination
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 find_package(PNG REQUIRED) # with zlib: pictures and pages of gapflow report
 if(GAPFLOW_OPENMP)
   find_package(OpenMP COMPONENTS CXX)

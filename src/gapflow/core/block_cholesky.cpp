@@ -67,24 +67,24 @@ public:
     Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const override
     {
         Eigen::MatrixXd x(b.rows(), b.cols());
-        long k = 0;
-        for (; k + wide <= b.cols(); k += wide)
-            solve<wide>(b.middleCols(k, wide), x.middleCols(k, wide));
-        for (; k < b.cols(); ++k)
-            solve<1>(b.col(k), x.col(k));
+        for (long k = 0; k < b.cols(); k += wide) {
+            const long columns = std::min<long>(wide, b.cols() - k);
+            solve<wide>(b.middleCols(k, columns), x.middleCols(k, columns));
+        }
         return x;
     }
 
 private:
-    static constexpr int wide = 4; ///< columns at a time
+    static constexpr int wide = 8; ///< columns at a time: a row of them is one operation of the processor, or a few
 
+    /// At most W columns.
     template <int W, class From, class To>
     void solve(const From& b, To&& result) const
     {
-        using Parts = Eigen::Matrix<double, B, W>;
-        std::vector<Parts> x(count_);
+        using Parts = Eigen::Matrix<double, B, W, W == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+        std::vector<Parts> x(count_, Parts::Zero());
         for (int i = 0; i < count_; ++i)
-            x[place_[i]] = b.template middleRows<B>(B * i);
+            x[place_[i]].leftCols(b.cols()) = b.template middleRows<B>(B * i);
         for (int k = 0; k < count_; ++k) {
             x[k] = (inverse_[k].template triangularView<Eigen::Lower>() * x[k]).eval();
             for (int n = begin_[k]; n < begin_[k + 1]; ++n)
@@ -97,7 +97,7 @@ private:
             x[k] = inverse_[k].transpose().template triangularView<Eigen::Upper>() * sum;
         }
         for (int i = 0; i < count_; ++i)
-            result.template middleRows<B>(B * i) = x[place_[i]];
+            result.template middleRows<B>(B * i) = x[place_[i]].leftCols(b.cols());
     }
 
     // Places of the blocks in the order of elimination.

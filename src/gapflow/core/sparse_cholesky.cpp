@@ -1,5 +1,6 @@
 #include "gapflow/core/sparse_cholesky.hpp"
 
+#include "gapflow/core/nested_dissection.hpp"
 #include "gapflow/core/threads.hpp"
 
 #include <algorithm>
@@ -14,28 +15,35 @@ constexpr long large = 20000; // rows
 // Work of a subtree over that of the whole tree: less leaves more to the top, more leaves threads waiting for the last subtree.
 constexpr double subtree_share = 1.0 / 64;
 constexpr int wide = 4; // columns from which a panel's arithmetic is a block's
+// Products a row that minimum degree may take before nested dissection is tried. To find its order takes as long as some 10 000 products a row.
+constexpr double many_products = 20000;
 
-// Parent of every column in the elimination tree, of a matrix with both triangles whose columns are eliminated in `order` (Liu 1986).
-std::vector<int> elimination_tree(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXi& order)
+// Parents of the columns in the elimination tree (Liu 1986), and the products that the factorisation takes.
+struct Elimination {
+    std::vector<int> parent; // -1: a root
+    double products = 0;
+};
+
+// Of a matrix with both triangles whose columns are eliminated in `order`.
+Elimination elimination_of(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXi& order)
 {
     const int n = static_cast<int>(a.cols());
-    std::vector<int> place(n), parent(n, -1), ancestor(n, -1);
+    std::vector<int> place(n), parent(n, -1), row_seen(n, -1);
+    std::vector<double> below(n, 0); // entries of the factor's column
     for (int k = 0; k < n; ++k)
         place[order[k]] = k;
-    for (int k = 0; k < n; ++k)
+    for (int k = 0; k < n; ++k) {
+        row_seen[k] = k;
         for (Eigen::SparseMatrix<double>::InnerIterator entry(a, order[k]); entry; ++entry)
-            for (int i = place[entry.row()]; i < k;) {
-                const int next = ancestor[i];
-                ancestor[i] = k; // paths are compressed
-                if (next == k)
-                    break;
-                if (next < 0) {
+            for (int i = place[entry.row()]; i < k && row_seen[i] != k; i = parent[i]) { // the factor's entries of row k
+                if (parent[i] < 0)
                     parent[i] = k;
-                    break;
-                }
-                i = next;
+                row_seen[i] = k;
+                ++below[i];
             }
-    return parent;
+    }
+    const double products = std::accumulate(below.begin(), below.end(), 0.0, [](double sum, double b) { return sum + b * b; });
+    return {std::move(parent), products};
 }
 
 // Children before parents, and every subtree in one run.
@@ -72,12 +80,22 @@ std::vector<int> postorder(const std::vector<int>& parent)
 void EliminationOrder::operator()(const Eigen::SparseMatrix<double>& a, Permutation& order) const
 {
     Eigen::AMDOrdering<int>()(a, order);
+    Elimination elimination = elimination_of(a, order.indices());
+    const bool dense = elimination.products > many_products * static_cast<double>(a.cols());
+    if (dense) {
+        const Eigen::VectorXi dissected = nested_dissection(a);
+        Elimination other = elimination_of(a, dissected);
+        if (other.products < elimination.products) {
+            order.indices() = dissected;
+            elimination = std::move(other);
+        }
+    }
     if (a.cols() < large)
         return;
-    const Eigen::VectorXi minimum_degree = order.indices();
-    const std::vector<int> post = postorder(elimination_tree(a, minimum_degree));
+    const Eigen::VectorXi before = order.indices();
+    const std::vector<int> post = postorder(elimination.parent);
     for (std::size_t k = 0; k < post.size(); ++k)
-        order.indices()[static_cast<long>(k)] = minimum_degree[post[k]];
+        order.indices()[static_cast<long>(k)] = before[post[k]];
 }
 
 void SparseCholesky::analyse(const Matrix& a)

@@ -7,7 +7,7 @@
 
 namespace gapflow {
 
-/// Approximate minimum degree (Amestoy, Davis & Duff 1996). Of a large matrix the elimination tree is then numbered in postorder, which changes no entry's place in
+/// Approximate minimum degree (Amestoy, Davis & Duff 1996), or nested dissection where that makes many entries. Of a large matrix the elimination tree is then numbered in postorder, which changes no entry's place in
 /// the factor: what is eliminated in turn is close in memory, and every subtree is a run of columns.
 struct EliminationOrder {
     using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;

@@ -45,6 +45,12 @@ TEST(BlockCholesky, SolvesWhatTheDenseFactorSolves)
             const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(matrix.rows(), -1, 2);
             const Eigen::VectorXd expected = Eigen::MatrixXd(matrix).llt().solve(b), found = factor->solve(b);
             EXPECT_LT((found - expected).norm(), 1e-12 * expected.norm()) << block << ' ' << bodies;
+            for (int columns : {3, 8, 19}) {
+                const Eigen::VectorXd scale = Eigen::VectorXd::LinSpaced(columns, 1, 3);
+                const Eigen::MatrixXd difference = factor->solve_columns(b * scale.transpose()) - expected * scale.transpose();
+                EXPECT_LT(difference.norm(), 1e-12 * expected.norm() * scale.norm())
+                    << block << ' ' << bodies << ' ' << columns;
+            }
         }
 }
 
