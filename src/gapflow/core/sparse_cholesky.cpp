@@ -3,8 +3,13 @@
 #include "gapflow/core/nested_dissection.hpp"
 #include "gapflow/core/threads.hpp"
 
+#include <Eigen/Dense>
+#include <Eigen/OrderingMethods>
+
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace gapflow {
 
@@ -15,12 +20,14 @@ constexpr long large = 20000; // rows
 // Work of a subtree over that of the whole tree: less leaves more to the top, more leaves threads waiting for the last subtree.
 constexpr double subtree_share = 1.0 / 64;
 constexpr int wide = 4; // columns from which a panel's arithmetic is a block's
-// Products a row that minimum degree may take before nested dissection is tried. To find its order takes as long as some 10 000 products a row.
-constexpr double many_products = 20000;
+// Products a row that minimum degree may take before nested dissection is tried, whose order takes as long to find as some 100 000 products a row and saves up
+// to three quarters of them, and half of the entries in each solve.
+constexpr double many_products = 50000;
 
-// Parents of the columns in the elimination tree (Liu 1986), and the products that the factorisation takes.
+// Parents of the columns in the elimination tree (Liu 1986), entries below their diagonals, and the products that the factorisation takes.
 struct Elimination {
     std::vector<int> parent; // -1: a root
+    std::vector<int> below;
     double products = 0;
 };
 
@@ -28,8 +35,7 @@ struct Elimination {
 Elimination elimination_of(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXi& order)
 {
     const int n = static_cast<int>(a.cols());
-    std::vector<int> place(n), parent(n, -1), row_seen(n, -1);
-    std::vector<double> below(n, 0); // entries of the factor's column
+    std::vector<int> place(n), parent(n, -1), row_seen(n, -1), below(n, 0);
     for (int k = 0; k < n; ++k)
         place[order[k]] = k;
     for (int k = 0; k < n; ++k) {
@@ -42,8 +48,10 @@ Elimination elimination_of(const Eigen::SparseMatrix<double>& a, const Eigen::Ve
                 ++below[i];
             }
     }
-    const double products = std::accumulate(below.begin(), below.end(), 0.0, [](double sum, double b) { return sum + b * b; });
-    return {std::move(parent), products};
+    double products = 0;
+    for (const int entries : below)
+        products += static_cast<double>(entries) * entries;
+    return {std::move(parent), std::move(below), products};
 }
 
 // Children before parents, and every subtree in one run.
@@ -75,48 +83,100 @@ std::vector<int> postorder(const std::vector<int>& parent)
     return order;
 }
 
+// Columns of an update that are one piece of work on all threads.
+constexpr long tile = 96;
+
+// The lower triangle of `update` -= below below^T.
+template <class Below>
+void subtract_square(const Below& below, Eigen::MatrixXd& update)
+{
+    const long rows = update.rows();
+    if (below.cols() < wide) {
+        for (int j = 0; j < below.cols(); ++j)
+            for (long k = 0; k < rows; ++k)
+                update.col(k).tail(rows - k) -= below(k, j) * below.col(j).tail(rows - k);
+        return;
+    }
+    if (rows <= tile) {
+        update.selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);
+        return;
+    }
+    for_each_job(static_cast<int>((rows + tile - 1) / tile), [&](int k) {
+        const long first = k * tile, columns = std::min(tile, rows - first);
+        update.block(first, first, rows - first, columns).noalias() -=
+            below.bottomRows(rows - first) * below.middleRows(first, columns).transpose();
+    });
+}
+
 } // namespace
 
-void EliminationOrder::operator()(const Eigen::SparseMatrix<double>& a, Permutation& order) const
+// Minimum degree (Amestoy, Davis & Duff 1996), or nested dissection where that takes fewer products; then a postorder of the elimination tree, which changes no
+// entry's place in the factor: what is eliminated in turn is close in memory, and every subtree is a run of columns.
+struct SparseCholesky::Order {
+    explicit Order(const Matrix& both_triangles);
+    Eigen::VectorXi row_of, place_of; // of a place in the order, and back
+    std::vector<int> parent;          // of every column in the elimination tree, -1: a root
+    std::vector<int> below;           // entries of the factor's column below the diagonal
+};
+
+SparseCholesky::Order::Order(const Matrix& a) : place_of(a.cols())
 {
-    Eigen::AMDOrdering<int>()(a, order);
-    Elimination elimination = elimination_of(a, order.indices());
-    const bool dense = elimination.products > many_products * static_cast<double>(a.cols());
-    if (dense) {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> minimum_degree;
+    Eigen::AMDOrdering<int>()(a, minimum_degree);
+    Eigen::VectorXi order = minimum_degree.indices();
+    Elimination elimination = elimination_of(a, order);
+    if (elimination.products > many_products * static_cast<double>(a.cols())) {
         const Eigen::VectorXi dissected = nested_dissection(a);
         Elimination other = elimination_of(a, dissected);
         if (other.products < elimination.products) {
-            order.indices() = dissected;
+            order = dissected;
             elimination = std::move(other);
         }
     }
-    if (a.cols() < large)
-        return;
-    const Eigen::VectorXi before = order.indices();
     const std::vector<int> post = postorder(elimination.parent);
-    for (std::size_t k = 0; k < post.size(); ++k)
-        order.indices()[static_cast<long>(k)] = before[post[k]];
+    const int n = static_cast<int>(post.size());
+    std::vector<int> place_in_post(n);
+    for (int k = 0; k < n; ++k)
+        place_in_post[post[k]] = k;
+    row_of.resize(n);
+    for (int k = 0; k < n; ++k) {
+        row_of[k] = order[post[k]];
+        place_of[row_of[k]] = k;
+        const int up = elimination.parent[post[k]];
+        parent.push_back(up < 0 ? -1 : place_in_post[up]);
+        below.push_back(elimination.below[post[k]]);
+    }
 }
 
 void SparseCholesky::analyse(const Matrix& a)
 {
-    factor_.analyzePattern(a);
-    subtrees_.clear();
+    const Matrix both = a.selfadjointView<Eigen::Lower>();
+    const Order order(both);
+    row_of_ = order.row_of;
+    place_of_ = order.place_of;
+    cut_tree(order);
+    find_panels(order, both);
+    find_crossings();
 }
 
 bool SparseCholesky::factorise(const Matrix& a)
 {
-    factor_.factorize(a);
-    if (factor_.info() != Eigen::Success)
+    Matrix lower(a.rows(), a.cols());
+    lower.selfadjointView<Eigen::Lower>() =
+        a.selfadjointView<Eigen::Lower>().twistedBy(Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>(place_of_));
+    std::vector<Update> updates(panels_.size());
+    const int subtrees = static_cast<int>(subtrees_.size());
+    std::vector<char> failed(subtrees, 0);
+    for_each_job(subtrees, [&](int s) {
+        for (int k = first_panel_[s]; k < first_panel_[s + 1] && !failed[s]; ++k)
+            failed[s] = !eliminate(k, lower, updates);
+    });
+    if (std::find(failed.begin(), failed.end(), 1) != failed.end())
         return false;
-    inverse_diagonal_ = factor_.vectorD();
-    if (!(inverse_diagonal_.array() > 0).all())
-        return false;
-    inverse_diagonal_ = inverse_diagonal_.cwiseInverse();
-    if (subtrees_.empty() && a.cols() > 0) {
-        cut_tree();
-        find_panels();
-    }
+    const int panels = static_cast<int>(panels_.size());
+    for (int k = subtrees > 0 ? first_panel_.back() : 0; k < panels; ++k)
+        if (!eliminate(k, lower, updates))
+            return false;
     return true;
 }
 
@@ -126,183 +186,254 @@ bool SparseCholesky::compute(const Matrix& a)
     return factorise(a);
 }
 
-void SparseCholesky::cut_tree()
+void SparseCholesky::cut_tree(const Order& order)
 {
-    const Matrix& L = factor_.matrixL().nestedExpression();
-    const int n = static_cast<int>(L.cols());
+    const int n = static_cast<int>(order.parent.size());
     top_.clear();
-    crossing_.clear();
-    const int *begin = L.outerIndexPtr(), *row = L.innerIndexPtr();
-    inside_end_.assign(begin + 1, begin + n + 1);
+    subtrees_.clear();
     if (n < large) {
-        subtrees_ = {{0, n}};
-        crossing_begin_ = {0};
+        if (n > 0)
+            subtrees_ = {{0, n}};
         return;
     }
-    std::vector<long> work(n);        // of the subtree below a column
-    std::vector<int> first(n, n);     // its first column
-    std::vector<int> place_in_top(n); // -1: in a subtree
+    std::vector<long> work(n); // of the subtree below a column
+    std::vector<int> first(n); // its first column
+    std::iota(first.begin(), first.end(), 0);
     long whole = 0;
     for (int j = 0; j < n; ++j) {
-        work[j] += begin[j + 1] - begin[j] + 1;
-        whole += begin[j + 1] - begin[j] + 1;
-        first[j] = std::min(first[j], j);
-        if (begin[j] < begin[j + 1]) {
-            const int parent = row[begin[j]];
+        work[j] += order.below[j] + 1;
+        whole += order.below[j] + 1;
+        if (const int parent = order.parent[j]; parent >= 0) {
             work[parent] += work[j];
             first[parent] = std::min(first[parent], first[j]);
         }
     }
     const auto in_top = [&](int j) { return static_cast<double>(work[j]) > subtree_share * static_cast<double>(whole); };
-    for (int j = 0; j < n; ++j) {
-        place_in_top[j] = in_top(j) ? static_cast<int>(top_.size()) : -1;
+    for (int j = 0; j < n; ++j)
         if (in_top(j))
             top_.push_back(j);
-        else if (begin[j] == begin[j + 1] || in_top(row[begin[j]]))
+        else if (order.parent[j] < 0 || in_top(order.parent[j]))
             subtrees_.push_back({first[j], j + 1});
-    }
-    crossing_begin_.assign(top_.size() + 1, 0);
-    for (const auto& [low, high] : subtrees_)
-        for (int j = low; j < high; ++j) {
-            while (inside_end_[j] > begin[j] && row[inside_end_[j] - 1] >= high)
-                --inside_end_[j];
-            for (int q = inside_end_[j]; q < begin[j + 1]; ++q)
-                ++crossing_begin_[place_in_top[row[q]] + 1];
-        }
-    std::partial_sum(crossing_begin_.begin(), crossing_begin_.end(), crossing_begin_.begin());
-    crossing_.resize(crossing_begin_.back());
-    std::vector<int> next(crossing_begin_.begin(), crossing_begin_.end() - 1);
-    for (const auto& [low, high] : subtrees_)
-        for (int j = low; j < high; ++j)
-            for (int q = inside_end_[j]; q < begin[j + 1]; ++q)
-                crossing_[next[place_in_top[row[q]]]++] = {j, q};
 }
 
-void SparseCholesky::find_panels()
+void SparseCholesky::find_panels(const Order& order, const Matrix& both_triangles)
 {
-    const Matrix& L = factor_.matrixL().nestedExpression();
-    const int *begin = L.outerIndexPtr(), *row = L.innerIndexPtr();
     panels_.clear();
     first_panel_.clear();
-    const auto add_run = [&](int low, int high) {
+    rows_.clear();
+    child_.clear();
+    child_begin_ = {0};
+    const int n = static_cast<int>(order.parent.size());
+    std::vector<int> child_of(n, -1), next; // panels by the column that is their parent
+    std::vector<int> seen(n, -1);
+    long values = 0;
+    // Columns low .. high - 1, in the subtree that ends at `last`.
+    const auto add_run = [&](int low, int high, int last) {
         for (int j = low, end; j < high; j = end) {
             end = j + 1;
-            while (end < high && begin[end - 1] < begin[end] && row[begin[end - 1]] == end &&
-                   begin[end] - begin[end - 1] == begin[end + 1] - begin[end] + 1)
+            while (end < high && order.parent[end - 1] == end && order.below[end - 1] == order.below[end] + 1)
                 ++end;
-            panels_.push_back({j, end, begin[end] - begin[end - 1], inside_end_[end - 1] - begin[end - 1]});
+            const int number = static_cast<int>(panels_.size()), first = static_cast<int>(rows_.size());
+            const auto add = [&](int row) {
+                if (row >= end && seen[row] != number) {
+                    seen[row] = number;
+                    rows_.push_back(row);
+                }
+            };
+            for (int column = j; column < end; ++column) {
+                for (Matrix::InnerIterator entry(both_triangles, row_of_[column]); entry; ++entry)
+                    add(place_of_[entry.row()]);
+                for (int child = child_of[column]; child >= 0; child = next[child]) {
+                    child_.push_back(child);
+                    for (int k = 0; k < panels_[child].rows; ++k)
+                        add(rows_[panels_[child].first_row + k]);
+                }
+            }
+            child_begin_.push_back(static_cast<int>(child_.size()));
+            std::sort(rows_.begin() + first, rows_.end());
+            const int inside =
+                static_cast<int>(std::upper_bound(rows_.begin() + first, rows_.end(), last) - rows_.begin()) - first;
+            panels_.push_back({j, end, static_cast<int>(rows_.size()) - first, inside, first, values});
+            values += static_cast<long>(panels_.back().height()) * panels_.back().columns();
+            next.push_back(-1);
+            if (const int parent = order.parent[end - 1]; parent >= 0)
+                next.back() = std::exchange(child_of[parent], number);
         }
     };
     for (const auto& [low, high] : subtrees_) {
         first_panel_.push_back(static_cast<int>(panels_.size()));
-        add_run(low, high);
+        add_run(low, high, high - 1);
     }
     first_panel_.push_back(static_cast<int>(panels_.size()));
     for (std::size_t t = 0, end; t < top_.size(); t = end) {
         for (end = t + 1; end < top_.size() && top_[end] == top_[end - 1] + 1;)
             ++end;
-        add_run(top_[t], top_[end - 1] + 1);
+        add_run(top_[t], top_[end - 1] + 1, n - 1);
     }
+    values_.assign(values, 0.0);
+    inverse_diagonal_.assign(n, 0.0);
+}
+
+void SparseCholesky::find_crossings()
+{
+    crossing_.clear();
+    crossing_begin_.assign(top_.size() + 1, 0);
+    std::vector<int> place_in_top(row_of_.size(), -1);
+    for (std::size_t t = 0; t < top_.size(); ++t)
+        place_in_top[top_[t]] = static_cast<int>(t);
+    const int below_top = first_panel_.back();
+    const auto for_each_crossing = [&](auto&& f) {
+        for (int p = 0; p < below_top; ++p)
+            for (int k = panels_[p].inside; k < panels_[p].rows; ++k)
+                f(place_in_top[rows_[panels_[p].first_row + k]], Crossing{p, k});
+    };
+    for_each_crossing([&](int t, const Crossing&) { ++crossing_begin_[t + 1]; });
+    std::partial_sum(crossing_begin_.begin(), crossing_begin_.end(), crossing_begin_.begin());
+    crossing_.resize(crossing_begin_.back());
+    std::vector<int> next(crossing_begin_.begin(), crossing_begin_.end() - 1);
+    for_each_crossing([&](int t, const Crossing& crossing) { crossing_[next[t]++] = crossing; });
+}
+
+bool SparseCholesky::eliminate(int number, const Matrix& lower, std::vector<Update>& updates)
+{
+    const Panel& panel = panels_[number];
+    const int columns = panel.columns(), rows = panel.rows;
+    const int* const row = rows_.data() + panel.first_row;
+    static thread_local std::vector<int> place; // of a row in the panel's matrix
+    place.resize(std::max<std::size_t>(place.size(), row_of_.size()));
+    for (int j = 0; j < columns; ++j)
+        place[panel.begin + j] = j;
+    for (int k = 0; k < rows; ++k)
+        place[row[k]] = columns + k;
+
+    Eigen::Map<Eigen::MatrixXd> own(values_.data() + panel.first_value, panel.height(), columns);
+    Update& update = updates[number];
+    own.setZero();
+    update.setZero(rows, rows);
+    for (int j = 0; j < columns; ++j)
+        for (Matrix::InnerIterator entry(lower, panel.begin + j); entry; ++entry)
+            own(place[entry.row()], j) = entry.value();
+    static thread_local std::vector<int> to; // of a child's rows
+    for (int c = child_begin_[number]; c < child_begin_[number + 1]; ++c) {
+        const Panel& child = panels_[child_[c]];
+        Update& from = updates[child_[c]];
+        to.clear();
+        for (int k = 0; k < child.rows; ++k)
+            to.push_back(place[rows_[child.first_row + k]]);
+        for (int j = 0; j < child.rows; ++j) {
+            double* const column = to[j] < columns ? own.col(to[j]).data() : update.col(to[j] - columns).data() - columns;
+            for (int k = j; k < child.rows; ++k)
+                column[to[k]] += from(k, j);
+        }
+        from.resize(0, 0);
+    }
+
+    if (columns < wide) {
+        for (int j = 0; j < columns; ++j) {
+            if (!(own(j, j) > 0)) // nor a number
+                return false;
+            auto column = own.col(j).tail(panel.height() - j);
+            column *= 1 / std::sqrt(own(j, j));
+            for (int k = j + 1; k < columns; ++k)
+                own.col(k).tail(panel.height() - k) -= own(k, j) * own.col(j).tail(panel.height() - k);
+        }
+    } else {
+        auto diagonal = own.topRows(columns);
+        const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(diagonal);
+        if (factor.info() != Eigen::Success || !(diagonal.diagonal().array() > 0).all())
+            return false;
+        auto below = own.bottomRows(rows);
+        diagonal.transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(below);
+    }
+    for (int j = 0; j < columns; ++j)
+        inverse_diagonal_[panel.begin + j] = 1 / own(j, j);
+    subtract_square(own.bottomRows(rows), update);
+    return true;
 }
 
 void SparseCholesky::forward(const Panel& panel, int rows, double* y) const
 {
-    const Matrix& L = factor_.matrixL().nestedExpression();
-    const int* begin = L.outerIndexPtr();
-    const double* value = L.valuePtr();
-    if (panel.end - panel.begin < wide) {
-        const int outside = panel.rows - rows;
-        for (int j = panel.begin; j < panel.end; ++j) {
-            const double mine = y[j];
-            for (int q = begin[j]; q < begin[j + 1] - outside; ++q)
-                y[L.innerIndexPtr()[q]] -= value[q] * mine;
-        }
+    const int columns = panel.columns(), height = panel.height();
+    const double* const value = values_.data() + panel.first_value;
+    const int* const row = rows_.data() + panel.first_row;
+    double* const own = y + panel.begin;
+    const auto below = [&](int j) { return value + static_cast<long>(j) * height + columns; };
+    for (int j = 0; j < columns; ++j) {
+        const double mine = own[j] *= inverse_diagonal_[panel.begin + j];
+        const double* const v = value + static_cast<long>(j) * height;
+        for (int k = j + 1; k < columns; ++k)
+            own[k] -= v[k] * mine;
+    }
+    if (columns < wide) {
+        for (int j = 0; j < columns; ++j)
+            for (int k = 0; k < rows; ++k)
+                y[row[k]] -= below(j)[k] * own[j];
         return;
     }
-    const int* row = L.innerIndexPtr() + begin[panel.end - 1];
     static thread_local std::vector<double> sums;
-    sums.resize(rows);
+    sums.assign(rows, 0.0);
     double* const sum = sums.data();
-    for (int j = panel.begin; j < panel.end; ++j) {
-        const double mine = y[j];
-        const double* const v = value + begin[j];
-        const int within = panel.end - 1 - j;
-        double* const next = y + j + 1;
-        for (int k = 0; k < within; ++k)
-            next[k] -= v[k] * mine;
-    }
-    int j = panel.begin;
-    const auto below = [&](int column) { return value + begin[column] + (panel.end - 1 - column); };
-    std::fill_n(sum, rows, 0.0);
-    for (; j + 4 <= panel.end; j += 4) {
+    int j = 0;
+    for (; j + 4 <= columns; j += 4) {
         const double *v0 = below(j), *v1 = below(j + 1), *v2 = below(j + 2), *v3 = below(j + 3);
-        const double y0 = y[j], y1 = y[j + 1], y2 = y[j + 2], y3 = y[j + 3];
-        for (int i = 0; i < rows; ++i)
-            sum[i] += (v0[i] * y0 + v1[i] * y1) + (v2[i] * y2 + v3[i] * y3);
+        const double y0 = own[j], y1 = own[j + 1], y2 = own[j + 2], y3 = own[j + 3];
+        for (int k = 0; k < rows; ++k)
+            sum[k] += (v0[k] * y0 + v1[k] * y1) + (v2[k] * y2 + v3[k] * y3);
     }
-    for (; j < panel.end; ++j) {
-        const double *v = below(j), mine = y[j];
-        for (int i = 0; i < rows; ++i)
-            sum[i] += v[i] * mine;
+    for (; j < columns; ++j) {
+        const double *v = below(j), mine = own[j];
+        for (int k = 0; k < rows; ++k)
+            sum[k] += v[k] * mine;
     }
-    for (int i = 0; i < rows; ++i)
-        y[row[i]] -= sum[i];
+    for (int k = 0; k < rows; ++k)
+        y[row[k]] -= sum[k];
 }
 
 void SparseCholesky::backward(const Panel& panel, double* y) const
 {
-    const Matrix& L = factor_.matrixL().nestedExpression();
-    const int* begin = L.outerIndexPtr();
-    const double* value = L.valuePtr();
-    if (panel.end - panel.begin < wide) {
-        for (int j = panel.end - 1; j >= panel.begin; --j) {
-            double sum = inverse_diagonal_[j] * y[j];
-            for (int q = begin[j]; q < begin[j + 1]; ++q)
-                sum -= value[q] * y[L.innerIndexPtr()[q]];
-            y[j] = sum;
-        }
-        return;
-    }
-    const int* row = L.innerIndexPtr() + begin[panel.end - 1];
-    const int rows = panel.rows;
+    const int columns = panel.columns(), rows = panel.rows, height = panel.height();
+    const double* const value = values_.data() + panel.first_value;
+    const int* const row = rows_.data() + panel.first_row;
+    double* const own = y + panel.begin;
     static thread_local std::vector<double> gathered;
     gathered.resize(rows);
     double* const from = gathered.data();
-    for (int i = 0; i < rows; ++i)
-        from[i] = y[row[i]];
-    for (int j = panel.end - 1; j >= panel.begin; --j) {
-        const double* const v = value + begin[j];
-        const int within = panel.end - 1 - j;
-        const double *const next = y + j + 1, *const below = v + within;
+    for (int k = 0; k < rows; ++k)
+        from[k] = y[row[k]];
+    for (int j = columns - 1; j >= 0; --j) {
+        const double* const v = value + static_cast<long>(j) * height;
+        const double* const below = v + columns;
         double sum = 0;
 #pragma omp simd reduction(+ : sum)
-        for (int k = 0; k < within; ++k)
-            sum += v[k] * next[k];
+        for (int k = j + 1; k < columns; ++k)
+            sum += v[k] * own[k];
 #pragma omp simd reduction(+ : sum)
-        for (int i = 0; i < rows; ++i)
-            sum += below[i] * from[i];
-        y[j] = inverse_diagonal_[j] * y[j] - sum;
+        for (int k = 0; k < rows; ++k)
+            sum += below[k] * from[k];
+        own[j] = (own[j] - sum) * inverse_diagonal_[panel.begin + j];
     }
 }
 
 Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
 {
-    const double* value = factor_.matrixL().nestedExpression().valuePtr();
-    const auto& row_of = factor_.permutationPinv().indices(); // of a column in elimination order
     const int subtrees = static_cast<int>(subtrees_.size());
     Eigen::VectorXd x(b.size()), y(b.size());
 
     for_each_job(subtrees, [&](int s) {
         for (int j = subtrees_[s].begin; j < subtrees_[s].end; ++j)
-            y[j] = b[row_of[j]];
+            y[j] = b[row_of_[j]];
         for (int k = first_panel_[s]; k < first_panel_[s + 1]; ++k)
             forward(panels_[k], panels_[k].inside, y.data());
     });
     for_each_part(static_cast<long>(top_.size()), [&](long low, long high) {
         for (long t = low; t < high; ++t) {
-            double sum = b[row_of[top_[t]]];
-            for (int k = crossing_begin_[t]; k < crossing_begin_[t + 1]; ++k)
-                sum -= value[crossing_[k].entry] * y[crossing_[k].column];
+            double sum = b[row_of_[top_[t]]];
+            for (int k = crossing_begin_[t]; k < crossing_begin_[t + 1]; ++k) {
+                const Panel& panel = panels_[crossing_[k].panel];
+                const double* const value = values_.data() + panel.first_value + panel.columns() + crossing_[k].row;
+                for (int j = 0; j < panel.columns(); ++j)
+                    sum -= value[static_cast<long>(j) * panel.height()] * y[panel.begin + j];
+            }
             y[top_[t]] = sum;
         }
     });
@@ -312,12 +443,12 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
     for (int k = panels; k-- > first_of_top;)
         backward(panels_[k], y.data());
     for (int j : top_)
-        x[row_of[j]] = y[j];
+        x[row_of_[j]] = y[j];
     for_each_job(subtrees, [&](int s) {
         for (int k = first_panel_[s + 1]; k-- > first_panel_[s];)
             backward(panels_[k], y.data());
         for (int j = subtrees_[s].begin; j < subtrees_[s].end; ++j)
-            x[row_of[j]] = y[j];
+            x[row_of_[j]] = y[j];
     });
     return x;
 }
@@ -326,35 +457,50 @@ Eigen::MatrixXd SparseCholesky::solve_columns(const Eigen::MatrixXd& b) const
 {
     constexpr int width = 8; // columns that an entry of the factor is read for at once
     using Row = Eigen::Matrix<double, 1, width>;
-    const Matrix& L = factor_.matrixL().nestedExpression();
-    const int *begin = L.outerIndexPtr(), *row = L.innerIndexPtr(), n = static_cast<int>(b.rows());
-    const double* value = L.valuePtr();
-    const auto& row_of = factor_.permutationPinv().indices(); // of a column in elimination order
+    const int n = static_cast<int>(b.rows());
     Eigen::MatrixXd x(b.rows(), b.cols());
     Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor> y(b.rows(), width);
     for (long first = 0; first < b.cols(); first += width) {
         const long count = std::min<long>(width, b.cols() - first);
         y.setZero();
         for (int j = 0; j < n; ++j)
-            y.row(j).head(count) = b.row(row_of[j]).segment(first, count);
-        for (int j = 0; j < n; ++j)
-            if (const Row mine = y.row(j); !mine.isZero(0))
-                for (int q = begin[j]; q < begin[j + 1]; ++q)
-                    y.row(row[q]) -= value[q] * mine;
-        for (int j = n - 1; j >= 0; --j) {
-            Row sum = inverse_diagonal_[j] * y.row(j);
-            for (int q = begin[j]; q < begin[j + 1]; ++q)
-                sum -= value[q] * y.row(row[q]);
-            y.row(j) = sum;
-            x.row(row_of[j]).segment(first, count) = sum.head(count);
+            y.row(j).head(count) = b.row(row_of_[j]).segment(first, count);
+        for (const Panel& panel : panels_)
+            for (int j = 0; j < panel.columns(); ++j) {
+                const int column = panel.begin + j;
+                if (y.row(column).isZero(0))
+                    continue;
+                const Row mine = y.row(column) *= inverse_diagonal_[column];
+                const double* const value = values_.data() + panel.first_value + static_cast<long>(j) * panel.height();
+                for (int k = j + 1; k < panel.columns(); ++k)
+                    y.row(panel.begin + k) -= value[k] * mine;
+                for (int k = 0; k < panel.rows; ++k)
+                    y.row(rows_[panel.first_row + k]) -= value[panel.columns() + k] * mine;
+            }
+        for (std::size_t p = panels_.size(); p-- > 0;) {
+            const Panel& panel = panels_[p];
+            for (int j = panel.columns() - 1; j >= 0; --j) {
+                const double* const value = values_.data() + panel.first_value + static_cast<long>(j) * panel.height();
+                Row sum = y.row(panel.begin + j);
+                for (int k = j + 1; k < panel.columns(); ++k)
+                    sum -= value[k] * y.row(panel.begin + k);
+                for (int k = 0; k < panel.rows; ++k)
+                    sum -= value[panel.columns() + k] * y.row(rows_[panel.first_row + k]);
+                y.row(panel.begin + j) = sum * inverse_diagonal_[panel.begin + j];
+            }
         }
+        for (int j = 0; j < n; ++j)
+            x.row(row_of_[j]).segment(first, count) = y.row(j).head(count);
     }
     return x;
 }
 
 long SparseCholesky::entries() const
 {
-    return static_cast<long>(factor_.matrixL().nestedExpression().nonZeros());
+    long sum = 0;
+    for (const Panel& panel : panels_)
+        sum += static_cast<long>(panel.columns()) * panel.rows + static_cast<long>(panel.columns()) * (panel.columns() - 1) / 2;
+    return sum;
 }
 
 } // namespace gapflow

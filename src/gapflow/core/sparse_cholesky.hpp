@@ -1,20 +1,14 @@
-// Cholesky factorisation L D L^T of a sparse symmetric matrix with an order of elimination that keeps it sparse.
+// Cholesky factorisation L L^T of a sparse symmetric matrix with an order of elimination that keeps it sparse.
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/Sparse>
 
 #include <vector>
 
 namespace gapflow {
 
-/// Approximate minimum degree (Amestoy, Davis & Duff 1996), or nested dissection where that makes many entries. Of a large matrix the elimination tree is then numbered in postorder, which changes no entry's place in
-/// the factor: what is eliminated in turn is close in memory, and every subtree is a run of columns.
-struct EliminationOrder {
-    using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
-    /// Of a symmetric matrix with both triangles. `order` maps places in the order to rows.
-    void operator()(const Eigen::SparseMatrix<double>& a, Permutation& order) const;
-};
-
+/// Columns in turn that have the same rows below them are a panel, one dense block of arithmetic. A panel and those that it still acts on are one dense
+/// matrix, the sum of its part of A and of what its children in the tree leave (multifrontal method; Duff & Reid 1983).
 class SparseCholesky {
 public:
     using Matrix = Eigen::SparseMatrix<double>;
@@ -38,30 +32,41 @@ private:
     struct Subtree {
         int begin, end; ///< columns
     };
-    struct Crossing { ///< an entry of L in a row of the top and a column of a subtree
-        int column;
-        int entry;
-    };
     /// Columns begin .. end - 1, each with all rows below it in the panel and then `rows`, the same for all.
     struct Panel {
         int begin, end;
         int rows, inside; ///< rows below the panel; those of them in its subtree
+        int first_row;    ///< in rows_
+        long first_value; ///< in values_: (columns + rows) x columns, whose upper triangle is not used
+        int columns() const { return end - begin; }
+        int height() const { return columns() + rows; }
     };
-    void cut_tree();
-    /// Panels that lie in one subtree each, or in the top.
-    void find_panels();
+    struct Crossing { ///< a row of a subtree's panel that is in the top
+        int panel;
+        int row; ///< of the panel's
+    };
+    /// What a panel takes off the matrix of its rows; both triangles stored, the lower one used.
+    using Update = Eigen::MatrixXd;
+    struct Order;
+    void cut_tree(const Order& order);
+    /// Panels that lie in one subtree each, or in the top, and their rows.
+    void find_panels(const Order& order, const Matrix& both_triangles);
+    void find_crossings();
+    /// The panel's part of L and its update, from the lower triangle of A in the order of elimination. False if it is not positive definite.
+    bool eliminate(int panel, const Matrix& lower, std::vector<Update>& updates);
     void forward(const Panel& panel, int rows, double* y) const;
     void backward(const Panel& panel, double* y) const;
 
-    Eigen::SimplicialLDLT<Matrix, Eigen::Lower, EliminationOrder> factor_;
-    Eigen::VectorXd inverse_diagonal_;
+    Eigen::VectorXi row_of_, place_of_; ///< of a place in the order, and back
     std::vector<Subtree> subtrees_;
-    std::vector<int> inside_end_;     ///< of a subtree's column: where its entries end that lie in the subtree
-    std::vector<Panel> panels_;       ///< of the subtrees, then of the top
-    std::vector<int> first_panel_;    ///< of every subtree, and of the top
-    std::vector<int> top_;            ///< columns, ascending
-    std::vector<int> crossing_begin_; ///< of every column in `top_`
-    std::vector<Crossing> crossing_;  ///< ascending columns in each row
+    std::vector<int> top_;                 ///< columns, ascending
+    std::vector<Panel> panels_;            ///< of the subtrees, then of the top
+    std::vector<int> first_panel_;         ///< of every subtree, and of the top
+    std::vector<int> child_begin_, child_; ///< of every panel, those whose first row below it is a column of this one
+    std::vector<int> rows_;                ///< of all panels, each one's ascending
+    std::vector<int> crossing_begin_;      ///< of every column in `top_`
+    std::vector<Crossing> crossing_;       ///< ascending panels in each row
+    std::vector<double> values_, inverse_diagonal_;
 };
 
 } // namespace gapflow
