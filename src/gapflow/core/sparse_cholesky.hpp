@@ -7,20 +7,19 @@
 
 namespace gapflow {
 
-/// Columns in turn that have the same rows below them are a panel, one dense block of arithmetic. A panel and those that it still acts on are one dense
-/// matrix, the sum of its part of A and of what its children in the tree leave (multifrontal method; Duff & Reid 1983).
+/// Columns in turn that have the same rows below them, as those have that a dense block ties, are a panel, one block of arithmetic. A panel and the rows below it are
+/// one dense matrix, the sum of their part of A and of what the panels that are eliminated before leave there (multifrontal method; Duff & Reid 1983).
 class SparseCholesky {
 public:
     using Matrix = Eigen::SparseMatrix<double>;
 
     /// Chooses the order of elimination for matrices of this pattern; the lower triangle is read.
     void analyse(const Matrix& a);
-    /// Factorises a matrix of the analysed pattern. False if it is not positive definite.
+    /// Factorises a matrix of the analysed pattern. False if it is not positive definite. On all threads, with the same bits for any number.
     [[nodiscard]] bool factorise(const Matrix& a);
     /// Both, for a pattern that is used once.
     [[nodiscard]] bool compute(const Matrix& a);
     /// The solution of the matrix factorised last. On all threads, with the same bits for any number.
-    /// Columns in turn that have the same rows below them, as the unknowns have that a dense block ties, are one block of arithmetic.
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
     /// The same of every column, on this thread alone.
     Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const;
@@ -62,7 +61,7 @@ private:
     std::vector<int> top_;                 ///< columns, ascending
     std::vector<Panel> panels_;            ///< of the subtrees, then of the top
     std::vector<int> first_panel_;         ///< of every subtree, and of the top
-    std::vector<int> child_begin_, child_; ///< of every panel, those whose first row below it is a column of this one
+    std::vector<int> child_begin_, child_; ///< of every panel, those whose first row below them is one of its columns
     std::vector<int> rows_;                ///< of all panels, each one's ascending
     std::vector<int> crossing_begin_;      ///< of every column in `top_`
     std::vector<Crossing> crossing_;       ///< ascending panels in each row
