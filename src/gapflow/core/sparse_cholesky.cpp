@@ -503,4 +503,10 @@ long SparseCholesky::entries() const
     return sum;
 }
 
+long SparseCholesky::bytes() const
+{
+    return static_cast<long>(8 * (values_.size() + inverse_diagonal_.size() + crossing_.size()) +
+                             4 * (rows_.size() + row_of_.size() + place_of_.size()) + sizeof(Panel) * panels_.size());
+}
+
 } // namespace gapflow

@@ -25,6 +25,8 @@ public:
     Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const;
     /// Entries of the factor below its diagonal.
     long entries() const;
+    /// Memory of the factor.
+    long bytes() const;
 
 private:
     /// Disjoint subtrees of the elimination tree, whose columns touch each other's unknowns through the top alone: the columns that are in none.

@@ -440,7 +440,7 @@ long FilmBand<D>::bytes() const
 {
     if (empty())
         return 0;
-    return factor_.entries() * 12 + static_cast<long>(keys_.size()) * (8 + 2 * D * 12) +
+    return factor_.bytes() + static_cast<long>(keys_.size()) * (8 + 2 * D * 12) +
            static_cast<long>(outside_.size() * sizeof(Neighbour));
 }
 
