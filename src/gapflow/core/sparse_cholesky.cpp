@@ -97,14 +97,11 @@ void subtract_square(const Below& below, Eigen::MatrixXd& update)
                 update.col(k).tail(rows - k) -= below(k, j) * below.col(j).tail(rows - k);
         return;
     }
-    if (rows <= tile) {
-        update.selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);
-        return;
-    }
     for_each_job(static_cast<int>((rows + tile - 1) / tile), [&](int k) {
-        const long first = k * tile, columns = std::min(tile, rows - first);
-        update.block(first, first, rows - first, columns).noalias() -=
-            below.bottomRows(rows - first) * below.middleRows(first, columns).transpose();
+        const long first = k * tile, columns = std::min(tile, rows - first), rest = rows - first - columns;
+        const auto beside = below.middleRows(first, columns);
+        update.block(first, first, columns, columns).template selfadjointView<Eigen::Lower>().rankUpdate(beside, -1.0);
+        update.block(first + columns, first, rest, columns).noalias() -= below.bottomRows(rest) * beside.transpose();
     });
 }
 
