@@ -65,6 +65,11 @@ void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
         log.info(fmt::format("{} is {:.4g} ({:.3g} cells) from its start, at speed {:.4g}", body.name, way, way / dx,
                              body.twist.template head<D>().norm()));
     }
+    const std::vector<int> outside = simulation.outside();
+    for (const CrowdScene& crowd : simulation.scene().crowds)
+        if (const auto count = std::count_if(outside.begin(), outside.end(),
+                                             [&](int body) { return simulation.scene().crowd_of(body) == &crowd; }))
+            log.info(fmt::format("{} of the {} bodies of crowd '{}' have left the domain", count, crowd.number, crowd.name));
     if (std::isfinite(smallest_gap))
         log.info(fmt::format("smallest gap: {:.4g} ({:.3g} cells){}{}; roughness {}", smallest_gap, smallest_gap / dx,
                              run.smallest_gap_place().empty() ? "" : " ", run.smallest_gap_place(),

@@ -20,6 +20,7 @@ namespace {
 constexpr double sample_distance = 0.5;     // of a mouth's grid pressure beyond the rim, in dx
 constexpr double mouth_radius = 0.8;        // r in the mouth formulas, in dx: the radius that the grid resolves
 constexpr double open_resistance = 0.2;     // of a mouth on an open side
+constexpr double on_side = 1e-3;            // distance of a mouth from the side on which it lies, in dx
 constexpr double minimum_resistance = 0.02; // keeps wide mouths positive
 constexpr double touching = 1e-6;           // distance to a third body that closes a rim, in dx
 constexpr double least_channel = 0.1;       // beyond a smooth mouth, in dx
@@ -156,7 +157,7 @@ private:
         typename FaceClipper<D>::Nearby solids;
     };
 
-    // First match: closed, side of the domain, free mouth, joint of neighbours, mouth, joint within reach, blind.
+    // First match: closed, side of the domain, free mouth, joint of neighbours, mouth, joint within reach, open side within reach, blind.
     void place(const RimPoint<D>& point, Around& around, End& end) const
     {
         const double dx = grid_.dx();
@@ -164,8 +165,10 @@ private:
             end.closed = true;
             return;
         }
-        if (add_side_mouth(point, end))
+        if (const int side = side_at(point, 0); side >= 0) {
+            append_side_mouth(point, side, open_resistance, end);
             return;
+        }
         const Vec<D> y = point.x + sample_distance * dx * point.edge->outward;
         std::vector<std::pair<long, double>> cells = stencil_across(point, y, around.states);
         if (!cells.empty() && is_free(point, y, around)) {
@@ -176,8 +179,8 @@ private:
             return;
         if (!cells.empty())
             append_mouth(point, kind_of_rim(point), std::move(cells), end);
-        else
-            joints_.add(point, 0, joint_reach * dx, end.joints);
+        else if (!joints_.add(point, 0, joint_reach * dx, end.joints))
+            add_mouth_beyond_side(point, end);
     }
 
     // The rim abuts a third solid: a point further out would lie in it. Or the surfaces touch there and are one solid.
@@ -193,19 +196,39 @@ private:
         });
     }
 
-    bool add_side_mouth(const RimPoint<D>& point, End& result) const
+    // The open or inflow side on which the rim lies, or that it reaches within `reach` along its outward direction; -1: none.
+    int side_at(const RimPoint<D>& point, double reach) const
     {
-        for (int axis = 0; axis < D; ++axis)
-            for (int end = 0; end < 2; ++end) {
-                const SideKind side = grid_.side(axis, end);
-                const double plane = grid_.origin()[axis] + end * grid_.size()[axis];
-                if ((!is_open(side) && side != SideKind::inflow) || std::abs(point.x[axis] - plane) > 1e-3 * grid_.dx() ||
-                    point.edge->outward[axis] * (2 * end - 1) < 0.5)
-                    continue;
-                append_mouth(point, is_open(side) ? MouthKind::open_side : MouthKind::inflow, {}, result);
-                return true;
-            }
-        return false;
+        const double near = on_side * grid_.dx();
+        for (int side = 0; side < 2 * D; ++side) {
+            const SideKind kind = grid_.side(side / 2, side % 2);
+            const int sign = 2 * (side % 2) - 1;
+            const double out = sign * point.edge->outward[side / 2], distance = sign * (plane_of(side) - point.x[side / 2]);
+            if ((is_open(kind) || kind == SideKind::inflow) && out >= 0.5 && distance >= -near &&
+                distance <= std::max(near, reach * out))
+                return side;
+        }
+        return -1;
+    }
+
+    double plane_of(int side) const { return grid_.origin()[side / 2] + side % 2 * grid_.size()[side / 2]; }
+
+    void append_side_mouth(const RimPoint<D>& point, int side, double resistance, End& result) const
+    {
+        const MouthKind kind = is_open(grid_.side(side / 2, side % 2)) ? MouthKind::open_side : MouthKind::inflow;
+        append_mouth(point, kind, {}, result);
+        result.mouth->side = side;
+        result.mouth->resistance = resistance;
+    }
+
+    // Where a film ends between an open side and the last cells' centres its gap goes on as a channel to the side.
+    void add_mouth_beyond_side(const RimPoint<D>& point, End& result) const
+    {
+        const int side = side_at(point, sample_distance * grid_.dx());
+        if (side < 0 || !is_open(grid_.side(side / 2, side % 2)))
+            return;
+        const double way = std::abs(plane_of(side) - point.x[side / 2]) / std::abs(point.edge->outward[side / 2]);
+        append_side_mouth(point, side, std::max(way / point.h, open_resistance), result);
     }
 
     // Neither in a solid, or on its surface, nor in another film's gap.
@@ -324,7 +347,8 @@ private:
                      point.length,
                      point.h,
                      resistance,
-                     std::move(cells)};
+                     std::move(cells),
+                     -1};
     }
 
     // The block of four cells per side around a cell.

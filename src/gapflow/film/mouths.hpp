@@ -14,7 +14,7 @@ enum class MouthKind {
     edge_edge, ///< sharp edges of both bodies: a slot between two right angles
     edge_face, ///< a sharp edge of one, the other continues: half of that slot by symmetry
     smooth,    ///< h reaches h_c between smooth surfaces
-    open_side, ///< the film ends on an open side of the domain
+    open_side, ///< the film ends on an open side of the domain, or so close to it that its mouth lies beyond
     inflow     ///< the film ends on an inflow side
 };
 
@@ -31,12 +31,13 @@ struct Mouth {
     Vec<D> section;                             ///< area vector of the gap at x over the length, out of the film
     double length, h, resistance;               ///< share of the rim (2D: 1), thickness, R
     std::vector<std::pair<long, double>> cells; ///< Grid::key, weight; sum 1. Empty on open and inflow sides
+    int side = -1;                              ///< of the domain (2 axis + end) that an open or inflow mouth leads through
 
     /// Calls f with all of its fields.
     template <class F>
     void each_field(F&& f)
     {
-        f(film, kind, nodes, element, shape, x, outward, section, length, h, resistance, cells);
+        f(film, kind, nodes, element, shape, x, outward, section, length, h, resistance, cells, side);
     }
 };
 

@@ -32,11 +32,16 @@ std::string sealed_text(const SealedPocket& pocket)
 template <int D>
 std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<FilmPair<D>>& told)
 {
+    constexpr std::size_t most_blind_told = 5;
     std::vector<std::string> notes;
     for (const BlindEnd<D>& end : coupling.network.rim.blind) {
         const Film<D>& film = coupling.network.films[end.film];
-        if (!told.insert(film.pair).second)
+        if (told.size() > most_blind_told || !told.insert(film.pair).second)
             continue;
+        if (told.size() > most_blind_told) {
+            notes.push_back("more films end where nothing continues them; they are not named");
+            continue;
+        }
         notes.push_back(
             "the film between '" + coupling.solids[film.mesh.master].name + "' and '" + coupling.solids[film.mesh.other].name +
             "' ends at " + place_text<D>(end.x) +

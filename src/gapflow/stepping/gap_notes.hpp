@@ -21,7 +21,7 @@ std::string place_text(const Vec<D>& x)
 /// Description of enclosed fluid: its place, the bodies around it, the consequence.
 std::string sealed_text(const SealedPocket& pocket);
 
-/// Pairs whose films have blind ends, with a place and a remedy, one text per pair. Pairs in `told` are left out, the
+/// Pairs whose films have blind ends, with a place and a remedy, one text per pair for the first five. Pairs in `told` are left out, the
 /// others added to it.
 template <int D>
 std::vector<std::string> blind_end_notes(const Coupling<D>& coupling, std::set<FilmPair<D>>& told);

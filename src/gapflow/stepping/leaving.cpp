@@ -55,6 +55,17 @@ Whereabouts find(const Model<D>& model, const Bounds<D>& extent)
     return place;
 }
 
+// A note that a body does something; of a crowd's bodies that do it the first alone has one.
+void tell(const Scene& scene, int body, const std::string& does, const std::string& how, ToldOfCrowds& told,
+          std::vector<std::string>& notes)
+{
+    const CrowdScene* crowd = scene.crowd_of(body);
+    if (crowd && !told.insert(crowd->name + " " + does).second)
+        return;
+    notes.push_back("body '" + scene.bodies[static_cast<std::size_t>(body)].name + "' " + does + how +
+                    (crowd ? " (the first of crowd '" + crowd->name + "'; its others are not named)" : ""));
+}
+
 } // namespace
 
 template <int D>
@@ -78,31 +89,30 @@ std::vector<Whereabouts> whereabouts(const Model<D>& model, const std::vector<Ri
 
 template <int D>
 Departures departures(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
-                      bool first)
+                      bool first, ToldOfCrowds& told)
 {
     Departures result;
-    std::vector<std::string>& notes = result.notes;
     const Scene& scene = model.scene;
     const std::vector<Whereabouts> now = whereabouts(model, bodies);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const std::string name = "body '" + bodies[b].name + "' ";
+        const int body = static_cast<int>(b);
         if (now[b].outside) {
             if (before[b].outside)
                 continue;
-            result.left.push_back(static_cast<int>(b));
+            result.left.push_back(body);
             const bool goes = scene.leaving == Scene::Leaving::remove && bodies[b].motion == Motion::free;
             if (!goes)
-                notes.push_back(
-                    name + "has left the domain: no flow acts on it there, only gravity and the pressure of fluid at rest");
+                tell(scene, body, "has left the domain",
+                     ": no flow acts on it there, only gravity and the pressure of fluid at rest", told, result.notes);
             continue;
         }
         for (int side : now[b].crossed) {
             const bool known = std::count(before[b].crossed.begin(), before[b].crossed.end(), side) > 0;
             const double outwards = (side % 2 ? 1 : -1) * bodies[b].twist[side / 2];
             if ((first || !known) && outwards > 0) {
-                result.starting.push_back(static_cast<int>(b));
-                notes.push_back(name + "is on its way out of the domain through the side " + side_names[side] +
-                                ": beyond it no flow acts on it");
+                result.starting.push_back(body);
+                tell(scene, body, std::string("is on its way out of the domain through the side ") + side_names[side],
+                     ": beyond it no flow acts on it", told, result.notes);
             }
         }
     }
@@ -124,7 +134,7 @@ void take_out(RigidBody<D>& body)
 }
 
 template <int D>
-std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<int>& left, State<D>& state)
+std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<int>& left, State<D>& state, ToldOfCrowds& told)
 {
     constexpr double far = 1e3; // in sizes of the domain: no gap and no contact reaches there
     std::vector<std::string> notes;
@@ -144,8 +154,8 @@ std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<
         if (model.viscous())
             state.pressure.force[b].setZero();
         state.removed.insert(b);
-        notes.push_back("body '" + body.name + "' has left the domain at time " + short_text(state.time) +
-                        " and is taken out of the scene");
+        tell(model.scene, b, "has left the domain", " at time " + short_text(state.time) + " and is taken out of the scene",
+             told, notes);
     }
     return notes;
 }
@@ -154,9 +164,9 @@ std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<
     template Bounds<D> extent_of<D>(const RigidBody<D>&, double);                                                              \
     template std::vector<Whereabouts> whereabouts<D>(const Model<D>&, const std::vector<RigidBody<D>>&);                       \
     template Departures departures<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const std::vector<Whereabouts>&,      \
-                                      bool);                                                                                   \
+                                      bool, ToldOfCrowds&);                                                                    \
     template void take_out<D>(RigidBody<D>&);                                                                                  \
-    template std::vector<std::string> remove_bodies<D>(const Model<D>&, const std::vector<int>&, State<D>&);
+    template std::vector<std::string> remove_bodies<D>(const Model<D>&, const std::vector<int>&, State<D>&, ToldOfCrowds&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -3,6 +3,7 @@
 
 #include "gapflow/stepping/state.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Whereabouts {
 template <int D>
 std::vector<Whereabouts> whereabouts(const Model<D>& model, const std::vector<RigidBody<D>>& bodies);
 
+/// What has been told of crowds: of all bodies of a crowd that do the same the first alone is named.
+using ToldOfCrowds = std::set<std::string>;
+
 /// What has happened in a step.
 struct Departures {
     std::vector<std::string> notes;
@@ -32,15 +36,16 @@ struct Departures {
 /// through; one that is wholly outside and was not has left. `first`: of the first step, when bodies that reach through already count.
 template <int D>
 Departures departures(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<Whereabouts>& before,
-                      bool first);
+                      bool first, ToldOfCrowds& told);
 
 /// Holds a body still and nothing acts on it from then on. For one that lies far outside the domain.
 template <int D>
 void take_out(RigidBody<D>& body);
 
 /// Takes free bodies that are wholly outside out of the state: they are put far away, each to a place of its own, and held there. They have
-/// no part in the flow any more, so that nothing else changes. Returns a note for each.
+/// no part in the flow any more, so that nothing else changes. Returns notes.
 template <int D>
-std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<int>& left, State<D>& state);
+std::vector<std::string> remove_bodies(const Model<D>& model, const std::vector<int>& left, State<D>& state,
+                                       ToldOfCrowds& told);
 
 } // namespace gapflow

@@ -3,14 +3,11 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/grid/side_faces.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace gapflow {
 
 namespace {
-
-constexpr double on_side = 1e-3; // in cells: distance of a mouth from the side on which it lies
 
 // The body that holds a point of a wholly solid face.
 template <int D>
@@ -31,16 +28,11 @@ int body_at(const Coupling<D>& there, std::size_t bodies, const Vec<D>& x)
 template <int D>
 std::vector<double> pressure_beyond_mouths(const Model<D>& model, const std::vector<Mouth<D>>& mouths, double time)
 {
-    const Grid<D>& grid = model.grid;
     const std::array<double, 2 * D> beyond = model.pressure_beyond(time);
     std::vector<double> pressure(mouths.size(), 0.0);
     for (std::size_t r = 0; r < mouths.size(); ++r)
-        for (int side = 0; side < 2 * D && mouths[r].kind == MouthKind::open_side; ++side) {
-            const int axis = side / 2, end = side % 2;
-            const double plane = grid.origin()[axis] + end * grid.size()[axis];
-            if (std::abs(mouths[r].x[axis] - plane) <= on_side * grid.dx() && mouths[r].outward[axis] * (2 * end - 1) > 0.5)
-                pressure[r] = beyond[side];
-        }
+        if (mouths[r].kind == MouthKind::open_side)
+            pressure[r] = beyond[mouths[r].side];
     return pressure;
 }
 

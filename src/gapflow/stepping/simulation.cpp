@@ -179,11 +179,11 @@ void Simulation<D>::advance(double next_output, BulkViscosity viscosity, StepRep
 template <int D>
 void Simulation<D>::follow_departures(const std::vector<Whereabouts>& before, StepReport& report)
 {
-    Departures departed = departures(model_, state_.bodies, before, state_.steps == 1);
+    Departures departed = departures(model_, state_.bodies, before, state_.steps == 1, crowds_told_);
     report.leaving = !departed.starting.empty();
     std::vector<std::string> notes = std::move(departed.notes);
     if (model_.scene.leaving == Scene::Leaving::remove)
-        for (std::string& note : remove_bodies(model_, departed.left, state_))
+        for (std::string& note : remove_bodies(model_, departed.left, state_, crowds_told_))
             notes.push_back(std::move(note));
     for (std::string& note : notes)
         report.notes.push_back(std::move(note));
@@ -198,6 +198,17 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
         report.notes.push_back(std::move(note));
     if (std::optional<std::string> note = viscous_lag_note(model_, state_))
         report.notes.push_back(std::move(*note));
+}
+
+template <int D>
+std::vector<int> Simulation<D>::outside() const
+{
+    const std::vector<Whereabouts> places = whereabouts(model_, state_.bodies);
+    std::vector<int> bodies;
+    for (int b = 0; b < static_cast<int>(places.size()); ++b)
+        if (places[b].outside || removed(b))
+            bodies.push_back(b);
+    return bodies;
 }
 
 template <int D>

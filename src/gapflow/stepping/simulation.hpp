@@ -54,6 +54,8 @@ public:
     const std::vector<ForceParts<D>>& force_parts() const { return force_parts_; }
     /// Whether a body has left the domain and was taken out (domain.leaving).
     bool removed(int body) const { return state_.removed.contains(body); }
+    /// Bodies that lie wholly outside the domain, those that were taken out as well.
+    std::vector<int> outside() const;
     /// Values at points of the domain, as sample_points(). Collective.
     std::vector<PointValues<D>> sample(std::span<const Vec<D>> points) const;
     /// As gapflow::volume_flux(). Collective.
@@ -90,6 +92,7 @@ private:
     std::optional<Coupling<D>> here_; ///< follows from the state, as `beyond_` does
     Reconstruction<D> beyond_;
     std::set<FilmPair<D>> blind_told_; ///< pairs whose films' blind ends have been reported
+    ToldOfCrowds crowds_told_;
     std::vector<ForceParts<D>> force_parts_;
     StepReport initial_report_;
     StageTimers stages_;

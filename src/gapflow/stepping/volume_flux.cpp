@@ -162,11 +162,9 @@ VolumeFlux through_side(Flows<D>& flows, int side)
         });
     }
     const std::vector<Mouth<D>>& mouths = flows.here().network.rim.mouths;
-    for (std::size_t r = 0; r < mouths.size(); ++r) {
-        const double distance = std::abs(mouths[r].x[axis] - grid.origin()[axis] - end * grid.size()[axis]);
-        if (mouths[r].cells.empty() && distance < 0.5 * grid.dx() && sign * mouths[r].outward[axis] > 0)
+    for (std::size_t r = 0; r < mouths.size(); ++r)
+        if (mouths[r].side == side)
             films.add_film(flows.state().velocity.mouth[r]);
-    }
     return values_of(own, films, grid.comm());
 }
 

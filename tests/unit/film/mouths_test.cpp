@@ -164,6 +164,29 @@ TEST(Mouths, AtAnOpenSideAndAnInflow)
     }
 }
 
+// The last part of a film between disks that reach through an open side ends a little below it: its mouth lies beyond.
+TEST(Mouths, JustInsideAnOpenSide)
+{
+    for (const double height : {9.3, 9.6, 9.9}) {
+        FilmScene<2> scene(10, SideKind::open);
+        scene.add_ball("left", 1.9, {3, height});
+        scene.add_ball("right", 1.9, {7, height});
+        scene.clip();
+        const FilmNetwork<2> network = scene.network();
+        EXPECT_TRUE(network.rim.blind.empty());
+        int at_side = 0;
+        for (const Mouth<2>& mouth : network.rim.mouths)
+            if (mouth.kind == MouthKind::open_side) {
+                ++at_side;
+                EXPECT_EQ(mouth.side, 3);
+                EXPECT_TRUE(mouth.cells.empty());
+                EXPECT_LT(mouth.x[1], 10);
+                EXPECT_NEAR(mouth.resistance, std::max(0.2, (10 - mouth.x[1]) / mouth.h), 1e-12);
+            }
+        EXPECT_EQ(at_side, 1);
+    }
+}
+
 // Two boxes side by side under a lid: their films go on into each other, over a hundredth of a cell of film.
 TEST(Mouths, FilmsThatMeetAreJoined)
 {

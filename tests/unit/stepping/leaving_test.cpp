@@ -120,6 +120,42 @@ TEST(Leaving, ARemovedBodyTakesItsMomentumAlongAndChangesNothingElse)
     EXPECT_EQ(removed.bodies()[0].twist.norm(), 0);
 }
 
+// Of a crowd the first one is named.
+TEST(Leaving, ACrowdIsToldOfOnce)
+{
+    for (const auto leaving : {Scene::Leaving::warn, Scene::Leaving::remove}) {
+        Scene scene = disk_below_open_top();
+        scene.leaving = leaving;
+        BodyScene disk = scene.bodies[0];
+        disk.motion = BodyScene::Motion::free;
+        disk.density = 1;
+        disk.radius = 0.06;
+        scene.bodies.clear();
+        for (int i = 0; i < 4; ++i) {
+            disk.name = i == 0 ? "disk" : "grain_000" + std::to_string(i);
+            disk.position = {0.15 + 0.23 * i, 0.9, 0};
+            scene.bodies.push_back(disk);
+        }
+        CrowdScene crowd;
+        crowd.name = "grain";
+        crowd.first = 1;
+        crowd.number = 3;
+        scene.crowds = {crowd};
+        Simulation<2> simulation(scene, Communicator());
+        std::vector<std::string> notes;
+        while (simulation.outside().size() < 4) {
+            const StepReport report = simulation.step(10);
+            notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+            ASSERT_LT(simulation.time(), 2);
+        }
+        for (const char* does : {"is on its way out", "has left the domain"}) {
+            EXPECT_EQ(count(notes, std::string("'disk' ") + does), 1);
+            EXPECT_EQ(count(notes, does), 2);
+        }
+        EXPECT_EQ(count(notes, "the first of crowd 'grain'"), 2);
+    }
+}
+
 TEST(Leaving, ARemovedBodyStaysOutWhenTheRunGoesOn)
 {
     Scene scene = disk_that_rises();
