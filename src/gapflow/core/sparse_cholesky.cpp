@@ -450,43 +450,86 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
     return x;
 }
 
+namespace {
+
+// Calls each(k, sum over the terms j of value(k, j) row(j)) for all k below `count`, four at a time: a row is read once for them.
+template <class Value, class Row, class Each>
+void for_sums(int count, int terms, Value&& value, Row&& row, Each&& each)
+{
+    constexpr int at_once = 4;
+    using Sum = Eigen::Matrix<double, 1, std::remove_cvref_t<decltype(row(0))>::ColsAtCompileTime>;
+    int k = 0;
+    for (; k + at_once <= count; k += at_once) {
+        Sum s0 = Sum::Zero(), s1 = s0, s2 = s0, s3 = s0;
+        for (int j = 0; j < terms; ++j) {
+            const Sum from = row(j);
+            s0 += value(k, j) * from;
+            s1 += value(k + 1, j) * from;
+            s2 += value(k + 2, j) * from;
+            s3 += value(k + 3, j) * from;
+        }
+        each(k, s0);
+        each(k + 1, s1);
+        each(k + 2, s2);
+        each(k + 3, s3);
+    }
+    for (; k < count; ++k) {
+        Sum sum = Sum::Zero();
+        for (int j = 0; j < terms; ++j)
+            sum += value(k, j) * row(j);
+        each(k, sum);
+    }
+}
+
+} // namespace
+
+void SparseCholesky::forward(const Panel& panel, RightSides& y) const
+{
+    const int columns = panel.columns(), height = panel.height();
+    if (y.middleRows(panel.begin, columns).isZero(0))
+        return;
+    const double* const value = values_.data() + panel.first_value;
+    for (int j = 0; j < columns; ++j) {
+        const RightSide mine = y.row(panel.begin + j) *= inverse_diagonal_[panel.begin + j];
+        for (int k = j + 1; k < columns; ++k)
+            y.row(panel.begin + k) -= value[static_cast<long>(j) * height + k] * mine;
+    }
+    const int* const row = rows_.data() + panel.first_row;
+    for_sums(
+        panel.rows, columns, [&](int k, int j) { return value[static_cast<long>(j) * height + columns + k]; },
+        [&](int j) { return y.row(panel.begin + j); }, [&](int k, const RightSide& sum) { y.row(row[k]) -= sum; });
+}
+
+void SparseCholesky::backward(const Panel& panel, RightSides& y) const
+{
+    const int columns = panel.columns(), height = panel.height();
+    const double* const value = values_.data() + panel.first_value;
+    const int* const row = rows_.data() + panel.first_row;
+    for_sums(
+        columns, panel.rows, [&](int j, int k) { return value[static_cast<long>(j) * height + columns + k]; },
+        [&](int k) { return y.row(row[k]); }, [&](int j, const RightSide& sum) { y.row(panel.begin + j) -= sum; });
+    for (int j = columns - 1; j >= 0; --j) {
+        RightSide sum = y.row(panel.begin + j);
+        for (int k = j + 1; k < columns; ++k)
+            sum -= value[static_cast<long>(j) * height + k] * y.row(panel.begin + k);
+        y.row(panel.begin + j) = sum * inverse_diagonal_[panel.begin + j];
+    }
+}
+
 Eigen::MatrixXd SparseCholesky::solve_columns(const Eigen::MatrixXd& b) const
 {
-    constexpr int width = 8; // columns that an entry of the factor is read for at once
-    using Row = Eigen::Matrix<double, 1, width>;
-    const int n = static_cast<int>(b.rows());
     Eigen::MatrixXd x(b.rows(), b.cols());
-    Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor> y(b.rows(), width);
-    for (long first = 0; first < b.cols(); first += width) {
-        const long count = std::min<long>(width, b.cols() - first);
+    RightSides y(b.rows(), together);
+    for (long first = 0; first < b.cols(); first += together) {
+        const long count = std::min<long>(together, b.cols() - first);
         y.setZero();
-        for (int j = 0; j < n; ++j)
+        for (long j = 0; j < b.rows(); ++j)
             y.row(j).head(count) = b.row(row_of_[j]).segment(first, count);
         for (const Panel& panel : panels_)
-            for (int j = 0; j < panel.columns(); ++j) {
-                const int column = panel.begin + j;
-                if (y.row(column).isZero(0))
-                    continue;
-                const Row mine = y.row(column) *= inverse_diagonal_[column];
-                const double* const value = values_.data() + panel.first_value + static_cast<long>(j) * panel.height();
-                for (int k = j + 1; k < panel.columns(); ++k)
-                    y.row(panel.begin + k) -= value[k] * mine;
-                for (int k = 0; k < panel.rows; ++k)
-                    y.row(rows_[panel.first_row + k]) -= value[panel.columns() + k] * mine;
-            }
-        for (std::size_t p = panels_.size(); p-- > 0;) {
-            const Panel& panel = panels_[p];
-            for (int j = panel.columns() - 1; j >= 0; --j) {
-                const double* const value = values_.data() + panel.first_value + static_cast<long>(j) * panel.height();
-                Row sum = y.row(panel.begin + j);
-                for (int k = j + 1; k < panel.columns(); ++k)
-                    sum -= value[k] * y.row(panel.begin + k);
-                for (int k = 0; k < panel.rows; ++k)
-                    sum -= value[panel.columns() + k] * y.row(rows_[panel.first_row + k]);
-                y.row(panel.begin + j) = sum * inverse_diagonal_[panel.begin + j];
-            }
-        }
-        for (int j = 0; j < n; ++j)
+            forward(panel, y);
+        for (std::size_t p = panels_.size(); p-- > 0;)
+            backward(panels_[p], y);
+        for (long j = 0; j < b.rows(); ++j)
             x.row(row_of_[j]).segment(first, count) = y.row(j).head(count);
     }
     return x;

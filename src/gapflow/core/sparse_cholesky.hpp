@@ -57,6 +57,12 @@ private:
     bool eliminate(int panel, const Matrix& lower, std::vector<Update>& updates);
     void forward(const Panel& panel, int rows, double* y) const;
     void backward(const Panel& panel, double* y) const;
+    /// Right sides that an entry of the factor is read for at once.
+    static constexpr int together = 8;
+    using RightSides = Eigen::Matrix<double, Eigen::Dynamic, together, Eigen::RowMajor>;
+    using RightSide = Eigen::Matrix<double, 1, together>;
+    void forward(const Panel& panel, RightSides& y) const;
+    void backward(const Panel& panel, RightSides& y) const;
 
     Eigen::VectorXi row_of_, place_of_; ///< of a place in the order, and back
     std::vector<Subtree> subtrees_;

@@ -19,12 +19,6 @@ constexpr double relative_stiffness = 1e4;
 constexpr int most_passes = 12;
 constexpr double round_off = 4e-15;
 
-// Blocks of a body's twist, in 2D those of two where that is a whole number.
-std::shared_ptr<const BlockCholesky> factor_of(const Eigen::SparseMatrix<double>& matrix)
-{
-    return BlockCholesky::of(matrix, matrix.rows() % 6 == 0 ? 6 : matrix.rows() % 3 == 0 ? 3 : 1);
-}
-
 } // namespace
 
 BodyResponse::BodyResponse(const Eigen::SparseMatrix<double>& mass, const Eigen::SparseMatrix<double>& contact,
@@ -55,10 +49,11 @@ BodyResponse BodyResponse::of_mass(const Eigen::SparseMatrix<double>& mass) cons
 
 void BodyResponse::factorise(const Eigen::SparseMatrix<double>& mass)
 {
-    factor_ = factor_of(contact_.rows() == 0
-                            ? mass
-                            : mass + Eigen::SparseMatrix<double>(contact_.transpose() * stiffness_.asDiagonal() * contact_));
-    if (!factor_)
+    const auto factor = std::make_shared<SparseCholesky>();
+    factor_ = factor;
+    if (!factor->compute(contact_.rows() == 0
+                             ? mass
+                             : mass + Eigen::SparseMatrix<double>(contact_.transpose() * stiffness_.asDiagonal() * contact_)))
         throw ComputationError("the mass matrix of the free bodies is not positive definite");
 }
 

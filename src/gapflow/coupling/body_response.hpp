@@ -2,7 +2,7 @@
 // lambda = k (s - C V) where they resist with k (method, "Contact"), else V = M^-1 w.
 #pragma once
 
-#include "gapflow/core/block_cholesky.hpp"
+#include "gapflow/core/sparse_cholesky.hpp"
 
 #include <Eigen/Sparse>
 
@@ -33,7 +33,7 @@ public:
 private:
     void factorise(const Eigen::SparseMatrix<double>& mass);
 
-    std::shared_ptr<const BlockCholesky> factor_;        ///< of M + C^T diag(stiffness) C
+    std::shared_ptr<const SparseCholesky> factor_;       ///< of M + C^T diag(stiffness) C
     Eigen::SparseMatrix<double> contact_, contact_size_; ///< C, |C|
     Eigen::VectorXd stiffness_;
     Eigen::VectorXd rigid_; ///< 1 for rigid rows, else 0

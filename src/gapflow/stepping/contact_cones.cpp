@@ -8,14 +8,14 @@
 //
 //     A V - w - C^T P(lambda + k (s - mu |u_t| n - C V)) = 0.
 #include "gapflow/stepping/contact_cones.hpp"
-#include "gapflow/core/block_cholesky.hpp"
 #include "gapflow/core/decompositions.hpp"
+#include "gapflow/core/sparse_cholesky.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
+#include <utility>
 
 namespace gapflow {
 
@@ -255,6 +255,7 @@ private:
         H_.setFromTriplets(entries.begin(), entries.end());
         H_.makeCompressed();
         inertia_.assign(H_.valuePtr(), H_.valuePtr() + H_.nonZeros());
+        is_analysed_ = false;
     }
 
     // First entry of a body's block in a column of H.
@@ -366,7 +367,7 @@ private:
     // With the last factor, and what secants change by Woodbury.
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const
     {
-        Eigen::VectorXd x = factor_->solve(b);
+        Eigen::VectorXd x = factor_.solve(b);
         if (change_)
             x -= solved_change_ * capacitance_.solve(change_->vectors.transpose() * x);
         return x;
@@ -435,13 +436,14 @@ private:
                         }
                     }
         }
-        factor_ = BlockCholesky::of(H_, n);
-        if (!factor_)
+        if (!std::exchange(is_analysed_, true))
+            factor_.analyse(H_);
+        if (!factor_.factorise(H_))
             return false;
         if (change_) {
             solved_change_.resize(change_->vectors.rows(), change_->vectors.cols());
             for (long k = 0; k < solved_change_.cols(); ++k)
-                solved_change_.col(k) = factor_->solve(change_->vectors.col(k));
+                solved_change_.col(k) = factor_.solve(change_->vectors.col(k));
             capacitance_.compute(change_->inverse_weights + change_->vectors.transpose() * solved_change_);
         }
         return true;
@@ -482,8 +484,8 @@ private:
     std::optional<LowRankChange> change_;                  ///< of A, by secants
     Eigen::MatrixXd solved_change_;                        ///< H^-1 U without the change
     Eigen::PartialPivLU<Eigen::MatrixXd> capacitance_;     ///< W^-1 + U^T H^-1 U
-    std::unique_ptr<const BlockCholesky> factor_;
-    bool is_factored_ = false;
+    SparseCholesky factor_;                                ///< of H
+    bool is_analysed_ = false, is_factored_ = false;
     int corrections_ = 0;                 ///< with this factor
     Eigen::VectorXd stiffness_;           ///< k of every contact
     Eigen::VectorXd given_speed_, least_; ///< of every row: speed that solids make which do not yield; s - mu |u_t| n less it

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
@@ -110,6 +111,34 @@ TEST(SparseCholesky, DenseBlocks)
     }
 }
 
+// Twists of bodies that films and contacts join: blocks of six in a ring, and some to one across. Both triangles, of which the lower one is read.
+TEST(SparseCholesky, ManyRightSidesOfBodies)
+{
+    constexpr int block = 6;
+    for (int bodies : {1, 2, 40}) {
+        const int n = block * bodies;
+        Eigen::MatrixXd dense = 0.1 * Eigen::MatrixXd::Identity(n, n);
+        const auto join = [&](int a, int b) {
+            Eigen::MatrixXd row = Eigen::MatrixXd::Zero(n, 2);
+            row.middleRows(block * a, block) = waves(2 * block).reshaped(block, 2) * (1 + a % 3);
+            row.middleRows(block * b, block) += waves(2 * block + 5).tail(2 * block).reshaped(block, 2);
+            dense += row * row.transpose();
+        };
+        for (int body = 0; body < bodies; ++body) {
+            join(body, (body + 1) % bodies);
+            if (body % 3 == 0)
+                join(body, (7 * body + 5) % bodies);
+        }
+        SparseCholesky factor;
+        ASSERT_TRUE(factor.compute(dense.sparseView()));
+        for (int columns : {1, 3, 8, 19}) {
+            const Eigen::MatrixXd b = waves(n) * Eigen::RowVectorXd::LinSpaced(columns, 1, 3), x = dense.llt().solve(b);
+            EXPECT_LT((factor.solve_columns(b) - x).norm(), 1e-11 * x.norm()) << bodies << ' ' << columns;
+            EXPECT_LT((factor.solve(b.col(0)) - x.col(0)).norm(), 1e-11 * x.norm()) << bodies;
+        }
+    }
+}
+
 TEST(SparseCholesky, IndefiniteMatrixIsRefused)
 {
     SparseCholesky factor;
@@ -117,6 +146,7 @@ TEST(SparseCholesky, IndefiniteMatrixIsRefused)
         factor.analyse(laplacian(n, 0.0));
         EXPECT_FALSE(factor.factorise(laplacian(n, -1.0)));
     }
+    EXPECT_FALSE(factor.compute(Eigen::SparseMatrix<double>(12, 12))); // zeros
 }
 
 TEST(SparseCholesky, ThreadsGiveTheSameBits)
