@@ -1,6 +1,9 @@
 #include "gapflow/stepping/drive.hpp"
 
+#include "gapflow/stepping/volume_flux.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace gapflow {
@@ -59,40 +62,27 @@ double response(const Model<D>& model, const std::vector<RigidBody<D>>& bodies)
 
 } // namespace
 
-// The flow through the planes of a grid's faces, in the mean: through open faces, in bodies, and in films, whose share of the faces is what the
-// grid leaves closed.
+// The flow through the planes of a grid's faces, in the mean: through open faces, in bodies, and in films.
 template <int D>
 Vec<D> mean_velocity(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V)
 {
     const Grid<D>& grid = model.grid;
-    std::vector<double> sums(2 * D, 0.0); // flow through open faces; faces that films close
+    std::vector<double> sums(D, 0.0); // flow through open faces
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> low = grid.low(),
                        high = grid.high(); // one face a cell along each axis, also where there is no other end
         for_each_row<D>(low, high, [&](const Index<D>& row) {
-            const double *open = &here.open(axis, row), *all = &here.fractions->open(axis, row),
-                         *u = &state.velocity.grid(axis, row);
-            for (int i = 0; i < high[0] - low[0]; ++i) {
+            const double *open = &here.open(axis, row), *u = &state.velocity.grid(axis, row);
+            for (int i = 0; i < high[0] - low[0]; ++i)
                 sums[axis] += open[i] * u[i];
-                sums[D + axis] += all[i] - open[i];
-            }
         });
     }
     grid.comm().sum(sums);
-    Vec<D> in_films = Vec<D>::Zero();
-    double volume = 0;
-    const std::vector<double> normal = wall_normal_speed<D>(here.network, here.solids, V);
-    for (const Film<D>& film : here.network.films)
-        for (std::size_t k = 0; k < film.mesh.elements.size(); ++k) {
-            const FilmElement<D>& e = film.mesh.elements[k];
-            const std::size_t i = film.first_element + k;
-            in_films += e.volume * (state.velocity.film[i] + normal[i] * e.normal);
-            volume += e.volume;
-        }
+    const Vec<D> in_films = flow_of_films(model, here, state, V) / std::pow(grid.dx(), D);
     const std::vector<Vec<D>> section = sections(grid, *here.fractions, state.bodies);
     Vec<D> flow;
     for (int axis = 0; axis < D; ++axis) {
-        flow[axis] = sums[axis] + (volume > 0 ? sums[D + axis] * in_films[axis] / volume : 0.0);
+        flow[axis] = sums[axis] + in_films[axis];
         for (std::size_t b = 0; b < state.bodies.size(); ++b) {
             const RigidBody<D>& body = state.bodies[b];
             const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);

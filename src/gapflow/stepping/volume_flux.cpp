@@ -233,9 +233,21 @@ private:
     int axis_ = -1; ///< that it is normal to
 };
 
-// Flows of films through a plane; the same on every rank.
+/// All planes normal to an axis at once: the ramp is the place along it.
 template <int D>
-Sums films_through(const Flows<D>& flows, const PlanePart<D>& plane)
+struct AllPlanes {
+    int axis;
+
+    double reach() const { return std::numeric_limits<double>::infinity(); }
+    Vec<D> way(const Vec<D>&) const { return Vec<D>::Zero(); } // flows count by the difference of their ends' places alone
+    double height(const Vec<D>& way) const { return way[axis]; }
+    double ramp(double height) const { return height; }
+    bool holds(const Vec<D>&) const { return true; }
+};
+
+// Flows of films through a plane; the same on every rank.
+template <int D, class Plane>
+Sums films_through(const Flows<D>& flows, const Plane& plane)
 {
     const Coupling<D>& here = flows.here();
     const FilmNetwork<D>& network = here.network;
@@ -388,7 +400,27 @@ VolumeFlux volume_flux(const Model<D>& model, const Coupling<D>& here, const Sta
     return through_gap(flows, through.bodies);
 }
 
+template <int D>
+Vec<D> flow_of_films(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V)
+{
+    const Grid<D>& grid = model.grid;
+    const Flows<D> flows(model, here, state, V);
+    std::vector<double> sums(D, 0.0);
+    for (int axis = 0; axis < D; ++axis)
+        for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+            Index<D> f = row;
+            for (; f[0] < grid.high()[0]; ++f[0])
+                sums[axis] += grid.dx() * flows.with_master(axis, f);
+        });
+    grid.comm().sum(sums);
+    Vec<D> flow;
+    for (int axis = 0; axis < D; ++axis)
+        flow[axis] = sums[axis] + films_through(flows, AllPlanes<D>{axis}).film;
+    return flow;
+}
+
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template Vec<D> flow_of_films<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&);      \
     template VolumeFlux volume_flux<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&,     \
                                        const FluxScene&);
 GAPFLOW_INSTANTIATE(2)

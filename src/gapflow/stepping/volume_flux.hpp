@@ -27,4 +27,9 @@ template <int D>
 VolumeFlux volume_flux(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
                        const FluxScene& through);
 
+/// The flow of films through all planes that are normal to an axis, one axis a component, summed up along it: the integral of their velocity over the volume that
+/// they take of the grid's. `V` as above. Collective.
+template <int D>
+Vec<D> flow_of_films(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V);
+
 } // namespace gapflow
