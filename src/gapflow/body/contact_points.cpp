@@ -314,7 +314,7 @@ std::vector<ContactPoint<D>> find_contacts(std::span<const Solid<D>> solids, std
         if (placed[i].solid > placed[j].solid)
             std::swap(i, j);
         const int a = placed[i].solid, b = placed[j].solid;
-        if (solids[a].motion != Motion::free && solids[b].motion != Motion::free)
+        if (a == b || (solids[a].motion != Motion::free && solids[b].motion != Motion::free))
             continue;
         Vec<D> shift = placed[j].shift - placed[i].shift;
         if (!placed[i].bounds.low.allFinite() || !placed[j].bounds.low.allFinite())

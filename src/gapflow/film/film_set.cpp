@@ -138,12 +138,12 @@ private:
     /// Whether the image is one of the pair itself, everything moved by `periods`.
     bool is_of_pair(const Image<D>& image, Index<D> periods) const
     {
-        if (image.solid != pair_.master && image.solid != pair_.other)
-            return false;
-        if (image.solid == pair_.other)
-            periods += Index<D>(pair_.shift.data());
         const Vec<D> size = grid_.size();
-        return (image.shift - periods.template cast<double>().cwiseProduct(size)).norm() < 1e-9 * size.norm();
+        const auto is_at = [&](const Index<D>& shift) {
+            return (image.shift - shift.template cast<double>().cwiseProduct(size)).norm() < 1e-9 * size.norm();
+        };
+        return (image.solid == pair_.master && is_at(periods)) ||
+               (image.solid == pair_.other && is_at(periods + Index<D>(pair_.shift.data())));
     }
 
     /// Lowers `nearest` if the image is nearer; false if it has the film at x.
@@ -216,6 +216,8 @@ std::vector<FilmPair<D>> close_pairs(const Grid<D>& grid, std::span<const Solid<
         }
         if (alive.count(pair) || alive.count(turned))
             pairs.insert(alive.count(pair) ? pair : turned);
+        else if (pair.master == pair.other) // a solid and its own image
+            pairs.insert(std::max(pair.shift, turned.shift) == pair.shift ? pair : turned);
         else
             pairs.insert(master_rank(solids[pair.master], radius[pair.master]) <
                                  master_rank(solids[pair.other], radius[pair.other])

@@ -82,7 +82,7 @@ std::vector<std::pair<int, int>> close_images(const std::vector<Image<D>>& image
     std::sort(bounded.begin(), bounded.end(), [&](int a, int b) { return images[a].bounds.low[0] < images[b].bounds.low[0]; });
     std::vector<std::pair<int, int>> pairs;
     auto near = [&](int a, int b) { // the smaller one's bounding ball against the other's distance
-        if (images[a].solid == images[b].solid || (solids[images[a].solid].wall && solids[images[b].solid].wall))
+        if (solids[images[a].solid].wall && solids[images[b].solid].wall)
             return;
         auto apart = [&](const Image<D>& ball, const Image<D>& other) {
             const double radius = bounding_radius<D>(ball.bounds);

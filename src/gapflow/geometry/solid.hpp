@@ -57,7 +57,7 @@ std::vector<Image<D>> images(std::span<const Solid<D>> solids, const Vec<D>& low
 template <int D>
 double bounding_radius(const Bounds<D>& bounds);
 
-/// Pairs of images of different solids, not both walls, whose surfaces may come within `reach`. Sweep along the first axis.
+/// Pairs of images, of different solids or of one, not both walls, whose surfaces may come within `reach`. Sweep along the first axis.
 template <int D>
 std::vector<std::pair<int, int>> close_images(const std::vector<Image<D>>& images, std::span<const Solid<D>> solids,
                                               double reach);

@@ -131,6 +131,35 @@ TEST(Drive, EverythingAcceleratesAlike3D)
     all_fall_together<3>(0.01);
 }
 
+// A ball and its own images, with films between them, and between two balls and theirs in a box of twice the length: the same flow.
+TEST(Drive, ABallHasFilmsWithItsOwnImages)
+{
+    const auto flow = [](int balls, BodyScene::Motion motion) {
+        Scene scene = box(2, 16);
+        scene.size[0] = balls;
+        scene.cells[0] = 16 * balls;
+        scene.viscosity = 0.1;
+        scene.density = 2;
+        scene.pressure_gradient = Triple{-1, 0.5, 0};
+        for (int i = 0; i < balls; ++i) {
+            scene.bodies.push_back(ball("ball_" + std::to_string(i), 0.48, {0.51 + i, 0.5, 0}, 2));
+            scene.bodies.back().motion = motion;
+        }
+        Simulation<2> simulation(scene, Communicator());
+        return after(simulation, 8);
+    };
+    for (const BodyScene::Motion motion : {BodyScene::Motion::fixed, BodyScene::Motion::free}) {
+        const StepReport one = flow(1, motion), two = flow(2, motion);
+        EXPECT_GT(one.film_nodes, 0);
+        EXPECT_EQ(2 * one.film_nodes, two.film_nodes);
+        EXPECT_NEAR(one.mean_velocity_x / two.mean_velocity_x, 1, 3e-3); // masters are on one side, or on both
+        EXPECT_NEAR(one.mean_velocity_y / two.mean_velocity_y, 1, 3e-3);
+        if (motion == BodyScene::Motion::free) { // all accelerates alike
+            EXPECT_NEAR(one.mean_velocity_x, 0.5 * one.time, 1e-7 * one.time);
+        }
+    }
+}
+
 // A heavy disk, and a light one, in a part of a tall tank: no volume passes, and the gradient carries the weight in the end.
 TEST(Drive, GravityIsBalancedAsInATallTank)
 {
