@@ -105,6 +105,34 @@ void subtract_square(const Below& below, Eigen::MatrixXd& update)
     });
 }
 
+// Calls each(k, sum over the terms j of value(k, j) row(j)) for all k below `count`, four at a time: a row is read once for them.
+template <class Value, class Row, class Each>
+void for_sums(int count, int terms, Value&& value, Row&& row, Each&& each)
+{
+    using Sum = Eigen::Matrix<double, 1, std::remove_cvref_t<decltype(row(0))>::ColsAtCompileTime>;
+    int k = 0;
+    for (; k + 4 <= count; k += 4) {
+        Sum s0 = Sum::Zero(), s1 = s0, s2 = s0, s3 = s0;
+        for (int j = 0; j < terms; ++j) {
+            const Sum from = row(j);
+            s0 += value(k, j) * from;
+            s1 += value(k + 1, j) * from;
+            s2 += value(k + 2, j) * from;
+            s3 += value(k + 3, j) * from;
+        }
+        each(k, s0);
+        each(k + 1, s1);
+        each(k + 2, s2);
+        each(k + 3, s3);
+    }
+    for (; k < count; ++k) {
+        Sum sum = Sum::Zero();
+        for (int j = 0; j < terms; ++j)
+            sum += value(k, j) * row(j);
+        each(k, sum);
+    }
+}
+
 } // namespace
 
 // Minimum degree (Amestoy, Davis & Duff 1996), or nested dissection where that takes fewer products; then a postorder of the elimination tree, which changes no
@@ -449,39 +477,6 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const
     });
     return x;
 }
-
-namespace {
-
-// Calls each(k, sum over the terms j of value(k, j) row(j)) for all k below `count`, four at a time: a row is read once for them.
-template <class Value, class Row, class Each>
-void for_sums(int count, int terms, Value&& value, Row&& row, Each&& each)
-{
-    constexpr int at_once = 4;
-    using Sum = Eigen::Matrix<double, 1, std::remove_cvref_t<decltype(row(0))>::ColsAtCompileTime>;
-    int k = 0;
-    for (; k + at_once <= count; k += at_once) {
-        Sum s0 = Sum::Zero(), s1 = s0, s2 = s0, s3 = s0;
-        for (int j = 0; j < terms; ++j) {
-            const Sum from = row(j);
-            s0 += value(k, j) * from;
-            s1 += value(k + 1, j) * from;
-            s2 += value(k + 2, j) * from;
-            s3 += value(k + 3, j) * from;
-        }
-        each(k, s0);
-        each(k + 1, s1);
-        each(k + 2, s2);
-        each(k + 3, s3);
-    }
-    for (; k < count; ++k) {
-        Sum sum = Sum::Zero();
-        for (int j = 0; j < terms; ++j)
-            sum += value(k, j) * row(j);
-        each(k, sum);
-    }
-}
-
-} // namespace
 
 void SparseCholesky::forward(const Panel& panel, RightSides& y) const
 {

@@ -217,7 +217,7 @@ std::vector<FilmPair<D>> close_pairs(const Grid<D>& grid, std::span<const Solid<
         if (alive.count(pair) || alive.count(turned))
             pairs.insert(alive.count(pair) ? pair : turned);
         else if (pair.master == pair.other) // a solid and its own image
-            pairs.insert(std::max(pair.shift, turned.shift) == pair.shift ? pair : turned);
+            pairs.insert(std::max(pair, turned));
         else
             pairs.insert(master_rank(solids[pair.master], radius[pair.master]) <
                                  master_rank(solids[pair.other], radius[pair.other])

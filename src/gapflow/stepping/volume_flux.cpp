@@ -91,11 +91,11 @@ public:
     double with_master(int axis, const Index<D>& f) const
     {
         const FilmNetwork<D>& network = here_.network;
-        if (network.cells.closed.empty())
+        const double open = here_.fractions->open(axis, f);
+        if (network.cells.closed.empty() || open <= 0 || here_.open(axis, f) > 0)
             return 0;
         const int* film = network.cells.closed.find(faces_.key(axis, f));
-        const double open = film ? here_.fractions->open(axis, f) : 0.0;
-        if (open <= 0)
+        if (!film)
             return 0;
         const int master = network.films[*film].mesh.master;
         const Vec<D> arm = grid_.nearest_image(faces_.open_centroid(axis, f) - here_.solids[master].centre);
