@@ -14,22 +14,24 @@ namespace gapflow {
 /// A vector of the scene; in 2D the third number is 0 and unused.
 using Triple = std::array<double, 3>;
 
-/// One sampled function of time, linear between rows, held constant beyond its ends.
+/// One sampled function of time, held constant beyond its ends.
 struct TimeTable {
+    enum class Interpolation { linear, cubic };
     std::string file;
     std::vector<double> time;
     std::vector<std::vector<double>> rows; ///< values after the time column
+    Interpolation interpolation = Interpolation::linear; ///< between rows; cubic: monotone (motion tables)
 };
 
 struct SideScene {
-    enum class Kind { wall, open, periodic, inflow, far, pressure };
-    Kind kind = Kind::wall;
+    enum class Kind { wall, open, periodic, inflow, far, pressure, surface };
+    Kind kind = Kind::wall; ///< surface: a water level at rest with air above
     Triple velocity{}; ///< of a sliding wall (in its plane), or of a constant inflow
     TimeTable
         table; ///< inflow from a file (time,u,v[,w]), empty if constant; pressure (time,pressure), a row without a file if constant
 
     /// Whether fluid passes as the pressure wants, which is known there or beyond.
-    bool is_open() const { return kind == Kind::open || kind == Kind::far || kind == Kind::pressure; }
+    bool is_open() const { return kind == Kind::open || kind == Kind::far || kind == Kind::pressure || kind == Kind::surface; }
 };
 
 struct GapScene {
@@ -143,6 +145,7 @@ struct FluxScene {
     Triple point{}, normal{};          ///< of a plane; the latter of unit length
     std::optional<Triple> low, high;   ///< the part of the plane in a box; both or none
     std::array<std::string, 2> bodies; ///< of a gap
+    std::optional<Triple> along;       ///< of a gap, of unit length: direction in which its flux counts positive
     double every = 0.0;                ///< 0: every step
 };
 
