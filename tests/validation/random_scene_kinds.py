@@ -1,4 +1,4 @@
-"""Random scenes of bodies that touch, by kind: every scene follows from its number alone.
+"""Random scenes of bodies that touch, by kind, and of what was once wrong without a word: every scene follows from its number alone.
 
 make(number, folder) makes one. Lengths are laid out in cells and multiples of the tank; gravity, the fluid's density and the tank's
 size are drawn from round values, so that no result depends on units. Bodies are at least three cells thick. A step of full length
@@ -13,6 +13,8 @@ import numpy as np
 import robustness_cases as shapes
 
 FLAT, SOLID = 300, 60    # scenes in 2D, numbered from 0, and in 3D, numbered after them
+FIRST_ATTACK = FLAT + SOLID
+ATTACKS = 140            # scenes of what was once wrong without a word, numbered after those: of each kind five in 2D to two in 3D
 STEPS = 200
 THICK = 3                # cells: the least of a body
 SCATTER = 40             # tries to find a body a place
@@ -80,8 +82,8 @@ class Tank:
     def __init__(self, number, folder, attempt=0):
         self.rng = rng = random.Random(f"gapflow random scene {number} {attempt}")
         self.number, self.folder = number, folder
-        self.dimension = d = 2 if number < FLAT else 3
-        self.kind = list(KINDS)[number % len(KINDS)]
+        self.dimension = d = dimension_of(number)
+        self.kind = kind_of(number)
         self.cells = [rng.randrange(32, 65) if d == 2 else rng.randrange(16, 25) for _ in range(d)]
         if d == 3 and self.kind in ("cups", "combs"):    # what they are made of takes room
             self.cells = [max(c, 20) for c in self.cells]
@@ -92,8 +94,9 @@ class Tank:
         self.reynolds = 10 ** rng.uniform(-0.5, 4) if rng.random() < 0.5 else None
         self.gravity = self.axis(-1) * -self.g
         self.bodies, self.sides, self.fluid, self.tables = [], {}, {}, {}
+        self.time, self.overlap = {}, None    # of [time]; the deepest overlap allowed, in cells
         self.judge, self.carried = "energy", 0.0    # "energy" of a closed tank, or "speed": bounded by what drives, open sides work too
-        KINDS[self.kind](self)
+        {**KINDS, **ATTACK_KINDS}[self.kind](self)
 
     def axis(self, k):
         return np.eye(self.dimension)[k]
@@ -213,7 +216,7 @@ class Tank:
                 "domain": {"size": self.size.tolist(), "cells": self.cells, **({"sides": self.sides} if self.sides else {})},
                 "fluid": {"density": self.rho, **self.fluid}, **self.tables,
                 "body": [body.entry() for body in self.bodies],
-                "time": {"end": 100 * STEPS * step, "max_step": step}}
+                "time": {"end": 100 * STEPS * step, "max_step": step, **self.time}}
 
 
 # ---- kinds
@@ -572,6 +575,133 @@ def tank(t):
 
 
 KINDS = {kind.__name__: kind for kind in (touching, overlapping, stacked, ceiling, rolling, flaps, springs, edges, funnels, cups, combs, dry, leaving, entering, tank)}
+
+
+# ---- kinds of attacks: apart from those above, so that scenes keep their numbers
+
+def scattered(t, count, room, make_keys):
+    """Bodies of all shapes at random places, `room` cells from walls and each other."""
+    for _ in range(count):
+        shape = t.convex(5 if t.dimension == 2 else 4, 10 if t.dimension == 2 else 7)
+        for _ in range(SCATTER):
+            body = t.new(shape, [t.uniform(0.15, 0.85) * s for s in t.size], shapes.random_rotation(t.rng, t.dimension))
+            inside = all(body.support(sign * t.axis(k))[k] * sign < (t.size[k] if sign > 0 else 0) - room * t.dx for k in range(t.dimension) for sign in (1, -1))
+            if inside and all(separation(other, body) > room * t.dx for other in t.bodies):
+                body.keys.update(make_keys(body))
+                t.bodies.append(body)
+                break
+
+
+def nearly_ideal(t):
+    """Viscosity: none, or so little that a cell's Reynolds number is up to 1e7; Courant numbers up to 5."""
+    t.gravity = 0.0 * t.gravity
+    t.reynolds = 10 ** t.uniform(1, 8) if t.chance(0.85) else None
+    if t.chance(0.3):
+        t.sides = {f"{a}_{end}": "periodic" for a in "xyz"[:t.dimension] for end in ("low", "high")}
+    t.time = {"cfl": t.rng.choice([0.5, 1.0, 1.0, 2.0, 5.0]), "max_step": 10 * t.dx / t.speed}
+
+
+def coasting(t):
+    """One to three bodies that coast or spin in a tank of next to no viscosity."""
+    nearly_ideal(t)
+    spin = t.chance(0.3)
+    turn = lambda: t.rng.gauss(0, 1) * t.speed / (8 * t.dx)
+    scattered(t, t.rng.randint(1, 3), 1.5, lambda body: {"density": t.density(-1, 1), "velocity": t.velocity(0.6),
+              **({"angular_velocity": turn() if t.dimension == 2 else [turn() for _ in range(3)]} if spin else {})})
+
+
+def swinging(t):
+    """The same on springs, without damping: no slower than twenty steps a period."""
+    nearly_ideal(t)
+    t.sides = {}
+
+    def keys(body):
+        density = t.density(-1, 1)
+        anchor = body.position + t.uniform(2, 6) * t.dx * shapes.unit_vector(t.rng, t.dimension)
+        rate = t.speed / (6 * t.dx) * t.uniform(0.2, 1)    # of oscillation in a vacuum
+        return {"density": density, **({} if body.shape.keys["shape"] == "mesh" else
+                {"spring": {"anchor": anchor.tolist(), "stiffness": density * body.shape.volume * rate**2}})}
+    scattered(t, t.rng.randint(1, 2), 2, keys)
+
+
+def thrown_far(t):
+    """Bodies thrown at walls and each other, by cells in a step: none ends in a wall."""
+    t.gravity = t.gravity * t.rng.choice([0, 1, 1])
+    t.time = {"cfl": t.uniform(2, 10), "max_step": t.rng.choice([1, 4, 40]) * t.dx / t.speed}
+    t.overlap = 0.05
+    scattered(t, t.rng.randint(1, 4), 0.5, lambda body: {"density": t.density(-0.3, 2), "velocity": t.velocity(1.5)})
+
+
+def pushing(t):
+    """A prescribed body that pushes a free one through a closed tank."""
+    t.gravity = 0.0 * t.gravity
+    high = t.uniform(3, 8)
+    pusher = t.add(t.box([t.uniform(4, 8), high]), t.at(0.25 * t.size[0], 0.5 * t.size[-1]), motion="prescribed", velocity=(0.4 * t.speed * t.axis(0)).tolist())
+    shape = t.box([t.uniform(4, 8), t.uniform(3, 8)]) if t.chance(0.6) else t.convex(5, 8)
+    body = t.new(shape, t.at(0.5 * t.size[0], 0.5 * t.size[-1]), density=t.density(-1, 1))
+    front = pusher.support(t.axis(0))[0] + t.rng.choice([0.0, 0.008, 0.3]) * t.dx
+    body.position[0] += front - body.support(-t.axis(0))[0]
+    if t.fits(body):
+        t.bodies.append(body)
+    t.time = {"end": 0.35 * float(t.size[0]) / (0.4 * t.speed)}
+    t.judge, t.carried = "speed", 4 * t.rho * (0.4 * t.speed)**2 * float(np.prod(t.size))
+    t.friction(0.3)
+
+
+def wedged(t):
+    """A narrow wedge that leans on a block's corner and sinks along it."""
+    dx = t.dx
+    width, height = 0.4 * t.size[0], t.uniform(7, 10) * dx
+    t.add(t.ridge([width, height]), t.at(t.size[0] - 0.5 * width, 0.5 * height), motion="fixed")
+    half = math.radians(t.uniform(5, 15))
+    length = t.uniform(9, 14) * dx
+    outline = [(0.0, -0.5 * length), (length * math.tan(half) + 1.5 * dx, 0.5 * length), (-length * math.tan(half) - 1.5 * dx, 0.5 * length)]
+    depth = None if t.dimension == 2 else 5 * dx
+    body = t.new(make_outline(outline, t.folder, "b1", depth), t.at(t.size[0] - width - t.uniform(1, 4) * dx, height + 0.45 * length),
+                 t.upright(t.uniform(0, 25)) if t.dimension == 2 else t.upright(0), density=t.density(0.3, 1.5))
+    if t.fits(body):
+        t.bodies.append(body)
+    t.tables["gap"] = {"roughness": 0.003 * dx}
+    t.overlap = 0.05
+
+
+def striking(t):
+    """Bodies that start in touch with walls, and approach them, with restitution."""
+    t.gravity = 0.0 * t.gravity
+    t.tables["contact"] = {"restitution": t.rng.choice([0.5, 1.0])}
+    for _ in range(t.rng.randint(1, 2)):
+        shape = t.convex()
+        for _ in range(SCATTER):
+            body = t.new(shape, [t.uniform(0.2, 0.8) * s for s in t.size], shapes.random_rotation(t.rng, t.dimension), density=t.density(-0.5, 1))
+            axis, end = t.rng.randrange(t.dimension), t.rng.choice([-1, 1])
+            t.against_wall(body, axis, end)
+            if t.fits(body):
+                body.keys["velocity"] = (t.uniform(0.3, 0.8) * t.speed * end * t.axis(axis)).tolist()
+                t.bodies.append(body)
+                break
+
+
+def treacle(t):
+    """Bodies light and heavy in touch in fluid so viscous that it takes far less than a step to come to rest."""
+    number = 10 ** t.uniform(1, 3)    # nu dt / dx^2
+    t.cluster(t.rng.randint(2, 4), lambda: t.rng.choice([0.0, 0.3]) * t.dx)
+    t.reynolds = 0.25 * t.dx * 0.2 * float(t.size[-1]) / (number * t.dx**2)
+    t.friction()
+
+
+ATTACK_KINDS = {kind.__name__: kind for kind in (coasting, swinging, thrown_far, pushing, wedged, striking, treacle)}
+
+
+def kind_of(number):
+    if number < FIRST_ATTACK:
+        return list(KINDS)[number % len(KINDS)]
+    return list(ATTACK_KINDS)[(number - FIRST_ATTACK) % len(ATTACK_KINDS)]
+
+
+def dimension_of(number):
+    if number < FIRST_ATTACK:
+        return 2 if number < FLAT else 3
+    return 2 if (number - FIRST_ATTACK) // len(ATTACK_KINDS) % 7 < 5 else 3
 
 
 def make(number, folder, reynolds=None):

@@ -1,6 +1,6 @@
 """Random scenes of bodies that touch, 200 steps each with the default settings: they run, none crawls, and no energy comes from nowhere.
 
-Scenes are made in random_scene_kinds.py and follow from their number alone: 0 to 299 in 2D, 300 to 359 in 3D.
+Scenes are made in random_scene_kinds.py and follow from their number alone: 0 to 299 in 2D, 300 to 359 in 3D, 360 to 499 attacks of other kinds.
     python3 random_scenes.py run NUMBERS|A-B... [--out FILE.jsonl] [--jobs N] [--limit SECONDS] [--save FOLDER] [--reynolds LEAST LARGEST]
     python3 random_scenes.py judge FILE.jsonl...        what failed, by kind; what is slow among its kind
     python3 random_scenes.py show N                     the scene on the screen, its meshes into the current folder
@@ -171,6 +171,15 @@ def not_finite(tables):
             for key, value in row.items() if isinstance(value, float) and not math.isfinite(value)][:1]
 
 
+def deepest(tank, gaps):
+    """Overlaps deeper than the tank allows, of pairs that start apart or in touch."""
+    if tank.overlap is None or not gaps:
+        return []
+    row = min(gaps, key=lambda row: row["thickness"])
+    depth = -row["thickness"] / tank.dx
+    return [f"{row['body_a']} and {row['body_b']} overlap by {depth:.3g} cells in step {row['step']:.0f}"] if depth > tank.overlap else []
+
+
 def thrown(tank, bodies):
     """Bodies in the tank that a step moves by more than JUMP cells. (One that has left through an open side only falls.)"""
     reach = {body.name: body.shape.extent for body in tank.bodies}
@@ -198,7 +207,7 @@ def examine(number, limit=LIMIT, save=None, reynolds=None):
         lines = [line.strip() for line in errors.splitlines() if line.strip()]
         record["warnings"] = [line[:300] for line in lines if "warning:" in line and "interrupted" not in line]
         failures = [line.replace(str(folder) + "/", "") for line in lines if "warning:" not in line]
-        tables = {name: rows_before(out / f"{name}.csv", STEPS) for name in ("steps", "bodies")}
+        tables = {name: rows_before(out / f"{name}.csv", STEPS) for name in ("steps", "bodies", "gaps")}
         steps = tables["steps"]
         record.update(steps=max(0, len(steps) - 1), time=steps[-1]["time"] if steps else 0.0)
         record["seconds_per_step"] = processor / max(1, record["steps"])
@@ -210,7 +219,9 @@ def examine(number, limit=LIMIT, save=None, reynolds=None):
         if len(steps) > 1:
             defects += judge_steps(steps, scene, record)
             if not any("not finite" in defect for defect in defects):
-                defects += thrown(tank, tables["bodies"])
+                defects += deepest(tank, tables["gaps"])
+                if tank.overlap is None:    # else steps are meant to be long
+                    defects += thrown(tank, tables["bodies"])
                 defects += judge_energy(tank, steps, tables["bodies"], record)
         defects += sorted({line for line in record["warnings"] if "settle" in line})
         record["defects"] = defects
@@ -240,7 +251,7 @@ def rows_of(records):
         if record["number"] in slow:
             record = {**record, "defects": [*record["defects"], f"{slow[record['number']]:.0f} times slower than the median of its kind"]}
         groups[record["kind"], record["dimension"]].append(record)
-    for (kind, dimension), group in sorted(groups.items(), key=lambda item: (item[0][1], list(kinds.KINDS).index(item[0][0]))):
+    for (kind, dimension), group in sorted(groups.items(), key=lambda item: (item[0][1], [*kinds.KINDS, *kinds.ATTACK_KINDS].index(item[0][0]))):
         bad = [record for record in group if record["defects"]]
         target = f"{STEPS} steps, none slow; " + ("energy rises by no more than 2 %" if kind not in ("dry", "leaving", "entering") else "speeds bounded")
         yield Row(SECTION, f"{kind}, {dimension}D: {len(group)} scenes", target,
@@ -251,13 +262,13 @@ def case_of(kind):
     def case(quick):
         if quick:
             return    # minutes; tests of single defects are among those of units and of the command
-        numbers = [n for n in range(kinds.FLAT + kinds.SOLID) if list(kinds.KINDS)[n % len(kinds.KINDS)] == kind]
+        numbers = [n for n in range(kinds.FIRST_ATTACK + kinds.ATTACKS) if kinds.kind_of(n) == kind]
         yield from rows_of([examine(number) for number in numbers])
     case.__name__ = f"random_{kind}"
     return case
 
 
-ALL = [case_of(kind) for kind in kinds.KINDS]
+ALL = [case_of(kind) for kind in [*kinds.KINDS, *kinds.ATTACK_KINDS]]
 
 
 # ---- command line

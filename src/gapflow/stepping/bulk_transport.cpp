@@ -155,21 +155,20 @@ void let_in_from_far(const Grid<D>& grid, const Vec<D>& outside, const Vec<D>& g
 template <int D>
 FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity, PastPressure<D>& past,
                             const Coupling<D>& there, const FaceFractions<D>& old, const FaceField<D, std::int8_t>* first_order,
-                            const std::vector<Twist<D>>& motion, std::size_t bodies, const Step& step, FaceField<D>& change)
+                            const std::vector<Twist<D>>& motion, std::size_t bodies, const Step& step)
 {
     const Grid<D>& grid = model.grid;
     const BoundaryVelocity<D> sides = model.sides(step.start);
     const AdvectionScheme scheme =
         model.scene.advection == Scene::Advection::maccormack ? AdvectionScheme::maccormack : AdvectionScheme::semi_lagrangian;
     extrapolate_pressure(there, past);
-    change = velocity_change(there, past, step.dt, model.pressure_beyond(step.start));
+    FaceField<D> change = velocity_change(there, past, step.dt, model.pressure_beyond(step.start));
     FaceField<D> middle(grid);
     const Vec<D>& grid_velocity = model.grid_velocity;
     advect<D>(grid, middle, velocity, velocity, 0.5 * step.dt, AdvectionScheme::semi_lagrangian, sides, nullptr, nullptr,
               grid_velocity);
     fill_velocity_ghosts(grid, middle, sides);
-    const std::optional<FaceField<D>> carrying =
-        model.viscous() ? carrying_velocity(there, motion, bodies, grid_velocity) : std::nullopt;
+    const std::optional<FaceField<D>> carrying = carrying_velocity(there, motion, bodies, grid_velocity);
     // The limit is that of a grid that goes with the bodies: on it the flow changes by so much more.
     FaceField<D> with_bodies;
     if (carrying) {
@@ -207,7 +206,7 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template FaceField<D> transport_bulk<D>(const Model<D>&, const FaceField<D>&, PastPressure<D>&, const Coupling<D>&,        \
                                             const FaceFractions<D>&, const FaceField<D, std::int8_t>*,                         \
-                                            const std::vector<Twist<D>>&, std::size_t, const Step&, FaceField<D>&);
+                                            const std::vector<Twist<D>>&, std::size_t, const Step&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

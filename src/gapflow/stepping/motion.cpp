@@ -82,18 +82,12 @@ std::vector<Twist<D>> predicted_twists(const Model<D>& model, const std::vector<
 
 template <int D>
 std::vector<Twist<D>> forced_twists(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Drive<D>& drive,
-                                    const FaceField<D>& change, const FaceFractions<D>& old, const FaceFractions<D>& there,
                                     const Step& step)
 {
-    const std::vector<Vec<D>> swept = swept_impulses(model.grid, model.scene.density, change, old, there, bodies.size());
     std::vector<Twist<D>> V = model.twists(bodies);
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (bodies[b].motion != Motion::free)
-            continue;
-        V[b] = forced(model, bodies[b], drive, step);
-        if (!bodies[b].hinge)
-            V[b] += impulse_response(bodies[b], wrench<D>(swept[b], Vec<D>(Vec<D>::Zero())), step.dt);
-    }
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b].motion == Motion::free)
+            V[b] = forced(model, bodies[b], drive, step);
     return V;
 }
 
@@ -123,7 +117,6 @@ bool finish_bodies(const Model<D>& model, const std::vector<Twist<D>>& V, const 
     template void find_contacts<D>(const Model<D>&, State<D>&, const Step&);                                                   \
     template std::vector<Twist<D>> predicted_twists<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const Step&);        \
     template std::vector<Twist<D>> forced_twists<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const Drive<D>&,        \
-                                                    const FaceField<D>&, const FaceFractions<D>&, const FaceFractions<D>&,     \
                                                     const Step&);                                                              \
     template bool finish_bodies<D>(const Model<D>&, const std::vector<Twist<D>>&, const Step&, State<D>&);
 GAPFLOW_INSTANTIATE(2)

@@ -20,12 +20,9 @@ void find_contacts(const Model<D>& model, State<D>& state, const Step& step);
 template <int D>
 std::vector<Twist<D>> predicted_twists(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Step& step);
 
-/// Stage 5: twists of free bodies after all forces (the drive's too) but the fluid's and the effect of the last pressure during their motion; of
-/// others as given. `change`: of the bulk's velocity by that pressure; `old`, `there`: fractions before and after the motion.
-/// (For hinged bodies the pressure would act as a torque about the hinge: omitted.) Collective.
+/// Stage 5: twists of free bodies after all forces (the drive's too) but the fluid's; of others as given.
 template <int D>
 std::vector<Twist<D>> forced_twists(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Drive<D>& drive,
-                                    const FaceField<D>& change, const FaceFractions<D>& old, const FaceFractions<D>& there,
                                     const Step& step);
 
 /// Gives the bodies the twists V of the step's end and the part of their change that is extrapolated. True if there was an

@@ -17,15 +17,6 @@ constexpr double inertial_share = 2;
 // Number of layers of faces in solids to which velocity changes are extrapolated.
 constexpr int carried_layers = 4;
 
-// The solid with the largest part of a face: a closed face without an entry lies wholly in one solid.
-template <int D>
-int fills(const ClippedFace<D>& face)
-{
-    const auto most = std::max_element(face.solid.begin(), face.solid.end(),
-                                       [](const SolidPart<D>& a, const SolidPart<D>& b) { return a.fraction < b.fraction; });
-    return most == face.solid.end() ? std::numeric_limits<int>::max() : most->solid;
-}
-
 } // namespace
 
 template <int D>
@@ -161,53 +152,12 @@ void limit_to_inertia(const Grid<D>& grid, const FaceField<D>& u, FaceField<D>& 
     }
 }
 
-template <int D>
-std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const FaceField<D>& change,
-                                   const FaceFractions<D>& before, const FaceFractions<D>& after, std::size_t bodies)
-{
-    std::vector<double> sums(D * bodies, 0.0);
-    const double scale = 0.5 * density * std::pow(grid.dx(), D);
-    for_each_job(D, [&](int axis) {
-        const int width = owned_faces_end(grid, axis)[0] - grid.low()[0];
-        for_each_row<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& row) {
-            const int *old_cut = &before.cut(axis, row), *new_cut = &after.cut(axis, row);
-            Index<D> face = row;
-            for (int i = 0; i < width; ++i, ++face[0]) {
-                if (old_cut[i] < 0 && new_cut[i] < 0)
-                    continue;
-                const double g = scale * change(axis, face);
-                auto add = [&](int solid, double fraction) {
-                    if (solid < static_cast<int>(bodies))
-                        sums[D * solid + axis] += fraction * g;
-                };
-                if (old_cut[i] >= 0)
-                    for (const SolidPart<D>& part : before.faces[old_cut[i]].solid)
-                        add(part.solid, part.fraction);
-                else if (before.open(axis, face) == 0)
-                    add(fills(after.faces[new_cut[i]]), 1);
-                if (new_cut[i] >= 0)
-                    for (const SolidPart<D>& part : after.faces[new_cut[i]].solid)
-                        add(part.solid, -part.fraction);
-                else if (after.open(axis, face) == 0)
-                    add(fills(before.faces[old_cut[i]]), -1);
-            }
-        });
-    });
-    grid.comm().sum(sums);
-    std::vector<Vec<D>> result(bodies);
-    for (std::size_t b = 0; b < bodies; ++b)
-        result[b] = Eigen::Map<const Vec<D>>(&sums[D * b]);
-    return result;
-}
-
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void extrapolate_pressure<D>(const Coupling<D>&, PastPressure<D>&);                                               \
     template void subtract_known_gradient<D>(const Coupling<D>&, const PastPressure<D>&, double, FaceField<D>&,                \
                                              const SidePressures<D>&, FaceField<D, std::int8_t>*);                             \
     template FaceField<D> velocity_change<D>(const Coupling<D>&, const PastPressure<D>&, double, const SidePressures<D>&);     \
-    template void limit_to_inertia<D>(const Grid<D>&, const FaceField<D>&, FaceField<D>&, FaceField<D>&);                      \
-    template std::vector<Vec<D>> swept_impulses<D>(const Grid<D>&, double, const FaceField<D>&, const FaceFractions<D>&,       \
-                                                   const FaceFractions<D>&, std::size_t);
+    template void limit_to_inertia<D>(const Grid<D>&, const FaceField<D>&, FaceField<D>&, FaceField<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -56,10 +56,4 @@ FaceField<D> velocity_change(const Coupling<D>& coupling, const PastPressure<D>&
 template <int D>
 void limit_to_inertia(const Grid<D>& grid, const FaceField<D>& u, FaceField<D>& half_way, FaceField<D>& g);
 
-/// 1/2 (F(S^n) - F(S^{n+1})) of the first `bodies` solids, impulses. (Torques are not changed: a ball in ideal flow must not
-/// start to turn, and the bulk's share of the pressure alone would exert a torque on it.) Collective.
-template <int D>
-std::vector<Vec<D>> swept_impulses(const Grid<D>& grid, double density, const FaceField<D>& change,
-                                   const FaceFractions<D>& before, const FaceFractions<D>& after, std::size_t bodies);
-
 } // namespace gapflow

@@ -8,9 +8,22 @@
 namespace gapflow {
 
 template <int D>
+PastPressure<D> bulk_pressure(const Coupling<D>& here, const State<D>& state)
+{
+    const Grid<D>& grid = *here.grid;
+    PastPressure<D> bulk{CellField<D>(grid), CellField<D>(grid)};
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (here.system.component(c) >= 0) {
+            bulk.known(c) = 1;
+            bulk.pressure(c) = state.pressure.impulse.cells(c) / state.dt;
+        }
+    });
+    return bulk;
+}
+
+template <int D>
 LastPressure<D> recall_pressure(const Model<D>& model, const Coupling<D>& here, const Step& step, State<D>& state)
 {
-    const Grid<D>& grid = model.grid;
     LastPressure<D> last;
     if (model.viscous()) {
         last.bulk = std::move(state.pressure.bulk);
@@ -31,15 +44,10 @@ LastPressure<D> recall_pressure(const Model<D>& model, const Coupling<D>& here, 
         last.bulk = std::move(state.pressure.bulk);
         return last;
     }
-    last.bulk.pressure = last.bulk.known = CellField<D>(grid);
-    if (!goes_on || !state.pressure.lasts)
-        return last;
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        if (here.system.component(c) >= 0) {
-            last.bulk.known(c) = 1;
-            last.bulk.pressure(c) = state.pressure.impulse.cells(c) / step.last_dt;
-        }
-    });
+    if (goes_on && state.pressure.lasts)
+        last.bulk = bulk_pressure(here, state);
+    else
+        last.bulk.pressure = last.bulk.known = CellField<D>(model.grid);
     return last;
 }
 
@@ -92,6 +100,7 @@ void remember_viscous_pressure(const Model<D>& model, const Coupling<D>& there, 
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template PastPressure<D> bulk_pressure<D>(const Coupling<D>&, const State<D>&);                                            \
     template LastPressure<D> recall_pressure<D>(const Model<D>&, const Coupling<D>&, const Step&, State<D>&);                  \
     template void remember_film_pressure<D>(const Coupling<D>&, const std::vector<Vec<D>>&, const std::vector<Vec<D>>&,        \
                                             const Step&, PressureHistory<D>&);                                                 \

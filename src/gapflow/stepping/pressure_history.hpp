@@ -22,6 +22,10 @@ struct LastPressure {
 template <int D>
 LastPressure<D> recall_pressure(const Model<D>& model, const Coupling<D>& here, const Step& step, State<D>& state);
 
+/// That of the bulk from the last projection's impulse, in the configuration `here` of that step's end; no ghosts.
+template <int D>
+PastPressure<D> bulk_pressure(const Coupling<D>& here, const State<D>& state);
+
 /// Acceleration of the elements of flat films by the pressure (in curved ones it would be unstable near points of contact), in
 /// 2D without viscosity;
 /// `before`, `after`: the films' velocities without and with it. The step gives the value at its middle; where the flat films'

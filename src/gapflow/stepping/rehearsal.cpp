@@ -1,5 +1,8 @@
 #include "gapflow/stepping/rehearsal.hpp"
 
+#include "gapflow/stepping/carried_pressure.hpp"
+#include "gapflow/stepping/pressure_history.hpp"
+
 #include <algorithm>
 #include <tuple>
 
@@ -27,13 +30,18 @@ bool expects_anything(const Model<D>& model, const Coupling<D>& here)
 }
 
 template <int D>
-Expectations<D> expectations(State<D>& after, const Coupling<D>& there)
+Expectations<D> expectations(const Model<D>& model, State<D>& after, const Coupling<D>& there)
 {
     Expectations<D> found;
+    found.pressure = std::move(after.pressure.bulk);
+    if (!model.viscous() && after.pressure.lasts)
+        found.pressure = bulk_pressure(there, after);
+    if (found.pressure.pressure.size() > 0)
+        if (const auto W = carrying_velocity(there, model.twists(after.bodies), after.bodies.size(), model.grid_velocity))
+            carry(model.grid, *W, -after.dt, found.pressure);
     found.acceleration = std::move(after.acceleration);
     for (const RigidBody<D>& body : after.bodies)
         found.rates.emplace_back(body.acceleration, body.angular_momentum_rate);
-    found.pressure = std::move(after.pressure.bulk);
     found.force = std::move(after.pressure.force);
     found.film_increment = std::move(after.film_increment);
     found.films = elements_of_films(there);
@@ -54,7 +62,7 @@ void expect(Expectations<D> found, const Coupling<D>& here, State<D>& state)
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template bool expects_anything<D>(const Model<D>&, const Coupling<D>&);                                                    \
-    template Expectations<D> expectations<D>(State<D>&, const Coupling<D>&);                                                   \
+    template Expectations<D> expectations<D>(const Model<D>&, State<D>&, const Coupling<D>&);                                                   \
     template void expect<D>(Expectations<D>, const Coupling<D>&, State<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -9,24 +9,24 @@
 
 namespace gapflow {
 
-/// Whether the first step extrapolates anything: accelerations of bodies or films, or the pressure of viscous fluid.
+/// Whether the first step extrapolates anything: accelerations of bodies or films, or the pressure.
 template <int D>
 bool expects_anything(const Model<D>& model, const Coupling<D>& here);
 
-/// What a step found that the next one extrapolates. (Of the bulk's pressure only the part that viscous fluid needs.)
+/// What a step found that the next one extrapolates.
 template <int D>
 struct Expectations {
     std::vector<Twist<D>> acceleration;                     ///< of all solids
     std::vector<std::pair<Vec<D>, Spin<D>>> rates;          ///< of every body: acceleration, rate of its angular momentum
-    PastPressure<D> pressure;                               ///< of viscous fluid
-    std::vector<Twist<D>> force;                            ///< the same on every body
+    PastPressure<D> pressure;                               ///< of the bulk, where the bodies start from; none after an impact
+    std::vector<Twist<D>> force;                            ///< the same on every body, in viscous fluid
     std::vector<Vec<D>> film_increment;                     ///< of the elements of `films`
     std::vector<std::pair<FilmPair<D>, std::size_t>> films; ///< pair and number of elements of each film, in order
 };
 
-/// Those after a step, in the configuration `there` to which it led. `after` is invalid then.
+/// Those after a step, in the configuration `there` to which it led. `after` is invalid then. Collective.
 template <int D>
-Expectations<D> expectations(State<D>& after, const Coupling<D>& there);
+Expectations<D> expectations(const Model<D>& model, State<D>& after, const Coupling<D>& there);
 
 /// Puts them into another state, of the configuration `here`: the films' only where all films have the same elements.
 template <int D>

@@ -122,7 +122,7 @@ void Simulation<D>::rehearse(double next_output)
         const State<D> start = state_;
         StepReport unused;
         advance(next_output, viscosity, unused);
-        Expectations<D> found = expectations(state_, *here_);
+        Expectations<D> found = expectations(model_, state_, *here_);
         here_.reset();
         state_ = start; // copied: who keeps a reference to a body has the same one afterwards
         restore_configuration();
@@ -155,10 +155,9 @@ void Simulation<D>::advance(double next_output, BulkViscosity viscosity, StepRep
     });
     if (!model_.viscous() && state_.contacts.empty() && state_.turned.empty())
         past.bulk = {}; // memory: read again after an impact only
-    drive_fluid(model_, there, state_.drive, step, star);
-    star.twists =
-        forced_twists(model_, state_.bodies, state_.drive, star.pressure_change, *left.fractions, *there.fractions, step);
     left.fractions.reset(); // large
+    drive_fluid(model_, there, state_.drive, step, star);
+    star.twists = forced_twists(model_, state_.bodies, state_.drive, step);
     Diffusion<D> diffusion;
     if (model_.viscous() && viscosity == BulkViscosity::acts)
         diffusion = timed(stages_, "viscosity", [&] {

@@ -15,7 +15,6 @@ struct Intermediate {
     FluidVelocity<D> velocity;        ///< u* of the bulk, films and mouths
     std::vector<double> mouth_factor; ///< on the conductance of every mouth
     FilmAccount<D> film_account;
-    FaceField<D> pressure_change; ///< change of the bulk's velocities by the last pressure in the step
     std::vector<Twist<D>> twists; ///< V* of all solids
 };
 
@@ -26,12 +25,11 @@ template <int D>
 Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction<D> beyond, PastPressure<D>& past,
                           const Coupling<D>& there, const FaceFractions<D>& old, const Step& step);
 
-/// Stage 2: bulk velocities u* of second order in time; `change` becomes the change of velocities by the last pressure in the
-/// step. `first_order`: faces (nonzero) without MacCormack's correction; null: none. `motion`: mean of the step, of all solids, the first
-/// `bodies` of which are bodies: in viscous fluid the pressure goes with them, `past` too. Collective.
+/// Stage 2: bulk velocities u* of second order in time. `first_order`: faces (nonzero) without MacCormack's correction; null: none. `motion`: mean
+/// of the step, of all solids, the first `bodies` of which are bodies: the last pressure goes with them, in `past` too. Collective.
 template <int D>
 FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity, PastPressure<D>& past,
                             const Coupling<D>& there, const FaceFractions<D>& old, const FaceField<D, std::int8_t>* first_order,
-                            const std::vector<Twist<D>>& motion, std::size_t bodies, const Step& step, FaceField<D>& change);
+                            const std::vector<Twist<D>>& motion, std::size_t bodies, const Step& step);
 
 } // namespace gapflow
