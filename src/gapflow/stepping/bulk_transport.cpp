@@ -168,7 +168,7 @@ FaceField<D> transport_bulk(const Model<D>& model, const FaceField<D>& velocity,
     advect<D>(grid, middle, velocity, velocity, 0.5 * step.dt, AdvectionScheme::semi_lagrangian, sides, nullptr, nullptr,
               grid_velocity);
     fill_velocity_ghosts(grid, middle, sides);
-    const std::optional<FaceField<D>> carrying = carrying_velocity(there, motion, bodies, grid_velocity);
+    const std::optional<CarryingVelocity<D>> carrying = carrying_velocity(there, motion, bodies, grid_velocity);
     // The limit is that of a grid that goes with the bodies: on it the flow changes by so much more.
     FaceField<D> with_bodies;
     if (carrying) {
