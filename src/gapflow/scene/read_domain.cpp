@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <optional>
 
 namespace gapflow {
 
@@ -25,7 +24,7 @@ std::vector<long> fitting_cells(const Scene& scene, long along_x)
     for (int axis = 0; axis < scene.dimension; ++axis) {
         const double exact = along_x * (scene.size[axis] / scene.size[0]);
         cells.push_back(std::lround(exact));
-        if (cells.back() < 1 || std::abs(exact - cells.back()) > 1e-9 * exact)
+        if (cells.back() < 1 || std::abs(exact - cells.back()) > 1e-6 * exact)
             return {};
     }
     return cells;
@@ -55,17 +54,20 @@ std::string spacing_remedy(const Scene& scene)
     return "no numbers of cells near these fit this size; size = " + list_text(size, scene.dimension) + " fits these cells";
 }
 
-void check_spacing(const Values& v, const Scene& scene)
+/// Sizes that agree with the same spacing on all axes within the seven digits of a CAD program's numbers are made to agree.
+void fit_size(const Values& v, Scene& scene)
 {
     const double dx = scene.size[0] / scene.cells[0];
     for (int axis = 1; axis < scene.dimension; ++axis) {
         const double other = scene.size[axis] / scene.cells[axis];
-        if (std::abs(other - dx) > 1e-9 * dx)
+        if (std::abs(other - dx) > 1e-6 * dx)
             v.refuse("domain.cells",
                      std::string("the spacing size/cells must be the same on all axes, but is ") + number_text(dx) +
                          " along x and " + number_text(other) + " along " + "xyz"[axis] +
                          " for domain.size = " + list_text(scene.size, scene.dimension),
                      spacing_remedy(scene));
+        if (std::abs(other - dx) > 1e-9 * dx)
+            scene.size[axis] = scene.cells[axis] * dx;
     }
 }
 
@@ -172,67 +174,116 @@ std::string axis_text(int axis)
     return std::string(1, "xyz"[axis]);
 }
 
-/// Whole number of spacings in a length; empty if there is none.
-std::optional<int> whole_cells(double length, double spacing)
+/// Number of spacings nearest to a length, at least one. Whether the length is that many, within round-off.
+struct CellCount {
+    int number = 1;
+    bool exact = false;
+};
+CellCount cell_count(const Values& v, double length, double spacing)
 {
-    const double exact = length / spacing, count = std::round(exact);
-    if (count < 1 || count > 1e6 || std::abs(exact - count) > 1e-9 * count)
-        return {};
-    return static_cast<int>(count);
+    const double cells = length / spacing, number = std::max(1.0, std::round(cells));
+    if (number > 1e6)
+        v.refuse("domain.spacing", number_text(cells) + " cells along an axis are too many", "allowed: up to 1000000");
+    return {static_cast<int>(number), std::abs(cells - number) <= 1e-9 * number};
+}
+
+std::string cells_text(double cells)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.7g cells", cells);
+    return text;
+}
+
+/// Lets the domain end a whole number of cells from its low corner, and says so.
+void fit_domain(const Values& v, int axis, double spacing, int cells, Scene& scene)
+{
+    const double size = cells * spacing;
+    scene.warnings.push_back(place_of(*v.given("domain.spacing"), "domain.spacing") + ": the domain is " +
+                             cells_text(scene.size[axis] / spacing) + " long along " + axis_text(axis) + "; it is taken as " +
+                             cells_text(cells) + ", a domain.size of " + number_text(size) + " there");
+    scene.size[axis] = size;
 }
 
 /// A uniform grid given by its spacing.
 void read_uniform_spacing(const Values& v, double spacing, Scene& scene)
 {
     for (int axis = 0; axis < scene.dimension; ++axis) {
-        const std::optional<int> count = whole_cells(scene.size[axis], spacing);
-        if (!count)
-            v.refuse("domain.spacing",
-                     "the domain is " + number_text(scene.size[axis] / spacing) + " cells long along " + axis_text(axis),
-                     "without a domain.core, domain.size must be a multiple of the spacing along every axis");
-        scene.cells[axis] = *count;
+        const CellCount count = cell_count(v, scene.size[axis], spacing);
+        scene.cells[axis] = count.number;
+        if (!count.exact)
+            fit_domain(v, axis, spacing, count.number, scene);
     }
+}
+
+/// Whether the core's end is at the domain's side, within half a cell: that much is left neither between the two nor beyond the side.
+bool ends_at_side(const Values& v, int axis, int end, const CoreScene& core, const Scene& scene)
+{
+    const double side = scene.origin[axis] + (end ? scene.size[axis] : 0.0);
+    const double beyond = end ? side - core.high[axis] : core.low[axis] - side;
+    const std::string name = end ? "domain.core.high" : "domain.core.low";
+    if (beyond <= -0.5 * core.spacing)
+        v.refuse(name, "along " + axis_text(axis) + " the core ends outside the domain, whose side is at " + number_text(side),
+                 "put the core inside the domain");
+    if (beyond >= 0.5 * core.spacing && scene.sides[2 * axis].kind == SideScene::Kind::periodic)
+        v.refuse(name, "the axis " + axis_text(axis) + " is periodic: there cells cannot differ in width",
+                 "let the core reach from side to side along it");
+    return beyond < 0.5 * core.spacing;
+}
+
+/// Moves the ends of a core along an axis to the sides that they are at, and an end inside the domain so that the core is a whole number of cells
+/// long; where it reaches from side to side the domain's high side. Says so. The number.
+int fit_core(const Values& v, int axis, CoreScene& core, Scene& scene)
+{
+    const double spacing = core.spacing, side_low = scene.origin[axis], round_off = 1e-9 * scene.size[axis];
+    const double side_high = side_low + scene.size[axis];
+    double &low = core.low[axis], &high = core.high[axis];
+    const double given_low = low;
+    double given_high = high;
+    const bool at_low = ends_at_side(v, axis, 0, core, scene), at_high = ends_at_side(v, axis, 1, core, scene);
+    if (at_low)
+        low = side_low;
+    if (at_high)
+        high = side_high;
+    CellCount count = cell_count(v, high - low, spacing);
+    if (!count.exact && at_low && at_high) {
+        fit_domain(v, axis, spacing, count.number, scene);
+        if (std::abs(given_high - side_high) <= round_off) // said so
+            given_high = side_low + scene.size[axis];
+        high = side_low + scene.size[axis];
+    } else if (!count.exact) {
+        double& place = at_high ? low : high;
+        const auto move = [&] { place = at_high ? high - count.number * spacing : low + count.number * spacing; };
+        move();
+        if (const double left = at_high ? low - side_low : side_high - high; left < 0.5 * spacing && count.number > 1) {
+            --count.number; // cells outside the core are no narrower than half of one
+            move();
+        }
+    }
+    for (const bool end : {false, true})
+        if (const double given = end ? given_high : given_low, taken = end ? high : low; std::abs(given - taken) > round_off) {
+            const std::string name = end ? "domain.core.high" : "domain.core.low";
+            scene.warnings.push_back(place_of(*v.given(name), name) + ": along " + axis_text(axis) + " the core is " +
+                                     cells_text((given_high - given_low) / spacing) + " long; it is taken as " +
+                                     cells_text(count.number) + ", with this end at " + number_text(taken));
+        }
+    return count.number;
 }
 
 /// The core along one axis and the cells outside it.
 void read_core_axis(const Values& v, int axis, double largest, CoreScene& core, Scene& scene)
 {
-    const double spacing = core.spacing, side_low = scene.origin[axis], side_high = side_low + scene.size[axis];
-    const double round_off = 1e-9 * scene.size[axis];
-    double &low = core.low[axis], &high = core.high[axis];
-    if (!(low < high))
+    if (!(core.low[axis] < core.high[axis]))
         v.refuse("domain.core.high", "along " + axis_text(axis) + " the core's high end is not above its low end",
                  "give domain.core.low < domain.core.high");
-    const bool periodic = scene.sides[2 * axis].kind == SideScene::Kind::periodic;
-    for (int end = 0; end < 2; ++end) {
-        double& place = end ? high : low;
-        const double side = end ? side_high : side_low, beyond = end ? side - place : place - side;
-        const std::string name = end ? "domain.core.high" : "domain.core.low";
-        if (beyond < -round_off)
-            v.refuse(name,
-                     "along " + axis_text(axis) + " the core ends outside the domain, whose side is at " + number_text(side),
-                     "put the core inside the domain");
-        if (beyond > round_off && periodic)
-            v.refuse(name, "the axis " + axis_text(axis) + " is periodic: there cells cannot differ in width",
-                     "let the core reach from side to side along it");
-        if (beyond > round_off && beyond < 0.5 * spacing)
-            v.refuse(name,
-                     "along " + axis_text(axis) + " less than half a cell is left between the core and the side at " +
-                         number_text(side),
-                     "let the core end at the side, or further from it");
-        if (beyond <= round_off)
-            place = side;
+    const int count = fit_core(v, axis, core, scene);
+    const double spacing = core.spacing, side_low = scene.origin[axis], side_high = side_low + scene.size[axis];
+    const double round_off = 1e-9 * scene.size[axis];
+    for (const bool end : {false, true}) {
+        const double beyond = end ? side_high - core.high[axis] : core.low[axis] - side_low;
         std::vector<double>& widths = (end ? core.above : core.below)[axis];
         widths = graded_widths(beyond > round_off ? beyond / spacing : 0.0, core.growth, largest / spacing);
     }
-    const std::optional<int> count = whole_cells(high - low, spacing);
-    if (!count) {
-        const double fitting = std::max(1.0, std::round((high - low) / spacing));
-        v.refuse("domain.core.high",
-                 "along " + axis_text(axis) + " the core is " + number_text((high - low) / spacing) + " cells long",
-                 "a core is a whole number of cells long, as with its end at " + number_text(low + fitting * spacing));
-    }
-    scene.cells[axis] = *count + static_cast<int>(core.below[axis].size() + core.above[axis].size());
+    scene.cells[axis] = count + static_cast<int>(core.below[axis].size() + core.above[axis].size());
 }
 
 void read_spacing(const Values& v, Scene& scene)
@@ -302,7 +353,7 @@ void read_cells(const Values& v, Scene& scene)
     for (int axis = 0; axis < scene.dimension; ++axis)
         scene.cells[axis] = static_cast<int>(cells[axis]);
     check_memory(v, scene);
-    check_spacing(v, scene);
+    fit_size(v, scene);
 }
 
 } // namespace
