@@ -7,6 +7,7 @@
 #include "gapflow/stepping/memory_forecast.hpp"
 #include "gapflow/stepping/model.hpp"
 #include "gapflow/stepping/placement.hpp"
+#include "gapflow/stepping/start.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
 
 #include <algorithm>
@@ -50,6 +51,7 @@ void print_gaps(const Scene& scene, const Communicator& comm)
         scene.end > 0 ? take_out_overlaps<D>(scene, grid, bodies, model.walls) : std::vector<std::string>();
     warnings.insert(warnings.end(), moved.begin(), moved.end());
     const Coupling<D> coupling = model.coupled(bodies);
+    require_fluid(model, coupling);
     require_core(model, coupling, bodies);
     const std::vector<Solid<D>>& solids = coupling.solids;
     if (!comm.root())

@@ -422,13 +422,15 @@ class Simulation(Named):
     @checked_arguments
     def run(self, until: float | None = None, *, control: Control | None = None, callback: Callback | None = None) -> StepReport:
         """Steps until a time, exactly; without one until the run ends: at time.end, or before it as time.until_steady and
-        domain.leaving = "stop" ask (`ended_by` tells). Returns the last report.
+        domain.leaving = "stop" ask (`ended_by` tells). Returns the last report. Raises InputError for a time that has passed.
 
         control(sim): called before every step, to set forces or velocities.
         callback(sim, report): called after every step; if it returns True, the run stops there.
         """
         ends = until is None
         until = self.end if until is None else until
+        if not ends and not until >= self.time:
+            raise _core.InputError(f"until = {until:g}: the time is {self.time:g} already; give a later one")
         while self.time < until and not (ends and self.ended_by):
             if control is not None:
                 control(self)

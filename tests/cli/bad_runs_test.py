@@ -33,6 +33,9 @@ class BadRuns(unittest.TestCase):
                 self.assertTrue(status == "0" or "; " in done.stderr, done.stderr)  # the remedy
                 if status == "2":
                     self.assertFalse((Path(folder) / "out" / "steps.csv").exists())
+                if status == "2" and not file.name.startswith("output_"):
+                    checked = gapflow("check", file.name, cwd=folder, timeout=60)
+                    self.assertEqual((checked.returncode, checked.stderr.splitlines()[-1]), (2, done.stderr.splitlines()[-1]))
 
     def test_memory_is_refused_before_it_is_taken(self):
         scene = str(SCENES / "memory.toml")

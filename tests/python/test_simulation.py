@@ -146,8 +146,10 @@ def test_run_lands_on_times_and_a_callback_can_stop_it():
     assert sim.run() is sim.report and sim.time == 0.1
     assert sim.run().step == sim.steps  # nothing left to do
     assert sim.step().time > 0.1
-    with pytest.raises(gapflow.InputError, match="give a later one"):
-        sim.step(until=0.05)
+    for past in (lambda: sim.step(until=0.05), lambda: sim.run(until=0.05), lambda: sim.run(until=float("nan"))):
+        with pytest.raises(gapflow.InputError, match="give a later one"):
+            past()
+    assert sim.run(until=sim.time) is sim.report  # is there already
 
 
 def test_a_run_ends_where_the_scene_asks_and_can_go_on():

@@ -84,6 +84,39 @@ double depth_in(const Solid<D>& solid, const Surface<D>& surface)
     return deepest;
 }
 
+/// Whether no part of a surface is seen outside a solid; not of a container's, whose solid is around it.
+template <int D>
+bool lies_in(const Solid<D>& solid, const Surface<D>& surface, double dx)
+{
+    return !surface.points.empty() && surface.solid_inside &&
+           std::all_of(surface.points.begin(), surface.points.end(),
+                       [&](const Vec<D>& x) { return solid.shape.closest(x).distance <= seen * dx; });
+}
+
+/// A free body beyond the sides moves in nothing, and of two solids in one place, one of them free, neither way out is meant.
+template <int D>
+void refuse_places(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const std::vector<Solid<D>>& solids,
+                   const std::vector<Surface<D>>& surfaces)
+{
+    for (std::size_t a = 0; a < bodies.size(); ++a) {
+        if (bodies[a].motion == Motion::free && outside(surfaces[a], scene))
+            throw InputError(scene.file + ": body '" + bodies[a].name +
+                             "' lies outside the domain, where there is no fluid; put it inside, or remove it");
+        for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+            if ((bodies[a].motion != Motion::free && bodies[b].motion != Motion::free) || apart(surfaces[a], surfaces[b]))
+                continue;
+            const bool in = lies_in(solids[b], surfaces[a], scene.spacing()),
+                       around = lies_in(solids[a], surfaces[b], scene.spacing());
+            const std::string first = "'" + bodies[a].name + "'", second = "'" + bodies[b].name + "'";
+            if (in || around)
+                throw InputError(scene.file + ": " +
+                                 (in && around ? first + " and " + second + " are in one place"
+                                               : (in ? first : second) + " lies wholly inside " + (in ? second : first)) +
+                                 "; move one of them, or remove it");
+        }
+    }
+}
+
 } // namespace
 
 template <int D>
@@ -95,12 +128,14 @@ std::vector<std::string> placement_warnings(const Scene& scene, const std::vecto
     std::vector<Surface<D>> surfaces;
     for (const RigidBody<D>& body : bodies)
         surfaces.push_back(surface_of(body, 0.1 * dx));
+    refuse_places(scene, bodies, solids, surfaces);
 
     std::vector<std::string> warnings;
     for (std::size_t a = 0; a < bodies.size(); ++a) {
-        if (outside(surfaces[a], scene) && bodies[a].motion != Motion::prescribed)
-            warnings.push_back("body '" + bodies[a].name +
-                               "' lies outside the domain, where there is no fluid; put it inside, or remove it");
+        if (outside(surfaces[a], scene))
+            warnings.push_back(
+                "body '" + bodies[a].name + "' lies outside the domain, where there is no fluid; " +
+                (bodies[a].motion == Motion::fixed ? "put it inside, or remove it" : "its motion should bring it in"));
         for (std::size_t b = a + 1; b < solids.size(); ++b) {
             const bool is_body = b < bodies.size();
             const bool free = bodies[a].motion == Motion::free || (is_body && bodies[b].motion == Motion::free);

@@ -1,5 +1,7 @@
 #include "gapflow/stepping/simulation.hpp"
 
+#include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
 #include "gapflow/stepping/configuration.hpp"
 #include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
@@ -93,6 +95,9 @@ template <int D>
 StepReport Simulation<D>::step(double next_output)
 {
     const Stopwatch watch;
+    if (!(next_output > state_.time))
+        throw InputError("a step until " + number_text(next_output) + " goes back: the time is " + number_text(state_.time) +
+                         " already; give a later one");
     StepReport report;
     if (state_.steps == 0 && expects_anything(model_, *here_))
         rehearse(next_output);

@@ -28,7 +28,8 @@ public:
     Simulation(const Scene& scene, const Communicator& comm, const StoredState& state);
     ~Simulation(); // in the library: programs may be compiled for another processor, with which Eigen aligns otherwise
 
-    /// Advances by one time step that does not pass `next_output`. After an exception there is no state. Collective.
+    /// Advances by one time step that does not pass `next_output`. Throws InputError if that is not later than the time, with the state as it
+    /// was; after another exception there is no state. Collective.
     StepReport step(double next_output);
 
     /// As gapflow::set_force() and gapflow::set_velocity(), from the next step on.

@@ -60,6 +60,14 @@ void fill_films(const Coupling<D>& here, const Vec<D>& u0, const std::vector<Twi
 } // namespace
 
 template <int D>
+void require_fluid(const Model<D>& model, const Coupling<D>& coupling)
+{
+    if (!any_fluid(coupling, model.gaps))
+        throw InputError(model.scene.file +
+                         ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");
+}
+
+template <int D>
 std::vector<TwistMatrix<D>> held_masses(const Model<D>& model, const std::vector<RigidBody<D>>& bodies)
 {
     std::vector<TwistMatrix<D>> mass = model.masses(bodies, 0);
@@ -78,9 +86,7 @@ Start<D> start(const Model<D>& model, State<D>& state, StepReport& report, Stage
 
     std::vector<TwistMatrix<D>> mass = held_masses(model, state.bodies);
     std::optional<Coupling<D>> here = configure<D>(model, state, mass, nullptr, model.twists(state.bodies), 0, timers);
-    if (!any_fluid(*here, model.gaps))
-        throw InputError(model.scene.file +
-                         ": the bodies fill the whole domain and no fluid is left; make them smaller, or move them");
+    require_fluid(model, *here);
     require_core(model, *here, state.bodies);
     if (moved.empty()) // what was pushed apart touches nearly
         for (std::string& note : rough_gap_notes(model.scene, *here))
@@ -109,6 +115,7 @@ Start<D> start(const Model<D>& model, State<D>& state, StepReport& report, Stage
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void require_fluid<D>(const Model<D>&, const Coupling<D>&);                                                       \
     template Start<D> start<D>(const Model<D>&, State<D>&, StepReport&, StageTimers&);                                         \
     template std::vector<TwistMatrix<D>> held_masses<D>(const Model<D>&, const std::vector<RigidBody<D>>&);
 GAPFLOW_INSTANTIATE(2)

@@ -22,6 +22,10 @@ struct Start {
 template <int D>
 Start<D> start(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers);
 
+/// Throws InputError where bodies leave neither cells of fluid nor films between surfaces that are apart. Collective.
+template <int D>
+void require_fluid(const Model<D>& model, const Coupling<D>& coupling);
+
 /// Masses in the initial projection, much larger than any added mass: they hold the bodies' velocities fixed. (As prescribed
 /// bodies they could have other masters for their films.)
 template <int D>

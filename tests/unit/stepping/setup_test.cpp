@@ -65,13 +65,50 @@ TEST(Placement, TellsOfOverlapsAndOfWhatIsOutside)
     EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
     scene.bodies[1].motion = Motion::free;
     EXPECT_THAT(warnings_of(scene), testing::ElementsAre(testing::StartsWith("'b' and 'wall:x_high' overlap by 0.15")));
+    scene.bodies[1].motion = Motion::fixed;
     scene.bodies[1].position[0] = 1.2;
-    EXPECT_THAT(warnings_of(scene), testing::Contains(testing::StartsWith("body 'b' lies outside the domain")));
-    scene.bodies[1].motion = Motion::prescribed; // may come in
-    EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
-    scene.bodies = {ball("a", 0.5, 0.1, Motion::free),
-                    ball("b", 0.5, 0.1, Motion::free)}; // no surface point of one in the other
-    EXPECT_THAT(warnings_of(scene), testing::ElementsAre(testing::StartsWith("'a' and 'b' overlap by 0.1")));
+    EXPECT_THAT(warnings_of(scene),
+                testing::ElementsAre("body 'b' lies outside the domain, where there is no fluid; put it inside, or "
+                                     "remove it"));
+    scene.bodies[1].motion = Motion::prescribed;
+    EXPECT_THAT(warnings_of(scene), testing::ElementsAre(testing::EndsWith("its motion should bring it in")));
+}
+
+std::string refusal_of(const Scene& scene)
+{
+    try {
+        warnings_of(scene);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Placement, RefusesFreeBodiesOutsideTheDomainAndInOnePlaceWithOthers)
+{
+    using Motion = BodyScene::Motion;
+    Scene scene = scene_of(50);
+    scene.bodies = {ball("a", -0.2, 0.1, Motion::free)};
+    EXPECT_EQ(refusal_of(scene),
+              "scene.toml: body 'a' lies outside the domain, where there is no fluid; put it inside, or remove it");
+    scene.sides[0].kind = scene.sides[1].kind = SideScene::Kind::periodic;
+    EXPECT_EQ(refusal_of(scene), "");
+    for (const Motion other : {Motion::free, Motion::fixed, Motion::prescribed}) {
+        scene.bodies = {ball("a", 0.5, 0.1, Motion::free), ball("b", 0.5, 0.1, other)};
+        EXPECT_EQ(refusal_of(scene), "scene.toml: 'a' and 'b' are in one place; move one of them, or remove it");
+        scene.bodies[1].radius = 0.3;
+        EXPECT_EQ(refusal_of(scene), "scene.toml: 'a' lies wholly inside 'b'; move one of them, or remove it");
+        std::swap(scene.bodies[0], scene.bodies[1]);
+        EXPECT_EQ(refusal_of(scene), "scene.toml: 'a' lies wholly inside 'b'; move one of them, or remove it");
+    }
+    scene.bodies[0].inside_out = true; // a container, with room
+    scene.bodies[0].motion = Motion::fixed;
+    EXPECT_EQ(refusal_of(scene), "");
+    scene.bodies[1].position[0] = 0.1; // in its wall
+    EXPECT_EQ(refusal_of(scene), "scene.toml: 'a' lies wholly inside 'b'; move one of them, or remove it");
+    scene.bodies[0].inside_out = false; // solids that stand still are one
+    scene.bodies[1] = ball("a", 0.5, 0.1, Motion::fixed);
+    EXPECT_EQ(refusal_of(scene), "");
 }
 
 } // namespace

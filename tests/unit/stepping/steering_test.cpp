@@ -75,6 +75,15 @@ TEST(Control, APrescribedVelocityGoesOnFromWhereTheBodyIs)
     EXPECT_NEAR(pose.rotation.angle(), 0.02, 1e-14);
 }
 
+TEST(Control, StepsDoNotGoBack)
+{
+    Simulation<2> simulation(scene_with(2, BodyScene::Motion::free), Communicator());
+    simulation.step(0.02);
+    for (const double time : {0.02, 0.01, double(NAN)})
+        EXPECT_THROW(simulation.step(time), InputError);
+    EXPECT_EQ(simulation.step(0.03).time, 0.03); // the state is as it was
+}
+
 TEST(Control, RefusesWhatTheMotionDoesNotAllow)
 {
     Simulation<2> free(scene_with(2, BodyScene::Motion::free), Communicator());
