@@ -157,9 +157,9 @@ class Body:
 
     position: of the shape's own origin (its centre, but for a mesh). rotation: degrees in 2D; {"axis", "degrees"} or a
     quaternion [w, x, y, z] in 3D. density, or mass and inertia (about the centre of mass, body axes). motion: "free", "fixed"
-    or "prescribed" (by velocity and angular_velocity, or by motion_file). free: which of x y z rx ry rz move; all if not given.
-    velocity: of the centre of mass, at the start or prescribed. force and torque: constant, until a controller sets others
-    (`BodyState.set_force`). inside_out: the solid is everything outside the shape.
+    or "prescribed" (by velocity and angular_velocity, or by motion_file, with interpolation "cubic" or "linear" between its rows).
+    free: which of x y z rx ry rz move; all if not given. velocity: of the centre of mass, at the start or prescribed. force
+    and torque: constant, until a controller sets others (`BodyState.set_force`). inside_out: the solid is everything outside the shape.
     """
 
     name: str
@@ -170,6 +170,7 @@ class Body:
     inertia: float | Sequence[float] | Sequence[Sequence[float]] | None = None
     motion: Literal["free", "fixed", "prescribed"] | None = None
     motion_file: str | Path | None = None
+    interpolation: Literal["linear", "cubic"] | None = None
     free: Sequence[str] | None = None
     velocity: Vector | None = None
     angular_velocity: Spin | None = None

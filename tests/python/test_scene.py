@@ -28,7 +28,7 @@ def test_every_part_of_a_scene_reaches_the_reader(tmp_path):
         grid=gapflow.GridOptions(fractions="voxel", advection="semi-lagrangian", thin="allow"),
         gap=gapflow.Gap(threshold=0.4, entrance_loss=0.5, exit="jet"), contact=gapflow.Contact(restitution=0.1, friction=0.2),
         pairs=[gapflow.Pair(bodies=("c", "wall:y_low"), thickness=0.01)],
-        bodies=[gapflow.Ball(name="b", radius=0.3, position=[1, 1], motion="prescribed", motion_file="motion.csv"),
+        bodies=[gapflow.Ball(name="b", radius=0.3, position=[3, 3], motion="prescribed", motion_file="motion.csv", interpolation="linear"),
                 gapflow.Capsule(name="c", radius=0.3, length=1, position=[3, 6], mass=2, inertia=1,
                                 spring=gapflow.Spring(anchor=[3, 6], stiffness=1), rotation=30),
                 gapflow.Box(name="d", size=[1, 0.5], position=[5, 5], density=1, hinge=gapflow.Hinge(point=[5, 5])),
@@ -41,6 +41,7 @@ def test_every_part_of_a_scene_reaches_the_reader(tmp_path):
     assert resolved["grid"] == {"fractions": "voxel", "advection": "semi-lagrangian", "thin": "allow"}
     assert resolved["solver"] == {"tolerance": 1e-6, "backend": "petsc"}
     assert [body["shape"] for body in resolved["body"]] == ["ball", "capsule", "box", "half-space", "mesh"]
+    assert resolved["body"][0]["interpolation"] == "linear"
     assert resolved["output"]["every"] == 0.1 and resolved["time"]["cfl"] == 0.5 and resolved["gap"]["exit"] == "jet"
     assert gapflow.check(ball_scene(3))["body"][0]["shape"] == "ball"
     cylinder = gapflow.Cylinder(name="c", radius=0.3, length=1, position=[1, 1, 1], density=1)

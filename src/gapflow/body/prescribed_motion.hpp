@@ -24,8 +24,9 @@ Spin<D> angle_between(const Rotation<D>& from, const Rotation<D>& to);
 template <int D>
 PrescribedMotion<D> constant_motion(const Pose<D>& start, const Vec<D>& centre_of_mass, const Vec<D>& velocity,
                                     const Spin<D>& angular_velocity);
-/// Rows x,y,angle (2D) or x,y,z,qw,qx,qy,qz (3D; normalised here): linear between rows, slerp for quaternions, held
-/// constant beyond the ends. The table has at least one row.
+/// Rows x,y,angle (2D) or x,y,z,qw,qx,qy,qz (3D; normalised here), held constant beyond the ends. Between rows as the table says: linear, slerp
+/// for quaternions; or cubic, with the velocities at the rows behind these values (2D: vx,vy,omega, of the origin; NaN: not given) or those of
+/// a smooth curve through the rows (row_slopes()). The table has at least one row.
 template <int D>
 PrescribedMotion<D> table_motion(const TimeTable& table);
 

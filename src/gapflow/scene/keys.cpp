@@ -120,7 +120,17 @@ std::vector<KeyInfo> body_keys()
          "",
          any,
          {},
-         "motion of a prescribed body: time,x,y,angle or time,x,y,z,qw,qx,qy,qz (for a mesh, whose file is its surface)"},
+         "motion of a prescribed body (for a mesh, whose file is its surface): rows of time,x,y,angle (radians; or angle_deg) "
+         "or time,x,y,z,qw,qx,qy,qz; a first line of names tells another order, and may have the velocities vx,vy,omega or "
+         "vx,vy,vz,wx,wy,wz too"},
+        {"body.interpolation",
+         T::choice,
+         "",
+         "\"cubic\"",
+         any,
+         {"linear", "cubic"},
+         "of the file of motion between its rows: a smooth curve through them (cubic), or constant velocities, which jump at "
+         "rows (linear)"},
         {"body.velocity", T::vector, "m/s", "0.0", any, {}, "of the centre of mass, at the start or prescribed"},
         {"body.angular_velocity", T::spin, "rad/s", "0.0", any, {}, "at the start or prescribed; 3D: world axes"},
         {"body.force", T::vector, "N", "0.0", any, {}, "constant external force at the centre of mass"},
@@ -132,10 +142,24 @@ std::vector<KeyInfo> body_keys()
          any,
          {"x", "y", "z", "rx", "ry", "rz"},
          "of a free body: its free motions (2D: x, y, rz; world axes through the centre of mass); all if not given"},
-        {"body.spring.anchor", T::vector, "m", "", any, {}, "point that a spring pulls the position towards", "with a spring"},
+        {"body.spring.anchor",
+         T::vector,
+         "m",
+         "",
+         any,
+         {},
+         "point that a spring pulls the position towards; of its images beyond periodic sides the nearest",
+         "with a spring"},
         {"body.spring.stiffness", T::number, "N/m", "", non_negative, {}, "of the spring", "with a spring"},
         {"body.spring.damping", T::number, "N s/m", "0.0", non_negative, {}, "of the spring"},
-        {"body.hinge.point", T::vector, "m", "", any, {}, "the body only turns about this point", "with a hinge"},
+        {"body.hinge.point",
+         T::vector,
+         "m",
+         "",
+         any,
+         {},
+         "the body only turns about this point; of its images beyond periodic sides the nearest",
+         "with a hinge"},
         {"body.hinge.axis", T::direction, "", "", any, {}, "that it turns about, through the point", "with a hinge in 3D"},
     };
 }
@@ -228,7 +252,7 @@ std::vector<KeyInfo> crowd_keys()
         const std::string name = last_part(key.name);
         const bool own = key.name == "body." + name;
         if (!own || name == "name" || name == "normal" || name == "inside_out" || name == "position" || name == "rotation" ||
-            name == "motion_file")
+            name == "motion_file" || name == "interpolation")
             continue;
         key.name = "crowd." + name;
         if (name == "shape")
@@ -344,7 +368,9 @@ std::vector<KeyInfo> scene_keys()
          "",
          positive,
          {},
-         "instead of cells: edge of a cell, outside a core at its boundary"},
+         "instead of cells: edge of a cell, outside a core at its boundary; a domain or core that is no whole number of cells "
+         "long is taken "
+         "as the nearest one"},
         {"domain.core.low", T::vector, "m", "", any, {}, "low corner of the box in which cells are as small as domain.spacing"},
         {"domain.core.high", T::vector, "m", "", any, {}, "high corner of that box", "with domain.core.low"},
         {"domain.growth",

@@ -156,24 +156,71 @@ const char* motion_key(const Values& v, const BodyScene& body)
     return v.given("motion_file") ? "motion_file" : file ? "file" : nullptr;
 }
 
-void read_motion_table(const Values& v, const char* key, const Scene& scene, BodyScene& body)
+/// Warns of a place that the scene gives and the table does not start from.
+void report_overridden(const Values& v, const BodyScene& body, Scene& scene)
 {
-    const std::vector<std::string> columns = scene.dimension == 2
-                                                 ? std::vector<std::string>{"time", "x", "y", "angle"}
-                                                 : std::vector<std::string>{"time", "x", "y", "z", "qw", "qx", "qy", "qz"};
+    const std::vector<double> row = value_at(body.motion_table, 0);
+    const auto differs = [&](const double* given, int count, int first, double size) {
+        for (int i = 0; i < count; ++i)
+            if (std::abs(given[i] - row[first + i]) > 1e-6 * size)
+                return true;
+        return false;
+    };
+    const auto ignore = [&](const char* name, bool other) {
+        if (const Node* node = v.given(name); node && other)
+            scene.warnings.push_back(place_of(*node, v.shown(name)) + " is ignored: the body moves as in " +
+                                     body.motion_table.file);
+    };
+    const int dimension = scene.dimension;
+    ignore("position", differs(body.position.data(), dimension, 0, scene.spacing()));
+    if (dimension == 2)
+        return ignore("rotation", differs(&body.angle, 1, 2, 1));
+    double product = 0, square = 0; // of unit quaternions q and -q alike
+    for (int i = 0; i < 4; ++i) {
+        product += body.quaternion[i] * row[3 + i];
+        square += row[3 + i] * row[3 + i];
+    }
+    ignore("rotation", std::abs(product) < (1 - 1e-12) * std::sqrt(square));
+}
+
+/// Between rows, and what has no effect with it.
+void read_interpolation(const Values& v, const char* key, BodyScene& body, Scene& scene)
+{
+    TimeTable& table = body.motion_table;
+    const Node* given = v.given("interpolation");
+    table.interpolation = v.choice<TimeTable::Interpolation>("interpolation");
+    if (table.interpolation == TimeTable::Interpolation::cubic)
+        return;
+    if (table.time.size() > 2)
+        scene.warnings.push_back(place_of(*given, v.shown("interpolation")) + ": the velocity jumps at every row of " +
+                                 table.file + " where the motion bends, and each jump is an impulse of the fluid on the body");
+    if (table.rows[0].size() > (scene.dimension == 2 ? 3U : 7U))
+        scene.warnings.push_back(place_of(*v.given(key), v.shown(key)) + ": the velocities in " + table.file +
+                                 " are ignored: interpolation is \"linear\"");
+}
+
+void read_motion_table(const Values& v, const char* key, Scene& scene, BodyScene& body)
+{
+    const bool flat = scene.dimension == 2;
+    const std::vector<std::string> columns = flat ? std::vector<std::string>{"time", "x", "y", "angle"}
+                                                  : std::vector<std::string>{"time", "x", "y", "z", "qw", "qx", "qy", "qz"};
+    const std::vector<std::string> velocities =
+        flat ? std::vector<std::string>{"vx", "vy", "omega"} : std::vector<std::string>{"vx", "vy", "vz", "wx", "wy", "wz"};
     const std::string remedy = "a motion file has rows of " + joined(columns, ",");
     try {
-        body.motion_table = read_time_table(resolved_path(scene, v.text(key)), columns);
+        body.motion_table = read_time_table(resolved_path(scene, v.text(key)), columns, velocities);
     } catch (const InputError& e) {
         v.refuse(key, e.what(), remedy);
     }
-    for (std::size_t k = 0; scene.dimension == 3 && k < body.motion_table.rows.size(); ++k) {
+    for (std::size_t k = 0; !flat && k < body.motion_table.rows.size(); ++k) {
         const auto& row = body.motion_table.rows[k];
-        if (std::all_of(row.begin() + 3, row.end(), [](double part) { return part == 0; }))
+        if (std::all_of(row.begin() + 3, row.begin() + 7, [](double part) { return part == 0; }))
             v.refuse(key,
                      body.motion_table.file + ": a quaternion of length 0 at time " + number_text(body.motion_table.time[k]),
                      remedy);
     }
+    read_interpolation(v, key, body, scene);
+    report_overridden(v, body, scene);
 }
 
 void read_motion(const Values& v, Scene& scene, BodyScene& body)
@@ -200,6 +247,8 @@ void read_motion(const Values& v, Scene& scene, BodyScene& body)
             v.refuse("motion", "nothing tells how the body moves",
                      "give velocity, angular_velocity or a file of motion, or write motion = \"fixed\"");
     }
+    if (const Node* node = v.known("interpolation") ? v.given("interpolation") : nullptr; node && !file)
+        scene.warnings.push_back(place_of(*node, v.shown("interpolation")) + " is ignored: no file gives the body's motion");
     const auto ignore = [&](const char* name) {
         if (const Node* node = v.given(name); node && to_triple(*node) != Triple{})
             scene.warnings.push_back(place_of(*node, v.shown(name)) + " is ignored: the body's motion is \"" +
@@ -241,7 +290,27 @@ void read_free(const Values& v, BodyScene& body)
     }
 }
 
-void read_hinge(const Values& v, BodyScene& body)
+/// A point that holds the body; of its images beyond periodic sides the one nearest to the body, and says so.
+Triple point_of_body(const Values& v, const char* name, const BodyScene& body, Scene& scene)
+{
+    Triple point = v.triple(name);
+    bool moved = false;
+    std::vector<std::string> numbers;
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+        const double periods = std::rint((point[axis] - body.position[axis]) / scene.size[axis]);
+        if (scene.sides[2 * axis].kind == SideScene::Kind::periodic && periods != 0) {
+            point[axis] -= periods * scene.size[axis];
+            moved = true;
+        }
+        numbers.push_back(number_text(point[axis]));
+    }
+    if (moved)
+        scene.warnings.push_back(place_of(*v.given(name), v.shown(name)) + " is taken as [" + joined(numbers) +
+                                 "], its image beyond the periodic sides that is nearest to the body");
+    return point;
+}
+
+void read_hinge(const Values& v, BodyScene& body, Scene& scene)
 {
     if (v.given("free"))
         v.refuse("hinge", "given together with free", "keep one of them: a hinged body does nothing but turn about its hinge");
@@ -250,7 +319,7 @@ void read_hinge(const Values& v, BodyScene& body)
     HingeScene& hinge = body.hinge.emplace();
     if (!v.given("hinge.point"))
         v.refuse_missing("hinge.point", "a hinge needs it");
-    hinge.point = v.triple("hinge.point");
+    hinge.point = point_of_body(v, "hinge.point", body, scene);
     if (v.dimension() == 2)
         return;
     if (!v.given("hinge.axis"))
@@ -266,12 +335,13 @@ void read_hinge(const Values& v, BodyScene& body)
         v.refuse("angular_velocity", "is not along the hinge's axis", "give a multiple of hinge.axis");
 }
 
-void read_spring(const Values& v, BodyScene& body)
+void read_spring(const Values& v, BodyScene& body, Scene& scene)
 {
     for (const char* name : {"spring.anchor", "spring.stiffness"})
         if (!v.given(name))
             v.refuse_missing(name, "a spring needs it");
-    body.spring = SpringScene{v.triple("spring.anchor"), v.number("spring.stiffness"), v.number("spring.damping")};
+    body.spring =
+        SpringScene{point_of_body(v, "spring.anchor", body, scene), v.number("spring.stiffness"), v.number("spring.damping")};
 }
 
 /// Constraints of a free body.
@@ -285,9 +355,9 @@ void read_constraints(const Values& v, Scene& scene, BodyScene& body)
         return;
     }
     if (v.given("hinge"))
-        read_hinge(v, body);
+        read_hinge(v, body, scene);
     if (v.given("spring"))
-        read_spring(v, body);
+        read_spring(v, body, scene);
     if (v.given("free"))
         read_free(v, body);
 }

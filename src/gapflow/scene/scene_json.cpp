@@ -104,6 +104,7 @@ Json body_json(const BodyScene& body, const Lists& list)
     json["motion"] = word({"free", "fixed", "prescribed"}, body.motion);
     if (!body.motion_table.time.empty()) {
         json["motion_file"] = body.motion_table.file;
+        json["interpolation"] = word({"linear", "cubic"}, body.motion_table.interpolation);
     } else {
         json["velocity"] = list.vector(body.velocity);
         json["angular_velocity"] = list.spin(body.angular_velocity);

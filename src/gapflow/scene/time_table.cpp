@@ -7,41 +7,119 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 namespace gapflow {
 
-TimeTable read_time_table(const std::string& file, const std::vector<std::string>& columns)
-{
-    std::error_code error; // a device or pipe may never end
-    std::ifstream in(std::filesystem::is_regular_file(file, error) ? file : "");
-    if (!in)
-        throw InputError(file + ": cannot be read; paths are relative to the scene's folder");
-    const std::string wanted = joined(columns, ",");
-    TimeTable table;
-    table.file = file;
-    bool first = true;
-    std::string line;
-    for (long number = 1; std::getline(in, line); ++number) {
-        const std::string place = file + ":" + std::to_string(number);
-        if (number == 1 && line.starts_with("\xef\xbb\xbf"))
-            line.erase(0, 3);
-        const std::string_view content = trimmed(line);
-        if (content.empty() || content.starts_with('#'))
-            continue;
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+
+/// Which of the wanted columns those of a file are, and what their numbers are multiplied by.
+struct Layout {
+    std::vector<std::size_t> place;
+    std::vector<double> factor;
+};
+
+class TableReader {
+public:
+    TableReader(const std::vector<std::string>& columns, const std::vector<std::string>& optional)
+        : columns_(columns), optional_(optional)
+    {
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            take(layout_, i, 1);
+    }
+
+    /// A line with neither blanks at its ends nor nothing in it.
+    void read(const std::string& place, std::string_view content)
+    {
+        if (content.starts_with('#')) {
+            const auto cells = split(content.substr(1), ',');
+            if (first_ && cells.size() > 1 && std::all_of(cells.begin(), cells.end(), [&](auto c) { return find(c).first; }))
+                read_names(place, cells);
+            return;
+        }
         const auto cells = split(content, ',');
-        if (cells.size() != columns.size())
-            throw InputError(place + ": has " + std::to_string(cells.size()) + " columns; " + std::to_string(columns.size()) +
-                             " are needed: " + wanted);
-        const bool names = first && !parse_number(cells[0]);
-        first = false;
+        const bool names = first_ && !parse_number(cells[0]);
+        first_ = false;
         if (names)
-            continue;
-        std::vector<double> row;
+            read_names(place, cells);
+        else
+            read_row(place, cells);
+    }
+
+    TimeTable table;
+
+    /// "time,x,y,angle (or angle_deg); vx,vy,omega if known".
+    std::string wanted() const
+    {
+        std::string text = joined(columns_, ",");
+        if (columns_.back() == "angle")
+            text += " (or angle_deg)";
+        return text + (optional_.empty() ? "" : " and, if known, " + joined(optional_, ","));
+    }
+
+private:
+    static void take(Layout& layout, std::size_t place, double factor)
+    {
+        layout.place.push_back(place);
+        layout.factor.push_back(factor);
+    }
+
+    const std::string& name_of(std::size_t place) const
+    {
+        return place < columns_.size() ? columns_[place] : optional_[place - columns_.size()];
+    }
+
+    /// Whether a column of this name is wanted, its place and factor.
+    std::pair<bool, std::pair<std::size_t, double>> find(std::string_view name) const
+    {
+        const bool degrees = name == "angle_deg";
+        for (std::size_t i = 0; i < columns_.size() + optional_.size(); ++i)
+            if (name_of(i) == (degrees ? "angle" : name))
+                return {true, {i, degrees ? radians : 1.0}};
+        return {false, {}};
+    }
+
+    void read_names(const std::string& place, const std::vector<std::string_view>& cells)
+    {
+        Layout layout;
+        std::vector<bool> there(columns_.size() + optional_.size());
+        for (const std::string_view name : cells) {
+            const auto [wanted_one, column] = find(name);
+            if (!wanted_one)
+                throw InputError(place + ": the column '" + std::string(name) + "' is not one of those wanted: " + wanted());
+            if (there[column.first])
+                throw InputError(place + ": the column '" + name_of(column.first) + "' is there twice");
+            there[column.first] = true;
+            take(layout, column.first, column.second);
+        }
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            if (!there[i])
+                throw InputError(place + ": there is no column '" + columns_[i] + "'; wanted are " + wanted());
+        layout_ = layout;
+        width_ =
+            std::any_of(there.begin() + static_cast<std::ptrdiff_t>(columns_.size()), there.end(), [](bool t) { return t; })
+                ? there.size()
+                : columns_.size();
+        named_ = true;
+    }
+
+    void read_row(const std::string& place, const std::vector<std::string_view>& cells)
+    {
+        if (cells.size() != layout_.place.size())
+            throw InputError(place + ": has " + std::to_string(cells.size()) + " columns; " +
+                             std::to_string(layout_.place.size()) +
+                             (named_ ? " have names" : " are needed: " + joined(columns_, ",")));
+        std::vector<double> row(width_, std::numeric_limits<double>::quiet_NaN());
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const auto value = parse_number(cells[i]);
             if (!value || !std::isfinite(*value))
-                throw InputError(place + ": " + columns[i] + " = '" + std::string(cells[i]) + "' is not a finite number");
-            row.push_back(*value);
+                throw InputError(place + ": " + name_of(layout_.place[i]) + " = '" + std::string(cells[i]) +
+                                 "' is not a finite number");
+            row[layout_.place[i]] = layout_.factor[i] * *value;
         }
         if (!table.time.empty() && row[0] <= table.time.back())
             throw InputError(place + ": time " + number_text(row[0]) + " does not come after " +
@@ -49,9 +127,34 @@ TimeTable read_time_table(const std::string& file, const std::vector<std::string
         table.time.push_back(row[0]);
         table.rows.emplace_back(row.begin() + 1, row.end());
     }
-    if (table.time.empty())
-        throw InputError(file + ": has no rows; write rows of " + wanted);
-    return table;
+
+    const std::vector<std::string>&columns_, &optional_;
+    Layout layout_;
+    std::size_t width_ = columns_.size(); ///< of the rows, the time included
+    bool first_ = true, named_ = false;
+};
+
+} // namespace
+
+TimeTable read_time_table(const std::string& file, const std::vector<std::string>& columns,
+                          const std::vector<std::string>& optional)
+{
+    std::error_code error; // a device or pipe may never end
+    std::ifstream in(std::filesystem::is_regular_file(file, error) ? file : "");
+    if (!in)
+        throw InputError(file + ": cannot be read; paths are relative to the scene's folder");
+    TableReader reader(columns, optional);
+    reader.table.file = file;
+    std::string line;
+    for (long number = 1; std::getline(in, line); ++number) {
+        if (number == 1 && line.starts_with("\xef\xbb\xbf"))
+            line.erase(0, 3);
+        if (const std::string_view content = trimmed(line); !content.empty())
+            reader.read(file + ":" + std::to_string(number), content);
+    }
+    if (reader.table.time.empty())
+        throw InputError(file + ": has no rows; write rows of " + reader.wanted());
+    return reader.table;
 }
 
 namespace {

@@ -139,7 +139,7 @@ inertia = [[1, 0.1, 0], [0.1, 2, 0], [0, 0, 3]]
 angular_velocity = [0, 0, 1]
 torque = [1, 2, 3]
 [body.hinge]
-point = [0, 0, 1]
+point = [0, 0, 0.25]
 axis = [0, 0, 2]
 [[body]]
 name = "shell"
@@ -150,6 +150,7 @@ inside_out = true
 rotation = [2, 0, 0, 2]
 motion = "prescribed"
 motion_file = "MOTION3"
+interpolation = "linear"
 )";
 
 std::string replaced(std::string text, const std::string& what, const std::string& by)
@@ -345,7 +346,7 @@ TEST(Scene, Bodies3D)
     EXPECT_NEAR(post.quaternion[2], -std::sqrt(0.5), 1e-15);
     EXPECT_EQ(post.torque, (Triple{1, 2, 3}));
     ASSERT_TRUE(post.hinge);
-    EXPECT_EQ(post.hinge->point, (Triple{0, 0, 1}));
+    EXPECT_EQ(post.hinge->point, (Triple{0, 0, 0.25}));
     EXPECT_EQ(post.hinge->axis, (Triple{0, 0, 1}));
     EXPECT_TRUE(shell.inside_out);
     EXPECT_EQ(shell.mesh_scale, 1e-3);
@@ -400,6 +401,56 @@ TEST(Scene, Overrides)
     EXPECT_EQ(s.warnings.size(), 4u); // velocity, angular velocity, force and torque of a fixed body
 }
 
+Scene with_body(const std::string& body, const std::string& sides = "")
+{
+    return parse_scene("[domain]\nsize = [4, 2]\ncells = [32, 16]\n" + sides +
+                           "[[body]]\nname = \"a\"\nshape = \"ball\"\nradius = 0.1\nposition = [0.5, 1]\ndensity = 2\n" + body,
+                       "text", {}, Purpose::check);
+}
+
+TEST(Scene, WhatAMotionTableOverridesIsTold)
+{
+    const test::TemporaryFile table("path.csv", "time,x,y,angle_deg\n0,0.5,1,90\n1,1,1,90\n2,1,1,90\n");
+    const std::string moves = "motion = \"prescribed\"\nmotion_file = \"" + table.path() + "\"\n";
+    EXPECT_THAT(with_body(moves + "rotation = 90\n").warnings, testing::IsEmpty()); // as the table has it
+    EXPECT_THAT(with_body(moves + "rotation = 30\n").warnings,
+                testing::ElementsAre(
+                    testing::StartsWith("text:12:12: body.a.rotation is ignored: the body moves as in " + table.path())));
+    const test::TemporaryFile elsewhere("elsewhere.csv", "0,1,1,0\n");
+    EXPECT_THAT(with_body("motion = \"prescribed\"\nmotion_file = \"" + elsewhere.path() + "\"\n").warnings,
+                testing::ElementsAre(testing::HasSubstr("body.a.position is ignored")));
+    EXPECT_THAT(with_body(moves + "interpolation = \"linear\"\n").warnings,
+                testing::ElementsAre(testing::HasSubstr("body.a.interpolation: the velocity jumps at every row")));
+    EXPECT_THAT(with_body("interpolation = \"linear\"\n").warnings,
+                testing::ElementsAre(testing::HasSubstr("body.a.interpolation is ignored")));
+    const test::TemporaryFile solid("solid.csv", "qw,qx,qy,qz,x,y,z,time\n2,0,0,2,1,1,1,0\n");
+    const auto turned = [&](const std::string& rotation) {
+        return parse_scene("[domain]\nsize = [2, 2, 2]\ncells = [8, 8, 8]\n[[body]]\nname = \"a\"\nshape = \"ball\"\nradius = "
+                           "0.5\nposition = [1, 1, 1]\nmotion = \"prescribed\"\nfile = \"" +
+                               solid.path() + "\"\nrotation = " + rotation + "\n",
+                           "text", {}, Purpose::check)
+            .warnings;
+    };
+    EXPECT_THAT(turned("[-1, 0, 0, -1]"), testing::IsEmpty());
+    EXPECT_THAT(turned("[1, 0, 0, 0]"), testing::ElementsAre(testing::HasSubstr("body.a.rotation is ignored")));
+}
+
+TEST(Scene, HingesAndAnchorsAreTheImagesNearestToTheBody)
+{
+    const std::string periodic = "sides.x_low = \"periodic\"\nsides.x_high = \"periodic\"\n";
+    const std::string body = "hinge = { point = [4.6, 1.5] }\nspring = { anchor = [-11.4, 3.5], stiffness = 1 }\n";
+    const Scene scene = with_body(body, periodic);
+    EXPECT_NEAR(scene.bodies[0].hinge->point[0], 0.6, 1e-15);
+    EXPECT_EQ(scene.bodies[0].hinge->point[1], 1.5);
+    EXPECT_NEAR(scene.bodies[0].spring->anchor[0], 0.6, 1e-14);
+    EXPECT_EQ(scene.bodies[0].spring->anchor[1], 3.5); // no images along y
+    EXPECT_THAT(scene.warnings, testing::ElementsAre(testing::HasSubstr("body.a.hinge.point is taken as ["),
+                                                     testing::HasSubstr("body.a.spring.anchor is taken as [")));
+    const Scene walls = with_body(body);
+    EXPECT_EQ(walls.bodies[0].hinge->point[0], 4.6);
+    EXPECT_THAT(walls.warnings, testing::IsEmpty());
+}
+
 TEST(Scene, FilesAreFoundBesideTheScene)
 {
     const test::TemporaryFolder folder;
@@ -420,6 +471,7 @@ TEST(Scene, Json)
     EXPECT_EQ(json["pair"][0]["threshold"], "auto");
     EXPECT_EQ(json["body"][0]["name"], "box");
     EXPECT_EQ(json["body"][2]["motion_file"], data + "motion.csv");
+    EXPECT_EQ(json["body"][2]["interpolation"], "cubic");
     EXPECT_EQ(json["body"][1]["free"], (std::vector<std::string>{"x", "rz"}));
     EXPECT_EQ(json["body"][1]["spring"]["damping"], 0.25);
     EXPECT_FALSE(json["body"][0].contains("free"));
