@@ -34,9 +34,18 @@ std::vector<std::pair<std::string, std::string>> refined(const Scene& scene, int
     const double ratio = static_cast<double>(core_cells(scene, 0)) / n;
     const auto text = [](double value) { return fmt::format("{:.17g}", value); };
     std::vector<std::pair<std::string, std::string>> settings;
-    if (scene.core) {
+    const auto list = [&](const Triple& values) {
+        std::vector<std::string> numbers;
+        for (int axis = 0; axis < scene.dimension; ++axis)
+            numbers.push_back(text(values[axis]));
+        return "[" + joined(numbers, ",") + "]";
+    };
+    if (scene.core) { // the core as it is taken: whole numbers of cells long on every grid
         settings = {{"domain.spacing", text(scene.core->spacing * ratio)},
-                    {"domain.growth", text(std::min(std::pow(scene.core->growth, ratio), 1.5))}};
+                    {"domain.growth", text(std::min(std::pow(scene.core->growth, ratio), 1.5))},
+                    {"domain.size", list(scene.size)},
+                    {"domain.core.low", list(scene.core->low)},
+                    {"domain.core.high", list(scene.core->high)}};
     } else {
         std::vector<std::string> cells;
         for (int axis = 0; axis < scene.dimension; ++axis)

@@ -151,6 +151,12 @@ class Graded(unittest.TestCase):
             domain = json.loads(json.loads((self.out / f"cells_{n}" / "run.json").read_text())["scene"])["domain"]
             self.assertAlmostEqual(domain["spacing"], spacing, places=14)
             self.assertAlmostEqual(domain["growth"], growth, places=14)
+        done = gapflow("converge", self.scene, "--cells", "12,24", "-o", self.out / "fitted", "--quiet", "--set", "output.every=0", "--set",
+                       "time.end=0.05", "--quantity", "ball.vx", "--set", "domain.core.high=[1.37,1.6]")  # 23.7 cells, taken as 24
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for n in (12, 24):
+            domain = json.loads(json.loads((self.out / "fitted" / f"cells_{n}" / "run.json").read_text())["scene"])["domain"]
+            self.assertAlmostEqual(domain["core"]["high"][0], 1.4, places=14)
         done = gapflow("converge", self.scene, "--cells", "13,24", "-o", self.out)
         self.assertEqual(done.returncode, 2)
         self.assertIn("domain.core", done.stderr)

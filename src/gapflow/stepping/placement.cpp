@@ -1,5 +1,6 @@
 #include "gapflow/stepping/placement.hpp"
 
+#include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/text.hpp"
 #include "gapflow/stepping/contact_set.hpp"
@@ -60,18 +61,33 @@ bool apart(const Surface<D>& a, const Surface<D>& b)
     return (a.low.array() > b.high.array()).any() || (b.low.array() > a.high.array()).any();
 }
 
-/// Beyond a side of the domain; what is beyond a periodic one comes in on the other.
+/// Sides of the domain that a surface is wholly beyond, 2 * axis + end; what is beyond a periodic one comes in on the other.
 template <int D>
-bool outside(const Surface<D>& surface, const Scene& scene)
+std::vector<int> sides_before(const Surface<D>& surface, const Scene& scene)
 {
-    if (surface.points.empty() || !surface.solid_inside)
-        return false;
-    for (int axis = 0; axis < D; ++axis) {
+    std::vector<int> sides;
+    for (int axis = 0; axis < D && !surface.points.empty() && surface.solid_inside; ++axis) {
         const double low = scene.origin[axis], high = low + scene.size[axis];
-        if (scene.sides[2 * axis].kind != SideScene::Kind::periodic && (surface.low[axis] > high || surface.high[axis] < low))
-            return true;
+        if (scene.sides[2 * axis].kind == SideScene::Kind::periodic)
+            continue;
+        if (surface.high[axis] < low)
+            sides.push_back(2 * axis);
+        if (surface.low[axis] > high)
+            sides.push_back(2 * axis + 1);
     }
-    return false;
+    return sides;
+}
+
+/// Whether a free body beyond these sides can come in: fluid passes there, and it moves or is pulled that way.
+template <int D>
+bool comes_in(const RigidBody<D>& body, const std::vector<int>& sides, const Scene& scene)
+{
+    const Twist<D> force = explicit_wrench<D>(body, to_vec<D>(scene.gravity), scene.density) + spring_wrench(body);
+    return std::all_of(sides.begin(), sides.end(), [&](int side) {
+        const double inward = side % 2 == 0 ? 1 : -1;
+        return scene.sides[side].kind != SideScene::Kind::wall &&
+               (inward * body.twist[side / 2] > 0 || inward * force[side / 2] > 0);
+    });
 }
 
 /// Depth in a solid of the deepest point of a surface; 0 if no point lies in it.
@@ -93,13 +109,14 @@ bool lies_in(const Solid<D>& solid, const Surface<D>& surface, double dx)
                        [&](const Vec<D>& x) { return solid.shape.closest(x).distance <= seen * dx; });
 }
 
-/// A free body beyond the sides moves in nothing, and of two solids in one place, one of them free, neither way out is meant.
+/// A free body beyond the sides that stays there moves in nothing, and of two solids in one place, one of them free, neither way out is meant.
 template <int D>
 void refuse_places(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const std::vector<Solid<D>>& solids,
                    const std::vector<Surface<D>>& surfaces)
 {
     for (std::size_t a = 0; a < bodies.size(); ++a) {
-        if (bodies[a].motion == Motion::free && outside(surfaces[a], scene))
+        const std::vector<int> beyond = sides_before(surfaces[a], scene);
+        if (bodies[a].motion == Motion::free && !beyond.empty() && !comes_in(bodies[a], beyond, scene))
             throw InputError(scene.file + ": body '" + bodies[a].name +
                              "' lies outside the domain, where there is no fluid; put it inside, or remove it");
         for (std::size_t b = a + 1; b < bodies.size(); ++b) {
@@ -132,7 +149,7 @@ std::vector<std::string> placement_warnings(const Scene& scene, const std::vecto
 
     std::vector<std::string> warnings;
     for (std::size_t a = 0; a < bodies.size(); ++a) {
-        if (outside(surfaces[a], scene))
+        if (!sides_before(surfaces[a], scene).empty())
             warnings.push_back(
                 "body '" + bodies[a].name + "' lies outside the domain, where there is no fluid; " +
                 (bodies[a].motion == Motion::fixed ? "put it inside, or remove it" : "its motion should bring it in"));

@@ -91,6 +91,17 @@ TEST(Placement, RefusesFreeBodiesOutsideTheDomainAndInOnePlaceWithOthers)
     scene.bodies = {ball("a", -0.2, 0.1, Motion::free)};
     EXPECT_EQ(refusal_of(scene),
               "scene.toml: body 'a' lies outside the domain, where there is no fluid; put it inside, or remove it");
+    scene.bodies[0].velocity[0] = 0.1;
+    EXPECT_NE(refusal_of(scene), ""); // the wall keeps it out
+    scene.sides[0].kind = SideScene::Kind::open;
+    EXPECT_THAT(warnings_of(scene), testing::ElementsAre(testing::EndsWith("its motion should bring it in")));
+    scene.bodies[0].velocity[0] = 0;
+    EXPECT_NE(refusal_of(scene), "");
+    scene.gravity[0] = 9.81;
+    EXPECT_NE(refusal_of(scene), ""); // as heavy as the fluid
+    scene.bodies[0].density = 2;
+    EXPECT_EQ(refusal_of(scene), "");
+    scene.gravity[0] = 0;
     scene.sides[0].kind = scene.sides[1].kind = SideScene::Kind::periodic;
     EXPECT_EQ(refusal_of(scene), "");
     for (const Motion other : {Motion::free, Motion::fixed, Motion::prescribed}) {
