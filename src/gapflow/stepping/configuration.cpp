@@ -68,9 +68,12 @@ Coupling<D> configure_stored(const Model<D>& model, const State<D>& state, Stage
     const std::size_t mouths = network.rim.mouths.size();
     if (static_cast<int>(u.film.size()) != network.elements || u.film_normal.size() != u.film.size() ||
         state.pressure.impulse.nodes.size() != network.nodes || u.mouth.size() != mouths ||
+        (!state.conductance.empty() && state.conductance.size() != mouths) ||
         static_cast<int>(state.voids.volume().size()) != network.nodes || state.voids.shut().size() != mouths ||
         (state.node_outflow.size() != 0 && state.node_outflow.size() != network.nodes))
         throw StateError("its films are not those that its bodies' positions give");
+    for (std::size_t r = 0; r < state.conductance.size(); ++r) // limits the next step (GapLimit)
+        here.system.links[r].conductance = state.conductance[r];
     if (state.voids.any())
         WetSystem<D>(here).take_out(state.voids.is_void(), state.voids.impulses(state.dt), state.voids.shut());
     return here;

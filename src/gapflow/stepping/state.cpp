@@ -132,6 +132,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         list_pairs(archive, "debts", state.film_debts, [](StateArchive& items, double& energy) { items("energy", energy); });
     });
     archive("conduit_flux", state.velocity.mouth);
+    archive.optional("conduits", !state.conductance.empty(), [&] { archive("conductance", state.conductance); });
     if (model.driven())
         archive.group("drive", [&] {
             archive("gradient", state.drive.gradient);

@@ -74,6 +74,7 @@ struct State {
     std::set<FilmPair<D>> films_before; ///< pairs that had films before the last step
     std::set<FilmPair<D>> turned;       ///< pairs whose films were reversed in the last step
     GapWays<D> gap_ways;                ///< of the last step
+    std::vector<double> conductance;    ///< of the films' mouths in the last step, heads included; empty: their own
     FilmDebts<D> film_debts;            ///< energy that films gained in the last step: the next one takes it back
     std::vector<Vec<D>> film_increment; ///< acceleration of the films' elements in the last step, pressure and transport
     Drive<D> drive;

@@ -86,6 +86,9 @@ void take_up(const Model<D>& model, const Coupling<D>& there, Projected<D> end, 
     if (met)
         state.film_increment.clear();
     state.steps = step.number;
+    state.conductance.clear();
+    for (std::size_t r = 0; r < there.network.rim.mouths.size(); ++r)
+        state.conductance.push_back(there.system.links[r].conductance);
     if (model.viscous() || met)
         state.pressure.bulk = std::move(past.bulk);
     if (model.viscous())

@@ -144,6 +144,29 @@ TEST(State, SameFutureAfterAnImpact)
     expect_same_future<2>(crowd(2), before, 10);
 }
 
+// The conductance of mouths with their heads limits the next step and says how much of a gap's change drag takes: a ball touches a box.
+TEST(State, SameFutureInViscousContact)
+{
+    Scene scene;
+    scene.size = {1, 1, 0};
+    scene.cells = {16, 16, 1};
+    scene.gravity = {0, -1, 0};
+    scene.viscosity = 0.195;
+    scene.end = 100;
+    scene.max_step = 0.005;
+    scene.contact.friction = 0.3;
+    BodyScene ball = body("ball", BodyScene::ShapeKind::ball, {0.582, 0.679, 0}, 50);
+    ball.radius = 0.0996;
+    ball.velocity = {0.055, -0.0684, 0};
+    BodyScene box = body("box", BodyScene::ShapeKind::box, {0.4264, 0.5725, 0}, 0.5);
+    box.size = {0.1033, 0.171, 0};
+    box.angle = -0.0969;
+    box.velocity = {0.0098, -0.0498, 0};
+    box.angular_velocity = {-0.63, 0, 0};
+    scene.bodies = {ball, box};
+    expect_same_future<2>(scene, 3, 5);
+}
+
 // Two plates that touch dry are pulled apart: a void grows, breaks off from the rim and drains.
 template <int D>
 void expect_same_voids(int before, int after)
