@@ -9,6 +9,7 @@
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/start.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
+#include "gapflow/stepping/weight_check.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -44,6 +45,8 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     const Model<D> model(scene, comm, scene.end > 0 ? Task::motion : Task::added_mass);
     const Grid<D>& grid = model.grid;
     std::vector<RigidBody<D>> bodies = model.bodies;
+    if (scene.end > 0)
+        require_weight(scene, bodies);
     std::vector<std::string> warnings = thickness_warnings<D>(scene, bodies, model.walls, Scene::Thin::allow);
     for (std::string& warning : placement_warnings<D>(scene, bodies, model.walls))
         warnings.push_back(std::move(warning));

@@ -8,6 +8,7 @@
 #include "gapflow/stepping/sealing.hpp"
 #include "gapflow/stepping/start_flow.hpp"
 #include "gapflow/stepping/step_end.hpp"
+#include "gapflow/stepping/weight_check.hpp"
 
 #include <algorithm>
 
@@ -79,6 +80,7 @@ std::vector<TwistMatrix<D>> held_masses(const Model<D>& model, const std::vector
 template <int D>
 Start<D> start(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers)
 {
+    require_weight(model.scene, state.bodies);
     for (std::string& warning : placement_warnings<D>(model.scene, state.bodies, model.walls))
         report.notes.push_back(std::move(warning));
     const std::vector<std::string> moved = take_out_overlaps<D>(model.scene, model.grid, state.bodies, model.walls);
