@@ -58,6 +58,22 @@ void fill_films(const Coupling<D>& here, const Vec<D>& u0, const std::vector<Twi
         u.mouth.push_back(mouth.length * mouth.section.dot(u0));
 }
 
+// Bodies that lie flat on what they fall onto, and would rebound, start without that velocity: their film would keep it (method, "Impact").
+template <int D>
+void stop_flat_falls(const Model<D>& model, const Coupling<D>& here, const std::function<bool(int, int)>& rebound,
+                     const std::vector<Twist<D>>& without, State<D>& state, StepReport& report)
+{
+    const auto pair = falls_flat<D>(here, model.gaps, model.twists(state.bodies), rebound);
+    if (!pair)
+        return;
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        if (state.bodies[b].motion == Motion::free)
+            set_initial_twist<D>(state.bodies[b], without[b]);
+    report.notes.push_back("'" + here.solids[(*pair)[0]].name + "' and '" + here.solids[(*pair)[1]].name +
+                           "' lie flat on each other and approach at the start: the fluid between them stops that, and they do "
+                           "not rebound; place them apart");
+}
+
 } // namespace
 
 template <int D>
@@ -96,7 +112,10 @@ Start<D> start(const Model<D>& model, State<D>& state, StepReport& report, Stage
 
     Intermediate<D> star;
     star.velocity = uniform_velocity(model);
-    const std::vector<Twist<D>> V = start_twists<D>(*here, state.bodies, model.gaps, model.twists(state.bodies));
+    const auto rebound = [&](int a, int b) {
+        return model.scene.contact_of(here->solids[a].name, here->solids[b].name).restitution > 0;
+    };
+    std::vector<Twist<D>> V = start_twists<D>(*here, state.bodies, model.gaps, model.twists(state.bodies));
     const auto squeezed = [&](GivesWay gives_way) {
         return squeezed_pocket<D>(*here, model.gaps, {}, V, star.velocity, gives_way);
     };
@@ -106,6 +125,9 @@ Start<D> start(const Model<D>& model, State<D>& state, StepReport& report, Stage
         mass = model.masses(state.bodies, 0);
         here.reset();
         here = configure<D>(model, state, mass, nullptr, V, 0, timers);
+    } else {
+        stop_flat_falls<D>(model, *here, rebound, V, state, report);
+        V = start_twists<D>(*here, state.bodies, model.gaps, model.twists(state.bodies), rebound);
     }
     fill_films(*here, to_vec<D>(model.scene.fluid_velocity), V, star.velocity);
     star.twists = V;

@@ -18,18 +18,30 @@ struct Meeting {
     Twist<D> row_a, row_b;
 };
 
+// Elements of films whose surfaces are no further apart than the floor; of round bodies that rebound where they are as near as anywhere about. Such bodies are
+// nearer than the floor in a strip, but what flows there has a finite speed and energy, which the rebound returns.
 template <int D>
-std::vector<Meeting<D>> flat_touches(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps)
+std::vector<Meeting<D>> flat_touches(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
+                                     const std::function<bool(int, int)>& rebound)
 {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
     const double dx = coupling.grid->dx(), least = D == 2 ? patch * dx : patch * patch * dx * dx;
     std::vector<Meeting<D>> touches;
     for (const Film<D>& film : coupling.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
-        const double floor = gaps(mesh.master, mesh.other).floor, most = floor + std::max(1e-3 * floor, flush * dx);
+        const double floor = gaps(mesh.master, mesh.other).floor, slack = std::max(1e-3 * floor, flush * dx),
+                     most = floor + slack;
+        const auto apart = [&](int node) { return (mesh.y[node] - mesh.x[node]).norm(); };
+        const bool round = !mesh.flat && rebound && rebound(mesh.master, mesh.other);
+        double nearest = infinite;
+        for (int node = 0; round && node < static_cast<int>(mesh.x.size()); ++node)
+            nearest = std::min(nearest, apart(node));
         std::vector<Meeting<D>> of_film;
         double area = 0;
         for (const FilmElement<D>& e : mesh.elements) {
-            if (std::any_of(e.nodes.begin(), e.nodes.end(), [&](int node) { return mesh.h[node] + mesh.skin > most; }))
+            if (std::any_of(e.nodes.begin(), e.nodes.end(), [&](int node) {
+                    return mesh.h[node] + mesh.skin > most || apart(node) > nearest + slack;
+                }))
                 continue;
             const Solid<D>&a = coupling.solids[mesh.master], &b = coupling.solids[mesh.other];
             of_film.push_back({mesh.master, mesh.other, Twist<D>(-wrench<D>(e.normal, e.centroid - a.centre)),
@@ -42,14 +54,29 @@ std::vector<Meeting<D>> flat_touches(const Coupling<D>& coupling, const std::fun
     return touches;
 }
 
+template <int D>
+double opening_rate(const Meeting<D>& touch, const std::vector<Twist<D>>& V)
+{
+    return touch.row_a.dot(V[touch.a]) + touch.row_b.dot(V[touch.b]);
+}
+
 // Largest opening or closing rate.
 template <int D>
 double largest_rate(const std::vector<Meeting<D>>& touches, const std::vector<Twist<D>>& V)
 {
     double largest = 0;
     for (const Meeting<D>& t : touches)
-        largest = std::max(largest, std::abs(t.row_a.dot(V[t.a]) + t.row_b.dot(V[t.b])));
+        largest = std::max(largest, std::abs(opening_rate(t, V)));
     return largest;
+}
+
+template <int D>
+double fastest_of(const std::vector<Twist<D>>& twists)
+{
+    double fastest = 0;
+    for (const Twist<D>& V : twists)
+        fastest = std::max(fastest, V.norm());
+    return fastest;
 }
 
 // The twists nearest to the given ones, in the metric of mass, with negligible rates.
@@ -102,14 +129,13 @@ std::vector<Twist<D>> without_rates(const std::vector<Meeting<D>>& touches, cons
 
 template <int D>
 std::vector<Twist<D>> start_twists(const Coupling<D>& coupling, const std::vector<RigidBody<D>>& bodies,
-                                   const std::function<GapSettings(int, int)>& gaps, const std::vector<Twist<D>>& twists)
+                                   const std::function<GapSettings(int, int)>& gaps, const std::vector<Twist<D>>& twists,
+                                   const std::function<bool(int, int)>& rebound)
 {
-    double fastest = 0;
-    for (const Twist<D>& V : twists)
-        fastest = std::max(fastest, V.norm());
+    const double fastest = fastest_of<D>(twists);
     if (fastest == 0)
         return twists;
-    const auto touches = flat_touches<D>(coupling, gaps);
+    const auto touches = flat_touches<D>(coupling, gaps, rebound);
     if (!(largest_rate(touches, twists) > same * fastest))
         return twists;
     std::vector<Twist<D>> V = without_rates(touches, bodies, coupling.solids, false, twists);
@@ -121,9 +147,29 @@ std::vector<Twist<D>> start_twists(const Coupling<D>& coupling, const std::vecto
     return V;
 }
 
+template <int D>
+std::optional<std::array<int, 2>> falls_flat(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
+                                             const std::vector<Twist<D>>& twists, const std::function<bool(int, int)>& rebound)
+{
+    const double least = same * fastest_of<D>(twists);
+    std::optional<std::array<int, 2>> pair;
+    for (const Meeting<D>& touch : flat_touches<D>(coupling, gaps, rebound)) {
+        const double rate = opening_rate(touch, twists);
+        if (rate > least)
+            return {};
+        if (rate < -least && rebound(touch.a, touch.b) && !pair)
+            pair = {touch.a, touch.b};
+    }
+    return pair;
+}
+
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<Twist<D>> start_twists<D>(const Coupling<D>&, const std::vector<RigidBody<D>>&,                       \
-                                                   const std::function<GapSettings(int, int)>&, const std::vector<Twist<D>>&);
+                                                   const std::function<GapSettings(int, int)>&, const std::vector<Twist<D>>&,  \
+                                                   const std::function<bool(int, int)>&);                                      \
+    template std::optional<std::array<int, 2>> falls_flat<D>(const Coupling<D>&, const std::function<GapSettings(int, int)>&,  \
+                                                             const std::vector<Twist<D>>&,                                     \
+                                                             const std::function<bool(int, int)>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

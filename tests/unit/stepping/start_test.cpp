@@ -45,6 +45,42 @@ double energy(const StepReport& report)
     return report.energy_fluid + report.energy_bodies;
 }
 
+// A body on the floor that moves into it at the start.
+Scene falling_onto_the_floor(const BodyScene& body)
+{
+    Scene scene = closed_box(32);
+    scene.contact.restitution = 1;
+    scene.bodies = {body};
+    scene.bodies[0].velocity = {0, -1, 0};
+    return scene;
+}
+
+TEST(Start, ATouchingDiskRebounds)
+{
+    for (const double density : {0.3, 1.0, 3.0}) {
+        Simulation<2> simulation(falling_onto_the_floor(ball("disk", 0.15, 0.5, 0.15, density)), Communicator());
+        const double start = energy(simulation.initial_report());
+        EXPECT_GT(start, 1.5 * 0.5 * density * std::numbers::pi * 0.0225); // with the fluid's
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_LE(energy(simulation.step(1)), 1.002 * start) << density;
+            EXPECT_NEAR(simulation.bodies()[0].twist[1], 1, 0.1) << density;
+        }
+    }
+}
+
+TEST(Start, ABoxThatFallsFlatStartsAtRest)
+{
+    for (const double density : {1.0, 10.0}) {
+        Scene scene = falling_onto_the_floor(box("box", 0.3, 0.3, 0.5, 0.15));
+        scene.bodies[0].density = density;
+        scene.gap.roughness = 0.1 / 32;
+        Simulation<2> simulation(scene, Communicator());
+        EXPECT_EQ(energy(simulation.initial_report()), 0) << density;
+        EXPECT_THAT(simulation.initial_report().notes, testing::Contains(testing::HasSubstr("'box' and 'wall:y_low' lie flat")));
+        EXPECT_EQ(energy(simulation.step(1)), 0) << density;
+    }
+}
+
 // A disk moves into another that it overlaps by `overlap` cells.
 Scene two_disks(double overlap)
 {
