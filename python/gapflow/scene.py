@@ -21,7 +21,7 @@ Vector = Sequence[float]
 Spin = Union[float, Vector]
 """About the centre of mass: a number in 2D, three numbers (world axes) in 3D."""
 Side = Union[str, Mapping[str, Any]]
-"""`"wall"`, `"open"`, `"periodic"`, `"far"`, `{"inflow": [u, v]}`, `{"inflow": "file.csv"}`, `{"pressure": value}`,
+"""`"wall"`, `"open"`, `"periodic"`, `"far"`, `"surface"`, `{"inflow": [u, v]}`, `{"inflow": "file.csv"}`, `{"pressure": value}`,
 `{"pressure": "file.csv"}` or `{"wall": [u, v]}`."""
 
 
@@ -65,7 +65,7 @@ class Domain:
 @checked_names
 @dataclass(kw_only=True, slots=True)
 class Fluid:
-    """density (default 1), viscosity (dynamic), reference_pressure (absolute, at open and far sides), vapour_pressure (absolute, or
+    """density (default 1), viscosity (dynamic), reference_pressure (absolute, at open, far and surface sides), vapour_pressure (absolute, or
     "none"), velocity (at the start), initial ("rest" or "potential"); pressure_gradient or
     mean_velocity (of fluid and bodies) along periodic axes."""
 

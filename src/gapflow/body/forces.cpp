@@ -47,14 +47,40 @@ struct Newmark {
     double delta = 0, gamma = 0.5, beta = 0.25;
 };
 
+// Sum of the squared frequencies of a float that its section with the water's level holds.
 template <int D>
-Newmark weights(const RigidBody<D>& body, double dt)
+double squared_frequencies(const RigidBody<D>& body, const TwistMatrix<D>& section)
 {
-    if (!body.spring)
+    const TwistBasis<D> basis = admissible_twists(body);
+    const TwistMatrix<D> mass = mass_matrix(body);
+    double sum = 0;
+    for (int k = 0; k < twist_size<D>; ++k)
+        sum += admissible_response<D>(basis, mass, section.col(k))[k];
+    return sum;
+}
+
+// `section`: the stiffness of the section with the water's level, if there is one.
+template <int D>
+Newmark weights(const RigidBody<D>& body, const std::optional<TwistMatrix<D>>& section, double dt)
+{
+    if (!body.spring && !section)
         return {};
-    const double s = (body.spring->stiffness * dt + body.spring->damping) * dt * mobility(body);
+    double s = 0;
+    if (body.spring)
+        s = (body.spring->stiffness * dt + body.spring->damping) * dt * mobility(body);
+    if (section)
+        s += dt * dt * squared_frequencies<D>(body, *section);
     const double delta = s * s / (16 + s * s);
     return {delta, 0.5 + delta, 0.25 * (1 + delta) * (1 + delta)};
+}
+
+template <int D>
+std::optional<TwistMatrix<D>> section_stiffness(const RigidBody<D>& body)
+{
+    if (!body.water)
+        return {};
+    const TwistMatrix<D> stiffness = displacement(body).stiffness;
+    return stiffness.isZero(0) ? std::nullopt : std::optional(stiffness);
 }
 
 // The same impulse for the present pose: of a wrench on a hinged body only the moment about the axis at the pose it acted at
@@ -87,39 +113,51 @@ double spring_energy(const RigidBody<D>& body)
 }
 
 template <int D>
-TwistMatrix<D> spring_inertia(const RigidBody<D>& body, double dt)
+TwistMatrix<D> stiffness_inertia(const RigidBody<D>& body, double dt)
 {
-    if (!body.spring)
-        return TwistMatrix<D>::Zero();
-    const Newmark w = weights(body, dt);
+    const std::optional<TwistMatrix<D>> section = section_stiffness(body);
+    TwistMatrix<D> inertia = TwistMatrix<D>::Zero();
+    if (!body.spring && !section)
+        return inertia;
+    const Newmark w = weights(body, section, dt);
     const PointJacobian<D> J = origin_jacobian(body);
-    return dt * (w.beta * dt * body.spring->stiffness + w.gamma * body.spring->damping) * (J.transpose() * J);
+    if (body.spring)
+        inertia = dt * (w.beta * dt * body.spring->stiffness + w.gamma * body.spring->damping) * (J.transpose() * J);
+    if (section)
+        inertia += w.beta * dt * dt * *section;
+    return inertia;
 }
 
 template <int D>
 Twist<D> forced_twist(const RigidBody<D>& body, const Vec<D>& gravity, double fluid_density, double dt)
 {
-    const Newmark w = weights(body, dt);
+    const std::optional<TwistMatrix<D>> section = section_stiffness(body);
+    const Newmark w = weights(body, section, dt);
     const Twist<D> V = body.hinge ? hinged_twist(body, hinge_rate(body, body.angular_momentum)) : body.twist;
     RigidBody<D> middle = body;
     const double back = -(0.5 - w.delta) * dt;
     displace<D>(middle, back * V.template head<D>(), back * V.template tail<spin_size<D>>());
     Twist<D> at_middle = explicit_wrench<D>(middle, gravity, fluid_density);
-    if (!body.spring)
+    if (!body.spring && !section)
         return twist_after<D>(body, dt * carried(at_middle, middle));
 
-    at_middle += elastic_wrench(middle);
-    const double stiffness = w.beta * dt * dt * body.spring->stiffness, damping = dt * body.spring->damping;
-    const PointJacobian<D> J = origin_jacobian(body);
-    const Twist<D> p =
-        momentum(body) + dt * carried(at_middle, middle) + (stiffness - (1 - w.gamma) * damping) * (J.transpose() * (J * V));
+    if (body.spring)
+        at_middle += elastic_wrench(middle);
+    Twist<D> p = momentum(body) + dt * carried(at_middle, middle);
+    if (body.spring) {
+        const double stiffness = w.beta * dt * dt * body.spring->stiffness, damping = dt * body.spring->damping;
+        const PointJacobian<D> J = origin_jacobian(body);
+        p += (stiffness - (1 - w.gamma) * damping) * (J.transpose() * (J * V));
+    }
+    if (section)
+        p += w.beta * dt * dt * (*section * V);
     return impulse_response(body, p, dt);
 }
 
 template <int D>
 Twist<D> impulse_response(const RigidBody<D>& body, const Twist<D>& impulse, double dt)
 {
-    return admissible_response<D>(admissible_twists(body), mass_matrix(body) + spring_inertia(body, dt), impulse);
+    return admissible_response<D>(admissible_twists(body), mass_matrix(body) + stiffness_inertia(body, dt), impulse);
 }
 
 template <int D>
@@ -144,7 +182,7 @@ double swing_frequency(const RigidBody<D>& body, const Vec<D>& gravity, double f
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Twist<D> spring_wrench<D>(const RigidBody<D>&);                                                                   \
     template double spring_energy<D>(const RigidBody<D>&);                                                                     \
-    template TwistMatrix<D> spring_inertia<D>(const RigidBody<D>&, double);                                                    \
+    template TwistMatrix<D> stiffness_inertia<D>(const RigidBody<D>&, double);                                                    \
     template Twist<D> forced_twist<D>(const RigidBody<D>&, const Vec<D>&, double, double);                                     \
     template Twist<D> impulse_response<D>(const RigidBody<D>&, const Twist<D>&, double);                                       \
     template double spring_frequency<D>(const RigidBody<D>&);                                                                  \

@@ -1,10 +1,11 @@
 // Newton and Euler for one body:  m V' = F,  L' = T,  L = I(q) omega,  I(q) = R I_body R^T.
 //
 // Reduced pressure p - rho g.x: the fluid gets no gravity, a body of volume V_b gets m g at its centre of mass and
-// -rho V_b g at its centre of volume (method, "The time step").
+// -rho V_b g at its centre of volume (method, "The time step"). Of a float V_b is the part below the water's level ("Surface sides").
 #include "gapflow/body/rigid_body.hpp"
 
 #include "gapflow/body/constraint.hpp"
+#include "gapflow/geometry/part_below.hpp"
 
 #include <cmath>
 
@@ -155,13 +156,71 @@ double kinetic_energy(const RigidBody<D>& body)
     return 0.5 * body.twist.dot(mass_matrix(body) * body.twist);
 }
 
+namespace {
+
+// With N the velocity along n, the way up, of a point of the section per twist: the integral of specific_weight N^T N over the section.
+template <int D>
+TwistMatrix<D> section_stiffness(const PartBelow<D>& part, const Vec<D>& n, double specific_weight)
+{
+    // By integrals over the section about the centre of mass. N = (n, r x n), with r moment<D>(r, n) is linear in r.
+    Eigen::Matrix<double, twist_size<D>, D> slope = Eigen::Matrix<double, twist_size<D>, D>::Zero(); // N^T = (n, 0) + slope r
+    for (int k = 0; k < D; ++k)
+        slope.col(k).template tail<spin_size<D>>() = moment<D>(unit<D>(k), n);
+    Twist<D> rise = Twist<D>::Zero();
+    rise.template head<D>() = n;
+    const Twist<D> tilt = slope * part.section_moment;
+    return specific_weight * (part.section * rise * rise.transpose() + rise * tilt.transpose() + tilt * rise.transpose() +
+                              slope * part.section_square * slope.transpose());
+}
+
+} // namespace
+
+template <int D>
+Displacement<D> displacement(const RigidBody<D>& body)
+{
+    const Mat<D> rotation = body.pose.matrix();
+    const Displacement<D> whole{body.volume, rotation * (body.centre_of_volume - body.centre_of_mass)};
+    if (!body.water || body.volume == 0)
+        return whole;
+    const Vec<D> n = body.water->plane.normal, up = rotation.transpose() * n;
+    const Plane<D> level{up, body.water->plane.offset - n.dot(body.pose.position)}; // in the shape's frame
+    const Bounds<D> bounds = body.shape->bounds();
+    const double middle = up.dot(0.5 * (bounds.low + bounds.high)), reach = up.cwiseAbs().dot(0.5 * (bounds.high - bounds.low));
+    if (middle + reach <= level.offset)
+        return whole;
+    if (middle - reach >= level.offset)
+        return {0, Vec<D>::Zero()};
+    PartBelow<D> part = part_below(*body.shape, level);
+    Displacement<D> result{part.volume, Vec<D>::Zero()};
+    if (part.volume != 0)
+        result.arm = rotation * (part.moment / part.volume - body.centre_of_mass);
+    if (body.shape->inside_out()) // its stiffness is negative
+        return result;
+    const Vec<D> c = body.centre_of_mass, m = part.section_moment;
+    part.section_square += -m * c.transpose() - c * m.transpose() + part.section * c * c.transpose();
+    part.section_square = rotation * part.section_square * rotation.transpose();
+    part.section_moment = rotation * (m - part.section * c);
+    result.stiffness = section_stiffness<D>(part, n, body.water->specific_weight);
+    return result;
+}
+
+template <int D>
+double gravity_energy(const RigidBody<D>& body, const Vec<D>& gravity, double fluid_density)
+{
+    const Displacement<D> displaced = displacement(body);
+    const double level = body.water ? body.water->plane.offset * body.water->specific_weight : 0.0;
+    return -body.mass * gravity.dot(body.centre()) + level * displaced.volume +
+           fluid_density * displaced.volume * gravity.dot(body.centre() + displaced.arm);
+}
+
 template <int D>
 Twist<D> explicit_wrench(const RigidBody<D>& body, const Vec<D>& gravity, double fluid_density)
 {
-    const Vec<D> buoyancy = -fluid_density * body.volume * gravity;
-    const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
+    const Displacement<D> displaced = displacement(body);
+    const Vec<D> buoyancy = -fluid_density * displaced.volume * gravity;
     Twist<D> w;
-    w << body.force + (body.mass - fluid_density * body.volume) * gravity, body.torque + moment<D>(arm, buoyancy);
+    w << body.force + (body.mass - fluid_density * displaced.volume) * gravity,
+        body.torque + moment<D>(displaced.arm, buoyancy);
     return w;
 }
 
@@ -217,6 +276,8 @@ Solid<D> solid_of(const RigidBody<D>& body)
     template Twist<D> momentum<D>(const RigidBody<D>&);                                                                        \
     template Spin<D> angular_momentum_about<D>(const RigidBody<D>&, const Vec<D>&);                                            \
     template double kinetic_energy<D>(const RigidBody<D>&);                                                                    \
+    template Displacement<D> displacement<D>(const RigidBody<D>&);                                                             \
+    template double gravity_energy<D>(const RigidBody<D>&, const Vec<D>&, double);                                             \
     template Twist<D> explicit_wrench<D>(const RigidBody<D>&, const Vec<D>&, double);                                          \
     template Twist<D> twist_after<D>(const RigidBody<D>&, const Twist<D>&);                                                    \
     template void set_initial_twist<D>(RigidBody<D>&, const Twist<D>&);                                                        \

@@ -32,6 +32,13 @@ struct Spring {
     double damping = 0.0;
 };
 
+/// A level of fluid at rest with air above.
+template <int D>
+struct WaterLevel {
+    Plane<D> plane;               ///< in the world: fluid is where normal . x <= offset, and gravity is against the normal
+    double specific_weight = 0.0; ///< of the fluid: density times |gravity|
+};
+
 /// A prescribed body's motion set by a controller: constant velocity from a given pose and time on.
 template <int D>
 struct SteeredMotion {
@@ -56,6 +63,7 @@ struct RigidBody {
     std::array<bool, twist_size<D>> can_move;          ///< false: this component of the twist is held at 0
     std::optional<Hinge<D>> hinge;                     ///< needs can_move all true
     std::optional<Spring<D>> spring;
+    std::optional<WaterLevel<D>> water; ///< that the body may float in; none: the fluid is all around it
 
     Twist<D> twist = Twist<D>::Zero();
     /// L: kept from step to step, so that free tumbling conserves it; inertia(R) omega = L in the components that move.
@@ -123,8 +131,24 @@ Spin<D> angular_momentum_about(const RigidBody<D>& body, const Vec<D>& point);
 template <int D>
 double kinetic_energy(const RigidBody<D>& body);
 
+/// What of the body is in the fluid: all of it, or what is below the water's level. World axes.
+template <int D>
+struct Displacement {
+    double volume;
+    Vec<D> arm; ///< from the centre of mass to the centre of that volume
+    /// How the buoyancy's wrench falls as the body rises and tilts, by the section with the water's level alone: symmetric, not negative. The
+    /// shift of the displaced volume's centre as the body tilts is not in it.
+    TwistMatrix<D> stiffness = TwistMatrix<D>::Zero();
+};
+template <int D>
+Displacement<D> displacement(const RigidBody<D>& body);
+/// Gravity's energy of the body and of the fluid that it displaces, up to a constant: its derivative along the body's motion is that of gravity's and
+/// buoyancy's wrench.
+template <int D>
+double gravity_energy(const RigidBody<D>& body, const Vec<D>& gravity, double fluid_density);
+
 /// Force and torque about the centre of mass that depend neither on the flow nor on a spring: external ones, and gravity in
-/// reduced-pressure form, (mass - fluid_density * volume) g, the buoyant part acting at the centre of volume.
+/// reduced-pressure form, (mass - fluid_density * volume displaced) g, the buoyant part acting at the centre of that volume.
 template <int D>
 Twist<D> explicit_wrench(const RigidBody<D>& body, const Vec<D>& gravity, double fluid_density);
 /// Twist at the present pose once `impulse` has been added to the momentum: the admissible twist V with

@@ -406,7 +406,7 @@ std::vector<KeyInfo> scene_keys()
                             "m/s and Pa",
                             "\"wall\"",
                             any,
-                            {"wall", "open", "periodic", "far"},
+                            {"wall", "open", "periodic", "far", "surface"},
                             "boundary condition at the " + end + " end of " + axis});
     append(
         keys,
@@ -419,9 +419,9 @@ std::vector<KeyInfo> scene_keys()
              "0.0",
              any,
              {},
-             "absolute pressure at the highest point of open and far sides"},
+             "absolute pressure at the highest point of open, far and surface sides"},
             {"fluid.vapour_pressure", T::number_or_word, "Pa", "\"none\"", any, {"none"}, "absolute: films cavitate there"},
-            {"fluid.velocity", T::vector, "m/s", "0.0", any, {}, "of the fluid at the start, and beyond open and far sides"},
+            {"fluid.velocity", T::vector, "m/s", "0.0", any, {}, "of the fluid at the start, and beyond open, far and surface sides"},
             {"fluid.pressure_gradient",
              T::vector,
              "Pa/m",
@@ -648,7 +648,7 @@ std::string allowed_values(const KeyInfo& key, int dimension)
         return "the name of a body in \"quotes\", or { body = \"name\", axes = [some of \"x\", \"y\"" +
                std::string(dimension == 2 ? "" : ", \"z\"") + "] }";
     case T::side:
-        return "\"wall\", \"open\", \"periodic\", \"far\", { inflow = [" + count +
+        return "\"wall\", \"open\", \"periodic\", \"far\", \"surface\", { inflow = [" + count +
                " numbers] }, { inflow = \"file.csv\" }, { pressure = number }, { pressure = \"file.csv\" } or { wall = [" +
                count + " numbers] }";
     }

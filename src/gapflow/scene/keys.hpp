@@ -27,7 +27,7 @@ enum class KeyType {
     names,   ///< two names of bodies or walls
     flag,
     follow, ///< name of a body, or { body, axes }
-    side ///< "wall", "open", "periodic", "far", { inflow = velocity or file }, { pressure = number or file }, { wall = velocity }
+    side ///< "wall", "open", "periodic", "far", "surface", { inflow = velocity or file }, { pressure = number or file }, { wall = velocity }
 };
 
 struct KeyRange {

@@ -126,7 +126,8 @@ void read_side(const Values& v, int number, Scene& scene)
     const Node* given = v.given(name);
     if (!given || given->kind == Node::Kind::text) {
         using Kind = SideScene::Kind;
-        side.kind = std::array{Kind::wall, Kind::open, Kind::periodic, Kind::far}.at(v.choice<std::size_t>(name));
+        side.kind =
+            std::array{Kind::wall, Kind::open, Kind::periodic, Kind::far, Kind::surface}.at(v.choice<std::size_t>(name));
     } else if (const Node* inflow = given->find("inflow")) {
         read_inflow(v, name, *inflow, scene, side);
     } else if (const Node* pressure = given->find("pressure")) {
@@ -172,6 +173,32 @@ void check_far(const Values& v, const Scene& scene)
 std::string axis_text(int axis)
 {
     return std::string(1, "xyz"[axis]);
+}
+
+/// Gravity holds a water level at right angles to itself, below air.
+void check_surface(const Values& v, const Scene& scene)
+{
+    for (int number = 0; number < 2 * scene.dimension; ++number) {
+        if (scene.sides[number].kind != SideScene::Kind::surface)
+            continue;
+        const std::string name = "domain.sides." + side_names[number];
+        const int axis = number / 2, outwards = number % 2 ? 1 : -1;
+        int along = -1; // the axis that gravity is along
+        for (int k = 0; k < scene.dimension; ++k)
+            if (scene.gravity[k] != 0)
+                along = along < 0 ? k : scene.dimension;
+        if (along < 0)
+            v.refuse(name, "a surface is a water level with air above, and there is no gravity that holds it level",
+                     "give gravity, or write \"open\" where fluid is free to pass");
+        if (along == scene.dimension)
+            v.refuse(name, "a water level is at right angles to gravity, and gravity = " + list_text(scene.gravity, scene.dimension) +
+                               " is along no axis",
+                     "let gravity be along " + axis_text(axis) + " alone, or write \"open\"");
+        if (along != axis || scene.gravity[axis] * outwards > 0)
+            v.refuse(name, "a water level has its air on the side that gravity = " + list_text(scene.gravity, scene.dimension) +
+                               " points away from",
+                     "write " + side_names[2 * along + (scene.gravity[along] < 0 ? 1 : 0)] + " = \"surface\"");
+    }
 }
 
 /// Number of spacings nearest to a length, at least one. Whether the length is that many, within round-off.
@@ -372,6 +399,7 @@ void read_domain(const Values& v, Scene& scene)
     }
     check_periodic(v, scene);
     check_far(v, scene);
+    check_surface(v, scene);
     read_follow(v, scene);
     scene.leaving = v.choice<Scene::Leaving>("domain.leaving");
 }

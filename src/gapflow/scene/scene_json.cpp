@@ -33,6 +33,8 @@ Json side_json(const SideScene& side, const Lists& list)
         return {{"pressure", side.table.file.empty() ? Json(side.table.rows.at(0).at(0)) : Json(side.table.file)}};
     if (side.kind == SideScene::Kind::far)
         return "far";
+    if (side.kind == SideScene::Kind::surface)
+        return "surface";
     return word({"wall", "open", "periodic"}, side.kind);
 }
 

@@ -85,9 +85,8 @@ Vec<D> mean_velocity(const Model<D>& model, const Coupling<D>& here, const State
         flow[axis] = sums[axis] + in_films[axis];
         for (std::size_t b = 0; b < state.bodies.size(); ++b) {
             const RigidBody<D>& body = state.bodies[b];
-            const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
             if (body.motion != Motion::fixed)
-                flow[axis] += section[b][axis] * velocity_at<D>(V[b], arm)[axis];
+                flow[axis] += section[b][axis] * velocity_at<D>(V[b], displacement(body).arm)[axis];
         }
     }
     return flow / grid.cells().template cast<double>().prod();
@@ -156,8 +155,8 @@ Twist<D> driving_wrench(const RigidBody<D>& body, const Drive<D>& drive)
 {
     if (drive.gradient.isZero(0))
         return Twist<D>::Zero();
-    const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
-    return wrench<D>(-body.volume * drive.gradient, arm);
+    const Displacement<D> displaced = displacement(body);
+    return wrench<D>(-displaced.volume * drive.gradient, displaced.arm);
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \

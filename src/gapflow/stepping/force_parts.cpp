@@ -9,8 +9,8 @@ namespace gapflow {
 template <int D>
 Twist<D> buoyancy(const Model<D>& model, const RigidBody<D>& body)
 {
-    const Vec<D> arm = body.pose.matrix() * (body.centre_of_volume - body.centre_of_mass);
-    return wrench<D>(-model.scene.density * body.volume * model.gravity(), arm);
+    const Displacement<D> displaced = displacement(body);
+    return wrench<D>(-model.scene.density * displaced.volume * model.gravity(), displaced.arm);
 }
 
 template <int D>

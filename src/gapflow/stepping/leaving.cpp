@@ -48,11 +48,28 @@ Whereabouts find(const Model<D>& model, const Bounds<D>& extent)
         const int axis = side / 2;
         const double low = model.grid.origin()[axis], high = low + scene.size[axis];
         const bool upper = side % 2;
+        const bool through = upper ? extent.high[axis] > high : extent.low[axis] < low;
+        if (kind == SideScene::Kind::surface) {
+            place.floats = through;
+            continue;
+        }
         place.outside = place.outside || (upper ? extent.low[axis] > high : extent.high[axis] < low);
-        if (kind != SideScene::Kind::wall && (upper ? extent.high[axis] > high : extent.low[axis] < low))
+        if (kind != SideScene::Kind::wall && through)
             place.crossed.push_back(side);
     }
     return place;
+}
+
+// What a body needs that is to float at a side: only where the side could be a water level.
+std::string remedy_of_float(const Scene& scene, int side)
+{
+    if (!scene.sides[side].is_open())
+        return "";
+    for (int axis = 0; axis < scene.dimension; ++axis)
+        if (axis == side / 2 ? !(scene.gravity[axis] * (side % 2 ? 1 : -1) < 0) : scene.gravity[axis] != 0)
+            return "";
+    return "; a float has the buoyancy of its whole volume there, too: for a water level with air above write domain.sides." +
+           side_names[side] + " = \"surface\"";
 }
 
 // A note that a body does something; of a crowd's bodies that do it the first alone has one.
@@ -81,7 +98,7 @@ std::vector<Whereabouts> whereabouts(const Model<D>& model, const std::vector<Ri
         if (!own.low.allFinite() || !own.high.allFinite())
             continue;
         places[b] = find<D>(model, extent_of(body, 0));
-        if (places[b].outside || !places[b].crossed.empty()) // a body near a side is measured by its vertices
+        if (places[b].outside || places[b].floats || !places[b].crossed.empty()) // a body near a side is measured by its vertices
             places[b] = find<D>(model, extent_of(body, 0.1 * dx));
     }
     return places;
@@ -112,7 +129,7 @@ Departures departures(const Model<D>& model, const std::vector<RigidBody<D>>& bo
             if ((first || !known) && outwards > 0) {
                 result.starting.push_back(body);
                 tell(scene, body, std::string("is on its way out of the domain through the side ") + side_names[side],
-                     ": beyond it no flow acts on it", told, result.notes);
+                     ": beyond it no flow acts on it" + remedy_of_float(scene, side), told, result.notes);
             }
         }
     }
@@ -131,6 +148,7 @@ void take_out(RigidBody<D>& body)
     body.torque.setZero();
     body.spring.reset();
     body.hinge.reset();
+    body.water.reset();
 }
 
 template <int D>

@@ -15,8 +15,9 @@ Bounds<D> extent_of(const RigidBody<D>& body, double tolerance);
 
 /// Position of a body relative to the domain.
 struct Whereabouts {
-    bool outside = false;     ///< wholly beyond a side that is not periodic
+    bool outside = false;     ///< wholly beyond a side that is not periodic; above a water level nothing is outside
     std::vector<int> crossed; ///< open and inflow sides beyond which a part of it lies: 2 * axis + end
+    bool floats = false;      ///< a part of it lies above a water level
 };
 
 /// Of every body; fixed ones, containers and bodies without bounds count as inside.

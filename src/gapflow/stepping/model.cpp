@@ -44,7 +44,7 @@ std::vector<TwistMatrix<D>> Model<D>::masses(const std::vector<RigidBody<D>>& of
 {
     std::vector<TwistMatrix<D>> mass;
     for (const RigidBody<D>& body : of)
-        mass.push_back(mass_matrix(body) + spring_inertia(body, dt));
+        mass.push_back(mass_matrix(body) + stiffness_inertia(body, dt));
     mass.resize(of.size() + walls.solids.size(), TwistMatrix<D>::Identity());
     return mass;
 }
@@ -109,7 +109,7 @@ double Model<D>::hydrostatic(const Vec<D>& x) const
 {
     double highest = -std::numeric_limits<double>::infinity(), level = 0;
     for (int s = 0; s < 2 * D; ++s)
-        if (scene.sides[s].kind == SideScene::Kind::open || scene.sides[s].kind == SideScene::Kind::far)
+        if (scene.sides[s].is_open() && !is_pressure_side(scene.sides[s]))
             highest = std::max(highest, height(s));
     if (std::isfinite(highest))
         level = scene.density * highest + scene.reference_pressure;

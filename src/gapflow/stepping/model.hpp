@@ -42,11 +42,11 @@ struct Model {
     std::vector<Solid<D>> solids(const std::vector<RigidBody<D>>& at) const { return make_solids<D>(at, walls); }
     /// Twists of all solids.
     std::vector<Twist<D>> twists(const std::vector<RigidBody<D>>& of) const;
-    /// Generalised masses of all solids in a step of length dt; springs act as inertia too.
+    /// Generalised masses of all solids in a step of length dt; springs and floats' buoyancy act as inertia too.
     std::vector<TwistMatrix<D>> masses(const std::vector<RigidBody<D>>& of, double dt) const;
     /// Velocities of walls and inflow at a time, and of the grid.
     BoundaryVelocity<D> sides(double time) const;
-    /// rho g . (x - x0), full minus reduced pressure; x0 is the highest point of the open and far sides, where the reference pressure
+    /// rho g . (x - x0), full minus reduced pressure; x0 is the highest point of the open, far and surface sides, where the reference pressure
     /// acts, or without any that of the first pressure side, where its pressure at time 0 acts.
     double hydrostatic(const Vec<D>& x) const;
     /// Reduced pressure beyond every side at a time: 0 but for pressure sides.

@@ -5,6 +5,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/grid/side_faces.hpp"
 #include "gapflow/stepping/flooding.hpp"
 
 #include <algorithm>
@@ -95,19 +96,52 @@ std::vector<GapState> gap_states(const Model<D>& model, const Coupling<D>& here,
     return result;
 }
 
+namespace {
+
+/// Momentum, angular momentum, energy.
+template <int D>
+using Sums = Eigen::Matrix<double, D + spin_size<D> + 1, 1>;
+
+// Of faces in a water level, which count as others for a whole cell, the half that is above: as heavy as the rest is what a pressure moves there.
+template <int D>
+Sums<D> above_water(const Model<D>& model, const Coupling<D>& here, const FaceField<D>& velocity, const Vec<D>& about)
+{
+    const Grid<D>& grid = model.grid;
+    Sums<D> sums = Sums<D>::Zero();
+    for (int side = 0; side < 2 * D; ++side) {
+        const int axis = side / 2;
+        if (model.scene.sides[side].kind != SideScene::Kind::surface)
+            continue;
+        for_each_face_of_side<D>(grid, axis, side % 2, [&](const Index<D>& f) {
+            if (!(here.system.conductance(axis, f) > 0))
+                return;
+            const double u = velocity(axis, f),
+                         mass = 0.5 * model.scene.density * std::pow(grid.dx(), D) * here.open(axis, f) * grid.spread(axis, f[axis]);
+            const int cut = here.fractions->cut(axis, f);
+            const Vec<D> x = cut >= 0 ? here.fractions->faces[cut].open_centroid : grid.face_centre(axis, f);
+            const Vec<D> momentum = mass * u * unit<D>(axis);
+            sums.template head<D>() += momentum;
+            sums.template segment<spin_size<D>>(D) += moment<D>(x - about, momentum);
+            sums[D + spin_size<D>] += 0.5 * mass * u * u;
+        });
+    }
+    return sums;
+}
+
+} // namespace
+
 template <int D>
 Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V)
 {
     const Grid<D>& grid = model.grid;
     const double rho = model.scene.density, cell = std::pow(grid.dx(), D);
-    const Vec<D> about = to_vec<D>(model.scene.origin);          // a point of the world, also if the grid moves
-    using Sums = Eigen::Matrix<double, D + spin_size<D> + 1, 1>; // momentum, angular momentum, energy
-    Sums sums = Sums::Zero();
+    const Vec<D> about = to_vec<D>(model.scene.origin); // a point of the world, also if the grid moves
+    Sums<D> sums = Sums<D>::Zero();
     for (int axis = 0; axis < D; ++axis) {
         const Index<D> low = grid.low(), end = owned_faces_end(grid, axis);
         const int n = end[0] - low[0];
         auto of_plane = [&](int plane) {
-            Sums sum = Sums::Zero();
+            Sums<D> sum = Sums<D>::Zero();
             for_each_row_of_plane<D>(low, end, plane, [&](const Index<D>& row) {
                 const double *conductance = &here.system.conductance(axis, row), *open = &here.open(axis, row),
                              *u = &state.velocity.grid(axis, row);
@@ -148,9 +182,10 @@ Budget<D> budget(const Model<D>& model, const Coupling<D>& here, const State<D>&
             });
             return sum;
         };
-        for (const Sums& sum : each_plane(low[D - 1], end[D - 1], of_plane))
+        for (const Sums<D>& sum : each_plane(low[D - 1], end[D - 1], of_plane))
             sums += sum;
     }
+    sums -= above_water(model, here, state.velocity.grid, about);
     std::vector<double> of_all_ranks(sums.begin(), sums.end());
     grid.comm().sum(of_all_ranks);
     std::copy(of_all_ranks.begin(), of_all_ranks.end(), sums.begin());

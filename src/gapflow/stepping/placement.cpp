@@ -61,18 +61,21 @@ bool apart(const Surface<D>& a, const Surface<D>& b)
     return (a.low.array() > b.high.array()).any() || (b.low.array() > a.high.array()).any();
 }
 
-/// Sides of the domain that a surface is wholly beyond, 2 * axis + end; what is beyond a periodic one comes in on the other.
+/// Sides of the domain that a surface is wholly beyond, 2 * axis + end; what is beyond a periodic one comes in on the other, and what is above a water
+/// level may fall in.
 template <int D>
 std::vector<int> sides_before(const Surface<D>& surface, const Scene& scene)
 {
     std::vector<int> sides;
     for (int axis = 0; axis < D && !surface.points.empty() && surface.solid_inside; ++axis) {
         const double low = scene.origin[axis], high = low + scene.size[axis];
-        if (scene.sides[2 * axis].kind == SideScene::Kind::periodic)
-            continue;
-        if (surface.high[axis] < low)
+        const auto ends = [&](int end) {
+            const SideScene::Kind kind = scene.sides[2 * axis + end].kind;
+            return kind != SideScene::Kind::periodic && kind != SideScene::Kind::surface;
+        };
+        if (ends(0) && surface.high[axis] < low)
             sides.push_back(2 * axis);
-        if (surface.low[axis] > high)
+        if (ends(1) && surface.low[axis] > high)
             sides.push_back(2 * axis + 1);
     }
     return sides;

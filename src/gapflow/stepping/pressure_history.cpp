@@ -39,7 +39,7 @@ LastPressure<D> recall_pressure(const Model<D>& model, const Coupling<D>& here, 
     }
     bool goes_on = true;
     for (const Whereabouts& place : whereabouts(model, state.bodies))
-        goes_on = goes_on && place.crossed.empty();
+        goes_on = goes_on && place.crossed.empty() && !place.floats;
     if (goes_on && !state.pressure.lasts && state.pressure.bulk.pressure.size() > 0) {
         last.bulk = std::move(state.pressure.bulk);
         return last;

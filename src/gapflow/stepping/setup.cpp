@@ -113,6 +113,19 @@ Grid<D> make_grid(const Scene& scene, const Communicator& comm)
 namespace {
 
 template <int D>
+std::optional<WaterLevel<D>> water_level(const Scene& scene)
+{
+    for (int side = 0; side < 2 * D; ++side) {
+        if (scene.sides[side].kind != SideScene::Kind::surface)
+            continue;
+        const int axis = side / 2, upwards = side % 2 ? 1 : -1;
+        const double place = scene.origin[axis] + (side % 2) * scene.size[axis];
+        return WaterLevel<D>{{upwards * unit<D>(axis), upwards * place}, scene.density * std::abs(scene.gravity[axis])};
+    }
+    return {};
+}
+
+template <int D>
 SpinMatrix<D> inertia_of(const BodyScene& body)
 {
     SpinMatrix<D> inertia = SpinMatrix<D>::Identity();
@@ -151,6 +164,7 @@ std::vector<RigidBody<D>> make_bodies(const Scene& scene)
 {
     std::vector<RigidBody<D>> bodies;
     MeshShapes<D> shapes;
+    const std::optional<WaterLevel<D>> water = water_level<D>(scene);
     for (const BodyScene& from : scene.bodies) {
         RigidBody<D> body;
         body.name = from.name;
@@ -159,6 +173,7 @@ std::vector<RigidBody<D>> make_bodies(const Scene& scene)
                       : from.motion == BodyScene::Motion::prescribed ? Motion::prescribed
                                                                      : Motion::fixed;
         body.pose = scene_pose<D>(from);
+        body.water = water;
         if (from.mass)
             set_mass<D>(body, *from.mass, inertia_of<D>(from));
         else if (from.shape != BodyScene::ShapeKind::half_space)

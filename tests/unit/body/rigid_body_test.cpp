@@ -184,6 +184,66 @@ TEST(RigidBody, ReducedGravityActsOnWhatTheBodyWeighsMoreThanFluid)
     EXPECT_NEAR(explicit_wrench<2>(body, Vec<2>(0, -10), 1.0)[1], -30, 1e-13);
 }
 
+template <int D>
+RigidBody<D> float_of(std::shared_ptr<const Shape<D>> shape, const Vec<D>& up, double level)
+{
+    RigidBody<D> body;
+    body.shape = std::move(shape);
+    set_density(body, 0.6);
+    body.centre_of_mass += 0.03 * unit<D>(0); // the centre of volume is another point
+    body.water = WaterLevel<D>{{up, level}, 1.3 * 9.0};
+    return body;
+}
+
+// Gravity's and buoyancy's wrench is what the energy falls by along each motion, whether the body is above, below or in the level.
+template <int D>
+void expect_conservative(RigidBody<D> body, const Vec<D>& up)
+{
+    const Vec<D> g = -9 * up;
+    for (const double height : {-1.1, -0.4, -0.1, 0.05, 0.3, 0.9}) {
+        place<D>(body, body.centre() + (body.water->plane.offset + height - up.dot(body.centre())) * up, body.pose.rotation);
+        const Twist<D> w = explicit_wrench<D>(body, g, 1.3);
+        const double small = 1e-4;
+        Twist<D> of_section = Twist<D>::Zero();
+        for (int k = 0; k < twist_size<D>; ++k) {
+            const auto moved_by = [&](double way) {
+                RigidBody<D> other = body;
+                const Twist<D> motion = way * Twist<D>::Unit(k);
+                displace<D>(other, motion.template head<D>(), motion.template tail<spin_size<D>>());
+                return other;
+            };
+            const RigidBody<D> back = moved_by(-small), forth = moved_by(small);
+            EXPECT_NEAR((gravity_energy<D>(back, g, 1.3) - gravity_energy<D>(forth, g, 1.3)) / (2 * small), w[k], 2e-5)
+                << "motion " << k << " at " << height;
+            of_section[k] = (explicit_wrench<D>(back, g, 1.3) - explicit_wrench<D>(forth, g, 1.3)).template head<D>().dot(up) /
+                            (2 * small);
+        }
+        // How buoyancy falls along each motion, by the section alone.
+        Twist<D> rise = Twist<D>::Zero();
+        rise.template head<D>() = up;
+        EXPECT_NEAR((displacement(body).stiffness * rise - of_section).norm(), 0, 2e-4) << height;
+    }
+}
+
+TEST(RigidBody, BuoyancyAtAWaterLevelIsTheDerivativeOfAnEnergy)
+{
+    const Vec<2> up2(0, 1);
+    RigidBody<2> box = float_of<2>(make_box<2>(Vec<2>(0.8, 0.4)), up2, 0.7);
+    place<2>(box, Vec<2>(0.2, 0.7), Rotation<2>(0.4));
+    expect_conservative<2>(box, up2);
+    RigidBody<2> capsule = float_of<2>(make_capsule<2>(0.3, 0.7), -up2, -0.2);
+    place<2>(capsule, Vec<2>(0.2, 0.2), Rotation<2>(-0.6));
+    expect_conservative<2>(capsule, Vec<2>(-up2));
+    const Vec<3> up3(0, 0, 1);
+    const std::vector<std::shared_ptr<const Shape<3>>> shapes{make_box<3>(Vec<3>(0.8, 0.5, 0.6)), make_ball<3>(0.4),
+                                                              make_capsule<3>(0.25, 0.6), make_cylinder(0.3, 0.7)};
+    for (const std::shared_ptr<const Shape<3>>& shape : shapes) {
+        RigidBody<3> body = float_of<3>(shape, up3, 0.1);
+        place<3>(body, Vec<3>(0.1, 0.2, 0.1), Eigen::Quaterniond(0.9, 0.2, 0.3, -0.2).normalized());
+        expect_conservative<3>(body, up3);
+    }
+}
+
 TEST(RigidBody, HeldComponentsDoNotMove)
 {
     RigidBody<3> body = top(Vec<3>(1, 2, 3), Vec<3>::Zero());

@@ -72,6 +72,8 @@ TEST(Placement, TellsOfOverlapsAndOfWhatIsOutside)
                                      "remove it"));
     scene.bodies[1].motion = Motion::prescribed;
     EXPECT_THAT(warnings_of(scene), testing::ElementsAre(testing::EndsWith("its motion should bring it in")));
+    scene.sides[1].kind = SideScene::Kind::surface; // above water
+    EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
 }
 
 std::string refusal_of(const Scene& scene)
