@@ -206,6 +206,7 @@ class Ends(Case):
         bodies = lambda: [row["body"] for row in rows(self.out / "bodies.csv")]
         said = self.run_scene(RISING)
         self.assertIn("'cork' is on its way out of the domain through the side y_high", said)
+        self.assertIn('write domain.sides.y_high = "surface"', said)
         self.assertEqual(bodies().count("cork"), bodies().count("stone"))
 
         said = self.run_scene(RISING, "--set", "domain.leaving=stop")
@@ -226,6 +227,19 @@ class Ends(Case):
         self.assertNotIn("cork_00001.vtp", os.listdir(self.out / "bodies"))
         self.assertIn("is taken out", " ".join(self.record()["warnings"]))
         self.assertEqual(gapflow("report", self.out).returncode, 0)
+
+    def test_a_body_that_floats(self):
+        """It comes up through the surface and stays half out, which is no way out of the domain."""
+        floating = RISING.replace('y_high = "open"', 'y_high = "surface"').replace("velocity = [0.0, 1.0]\n", "")
+        said = self.run_scene(floating, "--set", "time.end=3", "--set", "time.max_step=0.05", "--set", "fluid.viscosity=0.02",
+                              "--set", "output.forces=true", "--set", "domain.leaving=remove")
+        self.assertNotIn("way out", said)
+        self.assertNotIn("has left", said)
+        self.assertAlmostEqual(float([row["y"] for row in rows(self.out / "bodies.csv") if row["body"] == "cork"][-1]), 1.0, delta=0.06)
+        buoyancy = [float(row["buoyancy_fy"]) for row in rows(self.out / "forces.csv") if row["body"] == "cork"]
+        self.assertAlmostEqual(buoyancy[0] / (math.pi * 0.12 ** 2), 1, delta=1e-6)
+        self.assertAlmostEqual(buoyancy[-1] / (math.pi * 0.12 ** 2), 0.5, delta=0.3)
+        self.assertEqual(json.loads(self.record()["scene"])["domain"]["sides"]["y_high"], "surface")
 
 
 class Folders(Case):

@@ -182,7 +182,7 @@ double swing_frequency(const RigidBody<D>& body, const Vec<D>& gravity, double f
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Twist<D> spring_wrench<D>(const RigidBody<D>&);                                                                   \
     template double spring_energy<D>(const RigidBody<D>&);                                                                     \
-    template TwistMatrix<D> stiffness_inertia<D>(const RigidBody<D>&, double);                                                    \
+    template TwistMatrix<D> stiffness_inertia<D>(const RigidBody<D>&, double);                                                 \
     template Twist<D> forced_twist<D>(const RigidBody<D>&, const Vec<D>&, double, double);                                     \
     template Twist<D> impulse_response<D>(const RigidBody<D>&, const Twist<D>&, double);                                       \
     template double spring_frequency<D>(const RigidBody<D>&);                                                                  \

@@ -224,8 +224,7 @@ void add_side(SurfaceBelow<3>& sum, const AlongAxis& axis, double half)
     };
     std::array<double, 4> ends{-half, half, -half, -half};
     for (int k = 0; k < 2 && axis.rising != 0; ++k) // where the plane touches the cylinder
-        ends[2 + k] =
-            std::clamp(-(axis.level + (k ? -1 : 1) * axis.radius * axis.sideways) / axis.rising, -half, half);
+        ends[2 + k] = std::clamp(-(axis.level + (k ? -1 : 1) * axis.radius * axis.sideways) / axis.rising, -half, half);
     std::sort(ends.begin(), ends.end());
     for (int k = 0; k < 3; ++k) {
         const double from = ends[k], way = ends[k + 1] - from, middle = axis.share(from + 0.5 * way);

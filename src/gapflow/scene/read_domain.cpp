@@ -191,12 +191,14 @@ void check_surface(const Values& v, const Scene& scene)
             v.refuse(name, "a surface is a water level with air above, and there is no gravity that holds it level",
                      "give gravity, or write \"open\" where fluid is free to pass");
         if (along == scene.dimension)
-            v.refuse(name, "a water level is at right angles to gravity, and gravity = " + list_text(scene.gravity, scene.dimension) +
-                               " is along no axis",
+            v.refuse(name,
+                     "a water level is at right angles to gravity, and gravity = " + list_text(scene.gravity, scene.dimension) +
+                         " is along no axis",
                      "let gravity be along " + axis_text(axis) + " alone, or write \"open\"");
         if (along != axis || scene.gravity[axis] * outwards > 0)
-            v.refuse(name, "a water level has its air on the side that gravity = " + list_text(scene.gravity, scene.dimension) +
-                               " points away from",
+            v.refuse(name,
+                     "a water level has its air on the side that gravity = " + list_text(scene.gravity, scene.dimension) +
+                         " points away from",
                      "write " + side_names[2 * along + (scene.gravity[along] < 0 ? 1 : 0)] + " = \"surface\"");
     }
 }

@@ -98,7 +98,8 @@ std::vector<Whereabouts> whereabouts(const Model<D>& model, const std::vector<Ri
         if (!own.low.allFinite() || !own.high.allFinite())
             continue;
         places[b] = find<D>(model, extent_of(body, 0));
-        if (places[b].outside || places[b].floats || !places[b].crossed.empty()) // a body near a side is measured by its vertices
+        if (places[b].outside || places[b].floats ||
+            !places[b].crossed.empty()) // a body near a side is measured by its vertices
             places[b] = find<D>(model, extent_of(body, 0.1 * dx));
     }
     return places;

@@ -115,8 +115,8 @@ Sums<D> above_water(const Model<D>& model, const Coupling<D>& here, const FaceFi
         for_each_face_of_side<D>(grid, axis, side % 2, [&](const Index<D>& f) {
             if (!(here.system.conductance(axis, f) > 0))
                 return;
-            const double u = velocity(axis, f),
-                         mass = 0.5 * model.scene.density * std::pow(grid.dx(), D) * here.open(axis, f) * grid.spread(axis, f[axis]);
+            const double u = velocity(axis, f), mass = 0.5 * model.scene.density * std::pow(grid.dx(), D) * here.open(axis, f) *
+                                                       grid.spread(axis, f[axis]);
             const int cut = here.fractions->cut(axis, f);
             const Vec<D> x = cut >= 0 ? here.fractions->faces[cut].open_centroid : grid.face_centre(axis, f);
             const Vec<D> momentum = mass * u * unit<D>(axis);

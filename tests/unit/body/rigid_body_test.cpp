@@ -215,8 +215,8 @@ void expect_conservative(RigidBody<D> body, const Vec<D>& up)
             const RigidBody<D> back = moved_by(-small), forth = moved_by(small);
             EXPECT_NEAR((gravity_energy<D>(back, g, 1.3) - gravity_energy<D>(forth, g, 1.3)) / (2 * small), w[k], 2e-5)
                 << "motion " << k << " at " << height;
-            of_section[k] = (explicit_wrench<D>(back, g, 1.3) - explicit_wrench<D>(forth, g, 1.3)).template head<D>().dot(up) /
-                            (2 * small);
+            of_section[k] =
+                (explicit_wrench<D>(back, g, 1.3) - explicit_wrench<D>(forth, g, 1.3)).template head<D>().dot(up) / (2 * small);
         }
         // How buoyancy falls along each motion, by the section alone.
         Twist<D> rise = Twist<D>::Zero();

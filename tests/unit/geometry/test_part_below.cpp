@@ -83,7 +83,8 @@ TEST(PartBelow, CylinderAndCapsuleInClosedForm)
 template <int D>
 void expect_sections_to_be_derivatives(const Shape<D>& shape, const Vec<D>& n, double tolerance)
 {
-    const Vec<D> half = 0.5 * (shape.bounds().high - shape.bounds().low), middle = 0.5 * (shape.bounds().high + shape.bounds().low);
+    const Vec<D> half = 0.5 * (shape.bounds().high - shape.bounds().low),
+                 middle = 0.5 * (shape.bounds().high + shape.bounds().low);
     const double reach = n.cwiseAbs().dot(half), step = 1e-3 * reach;
     for (double share = -0.95; share < 1; share += 0.19) {
         const double d = n.dot(middle) + share * reach;
@@ -91,7 +92,8 @@ void expect_sections_to_be_derivatives(const Shape<D>& shape, const Vec<D>& n, d
                            upper = part_below<D>(shape, {n, d + step});
         const double scale = std::pow(reach, D - 1);
         EXPECT_NEAR((upper.volume - lower.volume) / (2 * step), at.section, tolerance * scale) << share;
-        EXPECT_NEAR(((upper.moment - lower.moment) / (2 * step) - at.section_moment).norm(), 0, tolerance * scale * reach) << share;
+        EXPECT_NEAR(((upper.moment - lower.moment) / (2 * step) - at.section_moment).norm(), 0, tolerance * scale * reach)
+            << share;
         // What is above is the part below the plane turned over.
         const PartBelow<D> above = part_below<D>(shape, {-n, -d});
         const MassProperties<D> mass = shape.mass_properties();

@@ -75,11 +75,102 @@ TEST(Floating, SettlesAtItsDraughtAndGainsNoEnergy)
     for (const double density : {0.2, 0.5, 0.9}) {
         Scene scene = tank_with_float(density, -0.05);
         scene.viscosity = 0.02;
+        scene.max_step = 0.1;
         Simulation<2> simulation(scene, Communicator());
         EXPECT_LT(largest_rise(simulation, scene.end), 1e-3) << density;
-        const double draught = 1.5 - (simulation.bodies()[0].centre()[1] - 0.2);
-        EXPECT_NEAR(draught, 0.4 * density, 0.01 * 0.4) << density;
+        EXPECT_NEAR(displacement(simulation.bodies()[0]).volume, density * 0.2, 0.01 * density * 0.2) << density;
     }
+}
+
+// Dropped into the water, and let go in it so that it jumps out: ideal fluid, disks, which turn too.
+TEST(Floating, DisksThatDiveAndJumpGainNoEnergy)
+{
+    for (const double density : {0.2, 0.9})
+        for (const double height : {0.5, -0.4}) {
+            Scene scene = tank_with_float(density, height);
+            scene.bodies[0].shape = BodyScene::ShapeKind::ball;
+            scene.bodies[0].radius = 0.25;
+            scene.bodies[0].free.fill(true);
+            scene.bodies[0].angular_velocity = {0.3, 0, 0};
+            Simulation<2> simulation(scene, Communicator());
+            EXPECT_LT(largest_rise(simulation, 4), 0.01) << density << " " << height;
+        }
+}
+
+// Small oscillations: w^2 = rho g A / (m + m_a), with the grid's own added mass.
+TEST(Floating, HeavesAtTheFrequencyOfLinearTheory)
+{
+    Scene scene = tank_with_float(0.5, 0.015); // draught 0.2; 0.013 below its rest
+    scene.bodies[0].position[1] -= 0.028;
+    scene.max_step = 0.04;
+    const double added = added_mass(scene, Communicator()).matrix(1, 1), frequency = std::sqrt(0.5 / (0.5 * 0.2 + added));
+    Simulation<2> simulation(scene, Communicator());
+    double before = simulation.bodies()[0].twist[1], turned = 0;
+    while (turned == 0) {
+        simulation.step(20);
+        const double now = simulation.bodies()[0].twist[1];
+        if (before > 0 && now <= 0) // half a period
+            turned = simulation.time() - 0.5 * 0.04;
+        before = now;
+        ASSERT_LT(simulation.time(), 10);
+    }
+    EXPECT_NEAR(turned * frequency, std::numbers::pi, 0.03 * std::numbers::pi);
+}
+
+// Half out of an open side a body is on its way out, and is told what it lacks.
+TEST(Floating, TheWarningOfAnOpenSideNamesSurfaceSides)
+{
+    Scene scene = tank_with_float(0.5, -0.1);
+    scene.sides[3].kind = SideScene::Kind::open;
+    Simulation<2> simulation(scene, Communicator());
+    const StepReport report = simulation.step(10);
+    ASSERT_EQ(report.notes.size(), 1u);
+    EXPECT_NE(report.notes[0].find("on its way out"), std::string::npos);
+    EXPECT_NE(report.notes[0].find("write domain.sides.y_high = \"surface\""), std::string::npos);
+    scene.gravity = {0.1, -1, 0};
+    Simulation<2> oblique(scene, Communicator());
+    EXPECT_EQ(oblique.step(10).notes.at(0).find("surface"), std::string::npos);
+}
+
+TEST(Floating, ARestoredRunGoesOnAsTheSame)
+{
+    const Scene scene = tank_with_float(0.3, 0.05);
+    Simulation<2> first(scene, Communicator());
+    for (int i = 0; i < 3; ++i)
+        first.step(10);
+    Simulation<2> second(scene, Communicator(), first.state());
+    for (int i = 0; i < 3; ++i) {
+        first.step(10);
+        second.step(10);
+    }
+    EXPECT_EQ(first.bodies()[0].twist, second.bodies()[0].twist);
+    EXPECT_EQ(first.bodies()[0].pose.position, second.bodies()[0].pose.position);
+}
+
+// The level is where the reference pressure acts; a ball of three dimensions settles, too.
+TEST(Floating, ABallSettlesInThreeDimensions)
+{
+    Scene scene;
+    scene.dimension = 3;
+    scene.size = {1, 1, 1};
+    scene.cells = {12, 12, 12};
+    scene.gravity = {0, 0, 1}; // the level is below
+    scene.sides[4].kind = SideScene::Kind::surface;
+    scene.reference_pressure = 3;
+    scene.viscosity = 0.02;
+    BodyScene ball;
+    ball.name = "float";
+    ball.shape = BodyScene::ShapeKind::ball;
+    ball.radius = 0.25;
+    ball.position = {0.5, 0.47, 0.1};
+    ball.density = 0.4;
+    scene.bodies = {ball};
+    scene.max_step = 0.1;
+    Simulation<3> simulation(scene, Communicator());
+    EXPECT_EQ(simulation.hydrostatic(Vec<3>(0.2, 0.3, 0)), 3);
+    EXPECT_LT(largest_rise(simulation, 8), 1e-3);
+    const RigidBody<3>& body = simulation.bodies()[0];
+    EXPECT_NEAR(displacement(body).volume, 0.4 * body.volume, 0.01 * 0.4 * body.volume);
 }
 
 } // namespace
