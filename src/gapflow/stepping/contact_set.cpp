@@ -87,9 +87,13 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
     auto reach = [&](int a, int b) { return law(a, b).hold + cushion * dx_ + 2 * dt * (speed[a] + speed[b]); };
     const double largest = thickest + cushion * dx_ + 4 * dt * fastest;
 
+    Vec<D> low = low_, high = high_;
+    for (int side = 0; side < 2 * D; ++side) // bodies are at home above a water level, too
+        if (scene_->sides[side].kind == SideScene::Kind::surface)
+            (side % 2 ? high : low)[side / 2] = (side % 2 ? 1 : -1) * std::numeric_limits<double>::infinity();
     const std::vector<Contact<D>> old = std::move(contacts_);
     contacts_.clear();
-    for (ContactPoint<D>& point : find_contacts<D>(solids, features_, low_, high_, period_, reach, largest, merge * dx_)) {
+    for (ContactPoint<D>& point : find_contacts<D>(solids, features_, low, high, period_, reach, largest, merge * dx_)) {
         Contact<D> contact;
         const PairLaw pair = law(point.a, point.b);
         contact.hold = pair.hold;

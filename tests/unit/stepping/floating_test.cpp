@@ -132,6 +132,24 @@ TEST(Floating, TheWarningOfAnOpenSideNamesSurfaceSides)
     EXPECT_EQ(oblique.step(10).notes.at(0).find("surface"), std::string::npos);
 }
 
+// A box falls by a tenth of a cell through air onto a float, and rests on it above the water.
+TEST(Floating, BodiesTouchAboveTheWater)
+{
+    Scene scene = tank_with_float(0.5, 0);
+    BodyScene load = scene.bodies[0];
+    load.name = "load";
+    load.size = {0.2, 0.1, 0};
+    load.position[1] = 1.5 + 0.2 + 0.05 + 0.006;
+    scene.bodies.push_back(load);
+    Simulation<2> simulation(scene, Communicator());
+    while (simulation.time() < 1) {
+        simulation.step(1);
+        EXPECT_GT((simulation.bodies()[1].centre() - simulation.bodies()[0].centre())[1], 0.25 - 1e-3 * 0.0625);
+    }
+    EXPECT_LT(simulation.bodies()[0].centre()[1], 1.5); // under the load
+    EXPECT_NEAR(simulation.bodies()[0].twist[1], simulation.bodies()[1].twist[1], 1e-6);
+}
+
 TEST(Floating, ARestoredRunGoesOnAsTheSame)
 {
     const Scene scene = tank_with_float(0.3, 0.05);
