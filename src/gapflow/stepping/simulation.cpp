@@ -105,13 +105,41 @@ StepReport Simulation<D>::step(double next_output)
     std::optional<EarlierFlow<D>> earlier;
     if (model_.scene.until_steady)
         earlier.emplace(model_, state_);
-    advance(next_output, BulkViscosity::acts, report);
+    advance_followed(next_output, report);
     if (earlier)
         report.unsteadiness = unsteadiness(model_, *here_, *earlier, state_);
     follow_departures(places, report);
     this->report(model_.twists(state_.bodies), report);
     report.seconds = watch.seconds();
     return report;
+}
+
+template <int D>
+void Simulation<D>::put_back(const State<D>& start)
+{
+    here_.reset();
+    state_ = start; // copied: who keeps a reference to a body has the same one afterwards
+    restore_configuration();
+}
+
+// A step that turns out too long for its viscosity is made again, shorter: the energy that it gains would stay.
+template <int D>
+void Simulation<D>::advance_followed(double next_output, StepReport& report)
+{
+    std::optional<State<D>> start;
+    if (model_.scene.max_step > followed_step(model_))
+        start = state_;
+    advance(next_output, BulkViscosity::acts, report);
+    if (start && lags(model_, state_)) {
+        start->viscous_step = followed_step(model_);
+        put_back(*start);
+        beyond_ = reconstruct(model_, *here_, state_, model_.twists(state_.bodies));
+        report = {};
+        advance(next_output, BulkViscosity::acts, report);
+        report.notes.push_back(viscous_lag_note(model_));
+    }
+    if (state_.viscous_step > 0)
+        state_.viscous_step = longest_viscous_step(model_, state_);
 }
 
 // The viscous step starts from the pressure of the step before: without one a light body drags the fluid with the velocity that it would have
@@ -128,9 +156,7 @@ void Simulation<D>::rehearse(double next_output)
         StepReport unused;
         advance(next_output, viscosity, unused);
         Expectations<D> found = expectations(model_, state_, *here_);
-        here_.reset();
-        state_ = start; // copied: who keeps a reference to a body has the same one afterwards
-        restore_configuration();
+        put_back(start);
         expect(std::move(found), *here_, state_);
         beyond_ = reconstruct(model_, *here_, state_, model_.twists(state_.bodies));
     }
@@ -193,15 +219,13 @@ void Simulation<D>::follow_departures(const std::vector<Whereabouts>& before, St
         report.notes.push_back(std::move(note));
 }
 
-// The state's sums; notes on films with blind ends, and on steps too long for so viscous fluid.
+// The state's sums; notes on films with blind ends.
 template <int D>
 void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
 {
     report_state(model_, *here_, state_, V, report);
     for (std::string& note : blind_end_notes(*here_, blind_told_))
         report.notes.push_back(std::move(note));
-    if (std::optional<std::string> note = viscous_lag_note(model_, state_))
-        report.notes.push_back(std::move(*note));
 }
 
 template <int D>

@@ -83,7 +83,9 @@ public:
 private:
     enum class BulkViscosity { acts, is_left_out };
     void restore_configuration();
+    void put_back(const State<D>& start);
     void rehearse(double next_output);
+    void advance_followed(double next_output, StepReport& report);
     void advance(double next_output, BulkViscosity viscosity, StepReport& report);
     void report(const std::vector<Twist<D>>& V, StepReport& report);
     void follow_departures(const std::vector<Whereabouts>& before, StepReport& report);

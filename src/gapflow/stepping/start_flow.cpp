@@ -24,7 +24,6 @@ template <int D>
 std::vector<Meeting<D>> flat_touches(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
                                      const std::function<bool(int, int)>& rebound)
 {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     const double dx = coupling.grid->dx(), least = D == 2 ? patch * dx : patch * patch * dx * dx;
     std::vector<Meeting<D>> touches;
     for (const Film<D>& film : coupling.network.films) {
@@ -33,15 +32,14 @@ std::vector<Meeting<D>> flat_touches(const Coupling<D>& coupling, const std::fun
                      most = floor + slack;
         const auto apart = [&](int node) { return (mesh.y[node] - mesh.x[node]).norm(); };
         const bool round = !mesh.flat && rebound && rebound(mesh.master, mesh.other);
-        double nearest = infinite;
+        double nearest = std::numeric_limits<double>::infinity();
         for (int node = 0; round && node < static_cast<int>(mesh.x.size()); ++node)
             nearest = std::min(nearest, apart(node));
         std::vector<Meeting<D>> of_film;
         double area = 0;
         for (const FilmElement<D>& e : mesh.elements) {
-            if (std::any_of(e.nodes.begin(), e.nodes.end(), [&](int node) {
-                    return mesh.h[node] + mesh.skin > most || apart(node) > nearest + slack;
-                }))
+            if (std::any_of(e.nodes.begin(), e.nodes.end(),
+                            [&](int node) { return mesh.h[node] + mesh.skin > most || apart(node) > nearest + slack; }))
                 continue;
             const Solid<D>&a = coupling.solids[mesh.master], &b = coupling.solids[mesh.other];
             of_film.push_back({mesh.master, mesh.other, Twist<D>(-wrench<D>(e.normal, e.centroid - a.centre)),

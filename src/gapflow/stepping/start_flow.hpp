@@ -24,7 +24,6 @@ std::vector<Twist<D>> start_twists(const Coupling<D>& coupling, const std::vecto
 /// have it back in the first step, and with it the energy of a film that does not move at the start.
 template <int D>
 std::optional<std::array<int, 2>> falls_flat(const Coupling<D>& coupling, const std::function<GapSettings(int, int)>& gaps,
-                                             const std::vector<Twist<D>>& twists,
-                                             const std::function<bool(int, int)>& rebound);
+                                             const std::vector<Twist<D>>& twists, const std::function<bool(int, int)>& rebound);
 
 } // namespace gapflow

@@ -105,6 +105,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         });
     archive("acceleration", state.acceleration);
     archive("light_bodies", state.light_bodies);
+    archive.optional("viscous_lag", state.viscous_step > 0, [&] { archive("longest_step", state.viscous_step); });
     state.contacts.list_state(archive);
     state.voids.list_state(archive);
     list_pairs(archive, "films_before", state.films_before);

@@ -83,6 +83,7 @@ struct State {
     Vec<D> grid_velocity = Vec<D>::Zero(); ///< of the same, in the last step
     std::set<int> removed;                 ///< bodies that left the domain and were taken out: held far outside
     bool light_bodies = true; ///< whether the next solver estimates if bodies are light enough to need a correction
+    double viscous_step = 0;  ///< longest next step, once one was too long for its viscosity (stepping/viscous_lag); 0: any
 
     /// At the scene's start, fluid at rest.
     explicit State(const Model<D>& model);

@@ -118,6 +118,9 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
     if (scene.viscosity > 0)
         dt = std::min(dt, std::ldexp(dx * dx * scene.density / scene.viscosity, static_cast<int>(std::min(state.steps, 60L))));
 
+    if (state.viscous_step > 0)
+        dt = std::min(dt, state.viscous_step);
+
     const std::vector<Twist<D>> V = model.twists(bodies);
     std::vector<Twist<D>> A = state.acceleration;
     if (state.steps ==

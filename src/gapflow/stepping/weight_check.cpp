@@ -36,20 +36,20 @@ double share_of_fluid(const RigidBody<D>& body, double density)
 template <int D>
 void require_weight(const Scene& scene, const std::vector<RigidBody<D>>& bodies)
 {
-    constexpr double round_off = 1e-9;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b].motion != Motion::free)
             continue;
         const double share = share_of_fluid(bodies[b], scene.density);
-        if (share >= (1 - round_off) * lightest)
+        if (share * (1 + 1e-9) >= lightest) // but for round-off
             continue;
         const BodyScene& from = scene.bodies[b];
-        const std::string given = from.mass ? "mass = " + short_text(*from.mass) + " with its inertia"
-                                            : "density = " + short_text(*from.density);
-        throw InputError(scene.file + ": body." + given + ": body '" + bodies[b].name + "' has " + short_text(share) +
-                         " of the inertia of the fluid in its place, and less than " + short_text(lightest) +
-                         " of it is lost to round-off; use " + short_text(lightest / share) +
-                         " times as much, or more: a body of a thousandth of the fluid's density moves nearly as one without mass");
+        const std::string given =
+            from.mass ? "mass = " + short_text(*from.mass) + " with its inertia" : "density = " + short_text(*from.density);
+        throw InputError(
+            scene.file + ": body." + given + ": body '" + bodies[b].name + "' has " + short_text(share) +
+            " of the inertia of the fluid in its place, and less than " + short_text(lightest) +
+            " of it is lost to round-off; use " + short_text(lightest / share) +
+            " times as much, or more: a body of a thousandth of the fluid's density moves nearly as one without mass");
     }
 }
 

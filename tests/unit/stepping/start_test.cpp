@@ -76,7 +76,8 @@ TEST(Start, ABoxThatFallsFlatStartsAtRest)
         scene.gap.roughness = 0.1 / 32;
         Simulation<2> simulation(scene, Communicator());
         EXPECT_EQ(energy(simulation.initial_report()), 0) << density;
-        EXPECT_THAT(simulation.initial_report().notes, testing::Contains(testing::HasSubstr("'box' and 'wall:y_low' lie flat")));
+        EXPECT_THAT(simulation.initial_report().notes,
+                    testing::Contains(testing::HasSubstr("'box' and 'wall:y_low' lie flat")));
         EXPECT_EQ(energy(simulation.step(1)), 0) << density;
     }
 }
