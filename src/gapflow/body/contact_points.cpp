@@ -40,8 +40,8 @@ public:
     {
         for (const Core<D>& core : of_a_.cores)
             add_segment(a_.to_world(core.from), a_.to_world(core.to), core.radius);
-        for (const Vec<D>& vertex : of_a_.vertices)
-            add_point(a_.to_world(vertex), 0);
+        for (std::size_t v = 0; v < of_a_.vertices.size(); ++v)
+            add_point(a_.to_world(of_a_.vertices[v]), 0, a_.rotation() * of_a_.inward[v]);
         if constexpr (D == 3)
             for (const ContactEdge& edge : of_a_.edges)
                 if (!edge.straight)
@@ -69,8 +69,8 @@ private:
             found_.push_back({x, y, normal, distance});
     }
 
-    /// A ball of the given radius about p (0: a vertex) against B.
-    void add_point(const Vec<D>& p, double radius)
+    /// A ball of the given radius about p (0: a vertex, with the direction into A's material) against B.
+    void add_point(const Vec<D>& p, double radius, const Vec<D>& inward = Vec<D>::Zero())
     {
         if (!b_.shape().inside_out() && out_of_reach(p, radius))
             return;
@@ -81,9 +81,14 @@ private:
             const bool no_direction = q.feature != Feature::face && std::abs(q.distance) < round_off * size;
             if (radius == 0 && q.distance < round_off * size && a_.shape().convex() && b_.shape().convex() &&
                 (no_direction || !lies_beyond(p, q.normal, -q.distance))) {
-                add_vertex_inside(p, size);
+                add_vertex_inside(p, size, [&](const Vec<D>& n, double depth) { return lies_beyond(p, n, depth); });
                 return;
             }
+            // A mesh may reach around B: only its material at the vertex tells. In a corner the nearest face may be one that it never passed.
+            if (q.distance < -round_off * size && !inward.isZero(0) && !a_.shape().convex() && !a_.shape().inside_out() &&
+                b_.shape().convex() && q.normal.dot(inward) < 0 &&
+                add_vertex_inside(p, size, [&](const Vec<D>& n, double) { return n.dot(inward) > 0; }))
+                return;
             if (no_direction)
                 return; // the bodies' faces and edges find this place too
             add(p, radius, q.x, q.normal, q.distance - radius);
@@ -123,8 +128,9 @@ private:
     }
 
     /// A vertex of A in a convex B or on its edge, if A's material is not on the outer side of the nearest face (as with overlapping flush
-    /// boxes): the nearest face for which it is.
-    void add_vertex_inside(const Vec<D>& p, double size)
+    /// boxes): the nearest face for which it is. False if there is none.
+    template <class IsBeyond>
+    bool add_vertex_inside(const Vec<D>& p, double size, IsBeyond&& is_beyond)
     {
         Vec<D> place = p, normal = p;
         double depth = std::numeric_limits<double>::infinity();
@@ -134,7 +140,7 @@ private:
                 continue; // past the patch's border
             const Vec<D> n = b_.patch_normal(y, patch);
             const double d = n.dot(y - p);
-            if (d > -round_off * size && d < depth && (y - p - d * n).norm() <= round_off * size && lies_beyond(p, n, d)) {
+            if (d > -round_off * size && d < depth && (y - p - d * n).norm() <= round_off * size && is_beyond(n, d)) {
                 place = y;
                 normal = n;
                 depth = d;
@@ -142,6 +148,7 @@ private:
         }
         if (std::isfinite(depth))
             add(p, 0, place, normal, -depth);
+        return std::isfinite(depth);
     }
 
     void add_segment(const Vec<D>& from, const Vec<D>& to, double radius)

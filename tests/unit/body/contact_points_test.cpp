@@ -147,6 +147,25 @@ TEST(ContactPoints, CylinderLyingStandingAndTilted)
     EXPECT_NEAR(contacts[0].distance, 1e-5, 1e-9);
 }
 
+// A wedge's tip in the corner between a floor and a box on it is nearer to the box's bottom, behind which it has never been, than to its side.
+TEST(ContactPoints, TipOfAMeshInACorner)
+{
+    SurfaceMesh<2> wedge;
+    wedge.vertices = {{-0.035, 0.2}, {0, -0.2}, {0.035, 0.2}};
+    for (int i = 0; i < 3; ++i)
+        wedge.elements.push_back({i, (i + 1) % 3});
+    const double degrees = 19.3 * std::numbers::pi / 180;
+    Scenery<2> s;
+    s.add(make_box<2>({0.4, 0.3}), {0.8, 0.15});
+    s.solids.back().motion = Motion::fixed;
+    const Rotation<2> lean(degrees);
+    s.add(make_mesh<2>(std::move(wedge), "wedge"), Vec<2>(0.603, 1e-4) - lean * Vec<2>(0, -0.2), lean);
+    const auto contacts = s.contacts(1e-3);
+    ASSERT_EQ(contacts.size(), 1u);
+    EXPECT_NEAR(std::abs(contacts[0].normal[0]), 1, 1e-12);
+    EXPECT_NEAR(contacts[0].distance, -0.003, 1e-9);
+}
+
 TEST(ContactPoints, CapsuleOnFloorAndAcross)
 {
     Scenery<3> s;
