@@ -645,21 +645,15 @@ def _scene_of_checkpoint(path: str) -> _Source:
         body["rotation"] = float(f"{body['rotation']:.15g}")
     quaternions = () if flat else tuple(body["rotation"] for body in scene["body"])
 
-    def source() -> _Source:
-        return replace(_source_of(scene, None), quaternions=quaternions)
-
-    for table in (scene["gap"], *scene["pair"]):  # the number that "auto" became
-        roughness, table["roughness"] = table["roughness"], "auto"
-        if _resolved_of(source(), path) != stored:
-            table["roughness"] = roughness
-    return source()
-
-
-def _resolved_of(source: _Source, path: str) -> Any:
+    for table in (scene["gap"], *scene["pair"]):
+        if table.pop("automatic_roughness", False):
+            table["roughness"] = "auto"
+    source = replace(_source_of(scene, None), quaternions=quaternions)
     try:
-        return json.loads(source.read("run").json())
+        source.read("run")
     except _core.InputError as error:
         raise _core.InputError(f"{path}: its scene cannot be built again ({error}); give it, restore(path, scene=...)") from None
+    return source
 
 
 def _numbers(values: ArrayLike) -> Sequence[float]:

@@ -318,14 +318,14 @@ class Restart(unittest.TestCase):
         content = path.read_bytes()
         # The attribute: its name, padded, then type, space and the number.
         name = content.index(b"format_version\0")
-        current = (7).to_bytes(8, "little")
+        current = (8).to_bytes(8, "little")
         candidates = [content.index(current, name + 16)]
         while candidates[-1] >= 0 and len(candidates) < 8:
             candidates.append(content.find(current, candidates[-1] + 1))
         for at in filter(lambda at: at > 0, candidates):
-            path.write_bytes(content[:at] + (8).to_bytes(8, "little") + content[at + 8:])
+            path.write_bytes(content[:at] + (9).to_bytes(8, "little") + content[at + 8:])
             message = self.run_to_end("old", "--resume", "out/checkpoint.h5", status=2)
-            if "a checkpoint of format 8" in message:
+            if "a checkpoint of format 9" in message:
                 self.assertIn("resume with the version that wrote it", message)
                 return
         self.fail("no place in the file is the format's number")

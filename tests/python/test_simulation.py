@@ -415,7 +415,7 @@ def test_a_saved_state_is_restored_with_the_same_bits(tmp_path, command):
 
 
 def test_scenes_of_checkpoints_are_built_again_exactly(tmp_path):
-    """Roughness of both kinds, quaternions, tables, pairs."""
+    """Roughness of both kinds, of bodies that start in touch too, quaternions, tables, pairs, normals that are brought to unit length."""
     (tmp_path / "in.csv").write_text("time,u,v,w\n0,0,0,0\n1,1,0,0\n")
     scenes = [plates_scene(), ball_scene(3, 12, rotation={"axis": [1, 2, 3], "degrees": 33}),
               gapflow.Scene(domain=gapflow.Domain(size=[2, 2, 2], cells=[12] * 3, sides={"x_low": {"inflow": str(tmp_path / "in.csv")}, "x_high": "open"}),
@@ -423,6 +423,8 @@ def test_scenes_of_checkpoints_are_built_again_exactly(tmp_path):
                             pairs=[gapflow.Pair(bodies=("b", "wall:z_low"), roughness=2e-3, contact="dry")],
                             bodies=[gapflow.Capsule(name="b", radius=0.3, length=0.4, position=[1, 1, 1], rotation=[0.5, 0.5, 0.1, 0.2], density=2)],
                             time=gapflow.Time(end=0.1, max_step=0.01))]
+    scenes.append(ball_scene(2, 32, position=[2.0, 0.5]))
+    scenes[-1].fluxes.append({"name": "slanted", "plane": {"point": [2, 2], "normal": [1, 2]}})
     for scene in scenes:
         sim = gapflow.Simulation(scene)
         sim.save(tmp_path / "a.h5")

@@ -21,7 +21,7 @@ namespace gapflow {
 namespace {
 
 constexpr const char* format_name = "gapflow checkpoint";
-constexpr std::int64_t format_version = 7; // incremented (in restart_test.py too) whenever older states cannot be restored
+constexpr std::int64_t format_version = 8; // incremented (in restart_test.py too) whenever older states cannot be restored
 
 /// A problem with a file, without its name.
 class Unreadable : public std::runtime_error {

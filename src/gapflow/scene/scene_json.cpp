@@ -40,9 +40,13 @@ Json side_json(const SideScene& side, const Lists& list)
 
 Json gap_json(const GapScene& gap)
 {
-    return {{"model", gap.film ? "film" : "none"},          {"threshold", gap.threshold ? Json(*gap.threshold) : Json("auto")},
-            {"contact", word({"wet", "dry"}, gap.contact)}, {"roughness", gap.roughness},
-            {"entrance_loss", gap.entrance_loss},           {"exit", word({"auto", "reversible", "jet"}, gap.exit)}};
+    return {{"model", gap.film ? "film" : "none"},
+            {"threshold", gap.threshold ? Json(*gap.threshold) : Json("auto")},
+            {"contact", word({"wet", "dry"}, gap.contact)},
+            {"roughness", gap.roughness},
+            {"automatic_roughness", gap.automatic_roughness},
+            {"entrance_loss", gap.entrance_loss},
+            {"exit", word({"auto", "reversible", "jet"}, gap.exit)}};
 }
 
 Json contact_json(const ContactScene& contact)
@@ -163,6 +167,8 @@ Json flux_json(const FluxScene& flux, const Lists& list)
         json["side"] = side_names[flux.side];
     } else if (flux.kind == FluxScene::Kind::gap) {
         json["gap"] = flux.bodies;
+        if (flux.along)
+            json["along"] = list.vector(*flux.along);
     } else {
         json["plane"] = {{"point", list.vector(flux.point)}, {"normal", list.vector(flux.normal)}};
         if (flux.low && flux.high) {

@@ -52,6 +52,21 @@ ContactSet<D>::ContactSet(const Scene& scene, const Grid<D>& grid, const std::ve
         names_.push_back(solid.name);
         features_.push_back(contact_features(solid.shape.shape()));
     }
+    const auto hold = [&](int a, int b) { return law(a, b).hold; };
+    for (const ContactPoint<D>& point :
+         find_contacts<D>(solids, features_, low_, high_, period_, hold, thickest(), merge * dx_)) {
+        double& distance = placed_.try_emplace({point.a, point.b}, point.distance).first->second;
+        distance = std::min(distance, point.distance);
+    }
+}
+
+template <int D>
+double ContactSet<D>::thickest() const
+{
+    double thickest = std::max(scene_->contact.thickness, scene_->gap.roughness);
+    for (const PairScene& pair : scene_->pairs)
+        thickest = std::max({thickest, pair.contact.thickness, pair.gap.roughness});
+    return thickest;
 }
 
 template <int D>
@@ -65,8 +80,11 @@ template <int D>
 typename ContactSet<D>::PairLaw ContactSet<D>::law(int a, int b) const
 {
     const ContactScene& contact = scene_->contact_of(names_[a], names_[b]);
-    return {scene_->held_distance(names_[a], names_[b]), scene_->least_distance(names_[a], names_[b]), contact.restitution,
-            contact.friction};
+    const double hold = scene_->held_distance(names_[a], names_[b]);
+    const auto placed = placed_.find({a, b});
+    const double least =
+        placed == placed_.end() ? hold : std::max(scene_->least_distance(names_[a], names_[b]), std::min(placed->second, hold));
+    return {hold, least, contact.restitution, contact.friction};
 }
 
 template <int D>
@@ -81,11 +99,8 @@ void ContactSet<D>::find(const std::vector<Solid<D>>& solids, const std::vector<
         speed[s] = twists[s].template head<D>().norm() + (spin > 0 ? spin * std::min(2 * radius, (high_ - low_).norm()) : 0.0);
         fastest = std::max(fastest, speed[s]);
     }
-    double thickest = std::max(scene_->contact.thickness, scene_->gap.roughness);
-    for (const PairScene& pair : scene_->pairs)
-        thickest = std::max({thickest, pair.contact.thickness, pair.gap.roughness});
     auto reach = [&](int a, int b) { return law(a, b).hold + cushion * dx_ + 2 * dt * (speed[a] + speed[b]); };
-    const double largest = thickest + cushion * dx_ + 4 * dt * fastest;
+    const double largest = thickest() + cushion * dx_ + 4 * dt * fastest;
 
     Vec<D> low = low_, high = high_;
     for (int side = 0; side < 2 * D; ++side) // bodies are at home above a water level, too

@@ -17,8 +17,10 @@
 
 #include <array>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gapflow {
@@ -36,8 +38,9 @@ struct ContactImpulse {
 template <int D>
 struct Contact {
     ContactPoint<D> point;
-    double hold = 0;           ///< distance at which surfaces that near each other meet: thickness or roughness
-    double least_distance = 0; ///< below which they overlap: the same, but 0 of a roughness that is automatic
+    double hold = 0; ///< distance at which surfaces that near each other meet: thickness or roughness
+    double least_distance =
+        0; ///< below which they overlap: the same, or what the scene placed the pair closer with an automatic roughness
     double restitution = 0, friction = 0;
     RelativeRow<D> normal;
     std::array<RelativeRow<D>, D - 1> tangents;
@@ -73,7 +76,7 @@ template <int D>
 class ContactSet {
 public:
     ContactSet() = default;
-    /// Features of all solids; pairs take their settings from the scene.
+    /// Features of all solids, at the scene's start; pairs take their settings from the scene.
     ContactSet(const Scene& scene, const Grid<D>& grid, const std::vector<Solid<D>>& solids);
 
     /// Of a grid that has moved.
@@ -127,6 +130,7 @@ private:
         double hold, least_distance, restitution, friction;
     };
     PairLaw law(int a, int b) const;
+    double thickest() const;
     std::vector<Twist<D>> displacements(const std::vector<RigidBody<D>>& bodies, bool evenly, double longest,
                                         double accuracy) const;
     bool goes_too_far(const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& moved, double longest) const;
@@ -139,6 +143,7 @@ private:
     Vec<D> low_, high_, period_;
     std::vector<std::string> names_;
     std::vector<ContactFeatures<D>> features_;
+    std::map<std::pair<int, int>, double> placed_; ///< distances of pairs that the scene places closer than they are held
     std::vector<Contact<D>> contacts_;
     double relaxation_ = 1; ///< of the pulls in the step's last round
     std::set<States> seen_; ///< used in the step's last solves, since the last change of tolerance

@@ -384,6 +384,32 @@ TEST(ContactSet, BoxFallsAlongAWallAsFreely)
     EXPECT_GT(gained, 0.98);
 }
 
+// The automatic roughness holds bodies as the same number does: one that falls comes to rest there, one that starts in touch stays where it is.
+TEST(ContactSet, AutomaticRoughnessHoldsAsItsNumberDoes)
+{
+    Scene scene = tank(2);
+    scene.gap.roughness = automatic_roughness / 16;
+    scene.bodies = {box("box", {0.3, 0.2, 0}, {1.5, 0.1, 0})};
+    BodyScene ball;
+    ball.name = "ball";
+    ball.shape = BodyScene::ShapeKind::ball;
+    ball.radius = 0.2;
+    ball.position = {0.5, 0.3, 0};
+    ball.density = 5;
+    scene.bodies.push_back(ball);
+    double heights[2];
+    for (const bool automatic : {false, true}) {
+        scene.gap.automatic_roughness = automatic;
+        Simulation<2> simulation(scene, Communicator());
+        while (simulation.time() < 1.5)
+            simulation.step(1.5);
+        heights[automatic] = simulation.bodies()[1].pose.position[1] - 0.2;
+        EXPECT_NEAR(simulation.bodies()[0].pose.position[1] - 0.1, automatic ? 0 : scene.gap.roughness, 1e-7);
+    }
+    EXPECT_NEAR(heights[1], scene.gap.roughness, 1e-3 * scene.gap.roughness);
+    EXPECT_NEAR(heights[0], scene.gap.roughness, 1e-3 * scene.gap.roughness);
+}
+
 // A heavy ball pushes a light one down: a contact that closes changes nothing of the heavy one's fall, which goes on in second order.
 TEST(ContactSet, AHeavyBallThatStrikesALightOneFallsOn)
 {
