@@ -329,6 +329,13 @@ std::vector<KeyInfo> flux_keys()
          any,
          {},
          "two bodies, or a body and a wall: through all mouths of the film in their gap"},
+        {"flux.along",
+         T::normal,
+         "",
+         "",
+         any,
+         {"x", "y", "z"},
+         "of a gap: the flux along this direction counts as positive; without it half of what enters and leaves, whatever way"},
         {"flux.every", T::number, "s", "0.0", non_negative, {}, "time between rows; 0: every step"},
     };
 }
@@ -505,8 +512,7 @@ std::vector<KeyInfo> scene_keys()
                 "",
                 {0, 1, true},
                 {},
-                "the run ends before time.end once the flow changes by less than this part of itself in the time in which the "
-                "fluid, or viscosity, crosses the domain"},
+                "the run ends before time.end once the flow will change by less than this part of itself, as its changes fade"},
                {"solver.tolerance", T::number, "", "1e-8", {1e-16, 1e-2, true}, {}, "relative residual"},
                {"solver.backend",
                 T::choice,

@@ -107,18 +107,25 @@ ProbeScene read_probe(const Values& v, const Scene& scene)
     return probe;
 }
 
+/// An axis, or a vector brought to unit length.
+Triple direction_of(const Node& given)
+{
+    Triple direction{};
+    if (given.kind == Node::Kind::text)
+        direction[given.text[0] - 'x'] = 1;
+    else
+        direction = to_triple(given);
+    const double length = std::hypot(direction[0], direction[1], direction[2]);
+    for (double& part : direction)
+        part /= length;
+    return direction;
+}
+
 void read_plane(const Values& v, const Scene& scene, FluxScene& flux)
 {
     needs(v, "plane", {"point", "normal"});
     flux.point = v.triple("plane.point");
-    const Node& normal = *v.given("plane.normal");
-    if (normal.kind == Node::Kind::text)
-        flux.normal[normal.text[0] - 'x'] = 1;
-    else
-        flux.normal = to_triple(normal);
-    const double length = std::hypot(flux.normal[0], flux.normal[1], flux.normal[2]);
-    for (double& part : flux.normal)
-        part /= length;
+    flux.normal = direction_of(*v.given("plane.normal"));
     check_in_domain(v, "plane.point", {flux.point}, scene);
     if (!v.given("plane.low") && !v.given("plane.high"))
         return;
@@ -154,6 +161,13 @@ FluxScene read_flux(const Values& v, const Scene& scene)
         if (!scene.gap_of(names[0], names[1]).film)
             v.refuse("gap", "this gap has no film: its model is \"none\"",
                      "measure through a plane instead, or let it be a film");
+    }
+    if (const Node* along = v.given("along")) {
+        if (kind != "gap")
+            v.refuse("along", "only a gap's flux has this key",
+                     "leave it out: a " + kind + "'s flux is positive " +
+                         (kind == "side" ? "out of the domain" : "along its normal"));
+        flux.along = direction_of(*along);
     }
     flux.every = v.number("every");
     check_count(v, "every", flux.every, scene.end, most_outputs, "rows");

@@ -2,11 +2,14 @@
 
 #include "gapflow/film/film_motion.hpp"
 #include "gapflow/stepping/flooding.hpp"
+#include "gapflow/stepping/gap_flux.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace gapflow {
 
@@ -81,9 +84,13 @@ public:
         return sum;
     }
 
-    // Of the grid's own fluid through a face.
+    // Of the grid's own fluid through a face. On a side of the domain a film's fluid passes through mouths.
     double of_grid(int axis, const Index<D>& f) const
     {
+        const int last = grid_.cells()[axis];
+        const bool on_side = !grid_.periodic(axis) && (f[axis] == 0 || f[axis] == last);
+        if (on_side && static_cast<CellKind>(here_.kind(f[axis] == last ? Index<D>(f - step<D>(axis)) : f)) == CellKind::film)
+            return 0;
         return here_.open(axis, f) * state_.velocity.grid(axis, f) * grid_.face_area();
     }
 
@@ -121,12 +128,13 @@ public:
         return {fractions.faces[cut].open_centroid, half_widths(f) * part};
     }
 
-    double of_joint(const Link& link) const
+    // Whether a solid beside a film does.
+    bool films_move() const
     {
-        double drop = 0;
-        for (const auto& [node, weight] : link.nodes)
-            drop += weight * state_.pressure.impulse.nodes[node];
-        return link.conductance * drop;
+        const std::vector<Film<D>>& films = here_.network.films;
+        return std::any_of(films.begin(), films.end(), [&](const Film<D>& film) {
+            return !V_[film.mesh.master].isZero(0) || !V_[film.mesh.other].isZero(0);
+        });
     }
 
     const Grid<D>& grid() const { return grid_; }
@@ -155,9 +163,7 @@ VolumeFlux through_side(Flows<D>& flows, int side)
         low[axis] = end * grid.cells()[axis];
         high[axis] = low[axis] + 1;
         for_each_index<D>(low, high, [&](const Index<D>& f) {
-            const Index<D> inner = end ? Index<D>(f - step<D>(axis)) : f;
-            if (static_cast<CellKind>(flows.here().kind(inner)) != CellKind::film)
-                own.add_fluid(sign * flows.of_grid(axis, f));
+            own.add_fluid(sign * flows.of_grid(axis, f));
             own.bodies += sign * flows.of_bodies(axis, f);
         });
     }
@@ -174,7 +180,7 @@ class PlanePart {
 public:
     PlanePart(const Grid<D>& grid, const FluxScene& scene)
         : grid_(grid), point_(scene.point.data()), normal_(scene.normal.data()),
-          width_(grid.dx() * normal_.template lpNorm<1>())
+          width_(grid.dx() * normal_.template lpNorm<1>()), part_(scene.low && scene.high)
     {
         low_.setConstant(-std::numeric_limits<double>::infinity());
         high_ = -low_;
@@ -190,6 +196,8 @@ public:
 
     double reach() const { return width_ * grid_.largest_width(); }
     const Vec<D>& normal() const { return normal_; }
+    /// Whether it divides the domain in two.
+    bool divides() const { return !part_ && !(axis_ >= 0 && grid_.periodic(axis_)); }
     /// From the plane's point to x; of a plane normal to a periodic axis to the nearest image of x.
     Vec<D> way(const Vec<D>& x) const
     {
@@ -199,12 +207,13 @@ public:
         return way;
     }
     double height(const Vec<D>& way) const { return normal_.dot(way); }
-    double ramp(double height) const { return std::clamp(height / width_ + 0.5, 0.0, 1.0); }
-    /// Change of the ramp from one side of a face at a place to the other.
+    /// 1 in cells beyond the plane, along its normal, 0 in the others: of the cell that holds a place.
+    double side(const Vec<D>& way) const { return side_of(height(grid_.cell_centre(grid_.cell_of(point_ + way)) - point_)); }
+    /// Its change from one side of a face at a place to the other.
     double across(int axis, const Index<D>& f, const Vec<D>& way) const
     {
         const double middle = height(way), half = 0.5 * grid_.dx() * normal_[axis];
-        return ramp(middle + half * grid_.width(axis, f[axis])) - ramp(middle - half * grid_.width(axis, f[axis] - 1));
+        return side_of(middle + half * grid_.width(axis, f[axis])) - side_of(middle - half * grid_.width(axis, f[axis] - 1));
     }
     /// The share in the box of a part of a face, so wide around its middle.
     double share(int face_axis, const Vec<D>& way, const Vec<D>& half) const
@@ -227,13 +236,17 @@ public:
     }
 
 private:
+    // Of the centre of a cell; one on the plane, to round-off, lies beyond it.
+    double side_of(double height) const { return height > -1e-9 * width_ ? 1.0 : 0.0; }
+
     const Grid<D>& grid_;
     Vec<D> point_, normal_, low_, high_;
     double width_;
+    bool part_;     ///< in a box
     int axis_ = -1; ///< that it is normal to
 };
 
-/// All planes normal to an axis at once: the ramp is the place along it.
+/// All planes normal to an axis at once: the place along it stands for the side.
 template <int D>
 struct AllPlanes {
     int axis;
@@ -241,7 +254,7 @@ struct AllPlanes {
     double reach() const { return std::numeric_limits<double>::infinity(); }
     Vec<D> way(const Vec<D>&) const { return Vec<D>::Zero(); } // flows count by the difference of their ends' places alone
     double height(const Vec<D>& way) const { return way[axis]; }
-    double ramp(double height) const { return height; }
+    double side(const Vec<D>& way) const { return way[axis]; }
     bool holds(const Vec<D>&) const { return true; }
 };
 
@@ -253,7 +266,6 @@ Sums films_through(const Flows<D>& flows, const Plane& plane)
     const FilmNetwork<D>& network = here.network;
     const std::vector<Twist<D>>& V = flows.twists();
     Sums sums;
-    const auto ramp_at = [&](const Vec<D>& way) { return plane.ramp(plane.height(way)); };
     for (const Film<D>& film : network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -268,7 +280,7 @@ Sums films_through(const Flows<D>& flows, const Plane& plane)
             double flux = 0;
             for (int i = 0; i < D; ++i)
                 flux += (element.volume * u - across * element.lean).dot(element.gradient[i]) *
-                        ramp_at(middle + mesh.mid[element.nodes[i]] - element.centroid);
+                        plane.side(middle + mesh.mid[element.nodes[i]] - element.centroid);
             sums.add_film(flux);
         }
     }
@@ -284,13 +296,12 @@ Sums films_through(const Flows<D>& flows, const Plane& plane)
         const Vec<D> middle = plane.way(mouth.x);
         if (std::abs(plane.height(middle)) > plane.reach() + 4 * flows.grid().dx() || !plane.holds(middle))
             continue;
-        double beyond = mouth.cells.empty() ? ramp_at(middle + 0.5 * flows.grid().dx() * mouth.outward) : 0.0, within = 0;
+        double beyond = mouth.cells.empty() ? plane.side(middle + 0.5 * flows.grid().dx() * mouth.outward) : 0.0, within = 0;
         for (const auto& [key, weight] : mouth.cells)
-            beyond +=
-                weight *
-                ramp_at(middle + flows.grid().nearest_image(flows.grid().cell_centre(flows.grid().cell_of_key(key)) - mouth.x));
+            beyond += weight * plane.side(middle + flows.grid().nearest_image(
+                                                       flows.grid().cell_centre(flows.grid().cell_of_key(key)) - mouth.x));
         for (int i = 0; i < D - 1; ++i)
-            within += mouth.shape[i] * ramp_at(middle + place_of(mouth.nodes[i]) - mouth.x);
+            within += mouth.shape[i] * plane.side(middle + place_of(mouth.nodes[i]) - mouth.x);
         sums.add_film((flows.state().velocity.mouth[r] - carried_flux<D>(here, mouth, V)) * (beyond - within));
     }
     for (std::size_t r = mouths.size(); r < here.system.links.size(); ++r) {
@@ -300,10 +311,59 @@ Sums films_through(const Flows<D>& flows, const Plane& plane)
             continue;
         double change = 0;
         for (const auto& [node, weight] : link.nodes)
-            change -= weight * ramp_at(middle + flows.grid().nearest_image(place_of(node) - first));
-        sums.add_film(flows.of_joint(link) * change);
+            change -= weight * plane.side(middle + flows.grid().nearest_image(place_of(node) - first));
+        sums.add_film(flux_of_joint(flows.state(), link) * change);
     }
     return sums;
+}
+
+// The cells, by key, between which and films' nodes the flux of films' walls moves.
+template <int D>
+std::set<long> cells_of_films(const Coupling<D>& here)
+{
+    const Grid<D>& grid = *here.grid;
+    const FilmCells<D>& cells = here.network.cells;
+    std::set<long> keys;
+    for (int i = 0; i < static_cast<int>(cells.cells.size()); ++i) {
+        const auto& [key, cell] = cells.cells.item(i);
+        keys.insert(key);
+        for (const CellSide<D>& side : sides_of(grid, grid.cell_of_key(key)))
+            if (side.inside && cell.kind == CellKind::film)
+                keys.insert(grid.key(grid.wrapped(side.cell)));
+    }
+    for (const Mouth<D>& mouth : here.network.rim.mouths)
+        for (const auto& [key, weight] : mouth.cells)
+            keys.insert(key);
+    for (const std::vector<CarriedCell>& behind : here.cells_behind)
+        for (const CarriedCell& cell : behind)
+            keys.insert(cell.key);
+    return keys;
+}
+
+// What films' walls sweep enters nodes on one side of a plane and leaves cells on the other. With all cells of films taken to its lower side,
+// the section has faces of the grid alone: what passes these less what was counted in films. For a plane that divides the domain.
+template <int D>
+double moved_by_films(Flows<D>& flows, const PlanePart<D>& plane, double in_films)
+{
+    const Grid<D>& grid = flows.grid();
+    double sum = 0;
+    for (const long key : cells_of_films(flows.here())) {
+        const Index<D> c = grid.cell_of_key(key);
+        if (!grid.owns(c) || plane.side(plane.way(grid.cell_centre(c))) == 0)
+            continue;
+        for (int side = 0; side < 2 * D; ++side) {
+            const Index<D> f = c + (side % 2) * step<D>(side / 2);
+            sum += (2 * (side % 2) - 1) *
+                   (flows.of_grid(side / 2, f) + flows.with_master(side / 2, f) + flows.of_bodies(side / 2, f));
+        }
+    }
+    sum = grid.comm().sum(sum);
+    const std::vector<Mouth<D>>& mouths = flows.here().network.rim.mouths;
+    for (std::size_t r = 0; r < mouths.size(); ++r)
+        if (mouths[r].cells.empty())
+            sum += (flows.state().velocity.mouth[r] - carried_flux<D>(flows.here(), mouths[r], flows.twists())) *
+                   plane.side(plane.way(mouths[r].x + 0.5 * grid.dx() * mouths[r].outward));
+    return sum - in_films;
 }
 
 template <int D>
@@ -337,48 +397,10 @@ VolumeFlux through_plane(Flows<D>& flows, const PlanePart<D>& plane)
             }
         });
     }
-    return values_of(own, films_through(flows, plane), grid.comm());
-}
-
-// All mouths of a pair's films, and the joints that lead to films of other pairs.
-template <int D>
-VolumeFlux through_gap(const Flows<D>& flows, const std::array<std::string, 2>& bodies)
-{
-    const Coupling<D>& here = flows.here();
-    const FilmNetwork<D>& network = here.network;
-    std::vector<char> of_pair; // nodes
-    bool any = false;
-    for (const Film<D>& film : network.films) {
-        const std::string &a = here.solids[film.mesh.master].name, &b = here.solids[film.mesh.other].name;
-        const bool own = (a == bodies[0] && b == bodies[1]) || (a == bodies[1] && b == bodies[0]);
-        any = any || own;
-        of_pair.insert(of_pair.end(), film.mesh.mid.size(), own);
-    }
-    VolumeFlux result;
-    if (!any) {
-        const double none = std::numeric_limits<double>::quiet_NaN();
-        return {none, none, none, none, none};
-    }
-    Sums sums;
-    const std::vector<Mouth<D>>& mouths = network.rim.mouths;
-    for (std::size_t r = 0; r < mouths.size(); ++r)
-        if (of_pair[mouths[r].nodes[0]])
-            sums.add_fluid(flows.state().velocity.mouth[r]);
-    for (std::size_t r = mouths.size(); r < here.system.links.size(); ++r) {
-        const Link& link = here.system.links[r]; // its flow leaves the nodes of positive weight
-        int inside = 0, count = 0;
-        double sign = 0;
-        for (const auto& [node, weight] : link.nodes) {
-            ++count;
-            inside += of_pair[node];
-            sign += of_pair[node] ? weight : 0.0;
-        }
-        if (inside > 0 && inside < count)
-            sums.add_fluid((sign > 0 ? 1 : -1) * flows.of_joint(link));
-    }
-    result.inflow = sums.in;
-    result.outflow = sums.out;
-    result.flux = result.film = 0.5 * (sums.in + sums.out);
+    const Sums films = films_through(flows, plane);
+    VolumeFlux result = values_of(own, films, grid.comm());
+    if (plane.divides() && flows.films_move())
+        result.bodies += moved_by_films(flows, plane, films.film);
     return result;
 }
 
@@ -397,7 +419,7 @@ VolumeFlux volume_flux(const Model<D>& model, const Coupling<D>& here, const Sta
     case FluxScene::Kind::gap:
         break;
     }
-    return through_gap(flows, through.bodies);
+    return flux_through_gap(here, state, through);
 }
 
 template <int D>

@@ -1,12 +1,12 @@
 // Volume flux through a side of the domain, a plane or the mouths of a gap. Reads the state, never changes it.
 //
-// A plane is taken as the ramp psi = H((x - p) . n), from 0 to 1 over a cell, and the flux through it as
+// A plane stands for the faces between cells whose centres lie on different sides of it: the nearest plane of the grid's faces, or a tilted
+// plane's staircase. With psi = 1 in cells and film nodes beyond, 0 in the others, the flux through it is
 //
 //     Q = sum over all flows from a to b of q (psi_b - psi_a)
 //
-// over the grid's faces (a, b: cells), film elements (nodes), mouths and joints. Where no unknown's volume changes, the sum by parts gives the
-// same Q for every plane between two others without a source: the flux of fluid and bodies together does not depend on where between
-// the grid's faces the plane lies. For planes normal to an axis this is the flux through the grid's planes of faces, linear between them.
+// over the grid's faces (a, b: cells), film elements (nodes), mouths and joints. A film's node counts to the side of the cell that holds it. Where
+// no unknown's volume changes, the sum by parts gives the same Q for every plane between two others without a source.
 #pragma once
 
 #include "gapflow/stepping/state.hpp"

@@ -77,15 +77,21 @@ every = 0.25
 [[flux]]
 name = "leak"
 gap = ["ball", "wall:y_low"]
+[[flux]]
+name = "through"
+gap = ["ball", "wall:y_low"]
+along = [3, 0, -4]
 )",
                                    {{"flux.part.every", "0.5"}});
-    ASSERT_EQ(scene.fluxes.size(), 4u);
+    ASSERT_EQ(scene.fluxes.size(), 5u);
     EXPECT_EQ(scene.fluxes[0].side, 1);
     EXPECT_EQ(scene.fluxes[1].normal, (Triple{0, 0.6, 0.8}));
     EXPECT_EQ(scene.fluxes[2].normal, (Triple{0, 0, 1}));
     EXPECT_EQ(scene.fluxes[2].high, (Triple{1, 1, 0}));
     EXPECT_EQ(scene.fluxes[2].every, 0.5);
     EXPECT_THAT(scene.fluxes[3].bodies, ElementsAre("ball", "wall:y_low"));
+    EXPECT_FALSE(scene.fluxes[3].along);
+    EXPECT_EQ(scene.fluxes[4].along, (Triple{0.6, 0, -0.8}));
 }
 
 // The resolved scene has the keys of the file, and none of a scene that measures nothing.
@@ -98,9 +104,11 @@ line = { from = [0, 0, 0.5], to = [2, 1, 0.5], count = 3 }
 [[flux]]
 name = "leak"
 gap = ["ball", "wall:y_low"]
+along = "y"
 )")));
     EXPECT_EQ(json["probe"][0]["line"]["count"], 3);
     EXPECT_EQ(json["flux"][0]["gap"][1], "wall:y_low");
+    EXPECT_EQ(json["flux"][0]["along"], nlohmann::json({0.0, 1.0, 0.0}));
     EXPECT_FALSE(nlohmann::json::parse(scene_as_json(scene_with(""))).contains("probe"));
 }
 

@@ -1,6 +1,7 @@
 // What a scene asks to be measured: values at points, volume fluxes, parts of forces.
 #include "gapflow/stepping/simulation.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -284,7 +285,7 @@ TEST(Fluxes, AClosedValveLeaksWhatFlowsIn)
     const Scene scene = closed_valve();
     Simulation<2> simulation(scene, Communicator());
     for (int i = 0; i < 5; ++i)
-        simulation.step(scene.end);
+        EXPECT_TRUE(simulation.step(scene.end).notes.empty());
     const VolumeFlux left = simulation.volume_flux(gap("left", "plate")), right = simulation.volume_flux(gap("plate", "right"));
     EXPECT_NEAR(left.flux + right.flux, 1e-4, 1e-10);
     EXPECT_NEAR(left.flux, right.flux, 1e-8);
@@ -295,6 +296,88 @@ TEST(Fluxes, AClosedValveLeaksWhatFlowsIn)
     EXPECT_NEAR(cut.film, -left.flux, 1e-9);
     EXPECT_NEAR(simulation.volume_flux(plane({0.5, 0.9, 0}, {0, 1, 0})).flux, 1e-4, 1e-10);
     EXPECT_TRUE(std::isnan(simulation.volume_flux(gap("left", "right")).flux));
+}
+
+// Fluid and bodies together pass every section alike while walls of films that it cuts move, too.
+TEST(Fluxes, SectionsThroughFilmsOfMovingWalls)
+{
+    Scene valve = closed_valve();
+    valve.bodies[2].motion = BodyScene::Motion::prescribed;
+    valve.bodies[2].velocity = {0.003, 0.01, 0};
+    Simulation<2> simulation(valve, Communicator());
+    for (int i = 0; i < 3; ++i)
+        simulation.step(valve.end);
+    ASSERT_EQ(simulation.gaps().size(), 2u);
+    for (const double y : {0.1, 0.35, 0.49, 0.5, 0.502, 0.51, 0.53, 0.6, 0.7, 0.99})
+        for (const double slope : {0.0, 0.2, -0.4}) {
+            const VolumeFlux flux = simulation.volume_flux(plane({0.4, y, 0}, {-std::sin(slope), std::cos(slope), 0}));
+            if (std::abs(y - 0.5) + 0.6 * std::tan(std::abs(slope)) < 0.45 || slope == 0) { // between the sides
+                EXPECT_NEAR(flux.flux + flux.bodies, 1e-4, 1e-9) << y << " " << slope;
+            }
+        }
+}
+
+// Around an edge the gap goes on in a second film, with cells between them: what the first passes on to the second counts once.
+TEST(Fluxes, AGapRoundAnEdgeCountsItsFlowOnce)
+{
+    Scene scene = tank();
+    scene.size = {1, 1, 0};
+    scene.cells = {32, 32, 1};
+    scene.viscosity = 0.1;
+    scene.tolerance = 1e-11;
+    scene.sides[2].kind = SideScene::Kind::inflow;
+    scene.sides[2].velocity = {0, 1e-4, 0};
+    scene.sides[1].kind = SideScene::Kind::open;
+    const double away = std::sqrt(0.5) * (0.15 + 0.75 / 32);
+    scene.bodies = {box("seat", {0.5, 0.5, 0}, {0.75, 0.25, 0}), box("poppet", {1.6, 0.3, 0}, {0.5 - away, 0.5 + away, 0})};
+    scene.bodies[1].angle = 0.25 * M_PI;
+    for (BodyScene& body : scene.bodies)
+        body.motion = BodyScene::Motion::fixed;
+    Simulation<2> simulation(scene, Communicator());
+    StepReport report;
+    for (int i = 0; i < 5; ++i)
+        report = simulation.step(scene.end);
+    ASSERT_EQ(report.notes.size(), 1u);
+    EXPECT_THAT(report.notes[0], testing::HasSubstr("' goes through a film that is shorter than three of its thicknesses"));
+    const double through = -simulation.volume_flux(side(2)).flux;
+    EXPECT_GT(through, 0.4e-4);
+    FluxScene leak = gap("poppet", "seat");
+    EXPECT_NEAR(simulation.volume_flux(leak).flux, through, 1e-8 * through);
+    for (const auto& [along, sign] :
+         {std::pair(Triple{0, 1, 0}, 1), std::pair(Triple{1, 0, 0}, 1), std::pair(Triple{-0.6, -0.8, 0}, -1)}) {
+        leak.along = along;
+        EXPECT_NEAR(simulation.volume_flux(leak).flux, sign * through, 1e-8 * through);
+    }
+    for (const double y : {0.1, 0.3, 0.44, 0.47, 0.49})
+        EXPECT_NEAR(simulation.volume_flux(plane({0.2, y, 0}, {0, 1, 0})).flux, through, 1e-8 * through) << y;
+    for (const double x : {0.5, 0.51, 0.55, 0.6, 0.9}) // cuts films, and cells between them
+        EXPECT_NEAR(simulation.volume_flux(plane({x, 0.5, 0}, {1, 0, 0})).flux, through, 1e-8 * through) << x;
+}
+
+// Fluid that parting plates draw in from both sides has no direction; that of plates that slide over each other has.
+TEST(Fluxes, AlongAGapWhatGoesThrough)
+{
+    Scene scene = tank();
+    scene.size = {2, 2, 0};
+    scene.cells = {64, 64, 1};
+    scene.viscosity = 1;
+    scene.sides[3].kind = SideScene::Kind::open;
+    scene.bodies = {box("lower", {0.5, 0.25, 0}, {1.0, 0.875, 0}), box("upper", {0.5, 0.25, 0}, {1.0, 1.135, 0})};
+    scene.bodies[0].motion = BodyScene::Motion::fixed;
+    scene.bodies[1].motion = BodyScene::Motion::prescribed;
+    scene.bodies[1].velocity = {0, 0.1, 0};
+    FluxScene through = gap("lower", "upper");
+    through.along = Triple{1, 0, 0};
+    Simulation<2> parting(scene, Communicator());
+    parting.step(scene.end);
+    EXPECT_NEAR(parting.volume_flux(gap("lower", "upper")).flux, 0.5 * 0.1 * 0.5, 1e-4);
+    EXPECT_NEAR(parting.volume_flux(through).flux, 0, 1e-6);
+    scene.bodies[1].velocity = {0.1, 0, 0};
+    Simulation<2> sliding(scene, Communicator());
+    sliding.step(scene.end);
+    EXPECT_NEAR(sliding.volume_flux(through).flux, 0.5 * 0.1 * 0.01, 0.05e-3);
+    through.along = Triple{-1, 0, 0};
+    EXPECT_NEAR(sliding.volume_flux(through).flux, -0.5 * 0.1 * 0.01, 0.05e-3);
 }
 
 // The pressure that drives the leak is that of Poiseuille flow through the gap.
