@@ -142,9 +142,7 @@ int drive(const Scene& scene, const RunOptions& options)
     if (run.ended_by() == "time.until_steady" && run.report().unsteadiness == 0)
         log.info("nothing flows or moves any more");
     else if (run.ended_by() == "time.until_steady")
-        log.info(fmt::format("the flow is steady: it changes by less than {:.3g} of itself in the time in which it, or "
-                             "viscosity, crosses the domain",
-                             *scene.until_steady));
+        log.info(fmt::format("the flow is steady: it changes by less than {:.3g} of itself from here on", *scene.until_steady));
     else if (run.ended_by() == "domain.leaving")
         log.warning(fmt::format(
             "ended because a body is on its way out (domain.leaving = \"stop\"); to go on: gapflow run {0} --resume "

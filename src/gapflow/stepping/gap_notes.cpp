@@ -3,7 +3,10 @@
 #include "gapflow/core/text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 
 namespace gapflow {
@@ -113,6 +116,109 @@ std::vector<std::string> closed_gap_notes(const Scene& scene, const Coupling<D>&
     return notes;
 }
 
+namespace {
+
+// Length of a film between sharp edges over its least thickness h0: half of int (h0/h)^3 dA over the rim there, each part of it by its own (h0/h)^3,
+// twice. As long a channel of thickness h0 resists a flow as the film does, if that goes on from one edge to another; from an edge on into a wedge,
+// half of it does. Infinite without an edge.
+template <int D>
+double length_over_thickness(const FilmMesh<D>& mesh)
+{
+    const double least = *std::min_element(mesh.h.begin(), mesh.h.end());
+    double area = 0, rim = 0;
+    for (const FilmElement<D>& e : mesh.elements)
+        area += e.measure * std::pow(least * e.measure / e.volume, 3);
+    for (const RimEdge<D>& edge : mesh.rim)
+        if (edge.end == RimEnd::master_edge || edge.end == RimEnd::other_edge) {
+            double h = 0;
+            for (const int node : edge.nodes)
+                h += mesh.h[node] / (D - 1);
+            rim += edge.length * std::pow(least / h, 3);
+        }
+    return rim > 0 ? 2 * area / (rim * least) : std::numeric_limits<double>::infinity();
+}
+
+// Least and largest values.
+struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+
+    void add(double value)
+    {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    double width() const { return high > low ? high - low : 0.0; }
+};
+
+template <int D>
+Range range_in_cells(const Coupling<D>& coupling, const CellField<D>& pressure)
+{
+    const Grid<D>& grid = *coupling.grid;
+    Range range;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (coupling.system.component(c) >= 0)
+            range.add(pressure(c));
+    });
+    return {grid.comm().min(range.low), grid.comm().max(range.high)};
+}
+
+// At all mouths in the grid.
+template <int D>
+std::vector<double> pressure_at_mouths(const Coupling<D>& coupling, const CellField<D>& pressure)
+{
+    const Grid<D>& grid = *coupling.grid;
+    std::vector<double> values;
+    for (const Mouth<D>& mouth : coupling.network.rim.mouths) {
+        values.push_back(0.0);
+        for (const auto& [key, weight] : mouth.cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+                values.back() += weight * pressure(c);
+    }
+    grid.comm().sum(values);
+    return values;
+}
+
+} // namespace
+
+template <int D>
+std::vector<std::string> short_film_notes(const Scene& scene, const Coupling<D>& coupling, const UnknownVector<D>& pressure)
+{
+    constexpr std::size_t most_short_told = 3;
+    const FilmNetwork<D>& network = coupling.network;
+    std::map<FilmPair<D>, std::pair<double, double>> thinnest; // of each pair the thinnest film: thickness, length over it
+    for (const Film<D>& film : network.films) {
+        const double h = *std::min_element(film.mesh.h.begin(), film.mesh.h.end());
+        const auto [known, is_new] = thinnest.try_emplace(film.pair, h, 0.0);
+        if (!is_new && h >= known->second.first)
+            continue;
+        const double rough =
+            scene.gap_of(coupling.solids[film.pair.master].name, coupling.solids[film.pair.other].name).roughness;
+        known->second = {h, h > 1.001 * rough ? length_over_thickness(film.mesh) : std::numeric_limits<double>::infinity()};
+    }
+    std::erase_if(thinnest, [](const auto& pair) { return !(pair.second.second < 3); });
+    if (thinnest.empty())
+        return {};
+    std::map<FilmPair<D>, Range> falls;
+    const std::vector<double> at_mouths = pressure_at_mouths(coupling, pressure.cells);
+    for (std::size_t r = 0; r < at_mouths.size(); ++r)
+        if (const Mouth<D>& mouth = network.rim.mouths[r]; !mouth.cells.empty())
+            falls[network.films[mouth.film].pair].add(at_mouths[r]);
+    const double whole = range_in_cells(coupling, pressure.cells).width();
+    std::vector<std::string> notes;
+    for (const auto& [pair, unused] : thinnest) {
+        if (notes.size() == most_short_told || !(falls[pair].width() > 0.5 * whole))
+            continue;
+        notes.push_back(
+            "the flow between '" + coupling.solids[pair.master].name + "' and '" + coupling.solids[pair.other].name +
+            "' goes through a film that is shorter than three of its thicknesses, as at sharp edges: it may be wrong "
+            "by a factor; cells no larger than the gap there (domain.cells), with gap.threshold = 0.05 for this pair, "
+            "resolve it");
+    }
+    return notes;
+}
+
+template std::vector<std::string> short_film_notes<2>(const Scene&, const Coupling<2>&, const UnknownVector<2>&);
+template std::vector<std::string> short_film_notes<3>(const Scene&, const Coupling<3>&, const UnknownVector<3>&);
 template std::vector<std::string> closed_gap_notes<2>(const Scene&, const Coupling<2>&);
 template std::vector<std::string> closed_gap_notes<3>(const Scene&, const Coupling<3>&);
 template std::vector<std::string> rough_gap_notes<2>(const Scene&, const Coupling<2>&);

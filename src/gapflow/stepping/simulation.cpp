@@ -219,13 +219,16 @@ void Simulation<D>::follow_departures(const std::vector<Whereabouts>& before, St
         report.notes.push_back(std::move(note));
 }
 
-// The state's sums; notes on films with blind ends.
+// The state's sums; notes on films with blind ends, and on short ones.
 template <int D>
 void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
 {
     report_state(model_, *here_, state_, V, report);
     for (std::string& note : blind_end_notes(*here_, blind_told_))
         report.notes.push_back(std::move(note));
+    if (model_.viscous() && state_.steps > 0)
+        for (std::string& note : short_film_notes(model_.scene, *here_, state_.pressure.impulse))
+            report.notes.push_back(std::move(note));
 }
 
 template <int D>

@@ -96,7 +96,9 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
     });
     archive.optional("steady", state.steady.largest_speed > 0, [&] {
         archive("largest_speed", state.steady.largest_speed);
+        archive("lagging_rate", state.steady.lagging_rate);
         archive("calm_steps", state.steady.calm_steps);
+        archive("calm_time", state.steady.calm_time);
     });
     if (model.scene.follow)
         archive.group("follow", [&] {

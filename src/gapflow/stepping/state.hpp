@@ -55,7 +55,9 @@ struct GapWays {
 /// What a run remembers to tell that its flow has settled (stepping/steadiness).
 struct SteadyWatch {
     double largest_speed = 0; ///< root mean square of the fluid's velocity, the largest so far
+    double lagging_rate = 0;  ///< relative rate of change of the flow, mean over about the last tenth of the time so far
     long calm_steps = 0;      ///< in a row, the last ones, whose unsteadiness was below time.until_steady
+    double calm_time = 0;     ///< that they took
 };
 
 template <int D>

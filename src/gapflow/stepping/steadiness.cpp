@@ -57,11 +57,22 @@ std::array<double, 3> squares(const Grid<D>& grid, const Coupling<D>& here, cons
     return {sums[0], sums[1], sums[2]};
 }
 
-// Whether nothing that moves at this speed, and gathers speed at this rate, comes further until the end than the solver's tolerance, in cells.
+// Whether nothing that moves at this speed, and gathers speed at this rate, comes further in the time of the run than the solver's tolerance, in
+// cells.
 bool stays(const Scene& scene, double dx, double time, double speed, double rate)
 {
-    const double rest = std::max(scene.end - time, 0.0);
-    return (speed + rate * rest) * rest < scene.tolerance * dx;
+    const double whole = std::max(scene.end, time);
+    return (speed + rate * whole) * whole < scene.tolerance * dx;
+}
+
+// For how long changes at this rate go on, as they fade; `lasting`: where they do not. Takes the rate into its lagging mean.
+double time_of_fading(SteadyWatch& watch, double rate, double time, double dt, double lasting)
+{
+    if (!std::isfinite(rate))
+        return lasting;
+    const double lag = 0.1 * time;
+    watch.lagging_rate -= std::expm1(-dt / lag) * (rate - watch.lagging_rate);
+    return rate < watch.lagging_rate ? std::min(lasting, lag / (1 - rate / watch.lagging_rate)) : lasting;
 }
 
 // Half of a body's extent; 0 of one without bounds.
@@ -110,15 +121,17 @@ double unsteadiness(const Model<D>& model, const Coupling<D>& here, const Earlie
     const double viscosity = model.scene.viscosity / model.scene.density;
     const double crossing = speed > 0 ? length / speed : std::numeric_limits<double>::infinity();
     const double own_time = viscosity > 0 ? std::min(crossing, length * length / viscosity) : crossing;
+    const double lasting = std::max(time_of_fading(watch, relative / state.dt, state.time, state.dt, own_time), state.dt);
     const bool rests = stays(model.scene, model.grid.dx(), state.time, fastest, std::max(of_flow, of_motion) / state.dt);
-    const double r = relative == 0 || rests ? 0.0 : relative * std::max(own_time / state.dt, 1.0);
+    const double r = relative == 0 || rests ? 0.0 : relative * (lasting / state.dt);
     watch.calm_steps = r < tolerance ? watch.calm_steps + 1 : 0;
+    watch.calm_time = r < tolerance ? watch.calm_time + state.dt : 0.0;
     return r;
 }
 
 bool has_settled(const Scene& scene, const SteadyWatch& watch, double time)
 {
-    if (!scene.until_steady || watch.calm_steps < calm_steps_needed)
+    if (!scene.until_steady || watch.calm_steps < calm_steps_needed || watch.calm_time < 0.05 * time)
         return false;
     const auto goes_on = [&](const TimeTable& table) { return !table.time.empty() && table.time.back() > time; };
     return std::none_of(scene.sides.begin(), scene.sides.end(), [&](const SideScene& side) { return goes_on(side.table); }) &&
