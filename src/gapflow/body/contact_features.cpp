@@ -21,11 +21,22 @@ Bend bend_of(const Vec<D>& normal_a, const Vec<D>& normal_b, const Vec<D>& into_
     return into_b.dot(normal_a) < 0 ? Bend::convex : Bend::hollow;
 }
 
-// Where two elements of different patches meet.
+// Where two elements meet.
 template <int D>
 struct Joint {
     std::array<int, 2> element{-1, -1};
 };
+
+template <int D>
+Vec<D> facet_normal(const SurfaceMesh<D>& mesh, int element)
+{
+    const auto& nodes = mesh.elements[element];
+    const Vec<D> side = mesh.vertices[nodes[1]] - mesh.vertices[nodes[0]];
+    if constexpr (D == 2)
+        return Vec<2>(side[1], -side[0]).normalized();
+    else
+        return side.cross(Vec<3>(mesh.vertices[nodes[2]] - mesh.vertices[nodes[0]])).normalized();
+}
 
 } // namespace
 
@@ -66,6 +77,11 @@ ContactFeatures<D> contact_features(const Shape<D>& shape)
     };
     for (const auto& [key, joint] : joints) {
         const auto [a, b] = joint.element;
+        if (b >= 0 && mesh.patch[a] == mesh.patch[b] && shape.inside_out()) { // a bump of a container's wall
+            const Bend bend = bend_of<D>(facet_normal(mesh, a), facet_normal(mesh, b), centroid(b) - mesh.vertices[key[0]]);
+            for (int v : key)
+                curved[v] = curved[v] || bend == Bend::convex;
+        }
         if (b < 0 || mesh.patch[a] == mesh.patch[b])
             continue;
         const int patch_a = mesh.patch[a], patch_b = mesh.patch[b];

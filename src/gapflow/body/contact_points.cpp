@@ -299,6 +299,20 @@ std::vector<typename Search<D>::Found> chosen_of(std::vector<typename Search<D>:
     return chosen;
 }
 
+// All places of two solids where one's feature comes within reach of the other's surface.
+template <int D>
+std::vector<typename Search<D>::Found> found_between(const PlacedShape<D>& a, const ContactFeatures<D>& of_a,
+                                                     const PlacedShape<D>& b, const ContactFeatures<D>& of_b, double reach)
+{
+    const Bounds<D> bounds_a = world_bounds(a), bounds_b = world_bounds(b);
+    std::vector<typename Search<D>::Found> found;
+    Search<D>(a, of_a, b, of_b, bounds_b, reach, false, found).run();
+    Search<D>(b, of_b, a, of_a, bounds_a, reach, true, found).run();
+    if constexpr (D == 3)
+        add_edge_pairs(a, of_a, b, of_b, bounds_b, reach, found);
+    return found;
+}
+
 } // namespace
 
 template <int D>
@@ -310,18 +324,17 @@ RelativeRow<D> relative_row(const ContactPoint<D>& contact, std::span<const Soli
 }
 
 template <int D>
-std::vector<ContactPoint<D>> find_contacts(std::span<const Solid<D>> solids, std::span<const ContactFeatures<D>> features,
-                                           const Vec<D>& low, const Vec<D>& high, const Vec<D>& period,
-                                           const std::function<double(int, int)>& reach, double largest_reach, double merge)
+std::vector<NearPair<D>> near_pairs(std::span<const Solid<D>> solids, const Vec<D>& low, const Vec<D>& high,
+                                    const Vec<D>& period, double reach)
 {
-    const std::vector<Image<D>> placed = images<D>(solids, low, high, period, largest_reach);
-    std::vector<ContactPoint<D>> contacts;
+    const std::vector<Image<D>> placed = images<D>(solids, low, high, period, reach);
+    std::vector<NearPair<D>> pairs;
     std::set<std::tuple<int, int, std::array<int, D>>> seen; // the same pair may be near in several periods
-    for (auto [i, j] : close_images<D>(placed, solids, largest_reach)) {
+    for (auto [i, j] : close_images<D>(placed, solids, reach)) {
         if (placed[i].solid > placed[j].solid)
             std::swap(i, j);
         const int a = placed[i].solid, b = placed[j].solid;
-        if (a == b || (solids[a].motion != Motion::free && solids[b].motion != Motion::free))
+        if (a == b)
             continue;
         Vec<D> shift = placed[j].shift - placed[i].shift;
         if (!placed[i].bounds.low.allFinite() || !placed[j].bounds.low.allFinite())
@@ -329,16 +342,22 @@ std::vector<ContactPoint<D>> find_contacts(std::span<const Solid<D>> solids, std
         std::array<int, D> periods{};
         for (int axis = 0; axis < D; ++axis)
             periods[axis] = period[axis] > 0 ? static_cast<int>(std::lround(shift[axis] / period[axis])) : 0;
-        if (!seen.insert({a, b, periods}).second)
+        if (seen.insert({a, b, periods}).second)
+            pairs.push_back({a, b, shift});
+    }
+    return pairs;
+}
+
+template <int D>
+std::vector<ContactPoint<D>> find_contacts(std::span<const Solid<D>> solids, std::span<const ContactFeatures<D>> features,
+                                           const Vec<D>& low, const Vec<D>& high, const Vec<D>& period,
+                                           const std::function<double(int, int)>& reach, double largest_reach, double merge)
+{
+    std::vector<ContactPoint<D>> contacts;
+    for (const auto& [a, b, shift] : near_pairs<D>(solids, low, high, period, largest_reach)) {
+        if (solids[a].motion != Motion::free && solids[b].motion != Motion::free)
             continue;
-        const double near = reach(a, b);
-        const PlacedShape<D>&A = solids[a].shape, B = solids[b].shape.shifted(shift);
-        const Bounds<D> bounds_a = world_bounds(A), bounds_b = world_bounds(B);
-        std::vector<typename Search<D>::Found> found;
-        Search<D>(A, features[a], B, features[b], bounds_b, near, false, found).run();
-        Search<D>(B, features[b], A, features[a], bounds_a, near, true, found).run();
-        if constexpr (D == 3)
-            add_edge_pairs(A, features[a], B, features[b], bounds_b, near, found);
+        auto found = found_between(solids[a].shape, features[a], solids[b].shape.shifted(shift), features[b], reach(a, b));
         for (const auto& f : chosen_of<D>(std::move(found), merge))
             contacts.push_back({a, b, shift, f.x, f.y, f.normal, f.distance});
     }
@@ -347,11 +366,26 @@ std::vector<ContactPoint<D>> find_contacts(std::span<const Solid<D>> solids, std
     return contacts;
 }
 
+template <int D>
+std::optional<Separation<D>> separation(const PlacedShape<D>& a, const ContactFeatures<D>& of_a, const PlacedShape<D>& b,
+                                        const ContactFeatures<D>& of_b, double reach)
+{
+    std::optional<Separation<D>> least;
+    for (const auto& f : found_between(a, of_a, b, of_b, reach))
+        if (!least || f.distance < least->distance)
+            least = {0.5 * (f.x + f.y), f.normal, f.distance};
+    return least;
+}
+
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template RelativeRow<D> relative_row<D>(const ContactPoint<D>&, std::span<const Solid<D>>, const Vec<D>&);                 \
+    template std::vector<NearPair<D>> near_pairs<D>(std::span<const Solid<D>>, const Vec<D>&, const Vec<D>&, const Vec<D>&,    \
+                                                    double);                                                                   \
     template std::vector<ContactPoint<D>> find_contacts<D>(std::span<const Solid<D>>, std::span<const ContactFeatures<D>>,     \
                                                            const Vec<D>&, const Vec<D>&, const Vec<D>&,                        \
-                                                           const std::function<double(int, int)>&, double, double);
+                                                           const std::function<double(int, int)>&, double, double);            \
+    template std::optional<Separation<D>> separation<D>(const PlacedShape<D>&, const ContactFeatures<D>&,                      \
+                                                        const PlacedShape<D>&, const ContactFeatures<D>&, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -6,6 +6,7 @@
 #include "gapflow/geometry/solid.hpp"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,29 @@ struct RelativeRow {
 };
 template <int D>
 RelativeRow<D> relative_row(const ContactPoint<D>& contact, std::span<const Solid<D>> solids, const Vec<D>& direction);
+
+/// Two different solids, a < b, and the displacement of b's image that is near a.
+template <int D>
+struct NearPair {
+    int a, b;
+    Vec<D> shift;
+};
+/// Pairs whose surfaces may come within `reach`, each once. Periods as for images().
+template <int D>
+std::vector<NearPair<D>> near_pairs(std::span<const Solid<D>> solids, const Vec<D>& low, const Vec<D>& high, const Vec<D>& period,
+                                    double reach);
+
+/// How far two surfaces are apart where they are nearest.
+template <int D>
+struct Separation {
+    Vec<D> place;    ///< between the nearest points
+    Vec<D> normal;   ///< out of b, towards a
+    double distance; ///< negative: overlap
+};
+/// Of a and b if they are nearer than `reach`.
+template <int D>
+std::optional<Separation<D>> separation(const PlacedShape<D>& a, const ContactFeatures<D>& of_a, const PlacedShape<D>& b,
+                                        const ContactFeatures<D>& of_b, double reach);
 
 /// Contact points closer than `reach(a, b)`, at most a few per contact patch: the deepest, then those furthest apart. Points
 /// closer to each other than `merge` that face the same way are one. Ordered by solids. Periods as for images().

@@ -12,7 +12,7 @@ namespace {
 
 // In dx. Overlaps below this are left at the start; no contact is opened further in one pass.
 constexpr double start_overlap_left = 1e-9;
-constexpr double longest_displacement = 0.1, longest_start_displacement = 0.5;
+constexpr double longest_start_displacement = 0.5; // most_overlap in steps
 // Limit of a displacement, in multiples of the sum of overlaps in a connected group of bodies; beyond it the metric without
 // masses is used. (A light ball squeezed
 // by half a cell between two boxes, turned by 5 degrees, slips out sideways by nearly six cells before boxes of a thousand times its mass move.)
@@ -118,7 +118,7 @@ template <int D>
 bool ContactSet<D>::separate(std::vector<RigidBody<D>>& bodies, bool at_start) const
 {
     const double accuracy = (at_start ? start_overlap_left : overlap_left) * dx_,
-                 longest = (at_start ? longest_start_displacement : longest_displacement) * dx_;
+                 longest = (at_start ? longest_start_displacement : most_overlap) * dx_;
     double deepest = 0;
     for (const Contact<D>& c : contacts_)
         deepest = std::max(deepest, c.least_distance - c.point.distance);

@@ -7,7 +7,15 @@
 
 namespace gapflow {
 
-constexpr double overlap_left = 1e-6; // in dx: overlaps below this are left
+// In dx. Overlaps below the first are left; one of the second is removed in one pass. Surfaces this close count as near each other without approach.
+constexpr double overlap_left = 1e-6, most_overlap = 0.1, cushion = 0.02;
+
+// Whether a push along the row can move the solid: constraints may let it go only across.
+template <int D>
+bool yields(const Solid<D>& solid, const Twist<D>& row)
+{
+    return solid.motion == Motion::free && (solid.admissible * row).norm() > 1e-12 * row.norm();
+}
 
 template <int D>
 double rate(const RelativeRow<D>& row, const Contact<D>& contact, const std::vector<Twist<D>>& twists)

@@ -10,9 +10,7 @@ namespace gapflow {
 
 namespace {
 
-// In dx. Contacts this close are included even without approach; contacts closer together than `merge` are one.
-constexpr double cushion = 0.02;
-constexpr double merge = 0.01;
+constexpr double merge = 0.01; // in dx: contacts closer together are one
 // A contact keeps its state if it was within this of its place, in dx.
 constexpr double same_place = 0.5;
 // An approach below this times the change by the step's forces is resting contact, not impact.
@@ -30,13 +28,6 @@ std::array<Vec<D>, D - 1> tangents_of(const Vec<D>& n)
         const Vec<3> t = n.cross(unit<3>(least)).normalized();
         return {t, Vec<3>(n.cross(t))};
     }
-}
-
-// Whether a push along the row can move the solid: constraints may let it go only across.
-template <int D>
-bool yields(const Solid<D>& solid, const Twist<D>& row)
-{
-    return solid.motion == Motion::free && (solid.admissible * row).norm() > 1e-12 * row.norm();
 }
 
 } // namespace

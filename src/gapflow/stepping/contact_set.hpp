@@ -112,6 +112,8 @@ public:
     bool driven(const Contact<D>& contact, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists) const;
 
     const std::vector<Contact<D>>& contacts() const { return contacts_; }
+    /// Of all solids.
+    const std::vector<ContactFeatures<D>>& features() const { return features_; }
     bool empty() const { return contacts_.empty(); }
     /// Whether a contact of these two solids rebounds in the step.
     bool rebounds(int a, int b) const;

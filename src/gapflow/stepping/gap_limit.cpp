@@ -4,8 +4,9 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/stepping/contact_rows.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
-#include "gapflow/stepping/short_text.hpp"
+#include "gapflow/stepping/touch_limit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,6 @@ constexpr double slight_speed = 0.005;
 constexpr double most_share = 1;
 // The same of both where they meet on the way and rebound, with the speed from before it.
 constexpr double small_share_of_rebound = 0.005;
-// Surfaces that meet on such a way may pass each other by this much, in dx: they are moved apart in one pass.
-constexpr double most_overlap = 0.1;
 // Where a gap changes by less than this part of itself in a step, drag's value at the end is as good as any.
 constexpr double slight_change = 0.0025;
 // The search for a step stops within this factor.
@@ -97,9 +96,7 @@ void GapLimit<D>::add(int number, const Film<D>& film)
         const double distance = q.h + mesh.skin, h = std::max(distance, least);
         if (unstoppable && q.other_normal.dot(q.x - q.y) < met &&
             scene.gap_cfl * met < driven_step * scene.max_step * -opening(here_, mesh, V_, q.other_normal, q.x, q.y))
-            throw ComputationError("prescribed motion drives '" + master.name + "' and '" + other.name +
-                                   "' into each other at time " + short_text(state_.time) +
-                                   "; let it stop before they touch, or let one of them be free");
+            throw driven_into_each_other(master.name, other.name, state_.time);
         // The distance remaining to the contact thickness limits the step too.
         const double left = thickness > 0 ? std::max(distance - thickness, smallest_limiting_gap * dx) : h;
         dt = std::min(dt, scene.gap_cfl * std::min(h, left) / std::max(rate(V_), tiny));
@@ -129,7 +126,7 @@ typename GapLimit<D>::Way GapLimit<D>::way_ahead(const FilmPair<D>& pair, const 
         for (const FilmPoint<D>& q : mesh.points) {
             const double v = opening(here_, mesh, V_, q.other_normal, q.x, q.y);
             const double speeding = opening(here_, mesh, A_, q.other_normal, q.x, q.y);
-            if (q.h + dt * (v + 0.5 * dt * speeding) < hold - most_overlap * dx) {
+            if (q.h + dt * (v + 0.5 * dt * speeding) < hold - most_overlap * dx) { // not moved apart in one pass
                 way.passes = true;
                 return way;
             }

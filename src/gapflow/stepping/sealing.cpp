@@ -1,6 +1,8 @@
 #include "gapflow/stepping/sealing.hpp"
 
 #include "gapflow/core/decompositions.hpp"
+#include "gapflow/core/disjoint_sets.hpp"
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/core/text.hpp"
 #include "gapflow/coupling/fluid_parts.hpp"
 #include "gapflow/scene/scene.hpp"
@@ -61,7 +63,7 @@ std::vector<char> shut_nodes(const Coupling<D>& coupling, const std::function<Ga
     const double dx = coupling.grid->dx();
     std::map<std::pair<int, int>, double> held; // largest distance at which a pair's contacts hold
     for (const Contact<D>& c : contacts)
-        if (c.closed)
+        if (c.closed && c.point.distance <= std::max(c.hold, rough * dx)) // others are still about to close
             held[std::minmax(c.point.a, c.point.b)] = std::max(held[std::minmax(c.point.a, c.point.b)], c.point.distance);
     std::vector<char> shut(coupling.system.nodes, 0);
     for (const Film<D>& film : coupling.network.films) {
@@ -179,6 +181,52 @@ bool anything_prescribed(const Coupling<D>& coupling, const std::vector<Twist<D>
     return any;
 }
 
+// Connected shut nodes: what their surfaces squeeze out as they close goes to the parts beside them.
+struct ShutFilm {
+    double flux = 0; ///< as in Balance::driven, of all solids
+    std::set<int> beside;
+};
+
+template <int D>
+std::vector<ShutFilm> shut_films(const Coupling<D>& coupling, const std::vector<char>& shut, const FluidParts<D>& parts,
+                                 const Balance<D>& balance)
+{
+    const Grid<D>& grid = *coupling.grid;
+    DisjointSets sets(coupling.system.nodes);
+    std::vector<std::pair<int, int>> borders; // shut node, part
+    const auto join = [&](const auto& nodes, const auto& number) {
+        int first = -1;
+        for (const auto& node : nodes)
+            if (const int i = number(node); shut[i] && first < 0)
+                first = i;
+            else if (shut[i])
+                sets.join(first, i);
+        for (const auto& node : nodes)
+            if (const int i = number(node); !shut[i] && first >= 0)
+                borders.emplace_back(first, parts.node_component[i]);
+        return first;
+    };
+    for (const Film<D>& film : coupling.network.films)
+        for (const FilmElement<D>& e : film.mesh.elements)
+            join(e.nodes, [&](int node) { return film.first_node + node; });
+    for (const Link& link : coupling.system.links)
+        if (const int first = join(link.nodes, [](const auto& node) { return node.first; }); first >= 0)
+            for (const auto& [key, weight] : link.cells)
+                if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && parts.component(c) >= 0)
+                    borders.emplace_back(first, parts.component(c));
+    std::map<int, ShutFilm> films;
+    const auto film_of = [&](int node) -> ShutFilm& { return films[sets.find(node)]; };
+    for (int node = 0; node < coupling.system.nodes; ++node)
+        if (shut[node])
+            film_of(node).flux += balance.driven.col(parts.node_component[node]).sum();
+    for (const auto& [node, part] : all_values(grid.comm(), borders))
+        film_of(node).beside.insert(part);
+    std::vector<ShutFilm> list;
+    for (auto& [node, film] : films)
+        list.push_back(std::move(film));
+    return list;
+}
+
 // Parts of the fluid with the shut nodes closed: the fluxes into them, and the bodies on which their pressure acts.
 template <int D>
 struct Pockets {
@@ -186,7 +234,7 @@ struct Pockets {
             const FluidVelocity<D>& u, GivesWay who)
         : coupling(of), gives_way(who), parts(find_parts(of, shut)), balance(of, parts, twists, u),
           forces(forces_of(of, parts, area)), largest(balance.magnitude.size() > 0 ? balance.magnitude.maxCoeff() : 0.0),
-          is_pocket(parts.components.size())
+          is_pocket(parts.components.size()), films(shut_films(of, shut, parts, balance))
     {
         for (int k = 0; k < count(); ++k)
             is_pocket[k] = !parts.components[k].grounded;
@@ -216,6 +264,7 @@ struct Pockets {
     Eigen::MatrixXd forces; ///< of each part on free bodies
     double largest;
     std::vector<char> is_pocket;
+    std::vector<ShutFilm> films;
 };
 
 // Connected pockets and free bodies.
@@ -384,7 +433,21 @@ std::string squeeze_by(const Pockets<D>& all, const std::vector<int>& list, cons
         of_cause += c[k] * balance.driven.col(list[k]);
         most = std::max(most, std::abs(c[k]) * balance.magnitude.col(list[k]).maxCoeff());
     }
-    if (!(std::abs(of_cause.sum()) > no_flux * most) || !(most > 0))
+    // Of what a film that closes squeezes out any share may go to each part beside it.
+    double low = of_cause.sum(), high = low;
+    for (const ShutFilm& film : all.films) {
+        std::vector<double> pressures;
+        for (const int part : film.beside) {
+            const auto at = std::find(list.begin(), list.end(), part);
+            pressures.push_back(at == list.end() ? 0.0 : c[at - list.begin()] * film.flux);
+        }
+        if (pressures.empty())
+            continue;
+        const auto [least, largest] = std::minmax_element(pressures.begin(), pressures.end());
+        low += *least;
+        high += *largest;
+    }
+    if (!(low > no_flux * most || high < -no_flux * most) || !(most > 0))
         return {};
     long k = 0; // the pocket with the largest change
     for (long i = 0; i < wide; ++i)

@@ -8,6 +8,7 @@
 #include "gapflow/stepping/gap_limit.hpp"
 #include "gapflow/stepping/reconstruction.hpp"
 #include "gapflow/stepping/short_text.hpp"
+#include "gapflow/stepping/touch_limit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -148,13 +149,15 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
                                              (elastic ? least_film_length_of_rebound<D> : least_film_length<D>)*dx));
     }
     dt = gaps.limited(dt);
+    const double left = next_output - state.time, furthest = std::min(dt, left);
+    if (const double touch = until_touch(model, state, solids, furthest); touch < furthest)
+        dt = touch;
     if (!(dt > smallest_step * scene.max_step))
         throw ComputationError(
             "the time step fell to " + short_text(dt) + " at time " + short_text(state.time) +
             ": the flow does not stay bounded, or something is driven into what cannot give way; use a finer "
             "grid, a smaller time.max_step or time.cfl, or look at the last output");
     // Steps end at output times, without a very short step before them.
-    const double left = next_output - state.time;
     if (left <= dt * (1 + 1e-9))
         dt = left;
     else if (left < 2 * dt)

@@ -195,6 +195,20 @@ TEST(ContactPoints, BallInACornerTouchesThreeSides)
     }
 }
 
+// A blunt ridge of a container's wall, between facets of one smooth patch, touches the face of a box.
+TEST(ContactPoints, ARidgeOfAContainerTouchesAFace)
+{
+    Scenery<2> s;
+    s.add(make_box<2>({1, 0.5}), {0, 0.3499});
+    const SurfaceMesh<2> hollow{
+        {{-1, 0}, {0, 0.1}, {1, 0}, {1, 1}, {-1, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}}, {0, 0, 1, 2, 3}};
+    s.add(make_inside_out<2>(make_mesh<2>(hollow, "hollow")), Vec<2>::Zero());
+    const auto contacts = s.contacts(0.01);
+    ASSERT_EQ(contacts.size(), 1u);
+    EXPECT_NEAR(contacts[0].distance, -1e-4, 1e-12);
+    EXPECT_NEAR(contacts[0].normal[1], 1, 1e-12);
+}
+
 TEST(ContactPoints, AcrossAPeriodicSide)
 {
     Scenery<2> s;

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
 
 namespace gapflow {
 namespace {
@@ -138,6 +140,54 @@ TEST(Touching, DryBallsInARowArePulled)
         simulation.step(1e9);
     for (const RigidBody<2>& body : simulation.bodies())
         EXPECT_LT(body.twist.norm(), 0.1) << body.name;
+}
+
+// In a closed tank as well: what its front displaces the other one's back leaves, and what the closing gap between them squeezes out.
+TEST(Touching, APrescribedBoxPushesAFreeOne)
+{
+    Scene scene = tank(16, 0);
+    scene.gravity = {};
+    scene.gap.roughness = 0.005 / 16;
+    scene.bodies = {box("pushing", 0.2, 0.1, 0.25, 0.6, 1), box("pushed", 0.1, 0.2, 0.4005, 0.6, 2)};
+    scene.bodies[0].motion = BodyScene::Motion::prescribed;
+    scene.bodies[0].velocity = {1, 0, 0};
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 6; ++i)
+        simulation.step(1e9);
+    EXPECT_NEAR(simulation.bodies()[1].twist[0], 1, 1e-3);
+}
+
+// Teeth that are about to meet do not shut what lies between them.
+TEST(Touching, APrescribedGearDrivesAFreeOne)
+{
+    std::string teeth;
+    for (int tooth = 0; tooth < 6; ++tooth)
+        for (const auto& [degrees, radius] : {std::pair(0, 0.13), {6, 0.17}, {30, 0.17}, {36, 0.13}}) {
+            const double angle = (60 * tooth + degrees) * std::numbers::pi / 180;
+            teeth += std::to_string(radius * std::cos(angle)) + " " + std::to_string(radius * std::sin(angle)) + "\n";
+        }
+    const test::TemporaryFile file("gear.txt", teeth);
+    Scene scene = tank(40, 0);
+    scene.gravity = {};
+    scene.max_step = 0.02;
+    scene.gap.roughness = 0.005 / 40;
+    for (const bool drives : {true, false}) {
+        BodyScene gear = ball(drives ? "driving" : "driven", 0, drives ? 0.33 : 0.64, 0.5, 2);
+        gear.shape = BodyScene::ShapeKind::mesh;
+        gear.mesh_file = file.path();
+        gear.angle = (drives ? 13.4 : 38.5) * std::numbers::pi / 180;
+        if (drives) {
+            gear.motion = BodyScene::Motion::prescribed;
+            gear.angular_velocity = {1, 0, 0};
+        } else {
+            gear.hinge = HingeScene{{0.64, 0.5, 0}};
+        }
+        scene.bodies.push_back(gear);
+    }
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 8; ++i)
+        simulation.step(1e9);
+    EXPECT_NEAR(simulation.bodies()[1].twist[2], -1, 0.1);
 }
 
 // A ball closes the hole between two boxes against suction: it touches their corners, where no film is as thin as the roughness.
