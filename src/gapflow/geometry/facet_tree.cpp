@@ -1,4 +1,4 @@
-// Closest point on triangles and segments.
+// Closest point on triangles and segments, and where a ray meets them.
 //
 // Triangle: the query projects inside, or the closest point lies on one of the edges that face it (those beyond whose line
 // the projection lies), so it is the best of at most two segments. Signs come from in-plane edge normals, exact where the
@@ -14,6 +14,13 @@ namespace gapflow {
 namespace {
 
 constexpr int leaf_size = 4;
+
+/// Squared distance to a box.
+template <int D>
+double distance2(const Vec<D>& low, const Vec<D>& high, const Vec<D>& q)
+{
+    return (low - q).cwiseMax(q - high).cwiseMax(0).squaredNorm();
+}
 
 template <int D>
 FacetPoint<D> at_vertex(const Facet<D>& facet, int i, const Vec<D>& q)
@@ -99,6 +106,12 @@ FacetTree<D>::FacetTree(const std::vector<Facet<D>>& facets, const std::vector<i
     for (int f : order) {
         facets_.push_back(facets[f]);
         group_.push_back(group[f]);
+        std::array<Vec<D>, 2> box{facets[f].corner[0], facets[f].corner[0]};
+        for (const Vec<D>& x : facets[f].corner) {
+            box[0] = box[0].cwiseMin(x);
+            box[1] = box[1].cwiseMax(x);
+        }
+        boxes_.push_back(box);
     }
     id_ = std::move(order);
 }
@@ -145,31 +158,27 @@ void FacetTree<D>::build(std::vector<int>& order, const std::vector<Facet<D>>& f
 }
 
 template <int D>
-double FacetTree<D>::distance2(int node, const Vec<D>& q) const
-{
-    return (nodes_[node].low - q).cwiseMax(q - nodes_[node].high).cwiseMax(0).squaredNorm();
-}
-
-template <int D>
 typename FacetTree<D>::Hit FacetTree<D>::closest(const Vec<D>& q, int group) const
 {
     Hit best;
     best.point.distance2 = std::numeric_limits<double>::infinity();
     std::array<std::pair<double, int>, 64> stack; // halving keeps the depth below 32
     int top = 0;
-    stack[top++] = {distance2(0, q), 0};
+    const auto bound_of = [&](int node) { return distance2<D>(nodes_[node].low, nodes_[node].high, q); };
+    stack[top++] = {bound_of(0), 0};
     while (top > 0) {
         const auto [bound, index] = stack[--top];
         if (bound >= best.point.distance2)
             continue;
         const Node& node = nodes_[index];
         for (int k = node.first; k < node.first + node.count; ++k)
-            if (group < 0 || group_[k] == group)
+            if ((group < 0 || group_[k] == group) &&
+                distance2<D>(boxes_[k][0], boxes_[k][1], q) <= (1 + 1e-9) * best.point.distance2) // with room for round-off
                 if (const FacetPoint<D> p = closest_on(facets_[k], q); p.distance2 < best.point.distance2)
                     best = {id_[k], p};
         if (node.count > 0)
             continue;
-        const std::pair<double, int> left{distance2(index + 1, q), index + 1}, right{distance2(node.first, q), node.first};
+        const std::pair<double, int> left{bound_of(index + 1), index + 1}, right{bound_of(node.first), node.first};
         const bool left_first = left.first <= right.first;
         stack[top++] = left_first ? right : left;
         stack[top++] = left_first ? left : right;
@@ -246,6 +255,57 @@ int FacetTree<D>::crossings(const Vec<D>& start, const Vec<D>& direction) const
         }
     }
     return sum;
+}
+
+template <int D>
+double FacetTree<D>::entry(const Vec<D>& start, const Vec<D>& direction, double tolerance) const
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double first = infinity;
+    const auto reaches = [&](const Node& node) { // its box; infinity: not at all
+        double in = 0, out = infinity;
+        for (int i = 0; i < D; ++i) {
+            const double low = node.low[i] - tolerance - start[i], high = node.high[i] + tolerance - start[i];
+            if (direction[i] == 0) {
+                if (low > 0 || high < 0)
+                    return infinity;
+                continue;
+            }
+            const double a = low / direction[i], b = high / direction[i];
+            in = std::max(in, std::min(a, b));
+            out = std::min(out, std::max(a, b));
+        }
+        return in <= out ? in : infinity;
+    };
+    const auto look = [&](const Facet<D>& facet) {
+        const double against = direction.dot(facet.normal);
+        if (!(against < 0))
+            return;
+        const double t = (facet.corner[0] - start).dot(facet.normal) / against;
+        if (t < -tolerance || !(t < first))
+            return;
+        if (closest_on(facet, Vec<D>(start + t * direction)).distance2 <= tolerance * tolerance)
+            first = std::max(t, 0.0);
+    };
+    std::array<std::pair<double, int>, 64> stack;
+    int top = 0;
+    stack[top++] = {reaches(nodes_[0]), 0};
+    while (top > 0) {
+        const auto [bound, index] = stack[--top];
+        if (!(bound < first))
+            continue;
+        const Node& node = nodes_[index];
+        for (int k = node.first; k < node.first + node.count; ++k)
+            look(facets_[k]);
+        if (node.count > 0)
+            continue;
+        const std::pair<double, int> left{reaches(nodes_[index + 1]), index + 1},
+            right{reaches(nodes_[node.first]), node.first};
+        const bool left_first = left.first <= right.first;
+        stack[top++] = left_first ? right : left;
+        stack[top++] = left_first ? left : right;
+    }
+    return first;
 }
 
 template FacetPoint<2> closest_on<2>(const Facet<2>&, const Vec<2>&);

@@ -54,6 +54,10 @@ public:
     /// surface the winding number around `start`, unless the ray meets a ridge. No component of `direction` may be 0.
     int crossings(const Vec<D>& start, const Vec<D>& direction) const;
 
+    /// How far it is along a ray to the first facet that it meets against its normal; infinity: none. `direction`: of unit length. Facets
+    /// are wider by `tolerance` all around, so that no ray slips between two that meet. Thread-safe.
+    double entry(const Vec<D>& start, const Vec<D>& direction, double tolerance) const;
+
 private:
     struct Node {
         Vec<D> low, high;
@@ -62,11 +66,11 @@ private:
     };
 
     void build(std::vector<int>& order, const std::vector<Facet<D>>& facets, int begin, int end);
-    double distance2(int node, const Vec<D>& q) const;
     bool near(int node, int other, double margin) const;
 
     std::vector<Node> nodes_;
-    std::vector<Facet<D>> facets_; ///< in tree order
+    std::vector<Facet<D>> facets_;             ///< in tree order
+    std::vector<std::array<Vec<D>, 2>> boxes_; ///< of the facets: low and high corner
     std::vector<int> id_, group_;
 };
 

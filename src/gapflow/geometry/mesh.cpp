@@ -8,7 +8,11 @@
 #include "gapflow/geometry/mesh_mass.hpp"
 #include "gapflow/geometry/requirement.hpp"
 
+#include <array>
+#include <atomic>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -33,13 +37,13 @@ public:
 
     SurfacePoint<D> closest(const Vec<D>& x) const override
     {
-        const Hit hit = settled(x, tree_.closest(x));
-        if (hit.point.interior())
-            return over_facet(x, hit.facet, hit.point.x);
-        if (hit.point.vertex >= 0)
-            return over_vertex(x, hit);
-        return over_edge(x, hit);
+        Answer& answer = answer_for(x);
+        if (answer.mesh != number_ || answer.x != x)
+            answer = {number_, x, find_closest(x)};
+        return answer.point;
     }
+
+    std::optional<double> entry(const Vec<D>& x, const Vec<D>& u) const override { return tree_.entry(x, u, tolerance_); }
 
     /// The closest point of the patch's facets.
     Vec<D> onto(const Vec<D>& x, int patch) const override { return tree_.closest(x, patch).point.x; }
@@ -70,6 +74,39 @@ public:
 
 private:
     using Hit = typename FacetTree<D>::Hit;
+
+    struct Answer {
+        std::uint64_t mesh = 0; ///< number of the mesh that was asked
+        Vec<D> x;
+        SurfacePoint<D> point;
+    };
+
+    /// Where the answer for x is kept. A place is mostly asked for several times in a row: for its distance and its normal, by the rays that
+    /// start there, by its neighbours.
+    static Answer& answer_for(const Vec<D>& x)
+    {
+        static thread_local std::array<Answer, 256> answers;
+        std::uint64_t hash = 0;
+        for (int k = 0; k < D; ++k)
+            hash = (hash ^ std::bit_cast<std::uint64_t>(x[k])) * 0x9e3779b97f4a7c15u;
+        return answers[hash >> 56];
+    }
+
+    static std::uint64_t next_number()
+    {
+        static std::atomic<std::uint64_t> last = 0;
+        return ++last;
+    }
+
+    SurfacePoint<D> find_closest(const Vec<D>& x) const
+    {
+        const Hit hit = settled(x, tree_.closest(x));
+        if (hit.point.interior())
+            return over_facet(x, hit.facet, hit.point.x);
+        if (hit.point.vertex >= 0)
+            return over_vertex(x, hit);
+        return over_edge(x, hit);
+    }
 
     const SurfaceMesh<D>& mesh() const { return surface_.mesh; }
     const Vec<D>& normal(int facet) const { return features_.facet_normal[facet]; }
@@ -180,6 +217,7 @@ private:
     FacetTree<D> tree_;
     MassProperties<D> mass_;
     Bounds<D> bounds_;
+    std::uint64_t number_ = next_number();
     double tolerance_; ///< a point beyond a sharp edge by less counts as over the face
 };
 

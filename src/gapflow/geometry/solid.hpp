@@ -42,6 +42,14 @@ struct Image {
     Bounds<D> bounds; ///< of the surface, in the world
 };
 
+/// Lower bound of the distance of x from an image: from its bounds; 0 within them and of images turned inside out.
+template <int D>
+double distance_to_bounds(const Image<D>& image, const Vec<D>& x)
+{
+    const double outside = (image.bounds.low - x).cwiseMax(x - image.bounds.high).cwiseMax(0).norm();
+    return outside > 0 && image.shape.shape().inside_out() ? 0.0 : outside;
+}
+
 /// World bounds of a placed shape's surface (from the corners of its body-frame bounds).
 template <int D>
 Bounds<D> world_bounds(const PlacedShape<D>& shape);

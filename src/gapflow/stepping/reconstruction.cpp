@@ -57,7 +57,8 @@ double normal_surplus(const Coupling<D>& c, const FaceField<D>& u, int axis, con
     double distance = grid.dx();
     near.distances.clear();
     for (int i : nearby) {
-        near.distances.push_back(images[i].shape.distance(x));
+        const double least = distance_to_bounds(images[i], x);
+        near.distances.push_back(least > 2 * grid.dx() ? least : images[i].shape.distance(x));
         distance = std::min(distance, near.distances.back());
     }
     if (distance >= grid.dx())

@@ -16,6 +16,17 @@ constexpr int most_bisections = 60;
 constexpr double first_radius = 3.4; // in dx: solids within it are found first, and anew where a ray leaves them
 constexpr double slack = 1e-9;       // in dx, for round-off
 
+// No more than the signed distance. That of a mesh is dear, and its rays are asked for where it is small only: the distance to its bounds.
+template <int D>
+double at_least(const Image<D>& image, const Vec<D>& x)
+{
+    const Shape<D>& shape = image.shape.shape();
+    if (shape.convex() || shape.inside_out())
+        return image.shape.distance(x);
+    const double outside = distance_to_bounds(image, x);
+    return outside > 0 ? outside : -std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 template <int D>
@@ -36,7 +47,7 @@ void WallRays<D>::find(const Vec<D>& x, double radius)
     near_.clear();
     nearest_ = 0;
     for (int i : found_.images) {
-        near_.push_back({i, image(i).shape.distance(x)});
+        near_.push_back({i, at_least(image(i), x)});
         if (near_.back().phi < near_[nearest_].phi)
             nearest_ = near_.size() - 1;
     }

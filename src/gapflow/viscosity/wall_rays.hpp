@@ -31,7 +31,7 @@ public:
 private:
     struct Near {
         int image;
-        double phi; ///< at the centre
+        double phi; ///< at the centre; of meshes a lower bound
     };
 
     void find(const Vec<D>& x, double radius);

@@ -166,11 +166,11 @@ TEST(Shapes, BadParametersAreRefused)
 
 // Rays from outside enter where the distance falls to 0 first, and nowhere else: near, far, along faces.
 template <int D>
-void check_entries(const Shape<D>& shape, double reach)
+void check_entries(const Shape<D>& shape, double reach, int rays = 4000)
 {
     std::mt19937 random(11);
     int hits = 0, misses = 0;
-    for (int k = 0; k < 4000; ++k) {
+    for (int k = 0; k < rays; ++k) {
         const Vec<D> x = random_point<D>(random, reach);
         Vec<D> u = random_point<D>(random, 1).normalized();
         if (k % 4 == 0) // along an axis
@@ -189,8 +189,8 @@ void check_entries(const Shape<D>& shape, double reach)
         }
         ++(std::isfinite(*t) ? hits : misses);
     }
-    EXPECT_GT(hits, 100);
-    EXPECT_GT(misses, 100);
+    EXPECT_GT(hits, rays / 40);
+    EXPECT_GT(misses, rays / 40);
 }
 TEST(Shapes, RaysEnterWhereTheDistanceVanishes)
 {
@@ -200,6 +200,15 @@ TEST(Shapes, RaysEnterWhereTheDistanceVanishes)
     check_entries<3>(*make_box<3>({1.5, 0.4, 1.0}), 2);
     check_entries<2>(*make_half_space<2>({1.0, 2.0}), 2);
     check_entries<3>(*make_half_space<3>({0.0, 0.0, 1.0}), 2);
+    check_entries<3>(*make_mesh<3>(make_box<3>({1.5, 0.4, 1.0})->surface_mesh(), "box"), 2, 400);
+    check_entries<3>(*make_mesh<3>(make_ball<3>(0.7)->display_mesh(1e-2), "ball"), 2, 400);
+    const double hollow[6][2] = {{-0.7, -0.7}, {0.7, -0.7}, {0.7, -0.5}, {-0.4, -0.5}, {-0.4, 0.7}, {-0.7, 0.7}};
+    SurfaceMesh<2> angle;
+    for (int i = 0; i < 6; ++i) {
+        angle.vertices.emplace_back(hollow[i][0], hollow[i][1]);
+        angle.elements.push_back({i, (i + 1) % 6});
+    }
+    check_entries<2>(*make_mesh<2>(angle, "angle"), 2, 400);
     EXPECT_FALSE(make_capsule<3>(0.5, 1.0)->entry({2, 0, 0}, {-1, 0, 0}));
 }
 

@@ -54,6 +54,24 @@ void expect_same(const Shape<3>& mesh, const Shape<3>& exact, const Vec<3>& x)
     }
 }
 
+// Rays that run exactly through vertices and edges: none slips between two facets.
+TEST(Mesh, RaysMeetVerticesAndEdges)
+{
+    const SurfaceMesh<3> surface = make_ball<3>(0.7)->display_mesh(1e-3);
+    const auto mesh = make_mesh<3>(surface, "ball");
+    const auto expect_met = [&](const Vec<3>& at) {
+        for (const Vec<3>& from : {Vec<3>(3 * at), Vec<3>(3 * at + Vec<3>(0.5, -0.3, 0.2))}) {
+            const std::optional<double> t = mesh->entry(from, (at - from).normalized());
+            ASSERT_TRUE(t.has_value());
+            ASSERT_NEAR(*t, (at - from).norm(), 1e-11);
+        }
+    };
+    for (const Vec<3>& x : surface.vertices)
+        expect_met(x);
+    for (const auto& e : surface.elements)
+        expect_met(0.5 * (surface.vertices[e[0]] + surface.vertices[e[1]]));
+}
+
 TEST(Mesh, CubeEqualsTheBox)
 {
     const auto box = make_box<3>({1, 0.5, 0.75});
