@@ -60,6 +60,40 @@ double surface_radius(const Shape<D>& shape, const SurfaceMesh<D>& mesh)
     return std::min(radius, limit);
 }
 
+// Elements of a solid's base mesh from which films on it are refined: of meshes far wider than the domain without those beyond its sides,
+// where there is no fluid. (One that only reaches through walls keeps them: they have a part in how the others are split.)
+template <int D>
+void leave_out_beyond(const Grid<D>& grid, const PlacedShape<D>& solid, SurfaceMesh<D>& base)
+{
+    const Bounds<D> bounds = world_bounds(solid);
+    const bool wide = ((bounds.high - bounds.low).array() > 2 * grid.size().array()).any();
+    if (!wide || solid.shape().convex() || solid.shape().inside_out())
+        return;
+    const Vec<D> around = Vec<D>::Constant(4 * grid.dx());
+    const Vec<D> low = grid.origin() - around, high = grid.origin() + grid.size() + around;
+    std::vector<Vec<D>> vertices;
+    for (const Vec<D>& x : base.vertices)
+        vertices.push_back(solid.to_world(x));
+    std::size_t kept = 0;
+    for (std::size_t e = 0; e < base.elements.size(); ++e) {
+        bool beyond = false;
+        for (int axis = 0; axis < D && !beyond; ++axis) {
+            const auto all = [&](auto&& is_there) {
+                return std::all_of(base.elements[e].begin(), base.elements[e].end(),
+                                   [&](int v) { return is_there(vertices[v][axis]); });
+            };
+            beyond = !grid.periodic(axis) &&
+                     (all([&](double x) { return x < low[axis]; }) || all([&](double x) { return x > high[axis]; }));
+        }
+        if (beyond)
+            continue;
+        base.elements[kept] = base.elements[e];
+        base.patch[kept++] = base.patch[e];
+    }
+    base.elements.resize(kept);
+    base.patch.resize(kept);
+}
+
 /// The solids beside a pair that may end its film.
 template <int D>
 class ThirdBodies {
@@ -270,6 +304,7 @@ std::vector<Film<D>> find_films(const Grid<D>& grid, std::span<const Solid<D>> s
             if (!base[s]) {
                 base[s] = solids[s].shape.shape().surface_mesh();
                 reach[s] = surface_radius(solids[s].shape.shape(), *base[s]);
+                leave_out_beyond(grid, solids[s].shape, *base[s]);
             }
         if (gap.film && !are_apart(solids[pair.master].shape, reach[pair.master], other_shape(grid, solids, pair),
                                    reach[pair.other], threshold))

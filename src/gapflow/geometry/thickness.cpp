@@ -1,8 +1,11 @@
 #include "gapflow/geometry/thickness.hpp"
 
+#include "gapflow/geometry/solid.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace gapflow {
@@ -25,9 +28,22 @@ struct Sample {
     bool faces;                                         ///< an opposite surface
 };
 
-/// Points spread over the solid's surface, no more than some in a box of this size.
+/// Whether all corners of a facet lie beyond one side of the box.
 template <int D>
-std::vector<Vec<D>> points_on(const PlacedShape<D>& solid, double spacing)
+bool beyond_a_side(const PlacedShape<D>& solid, const std::array<Vec<D>, D>& corners, const Bounds<D>& box)
+{
+    Vec<D> low = solid.to_world(corners[0]), high = low;
+    for (int i = 1; i < D; ++i) {
+        const Vec<D> x = solid.to_world(corners[i]);
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    return (low.array() > box.high.array()).any() || (high.array() < box.low.array()).any();
+}
+
+/// Points spread over the solid's surface, no more than some in a box of this size; if `within` is given, only inside it.
+template <int D>
+std::vector<Vec<D>> points_on(const PlacedShape<D>& solid, double spacing, const std::optional<Bounds<D>>& within)
 {
     const SurfaceMesh<D> mesh = solid.shape().display_mesh(0.1 * spacing);
     std::set<std::array<int, D + 1>> taken;
@@ -53,6 +69,8 @@ std::vector<Vec<D>> points_on(const PlacedShape<D>& solid, double spacing)
         while (!parts.empty()) {
             const std::array<Vec<D>, D> part = parts.back();
             parts.pop_back();
+            if (within && beyond_a_side<D>(solid, part, *within))
+                continue;
             int from = 0, to = 1;
             for (int i = 0; i < D; ++i)
                 for (int k = i + 1; k < D; ++k)
@@ -170,7 +188,7 @@ private:
 
 template <int D>
 Thickness<D> sheet_thickness(const PlacedShape<D>& solid, double cell, double most,
-                             const std::function<double(const Vec<D>&, const Vec<D>&)>& beyond)
+                             const std::function<double(const Vec<D>&, const Vec<D>&)>& beyond, const Bounds<D>& within)
 {
     const Shape<D>& shape = solid.shape();
     const Bounds<D> bounds = shape.bounds();
@@ -182,14 +200,20 @@ Thickness<D> sheet_thickness(const PlacedShape<D>& solid, double cell, double mo
     if (exact && size.minCoeff() >= (1 - 1e-6) * most)
         return result;
 
+    std::optional<Bounds<D>> part; // of the surface, with the patches that reach into it
+    const Bounds<D> all = world_bounds(solid);
+    if (((all.high - all.low).array() > (within.high - within.low).array()).any())
+        part = Bounds<D>{within.low.array() - patch_radius * cell, within.high.array() + patch_radius * cell};
     std::vector<Sample<D>> samples;
-    for (const Vec<D>& x : points_on(solid, std::min(sample_spacing * cell, size.norm() / samples_across)))
+    for (const Vec<D>& x : points_on(solid, std::min(sample_spacing * cell, size.norm() / samples_across), part))
         samples.push_back(inscribed(solid, x, most, beyond));
     if (samples.empty())
         return result;
-    const auto thickest = std::max_element(samples.begin(), samples.end(),
-                                           [](const Sample<D>& a, const Sample<D>& b) { return a.thickness < b.thickness; });
-    result = {thickest->thickness, thickest->middle};
+    if (!part) {
+        const auto thickest = std::max_element(
+            samples.begin(), samples.end(), [](const Sample<D>& a, const Sample<D>& b) { return a.thickness < b.thickness; });
+        result = {thickest->thickness, thickest->middle};
+    }
     if (result.value < most) { // the middle of a star touches its surface at inner corners only
         constexpr int lattice = D == 2 ? 24 : 12;
         for (int k = 0; k < static_cast<int>(std::pow(lattice, D) + 0.5); ++k) {
@@ -212,8 +236,8 @@ Thickness<D> sheet_thickness(const PlacedShape<D>& solid, double cell, double mo
 }
 
 template Thickness<2> sheet_thickness<2>(const PlacedShape<2>&, double, double,
-                                         const std::function<double(const Vec<2>&, const Vec<2>&)>&);
+                                         const std::function<double(const Vec<2>&, const Vec<2>&)>&, const Bounds<2>&);
 template Thickness<3> sheet_thickness<3>(const PlacedShape<3>&, double, double,
-                                         const std::function<double(const Vec<3>&, const Vec<3>&)>&);
+                                         const std::function<double(const Vec<3>&, const Vec<3>&)>&, const Bounds<3>&);
 
 } // namespace gapflow

@@ -19,9 +19,10 @@ struct Thickness {
 /// there; it counts where the ball also touches a surface that faces the other way. Edges, corners, wedges of more than a small
 /// angle, and parts smaller than the patch (ridges, short fins) do not count. Solids without bounds or inside out have no
 /// thickness: `most`. `beyond(x, n)`, if given: how far other solids continue this one from its surface point x along the
-/// normal n.
+/// normal n. `within`: where it matters, in the world; only there it is sought on solids that are wider than that.
 template <int D>
 Thickness<D> sheet_thickness(const PlacedShape<D>& solid, double cell, double most,
-                             const std::function<double(const Vec<D>&, const Vec<D>&)>& beyond = {});
+                             const std::function<double(const Vec<D>&, const Vec<D>&)>& beyond = {},
+                             const Bounds<D>& within = {});
 
 } // namespace gapflow

@@ -23,6 +23,7 @@ constexpr int most_passes = 200;    // that take overlaps out
 constexpr double seen = 1e-6;       // in cells: overlaps that are round-off
 constexpr double left_alone = 1e-2; // in cells: overlap of wedged bodies that is not reported
 constexpr std::size_t most_named = 6;
+constexpr double far_wider = 10; // than the domain: a mesh in millimetres is some 1000 times as wide as it should be
 
 /// Vertices of a body's surface and its centre in the world, and the box that holds them.
 template <int D>
@@ -137,6 +138,23 @@ void refuse_places(const Scene& scene, const std::vector<RigidBody<D>>& bodies, 
     }
 }
 
+/// Asks for the unit of a mesh that is far wider than the domain; empty: it is not.
+template <int D>
+std::string unit_question(const Scene& scene, const std::vector<RigidBody<D>>& bodies, std::size_t body)
+{
+    if (body >= bodies.size() || scene.bodies[body].shape != BodyScene::ShapeKind::mesh)
+        return {};
+    const Bounds<D> bounds = bodies[body].shape->bounds();
+    const double wider = (bounds.high - bounds.low).maxCoeff() / to_vec<D>(scene.size).maxCoeff();
+    if (!(wider > far_wider))
+        return {};
+    char times[32];
+    std::snprintf(times, sizeof times, "%.3g", wider);
+    return "body '" + bodies[body].name + "' is " + times +
+           " times as wide as the domain: is its file in millimetres? then scale = " +
+           number_text(1e-3 * scene.bodies[body].mesh_scale);
+}
+
 } // namespace
 
 template <int D>
@@ -152,6 +170,8 @@ std::vector<std::string> placement_warnings(const Scene& scene, const std::vecto
 
     std::vector<std::string> warnings;
     for (std::size_t a = 0; a < bodies.size(); ++a) {
+        if (std::string question = unit_question(scene, bodies, a); !question.empty())
+            warnings.push_back(std::move(question));
         if (!sides_before(surfaces[a], scene).empty())
             warnings.push_back(
                 "body '" + bodies[a].name + "' lies outside the domain, where there is no fluid; " +
@@ -207,9 +227,14 @@ std::vector<std::string> take_out_overlaps(const Scene& scene, const Grid<D>& gr
         solids = make_solids<D>(bodies, walls);
         overlap = find();
     }
-    if (overlap > dx)
-        throw InputError(scene.file + ": " + pair() + " overlap by " + cells(overlap) +
-                         " at the start, and cannot be pushed apart; move them");
+    if (overlap > dx) {
+        std::string text = scene.file + ": " + pair() + " overlap by " + cells(overlap) +
+                           " at the start, and cannot be pushed apart; move them";
+        for (const int solid : {deepest->point.a, deepest->point.b})
+            if (const std::string question = unit_question(scene, bodies, static_cast<std::size_t>(solid)); !question.empty())
+                text += "; " + question;
+        throw InputError(text);
+    }
     std::vector<std::pair<double, std::string>> moves; // longest first
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (const double way = (bodies[b].centre() - before[b].centre()).norm(); way > seen * dx)

@@ -1,6 +1,7 @@
 #include "gapflow/stepping/setup.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/text.hpp"
 #include "gapflow/stepping/memory_forecast.hpp"
 
 #include <algorithm>
@@ -157,6 +158,25 @@ private:
     std::map<std::tuple<std::string, double, bool>, std::shared_ptr<const Shape<D>>> made_;
 };
 
+/// A body has an image for every period that it spans: of one as wide as ten they would be hundreds, each in the other.
+template <int D>
+void require_few_images(const Scene& scene, const BodyScene& from, const RigidBody<D>& body)
+{
+    const Bounds<D> bounds = world_bounds(PlacedShape<D>(*body.shape, body.pose));
+    for (int axis = 0; axis < D; ++axis) {
+        const double periods = (bounds.high[axis] - bounds.low[axis]) / scene.size[axis];
+        if (scene.sides[2 * axis].kind != SideScene::Kind::periodic || !(periods > 10) || !std::isfinite(periods))
+            continue;
+        char text[96];
+        std::snprintf(text, sizeof text, "' is %.3g times as wide as the domain along %c, which is periodic: ", periods,
+                      "xyz"[axis]);
+        throw InputError(scene.file + ": body '" + from.name + text + "it would lie in its own images; make it smaller" +
+                         (from.shape == BodyScene::ShapeKind::mesh
+                              ? ", with scale = " + number_text(1e-3 * from.mesh_scale) + " if its file is in millimetres"
+                              : ""));
+    }
+}
+
 } // namespace
 
 template <int D>
@@ -174,6 +194,7 @@ std::vector<RigidBody<D>> make_bodies(const Scene& scene)
                                                                      : Motion::fixed;
         body.pose = scene_pose<D>(from);
         body.water = water;
+        require_few_images(scene, from, body);
         if (from.mass)
             set_mass<D>(body, *from.mass, inertia_of<D>(from));
         else if (from.shape != BodyScene::ShapeKind::half_space)

@@ -41,6 +41,27 @@ double goes_on(const std::vector<const Solid<D>*>& solids, const Vec<D>& x, cons
     return way;
 }
 
+/// Where a body's thickness matters: in the domain, for a body that moves also as far as the domain is wide from it, and everywhere along
+/// an axis along which the grid moves. What is beyond a periodic side comes in on the other.
+template <int D>
+Bounds<D> seen(const Scene& scene, const Solid<D>& solid)
+{
+    const Vec<D> size = to_vec<D>(scene.size), origin = to_vec<D>(scene.origin);
+    const Bounds<D> body = world_bounds(solid.shape);
+    const double around = solid.motion == Motion::fixed ? 0.0 : size.maxCoeff();
+    Bounds<D> seen{origin.array() - around, (origin + size).array() + around};
+    for (int axis = 0; axis < D; ++axis)
+        if (scene.follow && scene.follow->axes[axis]) {
+            seen.low[axis] = Bounds<D>().low[axis];
+            seen.high[axis] = Bounds<D>().high[axis];
+        } else if (scene.sides[2 * axis].kind == SideScene::Kind::periodic) {
+            const double middle = 0.5 * (body.low[axis] + body.high[axis]);
+            seen.low[axis] = middle - 1.5 * size[axis];
+            seen.high[axis] = middle + 1.5 * size[axis];
+        }
+    return seen;
+}
+
 template <int D>
 std::string text_of(const ThinBody<D>& body)
 {
@@ -73,14 +94,15 @@ std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<Rigid
         std::vector<const Solid<D>*> beside; // one body with it
         const auto beyond = [&](const Vec<D>& x, const Vec<D>& n) { return goes_on(beside, x, n, cell, most); };
         const PlacedShape<D>& shape = solids[b].shape;
-        Thickness<D> found = sheet_thickness<D>(shape, cell, most);
+        const Bounds<D> within = seen<D>(scene, solids[b]);
+        Thickness<D> found = sheet_thickness<D>(shape, cell, most, {}, within);
         if (found.value < (1 - 1e-6) * most && bodies[b].motion == Motion::fixed) {
             for (std::size_t s = 0; s < solids.size(); ++s)
                 if (s != b && solids[s].motion == Motion::fixed &&
                     (solids[s].shape.shape().inside_out() || near(world_bounds(shape), world_bounds(solids[s].shape), most)))
                     beside.push_back(&solids[s]);
             if (!beside.empty())
-                found = sheet_thickness<D>(shape, cell, most, beyond);
+                found = sheet_thickness<D>(shape, cell, most, beyond, within);
         }
         if (found.value < (1 - 1e-6) * most)
             thin.push_back({bodies[b].name, found.value / cell, found.at});

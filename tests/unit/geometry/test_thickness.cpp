@@ -159,5 +159,21 @@ TEST(Thickness, CountsWhatGoesOnBeyond)
     EXPECT_EQ(thickness(2), most);
 }
 
+// Of a sheet a thousand cells wide only the part that matters is looked at: all of it has eight million samples.
+TEST(Thickness, OfAPartOfAWideSolid)
+{
+    const auto sheet = make_mesh<3>(make_box<3>({1000, 1000, 0.5})->surface_mesh(), "sheet");
+    const PlacedShape<3> placed(*sheet, Pose<3>());
+    const Bounds<3> domain{Vec<3>(-5, -5, -5), Vec<3>(5, 5, 5)};
+    const Thickness<3> found = sheet_thickness<3>(placed, 1, most, {}, domain);
+    EXPECT_NEAR(found.value, 0.5, 1e-6);
+    EXPECT_LT(found.at.cwiseAbs().maxCoeff(), 7);
+    const Bounds<3> above{Vec<3>(-5, -5, 5), Vec<3>(5, 5, 15)};
+    EXPECT_EQ(sheet_thickness<3>(placed, 1, most, {}, above).value, most);
+    // of the tip of a thick wedge it is not the thickness of all
+    const auto wedge = polygon({{0, 0}, {1000, -600}, {1000, 600}});
+    EXPECT_EQ(sheet_thickness<2>(PlacedShape<2>(*wedge, Pose<2>()), 1, most, {}, {Vec<2>(-5, -5), Vec<2>(1, 5)}).value, most);
+}
+
 } // namespace
 } // namespace gapflow

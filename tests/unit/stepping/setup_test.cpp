@@ -3,6 +3,8 @@
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/setup.hpp"
 
+#include "temporary.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -122,6 +124,42 @@ TEST(Placement, RefusesFreeBodiesOutsideTheDomainAndInOnePlaceWithOthers)
     scene.bodies[0].inside_out = false; // solids that stand still are one
     scene.bodies[1] = ball("a", 0.5, 0.1, Motion::fixed);
     EXPECT_EQ(refusal_of(scene), "");
+}
+
+// A part of 0.4 m whose file is in millimetres.
+TEST(Placement, AsksForTheUnitOfAMeshFarWiderThanTheDomain)
+{
+    const test::TemporaryFile square("square.txt", "-200 -200\n200 -200\n200 200\n-200 200\n");
+    Scene scene = scene_of(50);
+    scene.bodies = {ball("part", 0.5, 0, BodyScene::Motion::free)};
+    scene.bodies[0].shape = BodyScene::ShapeKind::mesh;
+    scene.bodies[0].mesh_file = square.path();
+    const auto question =
+        testing::EndsWith("body 'part' is 400 times as wide as the domain: is its file in millimetres? then scale = 0.001");
+    EXPECT_THAT(warnings_of(scene), testing::Contains(question));
+    std::vector<RigidBody<2>> bodies = make_bodies<2>(scene);
+    try {
+        take_out_overlaps<2>(scene, make_grid<2>(scene, Communicator()), bodies, make_walls<2>(scene));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("cannot be pushed apart; move them; body 'part'"));
+        EXPECT_THAT(error.what(), question);
+    }
+    scene.sides[0].kind = scene.sides[1].kind = SideScene::Kind::periodic;
+    try {
+        make_bodies<2>(scene);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("body 'part' is 400 times as wide as the domain along x, which is periodic"));
+        EXPECT_THAT(error.what(), testing::EndsWith("with scale = 0.001 if its file is in millimetres"));
+    }
+    scene.sides[0].kind = scene.sides[1].kind = SideScene::Kind::wall;
+    scene.bodies[0].mesh_scale = 0.001;
+    EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
+    scene.bodies[0].motion = BodyScene::Motion::fixed;
+    scene.bodies[0].mesh_scale = 0.02; // a bed under a small domain
+    EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
 }
 
 } // namespace
