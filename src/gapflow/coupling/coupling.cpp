@@ -218,7 +218,8 @@ void add_response(const Coupling<D>& coupling, Eigen::VectorXd V, std::vector<Tw
 template <int D>
 Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
                    const CouplingOptions& options, const std::function<GapSettings(int, int)>& gap,
-                   const std::set<FilmPair<D>>& alive, const std::function<DragTerms(const Coupling<D>&)>& drag)
+                   const std::set<FilmPair<D>>& alive, const std::function<DragTerms(const Coupling<D>&)>& drag,
+                   const FaceFractions<D>* before)
 {
     Coupling<D> coupling;
     coupling.grid = &grid;
@@ -229,7 +230,7 @@ Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std:
     {
         const auto timer = timers.measure("fractions");
         coupling.clipper = std::make_shared<FaceClipper<D>>(grid, coupling.solids, options.fractions);
-        coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(grid, *coupling.clipper));
+        coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(grid, *coupling.clipper, before));
     }
     std::optional<StageTimers::Scope> timer;
     timer.emplace(timers.stage("films"));
@@ -374,7 +375,8 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Coupling<D> couple<D>(const Grid<D>&, std::vector<Solid<D>>, const std::vector<TwistMatrix<D>>&,                  \
                                    const CouplingOptions&, const std::function<GapSettings(int, int)>&,                        \
-                                   const std::set<FilmPair<D>>&, const std::function<DragTerms(const Coupling<D>&)>&);         \
+                                   const std::set<FilmPair<D>>&, const std::function<DragTerms(const Coupling<D>&)>&,          \
+                                   const FaceFractions<D>*);                                                                   \
     template void hold_contacts<D>(Coupling<D>&, const std::vector<HeldContact<D>>&, const std::vector<Twist<D>>&);            \
     template std::vector<Twist<D>> intermediate_twists<D>(const Coupling<D>&, const std::vector<TwistMatrix<D>>&,              \
                                                           const std::vector<Twist<D>>&, const std::vector<double>&,            \

@@ -116,11 +116,12 @@ struct CouplingOptions {
 };
 
 /// Builds everything for one configuration. `mass` holds the generalised mass of each solid (used for free ones). `drag` is called
-/// once, after the films are built and before assembly. Collective.
+/// once, after the films are built and before assembly. `before`: fractions of the configuration before (face_fractions()). Collective.
 template <int D>
 Coupling<D> couple(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
                    const CouplingOptions& options, const std::function<GapSettings(int, int)>& gap,
-                   const std::set<FilmPair<D>>& alive, const std::function<DragTerms(const Coupling<D>&)>& drag = {});
+                   const std::set<FilmPair<D>>& alive, const std::function<DragTerms(const Coupling<D>&)>& drag = {},
+                   const FaceFractions<D>* before = nullptr);
 
 /// out = D u + K V of every unknown: the outflow from its volume when the fluid moves with u and the solids with their
 /// twists. `sum_of_squares` (if not null) receives the sum over rows of the squares of the terms' magnitudes. Collective.

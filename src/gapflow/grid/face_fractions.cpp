@@ -1,6 +1,8 @@
 // Fractions of all faces of a block of cells. Only faces within reach of a surface are clipped: a block of cells with half
 // diagonal R is wholly open if phi > R at its centre for every solid, wholly inside a solid if phi < -R for one and the others
 // are nowhere deeper (phi is 1-Lipschitz); else it is halved, down to single cells. Method, "Face fractions".
+//
+// What a bin of cells gets depends on the solids near it alone: where none of them has moved it is copied from the fractions before.
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/face_clipper_data.hpp"
 
@@ -13,17 +15,56 @@ namespace gapflow {
 
 namespace {
 
-// While the faces are being filled, `cut` of a face wholly inside image i is -2 - i.
+// `cut` of a face wholly inside image i is -2 - i.
 int inside(int image)
 {
     return -2 - image;
 }
 
+} // namespace
+
+/// What fractions depend on, and what they do not tell of how they were found.
+template <int D>
+struct FractionsTrace {
+    Vec<D> origin;
+    Index<D> low, high;
+    FractionMode mode;
+    std::vector<Image<D>> images;
+    std::vector<Vec<D>> centres;
+    std::vector<int> rank;
+    struct Bin {
+        std::vector<int> images; ///< near it
+        long first = 0, count = 0;
+    };
+    std::vector<Bin> bins;
+    std::vector<Index<D>> cells; ///< whose low faces were clipped, in this order: of each bin `count` from `first` on
+    int clipped = 0;             ///< number of entries of clipped faces; those after them are wholly solid
+};
+
+namespace {
+
+template <int D>
+bool same_pose(const PlacedShape<D>& a, const PlacedShape<D>& b)
+{
+    const Vec<D> origin = Vec<D>::Zero();
+    return &a.shape() == &b.shape() && a.to_world(origin) == b.to_world(origin) && a.rotation() == b.rotation();
+}
+
 template <int D, class Data>
 class Flood {
 public:
-    Flood(const Grid<D>& grid, const Data& data) : grid_(grid), data_(data)
+    Flood(const Grid<D>& grid, const Data& data, const FaceFractions<D>* before) : grid_(grid), data_(data), before_(before)
     {
+        trace_->origin = grid.origin();
+        trace_->low = grid.low();
+        trace_->high = grid.high();
+        trace_->mode = data.mode;
+        trace_->images = data.images;
+        trace_->centres = data.centres;
+        trace_->rank = data.rank;
+        trace_->bins.resize(data.bins.bins().size);
+        as_before_.assign(data.bins.bins().size, 0);
+        find_unmoved();
         result_.open = FaceField<D>(grid, 0.0);
         result_.cut = FaceField<D, int>(grid, -1);
         for (int axis = 0; axis < D; ++axis) {
@@ -55,6 +96,10 @@ public:
             Work& work = works[plane];
             for_each_index<D>(from, to, [&](const Index<D>& bin) {
                 const Index<D> first = bins.first_cell(bin);
+                const Index<D> low = first.cwiseMax(low_), high = (first + Index<D>::Constant(bins.width())).cwiseMin(end);
+                const long number = bins.bins().offset(bin);
+                auto& trace = trace_->bins[number];
+                trace.first = static_cast<long>(work.surface_cells.size());
                 work.candidates.clear();
                 if (padding_ > grid_.dx())
                     add_candidates_around(bin, work.candidates);
@@ -62,20 +107,33 @@ public:
                     for (int image : bins.images_in(bin))
                         if (!data_.wall[image])
                             work.candidates.push_back(image);
-                visit(first.cwiseMax(low_), (first + Index<D>::Constant(bins.width())).cwiseMin(end), 0, work);
+                trace.images = work.candidates;
+                as_before_[number] = is_as_before(low, high, number);
+                if (as_before_[number])
+                    copy(low, high, before_->trace->bins[number], work);
+                else
+                    visit(low, high, 0, work);
+                trace.count = static_cast<long>(work.surface_cells.size()) - trace.first;
             });
         });
-        for (const Work& work : works)
-            number(work);
+        for (std::size_t plane = 0; plane < works.size(); ++plane) {
+            Index<D> from = first_bin, to = end_bin;
+            from[D - 1] += static_cast<int>(plane);
+            to[D - 1] = from[D - 1] + 1;
+            for_each_index<D>(from, to, [&](const Index<D>& bin) {
+                trace_->bins[bins.bins().offset(bin)].first += static_cast<long>(surface_cells_.size());
+            });
+            number(works[plane]);
+        }
         works.push_back(beyond_periodic_sides());
         number(works.back());
         list_surface_cells();
+        trace_->clipped = count_;
         close_sides();
         complete_hulls();
         gather(works);
-        for (int axis = 0; axis < D; ++axis)
-            for (int *cut = result_.cut[axis].data(), *last = cut + result_.cut[axis].size(); cut != last; ++cut)
-                *cut = std::max(*cut, -1);
+        trace_->cells = std::move(surface_cells_);
+        result_.trace = std::move(trace_);
         return std::move(result_);
     }
 
@@ -88,6 +146,69 @@ private:
         std::vector<ClippedFace<D>> faces;
         ClippedFace<D> parts;
     };
+
+    // The images that are where they were; none if the grid or the list of images is another.
+    void find_unmoved()
+    {
+        unmoved_.assign(data_.images.size(), 0);
+        const FractionsTrace<D>* old = before_ ? before_->trace.get() : nullptr;
+        if (!old || old->origin != grid_.origin() || old->low != grid_.low() || old->high != grid_.high() ||
+            old->mode != data_.mode || old->rank != data_.rank || old->bins.size() != trace_->bins.size())
+            return;
+        for (std::size_t i = 0; i < data_.images.size(); ++i)
+            if (data_.images[i].solid != old->images[i].solid || data_.images[i].shift != old->images[i].shift)
+                return;
+        for (std::size_t i = 0; i < data_.images.size(); ++i)
+            unmoved_[i] = same_pose(data_.images[i].shape, old->images[i].shape) && data_.centres[i] == old->centres[i];
+        image_of_.assign(1 + (data_.images.empty() ? 0 : data_.images.back().solid), 0);
+        for (std::size_t i = 0; i < data_.images.size(); ++i)
+            image_of_[data_.images[i].solid] = static_cast<int>(i);
+    }
+
+    // Beyond a periodic side faces are clipped where they wrap to, which is in another bin.
+    bool is_as_before(const Index<D>& low, const Index<D>& high, long bin) const
+    {
+        const std::vector<int>& images = trace_->bins[bin].images;
+        if (images.empty() || !(low.array() < high.array()).all() ||
+            !std::all_of(images.begin(), images.end(), [&](int i) { return unmoved_[i]; }) ||
+            images != before_->trace->bins[bin].images)
+            return false;
+        for (int axis = 0; axis < D; ++axis)
+            if (grid_.periodic(axis) && (low[axis] < 0 || high[axis] > grid_.cells()[axis]))
+                return false;
+        return true;
+    }
+
+    // Does what visit() did when the fractions before were made.
+    void copy(const Index<D>& low, const Index<D>& high, const typename FractionsTrace<D>::Bin& bin, Work& work)
+    {
+        const FractionsTrace<D>& old = *before_->trace;
+        for (int axis = 0; axis < D; ++axis)
+            for_each_index<D>(low, high.cwiseMin(faces_end_[axis]), [&](const Index<D>& face) {
+                const int cut = before_->cut(axis, face);
+                result_.open(axis, face) = before_->open(axis, face);
+                result_.cut(axis, face) = cut >= old.clipped ? inside(image_of_[before_->faces[cut].solid[0].solid]) : cut;
+            });
+        for (long i = bin.first; i < bin.first + bin.count; ++i) {
+            const Index<D>& cell = old.cells[i];
+            work.surface_cells.push_back(cell);
+            for (int axis = 0; axis < D; ++axis) {
+                if (!(cell.array() < faces_end_[axis].array()).all())
+                    continue;
+                int& cut = result_.cut(axis, cell);
+                if (cut < 0)
+                    continue;
+                work.faces.push_back(before_->faces[cut]);
+                cut = static_cast<int>(work.faces.size()) - 1;
+            }
+        }
+    }
+
+    // Entry that a face wholly in a solid had and still has; -1: none.
+    int old_entry(int axis, const Index<D>& face) const
+    {
+        return as_before_[data_.bins.bins().offset(data_.bins.bin_of(face))] ? before_->cut(axis, face) : -1;
+    }
 
     // Numbers its faces after all before.
     void number(const Work& work)
@@ -113,8 +234,13 @@ private:
         });
         const std::size_t before = first.back();
         for_each_part(static_cast<long>(whole_.size()), [&](long begin, long end) {
-            for (long i = begin; i < end; ++i)
-                data_.clip(whole_[i].first, whole_[i].second, result_.faces[before + i]);
+            for (long i = begin; i < end; ++i) {
+                const auto& [axis, face] = whole_[i];
+                if (const int old = old_entry(axis, face); old >= 0)
+                    result_.faces[before + i] = before_->faces[old];
+                else
+                    data_.clip(axis, face, result_.faces[before + i]);
+            }
         });
     }
 
@@ -324,6 +450,11 @@ private:
 
     const Grid<D>& grid_;
     const Data& data_;
+    const FaceFractions<D>* before_;
+    std::vector<char> unmoved_;   ///< of the images
+    std::vector<char> as_before_; ///< of the bins
+    std::vector<int> image_of_;   ///< one of each solid's
+    std::shared_ptr<FractionsTrace<D>> trace_ = std::make_shared<FractionsTrace<D>>();
     FaceFractions<D> result_;
     Index<D> low_, high_;               ///< cells all of whose faces are filled
     std::array<Index<D>, D> faces_end_; ///< faces normal to an axis: low_ <= f < faces_end_
@@ -336,12 +467,12 @@ private:
 } // namespace
 
 template <int D>
-FaceFractions<D> face_fractions(const Grid<D>& grid, const FaceClipper<D>& clipper)
+FaceFractions<D> face_fractions(const Grid<D>& grid, const FaceClipper<D>& clipper, const FaceFractions<D>* before)
 {
-    return Flood<D, typename FaceClipper<D>::Data>(grid, *clipper.data_).run();
+    return Flood<D, typename FaceClipper<D>::Data>(grid, *clipper.data_, before).run();
 }
 
-template FaceFractions<2> face_fractions<2>(const Grid<2>&, const FaceClipper<2>&);
-template FaceFractions<3> face_fractions<3>(const Grid<3>&, const FaceClipper<3>&);
+template FaceFractions<2> face_fractions<2>(const Grid<2>&, const FaceClipper<2>&, const FaceFractions<2>*);
+template FaceFractions<3> face_fractions<3>(const Grid<3>&, const FaceClipper<3>&, const FaceFractions<3>*);
 
 } // namespace gapflow

@@ -40,6 +40,8 @@ struct ClippedFace {
 
 template <int D>
 struct FaceFractions;
+template <int D>
+struct FractionsTrace;
 
 /// Clips single faces. A pure function of the geometry: any rank gets the same bits for any face of the grid, also outside
 /// its block (along periodic axes also outside the domain: indices are wrapped, centroids are returned near the index asked for).
@@ -73,7 +75,7 @@ public:
 
 private:
     template <int E>
-    friend FaceFractions<E> face_fractions(const Grid<E>& grid, const FaceClipper<E>& clipper);
+    friend FaceFractions<E> face_fractions(const Grid<E>& grid, const FaceClipper<E>& clipper, const FaceFractions<E>* before);
 
     struct Data;
     std::unique_ptr<Data> data_;
@@ -84,15 +86,17 @@ template <int D>
 struct FaceFractions {
     FaceField<D>
         open; ///< a_f, open area over that of a face of the core; 0 on closed sides of the domain and beyond the faces that are filled
-    FaceField<D, int> cut; ///< index into `faces`, or -1: wholly open, or solid with only its solid around
+    FaceField<D, int> cut; ///< index into `faces`, or negative: wholly open, or solid with only its solid around
     std::vector<ClippedFace<D>> faces;
     std::vector<Index<D>> surface_cells; ///< this rank's cells that a solid other than a wall touches, first axis fastest
+    std::shared_ptr<const FractionsTrace<D>> trace; ///< of how they were found, for those that follow
 };
 
 /// Clips the faces within reach of a surface and fills the rest by flood: open outside, closed inside. A wholly solid face
 /// that borders a cell with any open or partly solid face, or with a face in another solid, has an entry in `faces` too (it
-/// belongs to that cell's boundary); so has every face on a closed side.
+/// belongs to that cell's boundary); so has every face on a closed side. `before`, if given: fractions of the same solids on the same
+/// grid (if they are others nothing is lost but time). Bins near no solid that has moved since are taken from them, to the same bits.
 template <int D>
-FaceFractions<D> face_fractions(const Grid<D>& grid, const FaceClipper<D>& clipper);
+FaceFractions<D> face_fractions(const Grid<D>& grid, const FaceClipper<D>& clipper, const FaceFractions<D>* before = nullptr);
 
 } // namespace gapflow

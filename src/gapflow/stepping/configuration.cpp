@@ -31,7 +31,8 @@ LeftBehind<D> leave(std::optional<Coupling<D>>& here)
 
 template <int D>
 Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<TwistMatrix<D>>& mass,
-                      const FilmHistories<D>* histories, const std::vector<Twist<D>>& twists, double dt, StageTimers& timers)
+                      const FilmHistories<D>* histories, const std::vector<Twist<D>>& twists, double dt, StageTimers& timers,
+                      const FaceFractions<D>* before)
 {
     const auto drag_terms = [&](const Coupling<D>& films) {
         state.voids.find(films, histories);
@@ -39,14 +40,15 @@ Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<
             state.voids.find_wet_shares(films, twists);
         return DragTerms{state.voids.wet_shares(), gap_changes(model, films, state)};
     };
-    return model.coupled(state.bodies, mass, model.scene.viscosity * dt, state.films_before, drag_terms, &timers);
+    return model.coupled(state.bodies, mass, model.scene.viscosity * dt, state.films_before, drag_terms, &timers, before);
 }
 
 template <int D>
 Coupling<D> configure(const Model<D>& model, State<D>& state, const std::vector<TwistMatrix<D>>& mass,
-                      const FilmHistories<D>& histories, const Step& step, StepReport& report, StageTimers& timers)
+                      const FilmHistories<D>& histories, const FaceFractions<D>& before, const Step& step, StepReport& report,
+                      StageTimers& timers)
 {
-    Coupling<D> there = configure(model, state, mass, &histories, model.twists(state.bodies), step.dt, timers);
+    Coupling<D> there = configure(model, state, mass, &histories, model.twists(state.bodies), step.dt, timers, &before);
     if (state.voids.lost() > 0)
         report.notes.push_back("a gap with a void in it opened beyond its film (gap.threshold): the void is gone at once");
     return there;
@@ -82,9 +84,9 @@ Coupling<D> configure_stored(const Model<D>& model, const State<D>& state, Stage
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template LeftBehind<D> leave<D>(std::optional<Coupling<D>>&);                                                              \
     template Coupling<D> configure<D>(const Model<D>&, State<D>&, const std::vector<TwistMatrix<D>>&, const FilmHistories<D>*, \
-                                      const std::vector<Twist<D>>&, double, StageTimers&);                                     \
+                                      const std::vector<Twist<D>>&, double, StageTimers&, const FaceFractions<D>*);            \
     template Coupling<D> configure<D>(const Model<D>&, State<D>&, const std::vector<TwistMatrix<D>>&, const FilmHistories<D>&, \
-                                      const Step&, StepReport&, StageTimers&);                                                 \
+                                      const FaceFractions<D>&, const Step&, StepReport&, StageTimers&);                        \
     template Coupling<D> configure_stored<D>(const Model<D>&, const State<D>&, StageTimers&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

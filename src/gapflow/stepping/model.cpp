@@ -133,10 +133,11 @@ std::array<double, 2 * D> Model<D>::pressure_beyond(double time) const
 template <int D>
 Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, std::vector<TwistMatrix<D>> mass, double viscosity_dt,
                               const std::set<FilmPair<D>>& alive, const std::function<DragTerms(const Coupling<D>&)>& drag,
-                              StageTimers* timers) const
+                              StageTimers* timers, const FaceFractions<D>* before) const
 {
     mass.resize(at.size() + walls.solids.size(), TwistMatrix<D>::Identity());
-    return couple<D>(grid, solids(at), mass, {scene.density, fraction_mode(scene), timers, viscosity_dt}, gaps, alive, drag);
+    return couple<D>(grid, solids(at), mass, {scene.density, fraction_mode(scene), timers, viscosity_dt}, gaps, alive, drag,
+                     before);
 }
 
 template struct Model<2>;

@@ -55,7 +55,7 @@ struct Model {
     /// The coupled system of bodies at a place. `mass`: as masses() gives it, none: unit masses; the others as in couple(). Collective.
     Coupling<D> coupled(const std::vector<RigidBody<D>>& at, std::vector<TwistMatrix<D>> mass = {}, double viscosity_dt = 0,
                         const std::set<FilmPair<D>>& alive = {}, const std::function<DragTerms(const Coupling<D>&)>& drag = {},
-                        StageTimers* timers = nullptr) const;
+                        StageTimers* timers = nullptr, const FaceFractions<D>* before = nullptr) const;
 
 private:
     double height(int side) const;

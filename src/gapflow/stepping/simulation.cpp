@@ -180,7 +180,7 @@ void Simulation<D>::advance(double next_output, BulkViscosity viscosity, StepRep
     const std::vector<TwistMatrix<D>> mass = model_.masses(state_.bodies, step.dt);
     LeftBehind<D> left = leave(here_);
     state_.films_before = std::move(left.films);
-    Coupling<D> there = configure(model_, state_, mass, beyond_.histories, step, report, stages_);
+    Coupling<D> there = configure(model_, state_, mass, beyond_.histories, *left.fractions, step, report, stages_);
     Intermediate<D> star = timed(stages_, "advection", [&] {
         return transport(model_, state_, std::move(beyond_), past.bulk, there, *left.fractions, step);
     });
