@@ -30,7 +30,7 @@ template <int D>
 constexpr double least_film_length_of_rebound = D == 2 ? 1.0 : 5.0;
 // A swing or an oscillation on a spring gets this many steps a period.
 constexpr double steps_a_period = 20;
-// A spring's oscillation of a smaller amplitude, in dx, does not limit the step, which is implicit.
+// An oscillation on a spring or in a water level of a smaller amplitude, in dx, does not limit the step, which is implicit.
 constexpr double invisible_amplitude = 1e-3;
 // Steps below this times time.max_step indicate unbounded growth.
 constexpr double smallest_step = 1e-9;
@@ -68,9 +68,30 @@ double largest_speed(const Grid<D>& grid, const FaceField<D>& open_share, const 
     return speed;
 }
 
-// A free body's swing about its hinge or its centre of volume, and its oscillation on a spring unless that is invisible.
+// Bound of the angular frequency at which a float's section with the water's level holds it, without added mass: now, or where it is expected in dt.
 template <int D>
-double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const Twist<D>& A, const Scene& scene, double dx)
+double floating_frequency(const RigidBody<D>& body, const Twist<D>& V, const Twist<D>& A, double dt)
+{
+    if (!body.water)
+        return 0;
+    const auto square = [](const RigidBody<D>& there) {
+        const TwistMatrix<D> section = displacement(there).stiffness;
+        double sum = 0;
+        for (int k = 0; k < twist_size<D> && !section.isZero(0); ++k)
+            sum += impulse_response<D>(there, section.col(k), 0)[k];
+        return sum;
+    };
+    RigidBody<D> ahead = body;
+    const Twist<D> way = dt * V + 0.5 * dt * dt * A;
+    displace<D>(ahead, way.template head<D>(), way.template tail<spin_size<D>>());
+    return std::sqrt(std::max(square(body), square(ahead)));
+}
+
+// A free body's swing about its hinge or its centre of volume, and its oscillation on a spring or in a water level unless that is invisible. `dt`: by
+// other limits.
+template <int D>
+double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const Twist<D>& A, const Scene& scene, double dx,
+                            double dt)
 {
     double frequency = swing_frequency<D>(body, to_vec<D>(scene.gravity), scene.density);
     if (const double spring = spring_frequency(body); spring > 0) {
@@ -79,6 +100,12 @@ double limit_of_oscillation(const RigidBody<D>& body, const Twist<D>& V, const T
             std::hypot(velocity_at<D>(V, arm).norm() / spring, velocity_at<D>(A, arm).norm() / (spring * spring));
         if (amplitude > invisible_amplitude * dx)
             frequency = std::hypot(frequency, spring);
+    }
+    if (const double floating = floating_frequency(body, V, A, dt); floating > 0) {
+        const double amplitude =
+            std::hypot(V.template head<D>().norm() / floating, A.template head<D>().norm() / (floating * floating));
+        if (amplitude > invisible_amplitude * dx)
+            frequency = std::hypot(frequency, floating);
     }
     return 2 * std::numbers::pi / (steps_a_period * std::max(frequency, tiny));
 }
@@ -133,7 +160,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
                        bodies[b].twist;
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (bodies[b].motion == Motion::free)
-            dt = std::min(dt, limit_of_oscillation(bodies[b], V[b], A[b], scene, dx));
+            dt = std::min(dt, limit_of_oscillation(bodies[b], V[b], A[b], scene, dx, dt));
     const std::vector<Solid<D>>& solids = here.solids;
     std::map<FilmPair<D>, int> counted; // elements of each pair's films so far, as its memory has them
     GapLimit<D> gaps(model, state, here, V, A, speed);
