@@ -97,6 +97,17 @@ TEST(Floating, DisksThatDiveAndJumpGainNoEnergy)
         }
 }
 
+// A draught of a thirtieth of a cell and a period of 0.4: steps that fall into the water by more would throw it out with ever more energy (once the largest
+// kinetic energy). A flat bottom that passes a plane of faces makes 0.13 of it, of a fluid that is much heavier.
+TEST(Floating, ALightFloatIsNotThrownOut)
+{
+    Scene scene = tank_with_float(0.01, 0.16);
+    scene.cells = {24, 12, 1};
+    scene.max_step = 0.2;
+    Simulation<2> simulation(scene, Communicator());
+    EXPECT_LT(largest_rise(simulation, 4), 0.3);
+}
+
 // Small oscillations: w^2 = rho g A / (m + m_a), with the grid's own added mass.
 TEST(Floating, HeavesAtTheFrequencyOfLinearTheory)
 {
