@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace gapflow {
 
@@ -150,13 +152,22 @@ struct Range {
     double width() const { return high > low ? high - low : 0.0; }
 };
 
+// In cells that no surface cuts: a few of those may have any pressure.
 template <int D>
 Range range_in_cells(const Coupling<D>& coupling, const CellField<D>& pressure)
 {
     const Grid<D>& grid = *coupling.grid;
+    const auto is_whole = [&](const Index<D>& c) {
+        for (int side = 0; side < 2 * D; ++side) {
+            const Index<D> f = c + (side % 2) * step<D>(side / 2);
+            if (coupling.fractions->cut(side / 2, f) >= 0 || !(coupling.open(side / 2, f) > 0))
+                return false;
+        }
+        return true;
+    };
     Range range;
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        if (coupling.system.component(c) >= 0)
+        if (coupling.system.component(c) >= 0 && is_whole(c))
             range.add(pressure(c));
     });
     return {grid.comm().min(range.low), grid.comm().max(range.high)};
@@ -178,6 +189,66 @@ std::vector<double> pressure_at_mouths(const Coupling<D>& coupling, const CellFi
     return values;
 }
 
+// Two solids that both touch a cell of the grid's fluid: a gap of a cell or less, without a film.
+template <int D>
+std::optional<std::pair<int, int>> solids_around(const Coupling<D>& coupling, const Index<D>& c)
+{
+    const FaceFractions<D>& fractions = *coupling.fractions;
+    if (coupling.system.component(c) < 0 || static_cast<CellKind>(coupling.kind(c)) != CellKind::bulk)
+        return {};
+    std::optional<int> first;
+    for (int side = 0; side < 2 * D; ++side) {
+        const int cut = fractions.cut(side / 2, c + (side % 2) * step<D>(side / 2));
+        for (std::size_t i = 0; cut >= 0 && i < fractions.faces[cut].solid.size(); ++i) {
+            const int solid = fractions.faces[cut].solid[i].solid;
+            if (first && solid != *first)
+                return std::pair(*first, solid);
+            first = solid;
+        }
+    }
+    return {};
+}
+
+// By how much the pressure falls in a cell, through its open faces and those of the cells beyond; 0 where it is the least or the highest there, as
+// where a gap is squeezed.
+template <int D>
+double fall_through(const Coupling<D>& coupling, const CellField<D>& pressure, const Index<D>& c)
+{
+    const Grid<D>& grid = *coupling.grid;
+    Range range;
+    range.add(pressure(c));
+    std::vector<Index<D>> reached{c};
+    for (int layer = 0, next = 0; layer < 2; ++layer)
+        for (const int end = static_cast<int>(reached.size()); next < end; ++next)
+            for (int side = 0; side < 2 * D; ++side) {
+                const Index<D> from = reached[next], beyond = from + (2 * (side % 2) - 1) * step<D>(side / 2);
+                if (!grid.owns(beyond) || !(coupling.open(side / 2, from + (side % 2) * step<D>(side / 2)) > 0))
+                    continue;
+                range.add(pressure(beyond));
+                reached.push_back(beyond);
+            }
+    const double least = 0.1 * range.width();
+    return range.high - pressure(c) > least && pressure(c) - range.low > least ? range.width() : 0.0;
+}
+
+// The solids of the gap without a film through which the pressure falls most, if it falls by more than a difference. Collective.
+template <int D>
+std::optional<std::pair<int, int>> bare_gap(const Coupling<D>& coupling, const CellField<D>& pressure, double difference)
+{
+    const Communicator& comm = coupling.grid->comm();
+    double largest = difference;
+    std::pair<int, int> solids{-1, -1};
+    for (const Index<D>& c : coupling.fractions->surface_cells)
+        if (const auto around = solids_around(coupling, c))
+            if (const double fall = fall_through(coupling, pressure, c); fall > largest) {
+                largest = fall;
+                solids = *around;
+            }
+    const bool mine = largest == comm.max(largest);
+    const double first = comm.max(mine ? solids.first : -1.0), second = comm.max(mine ? solids.second : -1.0);
+    return first < 0 ? std::nullopt : std::optional(std::pair(static_cast<int>(first), static_cast<int>(second)));
+}
+
 } // namespace
 
 template <int D>
@@ -196,24 +267,31 @@ std::vector<std::string> short_film_notes(const Scene& scene, const Coupling<D>&
         known->second = {h, h > 1.001 * rough ? length_over_thickness(film.mesh) : std::numeric_limits<double>::infinity()};
     }
     std::erase_if(thinnest, [](const auto& pair) { return !(pair.second.second < 3); });
+    const double half = 0.5 * range_in_cells(coupling, pressure.cells).width();
+    const auto flow_between = [&](int a, int b) {
+        return "the flow between '" + coupling.solids[a].name + "' and '" + coupling.solids[b].name + "' goes through a ";
+    };
+    std::vector<std::string> notes;
+    if (!(half > 0))
+        return notes;
+    if (const auto solids = bare_gap(coupling, pressure.cells, half))
+        notes.push_back(
+            flow_between(solids->first, solids->second) +
+            "gap that is narrower than a cell and has no film, as between sharp edges: it may be wrong by a factor; "
+            "cells half as wide as the gap (domain.cells) resolve it");
     if (thinnest.empty())
-        return {};
+        return notes;
     std::map<FilmPair<D>, Range> falls;
     const std::vector<double> at_mouths = pressure_at_mouths(coupling, pressure.cells);
     for (std::size_t r = 0; r < at_mouths.size(); ++r)
         if (const Mouth<D>& mouth = network.rim.mouths[r]; !mouth.cells.empty())
             falls[network.films[mouth.film].pair].add(at_mouths[r]);
-    const double whole = range_in_cells(coupling, pressure.cells).width();
-    std::vector<std::string> notes;
-    for (const auto& [pair, unused] : thinnest) {
-        if (notes.size() == most_short_told || !(falls[pair].width() > 0.5 * whole))
-            continue;
-        notes.push_back(
-            "the flow between '" + coupling.solids[pair.master].name + "' and '" + coupling.solids[pair.other].name +
-            "' goes through a film that is shorter than three of its thicknesses, as at sharp edges: it may be wrong "
-            "by a factor; cells no larger than the gap there (domain.cells), with gap.threshold = 0.05 for this pair, "
-            "resolve it");
-    }
+    for (const auto& [pair, unused] : thinnest)
+        if (notes.size() < most_short_told && falls[pair].width() > half)
+            notes.push_back(
+                flow_between(pair.master, pair.other) +
+                "film that is shorter than three of its thicknesses, as at sharp edges: it may be wrong by a factor; "
+                "cells half as wide as the gap (domain.cells), with gap.threshold = 0.05 for this pair, resolve it");
     return notes;
 }
 

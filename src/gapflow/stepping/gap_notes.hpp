@@ -36,9 +36,9 @@ std::vector<std::string> rough_gap_notes(const Scene& scene, const Coupling<D>& 
 template <int D>
 std::vector<std::string> closed_gap_notes(const Scene& scene, const Coupling<D>& coupling);
 
-/// After a step in viscous fluid: pairs whose film is shorter than three of its thicknesses, between sharp edges or from one on, while half of all
-/// differences of pressure or more falls across it. What flows through such a film is not known well. The same text a pair for all steps of a scene,
-/// for the first three pairs. `pressure` to any scale. Collective.
+/// After a step in viscous fluid, where half of all differences of pressure or more falls across one gap: pairs whose film there is shorter than
+/// three of its thicknesses, between sharp edges or from one on, and the pair whose gap is narrower than a cell but has no film. What flows through
+/// such gaps is not known well. The same text a pair for all steps of a scene, for at most three pairs. `pressure` to any scale. Collective.
 template <int D>
 std::vector<std::string> short_film_notes(const Scene& scene, const Coupling<D>& coupling, const UnknownVector<D>& pressure);
 
