@@ -38,8 +38,8 @@ struct NearPair {
 };
 /// Pairs whose surfaces may come within `reach`, each once. Periods as for images().
 template <int D>
-std::vector<NearPair<D>> near_pairs(std::span<const Solid<D>> solids, const Vec<D>& low, const Vec<D>& high, const Vec<D>& period,
-                                    double reach);
+std::vector<NearPair<D>> near_pairs(std::span<const Solid<D>> solids, const Vec<D>& low, const Vec<D>& high,
+                                    const Vec<D>& period, double reach);
 
 /// How far two surfaces are apart where they are nearest.
 template <int D>
