@@ -416,6 +416,22 @@ void find_null_space(Coupling<D>& coupling)
 }
 
 template <int D>
+bool contacts_lock_fluid(const Coupling<D>& coupling)
+{
+    const CoupledSystem<D>& system = coupling.system;
+    Eigen::VectorXd magnitude;
+    const Eigen::MatrixXd impulse = component_impulses(coupling, magnitude);
+    for (long k = 0; k < impulse.cols(); ++k) {
+        const Eigen::VectorXd pushed = impulse.col(k);
+        const double yields = pushed.dot(system.response(pushed)),
+                     without = pushed.cwiseAbs2().dot(system.mass.diagonal().cwiseInverse());
+        if (!system.components[k].grounded && pushed.norm() > 1e-9 * magnitude[k] && yields <= 1e-9 * without)
+            return true;
+    }
+    return false;
+}
+
+template <int D>
 FluidParts<D> find_parts(const Coupling<D>& coupling, const std::vector<char>& shut)
 {
     FluidParts<D> parts;
@@ -439,6 +455,8 @@ void find_components(Coupling<D>& coupling)
 
 template void find_null_space<2>(Coupling<2>&);
 template void find_null_space<3>(Coupling<3>&);
+template bool contacts_lock_fluid<2>(const Coupling<2>&);
+template bool contacts_lock_fluid<3>(const Coupling<3>&);
 template FluidParts<2> find_parts<2>(const Coupling<2>&, const std::vector<char>&);
 template FluidParts<3> find_parts<3>(const Coupling<3>&, const std::vector<char>&);
 template void find_components<2>(Coupling<2>&);

@@ -19,4 +19,9 @@ struct FluidParts {
 template <int D>
 FluidParts<D> find_parts(const Coupling<D>& coupling, const std::vector<char>& shut);
 
+/// Whether the contacts in the system keep the free bodies from giving way to enclosed fluid that without them they would give way to: the coupled system has
+/// no solution then. Collective.
+template <int D>
+bool contacts_lock_fluid(const Coupling<D>& coupling);
+
 } // namespace gapflow

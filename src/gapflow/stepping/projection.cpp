@@ -3,8 +3,10 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/coupling/film_drag.hpp"
+#include "gapflow/coupling/fluid_parts.hpp"
 #include "gapflow/stepping/flooding.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -45,6 +47,29 @@ void check_compatibility(const Coupling<D>& coupling, const UnknownVector<D>& rh
     }
 }
 
+// Contacts may leave enclosed fluid no motion of the bodies that changes its volume (two gears that touch between two walls): the system has no solution then, and
+// the fluid decides which of them hold. They give way there, with the bodies' own resistance, 1 / (c M^-1 c^T), about what is expected of them: from round to round
+// that comes to what they can bear.
+template <int D>
+void hold(Coupling<D>& coupling, const ContactSet<D>& contacts, const std::vector<TwistMatrix<D>>& masses,
+          const std::vector<Twist<D>>& forced)
+{
+    std::vector<HeldContact<D>> held = contacts.held();
+    hold_contacts(coupling, held, forced);
+    if (held.empty() || coupling.system.components.size() < 2 || !contacts_lock_fluid(coupling))
+        return;
+    for (HeldContact<D>& contact : held) {
+        double mobility = 0;
+        for (const auto& [solid, along] : {std::pair(contact.a, contact.row_a), std::pair(contact.b, contact.row_b)})
+            if (coupling.free_body[solid] >= 0)
+                mobility +=
+                    (coupling.solids[solid].admissible * along).cwiseAbs2().dot(masses[solid].diagonal().cwiseInverse());
+        if (mobility > 0)
+            contact.resistance = std::min(contact.resistance, 1 / mobility);
+    }
+    hold_contacts(coupling, held, forced);
+}
+
 } // namespace
 
 template <int D>
@@ -65,7 +90,7 @@ void Projection<D>::assemble(bool voids_changed, bool links_changed)
     Coupling<D>& coupling = start_.coupling;
     std::vector<Twist<D>> with_friction = start_.forced;
     if (start_.contacts) {
-        hold_contacts(coupling, start_.contacts->held(), start_.forced);
+        hold(coupling, *start_.contacts, start_.masses, start_.forced);
         const std::vector<Twist<D>> sliding = start_.contacts->sliding_impulses(coupling.solids.size());
         for (std::size_t b = 0; b < start_.bodies.size(); ++b)
             if (start_.bodies[b].motion == Motion::free)
