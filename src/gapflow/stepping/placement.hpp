@@ -8,10 +8,10 @@
 
 namespace gapflow {
 
-/// Notes for the user about initial positions: bodies wholly outside the domain (fixed ones, and those that may come in), and pairs
-/// that overlap by more than a cell (fixed and prescribed bodies may reach out through walls). Overlaps are looked for at the bodies'
-/// centres and the vertices of their surfaces. Throws InputError for a free body wholly outside the domain that nothing moves in, and where it and another one are in
-/// one place, or one lies wholly inside the other's solid.
+/// Notes for the user about initial positions: meshes far wider than the domain (in millimetres, perhaps), bodies wholly outside the domain (fixed ones,
+/// and those that may come in), and pairs that overlap by more than a cell (fixed and prescribed bodies may reach out through walls). Overlaps are looked
+/// for at the bodies' centres and the vertices of their surfaces. Throws InputError for a free body wholly outside the domain that nothing moves in, and
+/// where it and another one are in one place, or one lies wholly inside the other's solid.
 template <int D>
 std::vector<std::string> placement_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
                                             const DomainWalls<D>& walls);

@@ -4,26 +4,6 @@
 namespace gapflow::testing {
 namespace {
 
-/// A shape that counts how often its distance is asked for.
-template <int D>
-class Counting final : public Shape<D> {
-public:
-    Counting(std::unique_ptr<Shape<D>> shape, long& count) : shape_(std::move(shape)), count_(count) {}
-    SurfacePoint<D> closest(const Vec<D>& x) const override { return ++count_, shape_->closest(x); }
-    double distance(const Vec<D>& x) const override { return ++count_, shape_->distance(x); }
-    Vec<D> onto(const Vec<D>& x, int patch) const override { return shape_->onto(x, patch); }
-    Vec<D> patch_normal(const Vec<D>& x, int patch) const override { return shape_->patch_normal(x, patch); }
-    double curvature(int patch) const override { return shape_->curvature(patch); }
-    SurfaceMesh<D> surface_mesh() const override { return shape_->surface_mesh(); }
-    SurfaceMesh<D> display_mesh(double tolerance) const override { return shape_->display_mesh(tolerance); }
-    MassProperties<D> mass_properties() const override { return shape_->mass_properties(); }
-    Bounds<D> bounds() const override { return shape_->bounds(); }
-
-private:
-    std::unique_ptr<Shape<D>> shape_;
-    long& count_;
-};
-
 template <int D>
 void expect_same(const Grid<D>& grid, const FaceFractions<D>& a, const FaceFractions<D>& b)
 {

@@ -75,6 +75,27 @@ private:
     std::vector<std::unique_ptr<Shape<D>>> shapes_;
 };
 
+/// A shape that counts how often it is asked about places.
+template <int D>
+class Counting final : public Shape<D> {
+public:
+    Counting(std::unique_ptr<Shape<D>> shape, long& count) : shape_(std::move(shape)), count_(count) {}
+    SurfacePoint<D> closest(const Vec<D>& x) const override { return ++count_, shape_->closest(x); }
+    double distance(const Vec<D>& x) const override { return ++count_, shape_->distance(x); }
+    Vec<D> onto(const Vec<D>& x, int patch) const override { return ++count_, shape_->onto(x, patch); }
+    Vec<D> patch_normal(const Vec<D>& x, int patch) const override { return ++count_, shape_->patch_normal(x, patch); }
+    double curvature(int patch) const override { return shape_->curvature(patch); }
+    SurfaceMesh<D> surface_mesh() const override { return shape_->surface_mesh(); }
+    SurfaceMesh<D> display_mesh(double tolerance) const override { return shape_->display_mesh(tolerance); }
+    MassProperties<D> mass_properties() const override { return shape_->mass_properties(); }
+    Bounds<D> bounds() const override { return shape_->bounds(); }
+    bool convex() const override { return shape_->convex(); }
+
+private:
+    std::unique_ptr<Shape<D>> shape_;
+    long& count_;
+};
+
 /// Fraction of a face in one solid, all its images together.
 template <int D>
 double fraction_in(const ClippedFace<D>& face, int solid)
