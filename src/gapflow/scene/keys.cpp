@@ -27,7 +27,7 @@ std::vector<KeyInfo> gap_keys()
          "\"auto\"",
          {0, 4, true},
          {"auto"},
-         "thickness below which a gap is a film"},
+         "thickness below which a gap is a film; auto: 2.25 between flat bodies, else by the radius of the pair, at most 1.5"},
         {"gap.contact",
          T::choice,
          "",

@@ -13,7 +13,7 @@
 
 namespace gapflow {
 
-/// What a model serves: films between curved bodies that move begin further apart than added mass alone needs (gap_settings()).
+/// What a model serves: in time steps viscosity widens films, and films last (gap_settings()).
 enum class Task { motion, added_mass };
 
 template <int D>

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numbers>
 #include <tuple>
 
 namespace gapflow {
@@ -18,12 +19,12 @@ namespace {
 constexpr double floor_in_cells = 1e-9;
 // Solids at rest count as touching, and as one solid, where they are no further apart than this, in cells, or the roughness.
 constexpr double touching_in_cells = 1e-6;
-// Automatic h_c in cells: two flat surfaces; a curved one, for added mass alone, in motion, and in motion in viscous
-// fluid in 2D.
+// Automatic h_c in cells: between flat surfaces, and at most where a surface is curved.
 constexpr double flat_threshold = 2.25;
-constexpr double curved_threshold = 0.5;
-constexpr double moving_curved_threshold = 1.5;
-constexpr double viscous_curved_threshold = 1.2;
+constexpr double curved_threshold = 1.5;
+// A film ends where curved surfaces, in touch, would have turned from each other by this angle, without and with viscosity.
+constexpr double ideal_opening = std::numbers::pi / 6;
+constexpr double viscous_opening = std::numbers::pi / 4;
 
 template <int D>
 Index<D> to_index(const std::array<int, 3>& cells)
@@ -48,10 +49,28 @@ bool has_pair(const Scene& scene, const std::string& a, const std::string& b)
     });
 }
 
-bool is_flat(const auto& shape)
+// Curvature of a solid as a whole, negative for a container; 0 if all of it is flat. Its radius is half of its second smallest extent: that
+// of balls, round bars and disks, while a plate with rounded edges counts as wide as it is.
+template <int D>
+double overall_curvature(const Shape<D>& shape)
 {
     const auto mesh = shape.surface_mesh();
-    return std::all_of(mesh.patch.begin(), mesh.patch.end(), [&](int patch) { return shape.curvature(patch) == 0; });
+    if (std::all_of(mesh.patch.begin(), mesh.patch.end(), [&](int patch) { return shape.curvature(patch) == 0; }))
+        return 0;
+    const Bounds<D> bounds = shape.bounds();
+    Vec<D> extent = bounds.high - bounds.low;
+    std::sort(extent.begin(), extent.end());
+    return (shape.inside_out() ? -2 : 2) / extent[1];
+}
+
+// Where the surface of a ball of radius R that touches a plane has turned from it by an angle a, the two are R (1 - cos a) apart.
+double automatic_threshold(double curvature_a, double curvature_b, bool viscous, double dx)
+{
+    if (curvature_a == 0 && curvature_b == 0)
+        return flat_threshold * dx;
+    const double curvature = std::max(0.0, curvature_a + curvature_b); // of the ball over a plane that has the same gap
+    const double parted = 1 - std::cos(viscous ? viscous_opening : ideal_opening);
+    return parted < curved_threshold * dx * curvature ? parted / curvature : curved_threshold * dx;
 }
 
 } // namespace
@@ -263,26 +282,24 @@ std::vector<Solid<D>> make_solids(const std::vector<RigidBody<D>>& bodies, const
 template <int D>
 std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std::vector<Solid<D>>& solids, bool moving)
 {
-    std::vector<bool> flat;
+    std::vector<double> curvature;
     std::vector<bool> still; // and never moves
     std::vector<std::string> names;
     for (const Solid<D>& solid : solids) {
-        flat.push_back(is_flat(solid.shape.shape()));
+        curvature.push_back(overall_curvature(solid.shape.shape()));
         still.push_back(solid.motion == Motion::fixed && !slides(scene, solid.name));
         names.push_back(solid.name);
     }
     const double dx = scene.spacing();
-    return [&scene, flat, still, names, dx, moving](int a, int b) {
+    return [&scene, curvature, still, names, dx, moving](int a, int b) {
         const GapScene& gap = scene.gap_of(names[a], names[b]);
         GapSettings settings;
         settings.film = gap.film;
         settings.lasting = moving;
         settings.viscous = scene.viscosity > 0;
-        const double automatic = flat[a] && flat[b]           ? flat_threshold
-                                 : !moving                    ? curved_threshold
-                                 : D == 2 && settings.viscous ? viscous_curved_threshold
-                                                              : moving_curved_threshold;
-        settings.threshold = gap.threshold.value_or(automatic) * dx;
+        // Added mass does not depend on viscosity.
+        settings.threshold = gap.threshold ? *gap.threshold * dx
+                                           : automatic_threshold(curvature[a], curvature[b], moving && settings.viscous, dx);
         const double least = floor_in_cells * dx;
         settings.floor = std::max(gap.roughness, least);
         if (still[a] && still[b] && !has_pair(scene, names[a], names[b]))

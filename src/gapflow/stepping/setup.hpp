@@ -40,9 +40,8 @@ DomainWalls<D> make_walls(const Scene& scene);
 template <int D>
 std::vector<Solid<D>> make_solids(const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls);
 
-/// Gap settings of every pair, by solid numbers. `moving`: for time steps (curved bodies get a larger h_c than for added mass
-/// alone, because the bulk cannot advect in a gap of one or two cells; dry pairs have a skin, so that they are impermeable in
-/// contact; added mass does not account for voids).
+/// Gap settings of every pair, by solid numbers. `moving`: for time steps (viscosity widens films between curved bodies; dry pairs
+/// have a skin, so that they are impermeable in contact; added mass does not account for voids).
 template <int D>
 std::function<GapSettings(int, int)> gap_settings(const Scene& scene, const std::vector<Solid<D>>& solids, bool moving);
 

@@ -25,6 +25,7 @@ Scene crowd(int n)
     scene.size = Triple{1.0 * cells, 1.0 * cells, 1.0 * cells};
     scene.cells = {cells, cells, cells};
     scene.gravity = {0, 0, -1};
+    scene.gap.threshold = 1.5;
     scene.end = 1;
     scene.max_step = 0.01;
     for (int k = 0; k < n * n * n; ++k) {
