@@ -254,7 +254,6 @@ std::optional<std::pair<int, int>> bare_gap(const Coupling<D>& coupling, const C
 template <int D>
 std::vector<std::string> short_film_notes(const Scene& scene, const Coupling<D>& coupling, const UnknownVector<D>& pressure)
 {
-    constexpr std::size_t most_short_told = 3;
     const FilmNetwork<D>& network = coupling.network;
     std::map<FilmPair<D>, std::pair<double, double>> thinnest; // of each pair the thinnest film: thickness, length over it
     for (const Film<D>& film : network.films) {
@@ -287,7 +286,7 @@ std::vector<std::string> short_film_notes(const Scene& scene, const Coupling<D>&
         if (const Mouth<D>& mouth = network.rim.mouths[r]; !mouth.cells.empty())
             falls[network.films[mouth.film].pair].add(at_mouths[r]);
     for (const auto& [pair, unused] : thinnest)
-        if (notes.size() < most_short_told && falls[pair].width() > half)
+        if (notes.size() < 3 && falls[pair].width() > half)
             notes.push_back(
                 flow_between(pair.master, pair.other) +
                 "film that is shorter than three of its thicknesses, as at sharp edges: it may be wrong by a factor; "
