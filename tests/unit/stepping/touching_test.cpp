@@ -167,10 +167,10 @@ TEST(Touching, APrescribedGearDrivesAFreeOne)
             teeth += std::to_string(radius * std::cos(angle)) + " " + std::to_string(radius * std::sin(angle)) + "\n";
         }
     const test::TemporaryFile file("gear.txt", teeth);
-    Scene scene = tank(40, 0);
+    Scene scene = tank(48, 0);
     scene.gravity = {};
     scene.max_step = 0.02;
-    scene.gap.roughness = 0.005 / 40;
+    scene.gap.roughness = 0.005 / 48;
     for (const bool drives : {true, false}) {
         BodyScene gear = ball(drives ? "driving" : "driven", 0, drives ? 0.33 : 0.64, 0.5, 2);
         gear.shape = BodyScene::ShapeKind::mesh;
