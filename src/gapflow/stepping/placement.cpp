@@ -23,7 +23,6 @@ constexpr int most_passes = 200;    // that take overlaps out
 constexpr double seen = 1e-6;       // in cells: overlaps that are round-off
 constexpr double left_alone = 1e-2; // in cells: overlap of wedged bodies that is not reported
 constexpr std::size_t most_named = 6;
-constexpr double far_wider = 10; // than the domain: a mesh in millimetres is some 1000 times as wide as it should be
 
 /// Vertices of a body's surface and its centre in the world, and the box that holds them.
 template <int D>
@@ -138,7 +137,8 @@ void refuse_places(const Scene& scene, const std::vector<RigidBody<D>>& bodies, 
     }
 }
 
-/// Asks for the unit of a mesh that is far wider than the domain; empty: it is not.
+/// Asks for the unit of a mesh that is more than ten times as wide as the domain (in millimetres it is some 1000 times as wide as it should
+/// be); empty: it is not.
 template <int D>
 std::string unit_question(const Scene& scene, const std::vector<RigidBody<D>>& bodies, std::size_t body)
 {
@@ -146,7 +146,7 @@ std::string unit_question(const Scene& scene, const std::vector<RigidBody<D>>& b
         return {};
     const Bounds<D> bounds = bodies[body].shape->bounds();
     const double wider = (bounds.high - bounds.low).maxCoeff() / to_vec<D>(scene.size).maxCoeff();
-    if (!(wider > far_wider))
+    if (!(wider > 10))
         return {};
     char times[32];
     std::snprintf(times, sizeof times, "%.3g", wider);
