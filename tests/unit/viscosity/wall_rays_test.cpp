@@ -12,12 +12,14 @@ namespace {
 
 constexpr double dx = 1.0 / 40;
 
-// Balls of five cells at random in a box of 40 cells, three quarters of its height.
+// Balls of five cells at random in a box of 40 cells, three quarters of its height; or meshes of them.
 class BallsInABox {
 public:
-    BallsInABox()
+    explicit BallsInABox(bool meshes = false)
         : grid_(Vec<3>::Zero(), dx, Index<3>::Constant(40), open_sides(), 4, Communicator()), ball_(make_ball<3>(2.5 * dx))
     {
+        if (meshes)
+            ball_ = make_mesh<3>(ball_->display_mesh(0.2 * dx), "ball");
         for (int i = 0; i < 60; ++i) {
             Pose<3> pose;
             pose.position = point();
@@ -59,9 +61,9 @@ private:
 };
 
 // To the last bit, near and far from where the rays were set up, in any order.
-TEST(WallRays, DistanceIsTheLeastOverAllSolids)
+void check_distances(bool meshes)
 {
-    BallsInABox balls;
+    BallsInABox balls(meshes);
     WallRays<3> rays(balls.clipper(), dx);
     int far = 0;
     for (int i = 0; i < 200; ++i) {
@@ -81,12 +83,18 @@ TEST(WallRays, DistanceIsTheLeastOverAllSolids)
     EXPECT_GT(far, 20);
 }
 
-TEST(WallRays, EndAtTheFirstSolid)
+TEST(WallRays, DistanceIsTheLeastOverAllSolids)
 {
-    BallsInABox balls;
+    check_distances(false);
+    check_distances(true);
+}
+
+void check_ends(bool meshes, int tries)
+{
+    BallsInABox balls(meshes);
     WallRays<3> rays(balls.clipper(), dx);
     int hits = 0, misses = 0;
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < tries; ++i) {
         const Vec<3> x = balls.point(), direction = (2 * balls.point() - Vec<3>::Ones()).normalized();
         if (balls.distance(x) <= 0)
             continue;
@@ -102,8 +110,14 @@ TEST(WallRays, EndAtTheFirstSolid)
         }
         ++(hit.image >= 0 ? hits : misses);
     }
-    EXPECT_GT(hits, 20);
-    EXPECT_GT(misses, 20);
+    EXPECT_GT(hits, tries / 30);
+    EXPECT_GT(misses, tries / 30);
+}
+
+TEST(WallRays, EndAtTheFirstSolid)
+{
+    check_ends(false, 600);
+    check_ends(true, 100);
 }
 
 } // namespace
