@@ -19,14 +19,14 @@ struct TimeTable {
     enum class Interpolation { linear, cubic };
     std::string file;
     std::vector<double> time;
-    std::vector<std::vector<double>> rows; ///< values after the time column
+    std::vector<std::vector<double>> rows;               ///< values after the time column
     Interpolation interpolation = Interpolation::linear; ///< between rows; cubic: monotone (motion tables)
 };
 
 struct SideScene {
     enum class Kind { wall, open, periodic, inflow, far, pressure, surface };
     Kind kind = Kind::wall; ///< surface: a water level at rest with air above
-    Triple velocity{}; ///< of a sliding wall (in its plane), or of a constant inflow
+    Triple velocity{};      ///< of a sliding wall (in its plane), or of a constant inflow
     TimeTable
         table; ///< inflow from a file (time,u,v[,w]), empty if constant; pressure (time,pressure), a row without a file if constant
 

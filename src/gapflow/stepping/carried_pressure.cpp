@@ -19,14 +19,16 @@ class Extension {
 public:
     Extension(const Grid<D>& grid, CarryingVelocity<D>& W) : grid_(grid), W_(W), layer_(grid), owned_(grid)
     {
-        for_each_row<D>(grid.low(), grid.high(),
-                        [&](const Index<D>& row) { std::fill_n(&owned_(row), grid.high()[0] - grid.low()[0], std::int8_t{1}); });
+        for_each_row<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+            std::fill_n(&owned_(row), grid.high()[0] - grid.low()[0], std::int8_t{1});
+        });
         for (int axis = 0; axis < D; ++axis)
             stride_[axis] = layer_.block().stride[axis];
     }
 
     // Every face that a moving body cuts counts in the cells on both sides, by its part in the body.
-    void start(const FaceFractions<D>& fractions, const std::vector<Twist<D>>& motion, std::size_t bodies, const Vec<D>& grid_velocity)
+    void start(const FaceFractions<D>& fractions, const std::vector<Twist<D>>& motion, std::size_t bodies,
+               const Vec<D>& grid_velocity)
     {
         CellField<D> weight(grid_);
         const Block<D>& block = weight.block();

@@ -62,7 +62,7 @@ void expect(Expectations<D> found, const Coupling<D>& here, State<D>& state)
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template bool expects_anything<D>(const Model<D>&, const Coupling<D>&);                                                    \
-    template Expectations<D> expectations<D>(const Model<D>&, State<D>&, const Coupling<D>&);                                                   \
+    template Expectations<D> expectations<D>(const Model<D>&, State<D>&, const Coupling<D>&);                                  \
     template void expect<D>(Expectations<D>, const Coupling<D>&, State<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -185,7 +185,7 @@ void Simulation<D>::advance(double next_output, BulkViscosity viscosity, StepRep
         return transport(model_, state_, std::move(beyond_), past.bulk, there, *left.fractions, step);
     });
     if (!model_.viscous() && state_.contacts.empty() && state_.turned.empty())
-        past.bulk = {}; // memory: read again after an impact only
+        past.bulk = {};     // memory: read again after an impact only
     left.fractions.reset(); // large
     drive_fluid(model_, there, state_.drive, step, star);
     star.twists = forced_twists(model_, state_.bodies, state_.drive, step);

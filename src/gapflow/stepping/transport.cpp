@@ -159,8 +159,8 @@ Intermediate<D> transport(const Model<D>& model, State<D>& state, Reconstruction
     std::vector<Twist<D>> motion = V;
     for (std::size_t s = 0; s < motion.size(); ++s)
         motion[s] = 0.5 * (V[s] + predicted[s]);
-    u_star.grid = transport_bulk(model, u, past, there, old, near_jets ? &*near_jets : nullptr, motion, state.bodies.size(),
-                                 step);
+    u_star.grid =
+        transport_bulk(model, u, past, there, old, near_jets ? &*near_jets : nullptr, motion, state.bodies.size(), step);
     for (const Sliver<D>& face : beyond.slivers) {
         u(face.axis, face.at) = face.own;
         const double open = std::max(there.open(face.axis, face.at), face.open);
