@@ -58,7 +58,7 @@ void fill_films(const Coupling<D>& here, const Vec<D>& u0, const std::vector<Twi
         u.mouth.push_back(mouth.length * mouth.section.dot(u0));
 }
 
-// Bodies that lie flat on what they fall onto, and would rebound, start without that velocity: their film would keep it (method, "Impact").
+// Bodies that lie flat on what they fall onto, and would rebound, start without that velocity: their film would keep it (method, "Contact").
 template <int D>
 void stop_flat_falls(const Model<D>& model, const Coupling<D>& here, const std::function<bool(int, int)>& rebound,
                      const std::vector<Twist<D>>& without, State<D>& state, StepReport& report)
