@@ -51,9 +51,9 @@ struct End {
 };
 
 template <int D>
-class Gap {
+class GapWithEnds {
 public:
-    Gap(const Coupling<D>& here, const State<D>& state, const std::array<std::string, 2>& bodies)
+    GapWithEnds(const Coupling<D>& here, const State<D>& state, const std::array<std::string, 2>& bodies)
         : network_(here.network), groups_(network_.films.size())
     {
         for (std::size_t k = 0; k < network_.films.size(); ++k) {
@@ -172,7 +172,7 @@ double flux_of_joint(const State<D>& state, const Link& link)
 template <int D>
 VolumeFlux flux_through_gap(const Coupling<D>& here, const State<D>& state, const FluxScene& through)
 {
-    const Gap<D> gap(here, state, through.bodies);
+    const GapWithEnds<D> gap(here, state, through.bodies);
     if (!gap.any()) {
         const double none = std::numeric_limits<double>::quiet_NaN();
         return {none, none, none, none, none};
