@@ -196,6 +196,8 @@ bool TouchSearch<D>::stops(const Pair& pair, double t) const
 template <int D>
 double TouchSearch<D>::limited() const
 {
+    if (reach_.empty())
+        return dt_;
     const double fastest = *std::max_element(reach_.begin(), reach_.end());
     if (!(fastest > 0))
         return dt_;

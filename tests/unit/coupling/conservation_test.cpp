@@ -255,7 +255,7 @@ TEST(Momentum, PeriodicBox3D)
     expect_momentum<3>(periodic_box(3), 3);
 }
 
-// Two disks or balls a quarter of a cell or so apart, off the grid's axes, a film of time steps between them.
+// Two disks or balls less than a cell apart, off the grid's axes, a film between them.
 Scene two_balls(int dimension)
 {
     Scene scene;
@@ -271,6 +271,7 @@ Scene two_balls(int dimension)
         ball.radius = 0.4;
         scene.bodies.push_back(ball);
     }
+    scene.gap.threshold = 1.5;
     return scene;
 }
 

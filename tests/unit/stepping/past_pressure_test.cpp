@@ -75,6 +75,7 @@ TEST(PastPressure, ADiskCoastsWhileABallHops)
             ball.motion = BodyScene::Motion::fixed;
         scene.contact.restitution = 1;
         scene.gap.roughness = 1e-3;
+        scene.gap.threshold = 1.5;
         scene.initial = Scene::Initial::potential;
         scene.max_step = 0.02;
         Simulation<2> simulation(scene, Communicator());
