@@ -15,8 +15,6 @@ namespace gapflow {
 
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
-
 /// Which of the wanted columns those of a file are, and what their numbers are multiplied by.
 struct Layout {
     std::vector<std::size_t> place;
@@ -79,7 +77,7 @@ private:
         const bool degrees = name == "angle_deg";
         for (std::size_t i = 0; i < columns_.size() + optional_.size(); ++i)
             if (name_of(i) == (degrees ? "angle" : name))
-                return {true, {i, degrees ? radians : 1.0}};
+                return {true, {i, degrees ? std::numbers::pi / 180 : 1.0}};
         return {false, {}};
     }
 

@@ -72,8 +72,6 @@ public:
                 for (long i = begin; i < end; ++i)
                     fill(next_[i], layer);
             });
-            for (const long at : next_)
-                layer_.data()[at] = static_cast<std::int8_t>(layer + 1);
             front_.swap(next_);
             exchange_layer();
         }
@@ -97,16 +95,16 @@ public:
     }
 
 private:
-    static constexpr std::int8_t queued = -1;
-
+    // Marks them as of that layer.
     void find_next(std::int8_t layer)
     {
+        const std::int8_t after = static_cast<std::int8_t>(layer + 1);
         next_.clear();
         auto queue_around = [&](long at) {
             for (int axis = 0; axis < D; ++axis)
                 for (const long other : {at - stride_[axis], at + stride_[axis]})
                     if (owned_.data()[other] && layer_.data()[other] == 0) {
-                        layer_.data()[other] = queued;
+                        layer_.data()[other] = after;
                         next_.push_back(other);
                     }
         };
@@ -120,7 +118,7 @@ private:
                 for_each_index<D>(low, high, [&](const Index<D>& ghost) {
                     const long inner = layer_.block().offset(ghost) + (end ? -1 : 1) * stride_[axis];
                     if (layer_(ghost) == layer && layer_.data()[inner] == 0) {
-                        layer_.data()[inner] = queued;
+                        layer_.data()[inner] = after;
                         next_.push_back(inner);
                     }
                 });
@@ -161,8 +159,6 @@ private:
 template <int D>
 class WayEnd {
 public:
-    static constexpr int corners = 1 << D;
-
     explicit WayEnd(const Index<D>& stride) : stride_(stride) { set({}); }
 
     // `cells`: the way, along each axis; none longer than `longest_way` counts.
@@ -175,13 +171,13 @@ public:
     double value(const double* at) const
     {
         double sum = 0;
-        for (int k = 0; k < corners; ++k)
+        for (int k = 0; k < (1 << D); ++k)
             sum += weight[k] * at[offset[k]];
         return sum;
     }
 
-    std::array<double, corners> weight;
-    std::array<long, corners> offset;
+    std::array<double, 1 << D> weight;
+    std::array<long, 1 << D> offset;
 
 private:
     void set(const std::array<double, D>& cells)
@@ -192,7 +188,7 @@ private:
         offset.fill(0);
         for (int axis = 0; axis < D; ++axis) {
             const double way = std::clamp(cells[axis], -longest_way, longest_way), below = std::floor(way), part = way - below;
-            for (int k = 0; k < corners; ++k) {
+            for (int k = 0; k < (1 << D); ++k) {
                 const int up = k >> axis & 1;
                 weight[k] *= up ? part : 1 - part;
                 offset[k] += (static_cast<long>(below) + up) * stride_[axis];
@@ -276,7 +272,7 @@ void carry(const Grid<D>& grid, const CarryingVelocity<D>& W, double dt, PastPre
             if (!start.moves())
                 continue;
             double sum = 0, weights = 0;
-            for (int k = 0; k < WayEnd<D>::corners; ++k)
+            for (int k = 0; k < (1 << D); ++k)
                 if (const long g = at + start.offset[k]; start.weight[k] > 0 && known[g] > 0) {
                     sum += start.weight[k] * pressure[g];
                     weights += start.weight[k];
