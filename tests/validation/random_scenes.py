@@ -152,7 +152,8 @@ def judge_energy(tank, steps, bodies, record):
     return defects
 
 
-def judge_steps(steps, scene, record):
+def judge_steps(steps, scene, record, near_longest):
+    """`near_longest`: whether max_step is what a body's way allows."""
     dts = [row["dt"] for row in steps[1:]]
     median, most = statistics.median(dts), scene["time"]["max_step"]
     small = sum(dt < COLLAPSED * median for dt in dts)
@@ -161,7 +162,7 @@ def judge_steps(steps, scene, record):
     defects = []
     if small:
         defects.append(f"{small} steps below a thousandth of the median, the least {min(dts) / median:.1e} of it")
-    if median < CRAWLING * most:
+    if near_longest and median < CRAWLING * most:
         defects.append(f"crawls: the median step is {median / most:.1e} of max_step")
     return defects
 
@@ -217,12 +218,13 @@ def examine(number, limit=LIMIT, save=None, reynolds=None):
             defects.append(record["message"])
         defects += not_finite(tables)
         if len(steps) > 1:
-            defects += judge_steps(steps, scene, record)
+            defects += judge_steps(steps, scene, record, tank.overlap is None)
             if not any("not finite" in defect for defect in defects):
                 defects += deepest(tank, tables["gaps"])
                 if tank.overlap is None:    # else steps are meant to be long
                     defects += thrown(tank, tables["bodies"])
-                defects += judge_energy(tank, steps, tables["bodies"], record)
+                if tank.judge:
+                    defects += judge_energy(tank, steps, tables["bodies"], record)
         defects += sorted({line for line in record["warnings"] if "settle" in line})
         record["defects"] = defects
         if save and defects:
