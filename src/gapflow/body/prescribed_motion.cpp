@@ -160,8 +160,7 @@ std::vector<Vec<3>> angular_velocities(const std::vector<double>& time, const st
 template <int D>
 RowVelocities<D> row_velocities(const TimeTable& table, const std::vector<Pose<D>>& poses)
 {
-    constexpr int values = D == 2 ? 3 : 7;
-    const std::size_t n = poses.size();
+    const std::size_t n = poses.size(), pose_columns = D == 2 ? 3 : 7;
     RowVelocities<D> v{std::vector<Vec<D>>(n), std::vector<Spin<D>>(n)};
     const auto slopes_of = [&](int column) {
         std::vector<double> values_of;
@@ -177,25 +176,34 @@ RowVelocities<D> row_velocities(const TimeTable& table, const std::vector<Pose<D
             v.angular[k++][0] = slope;
     else
         v.angular = angular_velocities(table.time, poses);
-    for (std::size_t k = 0; k < n && table.rows[k].size() > values; ++k) // given ones, NaN where there is none
+    for (std::size_t k = 0; k < n && table.rows[k].size() > pose_columns; ++k) // given ones, NaN where there is none
         for (int i = 0; i < twist_size<D>; ++i)
-            if (const double given = table.rows[k][values + i]; !std::isnan(given))
+            if (const double given = table.rows[k][pose_columns + i]; !std::isnan(given))
                 (i < D ? v.linear[k][i] : v.angular[k][i - D]) = given;
     return v;
 }
 
-template <int D>
-PrescribedMotion<D> smooth_motion(const TimeTable& table, std::vector<Pose<D>> poses)
+// Held constant beyond the ends of a table; in it between(k, s), s the part of the time from row k - 1 to row k.
+template <int D, class F>
+PrescribedMotion<D> motion_of_rows(const std::vector<double>& time, const std::vector<Pose<D>>& poses, F between)
 {
-    const RowVelocities<D> v = row_velocities<D>(table, poses);
-    return [time = table.time, poses = std::move(poses), v](double t) {
+    return [time, first = poses.front(), last = poses.back(), between = std::move(between)](double t) {
         const auto after = std::upper_bound(time.begin(), time.end(), t);
         if (after == time.begin())
-            return poses.front();
+            return first;
         if (after == time.end())
-            return poses.back();
+            return last;
         const auto k = after - time.begin();
-        const double h = time[k] - time[k - 1], s = (t - time[k - 1]) / h;
+        return between(k, (t - time[k - 1]) / (time[k] - time[k - 1]));
+    };
+}
+
+template <int D>
+PrescribedMotion<D> smooth_motion(const TimeTable& table, const std::vector<Pose<D>>& poses)
+{
+    const RowVelocities<D> v = row_velocities<D>(table, poses);
+    return motion_of_rows<D>(table.time, poses, [time = table.time, poses, v](long k, double s) {
+        const double h = time[k] - time[k - 1];
         const Pose<D>&from = poses[k - 1], &to = poses[k];
         Pose<D> pose;
         pose.position = cubic<Vec<D>>(from.position, to.position, h * v.linear[k - 1], h * v.linear[k], s);
@@ -209,7 +217,7 @@ PrescribedMotion<D> smooth_motion(const TimeTable& table, std::vector<Pose<D>> p
             pose.rotation = (rotation_of<3>(angle) * from.rotation).normalized();
         }
         return pose;
-    };
+    });
 }
 
 } // namespace
@@ -224,16 +232,9 @@ PrescribedMotion<D> table_motion(const TimeTable& table)
         poses.push_back(pose_of_row<D>(row));
     }
     if (table.interpolation == TimeTable::Interpolation::cubic)
-        return smooth_motion<D>(table, std::move(poses));
-    return [time = table.time, poses](double t) {
-        const auto after = std::upper_bound(time.begin(), time.end(), t);
-        if (after == time.begin())
-            return poses.front();
-        if (after == time.end())
-            return poses.back();
-        const auto k = after - time.begin();
-        return linear_between<D>(poses[k - 1], poses[k], (t - time[k - 1]) / (time[k] - time[k - 1]));
-    };
+        return smooth_motion<D>(table, poses);
+    return motion_of_rows<D>(table.time, poses,
+                             [poses](long k, double s) { return linear_between<D>(poses[k - 1], poses[k], s); });
 }
 
 template <int D>
