@@ -1,4 +1,4 @@
-// The last pressure around bodies that move through the grid (method, "The bulk", on the pressure that goes with the bodies): what surrounds a body is, but for
+// The last pressure around bodies that move through the grid (method, "The time step", on the pressure that goes with the bodies): what surrounds a body is, but for
 // slow changes, where the body has gone. With W the velocity of the body nearby, a field f of the step's start becomes f(x - dt W).
 #pragma once
 

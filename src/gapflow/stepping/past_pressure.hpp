@@ -1,17 +1,12 @@
-// Effect of the last step's pressure during the next one: it makes the bulk's advection and the bodies' motion second order in
+// Effect of the last step's pressure during the next one: it makes the bulk's advection second order in
 // time (method, "The time step"). With g = -dt grad p^n / rho, the change of the fluid's velocity by the pressure in a step,
 //
 //     v = A_{dt/2}(u) + g / 2,     u* = A_v(u) + 1/2 (A_v(g) - g):
 //
 // traces follow the velocity v at the middle of the step, and half of the pressure acts at the trace's foot; the rest of the
-// trapezoidal rule is a gradient, which the projection accounts for. The same for bodies: half of the pressure acts on them at
-// their old place,
-//
-//     M V* += 1/2 (F(S^n) - F(S^{n+1})),     F(S) = integral over the body within S of rho g,
-//
-// the same pressure on the surfaces before and after the step. Without the first, steady flow loses energy as if it had dt
-// |u|^2 / 2 more viscosity along its streamlines; without the second, a body that coasts in ideal fluid loses speed at a rate
-// proportional to dt.
+// trapezoidal rule is a gradient, which the projection accounts for. Without it steady flow loses energy as if it had dt
+// |u|^2 / 2 more viscosity along its streamlines. Around bodies that move, the g that is taken off has gone with them
+// (stepping/carried_pressure): its force on a body is the same at both ends of the step.
 #pragma once
 
 #include "gapflow/coupling/coupling.hpp"
