@@ -174,6 +174,11 @@ void join_nodes(const Coupling<D>& coupling, const std::vector<char>& shut, int 
                                                                    [&](int node) { return shut[film.first_node + node]; }));
                  ++i)
                 sets.join(labels + film.first_node + e.nodes[0], labels + film.first_node + e.nodes[i]);
+    if (coupling.network.films.empty()) // parts
+        for (int node = 0; node < coupling.system.film.outerSize(); ++node)
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(coupling.system.film, node); entry; ++entry)
+                if (entry.row() < node && entry.value() != 0)
+                    sets.join(labels + static_cast<int>(entry.row()), labels + node);
     for (const Link& link : coupling.system.links)
         for (std::size_t i = 1; i < link.nodes.size() && leads_on(link, shut); ++i)
             sets.join(labels + link.nodes[0].first, labels + link.nodes[i].first);
@@ -273,6 +278,15 @@ void number_parts(const Coupling<D>& coupling, const std::vector<char>& shut, co
         parts.node_component[node] = numbering.component[numbering.labels + node];
         ++facts[2 * parts.node_component[node]];
     }
+    if (coupling.network.films.empty())
+        for (int node = 0; node < system.film.outerSize(); ++node) { // parts on open sides
+            double sum = 0, size = 0;
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, node); entry; ++entry) {
+                sum += entry.value();
+                size += std::abs(entry.value());
+            }
+            facts[2 * parts.node_component[node] + 1] += sum > 1e-9 * size;
+        }
     for (const Link& link : system.links)
         if (link.cells.empty() && leads_on(link, shut) && link.nodes.size() == D - 1) // mouth to an open side
             ++facts[2 * parts.node_component[link.nodes.front().first] + 1];

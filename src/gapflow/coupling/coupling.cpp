@@ -1,11 +1,10 @@
 #include "gapflow/coupling/coupling.hpp"
 
-#include "gapflow/core/sharing.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/coupling/film_rows.hpp"
+#include "gapflow/coupling/grid_conductance.hpp"
 #include "gapflow/grid/body_flux.hpp"
-#include "gapflow/grid/far_field.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -46,7 +45,6 @@ void fill_grid(Coupling<D>& coupling)
     }
     exchange(grid, coupling.kind, 1);
 
-    const auto is_film = static_cast<std::int8_t>(CellKind::film);
     const double unit_conductance = std::pow(grid.dx(), D - 2) / coupling.density;
     auto has_unknown = [&](const Index<D>& c) {
         const auto kind = static_cast<CellKind>(coupling.kind(c));
@@ -80,39 +78,8 @@ void fill_grid(Coupling<D>& coupling)
             });
         }
     }
-    CoupledSystem<D>& system = coupling.system;
-    system.grid = coupling.grid;
-    system.conductance = FaceField<D>(grid, 0.0);
-    const FarField<D> far_fluid = far_field(grid);
-    for (int axis = 0; axis < D; ++axis) {
-        const Index<D> end = high + step<D>(axis);
-        for_each_row_on_threads<D>(low, end, [&](const Index<D>& row) {
-            const double* a = &coupling.open(axis, row);
-            double* to = &system.conductance(axis, row);
-            for (int i = 0; i < end[0] - low[0]; ++i)
-                to[i] = a[i] > 1e-12 ? a[i] * unit_conductance : 0.0;
-            if (grid.graded()) {
-                const SpreadRow<D> spread(grid, axis, row);
-                for (int i = 0; i < end[0] - low[0]; ++i)
-                    to[i] /= spread[i];
-            }
-        });
-        for (int side = 0; side < 2;
-             ++side) { // the domain's sides: to the pressure beyond an open one, half a cell away, or further
-            const int place = side * grid.cells()[axis];
-            if (grid.periodic(axis) || (side == 0 ? low[axis] : high[axis]) != place)
-                continue;
-            Index<D> first = low, last = high;
-            first[axis] = place;
-            last[axis] = place + 1;
-            for_each_index<D>(first, last, [&](const Index<D>& f) {
-                const Index<D> inner = side ? Index<D>(f - step<D>(axis)) : f;
-                const bool open = is_open(grid.side(axis, side)) && coupling.kind(inner) != is_film;
-                const bool far = grid.side(axis, side) == SideKind::far;
-                system.conductance(axis, f) *= open ? (far ? 2 / far_distance(grid, far_fluid, axis, f) : 2.0) : 0.0;
-            });
-        }
-    }
+    coupling.system.grid = coupling.grid;
+    fill_conductance(coupling);
 }
 
 // K in the rows of the grid: J of every body (without walls: they have no flux), then the films' contributions (with walls: sliding
@@ -137,60 +104,6 @@ void fill_flux(Coupling<D>& coupling, const FluxRows<D>& rows)
     append_rows(coupling, rows, system.node_flux);
     coupling.cell_flux.shrink_to_fit(); // large
     system.cell_flux.shrink_to_fit();
-}
-
-// Mass of the free bodies and the films' blocks that couple two of them: P M P + m (1 - P) with the projectors P onto the
-// admissible twists. Its inverse leaves an admissible twist admissible; m keeps it definite.
-template <int D>
-void fill_mass(Coupling<D>& coupling, const std::vector<TwistMatrix<D>>& mass)
-{
-    constexpr int n = twist_size<D>;
-    std::vector<Eigen::Triplet<double>> entries;
-    auto add_block = [&](int a, int b, const TwistMatrix<D>& block) {
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j)
-                if (block(i, j) != 0)
-                    entries.emplace_back(n * a + i, n * b + j, block(i, j));
-    };
-    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
-        if (coupling.free_body[s] >= 0) {
-            add_block(coupling.free_body[s], coupling.free_body[s],
-                      admissible_mass<D>(coupling.solids[s].admissible, mass[s], mass[s](0, 0)));
-        }
-    std::map<std::pair<int, int>, TwistMatrix<D>> blocks; // of this rank's films
-    std::pair<int, int> last[4];                          // elements of a film come one after the other
-    TwistMatrix<D>* last_block[4] = {};
-    auto add_inertia = [&](const NormalInertia<D>& inertia) {
-        const int a = coupling.free_body[inertia.master], b = coupling.free_body[inertia.other];
-        const Twist<D> row_a = coupling.solids[inertia.master].admissible * inertia.row_master;
-        const Twist<D> row_b = coupling.solids[inertia.other].admissible * inertia.row_other;
-        auto add = [&](int k, int i, const Twist<D>& row_i, int j, const Twist<D>& row_j) {
-            if (i < 0 || j < 0)
-                return;
-            if (!last_block[k] || last[k] != std::pair(i, j)) {
-                last[k] = {i, j};
-                last_block[k] = &blocks.try_emplace({i, j}, TwistMatrix<D>::Zero()).first->second;
-            }
-            *last_block[k] += inertia.mass * row_i * row_j.transpose();
-        };
-        add(0, a, row_a, a, row_a);
-        add(1, a, row_a, b, row_b);
-        add(2, b, row_b, a, row_a);
-        add(3, b, row_b, b, row_b);
-    };
-    for (const NormalInertia<D>& inertia : coupling.normal_inertia)
-        add_inertia(inertia);
-    for (const DragInertia<D>& drag : coupling.drag_inertia)
-        add_inertia(drag.inertia);
-    using Block = std::pair<std::array<int, 2>, TwistMatrix<D>>;
-    std::vector<Block> own;
-    for (const auto& [place, block] : blocks)
-        own.push_back({{place.first, place.second}, block});
-    for (const auto& [place, block] : all_values(coupling.grid->comm(), own))
-        add_block(place[0], place[1], block);
-    const int dofs = n * coupling.system.bodies;
-    coupling.system.mass.resize(dofs, dofs);
-    coupling.system.mass.setFromTriplets(entries.begin(), entries.end());
 }
 
 // Projects impulses on, or twists of, the free bodies onto those that constraints admit.

@@ -56,6 +56,7 @@ public:
             return curvature(patch);
         return (closest(b).normal - closest(a).normal).dot(b - a) / square;
     }
+    std::optional<RoundBar> round_bar() const override { return RoundBar{radius_, half_, false}; }
     std::vector<Core<D>> cores() const override { return {{-half_ * unit<D>(0), half_ * unit<D>(0), radius_}}; }
 
     SurfaceMesh<D> surface_mesh() const override

@@ -70,6 +70,7 @@ public:
             return curvature(patch);
         return (patch_normal(b, patch) - patch_normal(a, patch)).dot(b - a) / square;
     }
+    std::optional<RoundBar> round_bar() const override { return RoundBar{radius_, half_, true}; }
     std::vector<Core<3>> cores() const override { return {{-half_ * unit<3>(0), half_ * unit<3>(0), radius_}}; }
 
     SurfaceMesh<3> surface_mesh() const override

@@ -41,6 +41,7 @@ public:
     std::vector<Plane<D>> planes() const override { return inner_->planes(); }
     bool complement() const override { return !inner_->complement(); }
     std::optional<double> sphere_radius() const override { return inner_->sphere_radius(); }
+    std::optional<RoundBar> round_bar() const override { return inner_->round_bar(); }
     bool inside_out() const override { return !inner_->inside_out(); }
     bool convex() const override { return false; }
 

@@ -61,6 +61,12 @@ struct Core {
     double radius;
 };
 
+/// Points within a radius of the stretch -half .. half of the x axis: a capsule; with flat ends a cylinder.
+struct RoundBar {
+    double radius, half;
+    bool flat;
+};
+
 template <int D>
 struct Bounds {
     Vec<D> low = Vec<D>::Constant(-std::numeric_limits<double>::infinity());
@@ -117,6 +123,8 @@ public:
     virtual bool complement() const { return false; }
     /// Radius of the surface, if it is a sphere (2D: a circle) about the frame's origin; empty for all other shapes.
     virtual std::optional<double> sphere_radius() const { return {}; }
+    /// What the surface is, if a capsule's or a cylinder's; empty for all other shapes.
+    virtual std::optional<RoundBar> round_bar() const { return {}; }
     /// The solid is the outside of its surface (every shape turned inside out).
     virtual bool inside_out() const { return false; }
     /// The solid is convex: the nearest point on it is unique for every point of the fluid.

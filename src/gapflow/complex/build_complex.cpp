@@ -1,0 +1,598 @@
+#include "gapflow/complex/complex.hpp"
+#include "gapflow/complex/cut_faces.hpp"
+#include "gapflow/complex/parameters.hpp"
+#include "gapflow/core/threads.hpp"
+#include "gapflow/grid/field.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace gapflow {
+namespace {
+
+/// What the cells of one slab are made of; numbers of parts and cut cells count from 0 in each slab.
+template <int D>
+struct CellSlab {
+    std::vector<std::int32_t> cut_cell, parts_of_cell, part_cell, patches_of_part;
+    std::vector<double> part_area;
+    std::vector<WallPatch<D>> patches;
+    /// Parts on the two sides of each piece of each slab's faces, where this slab's cells lie beside them: entries (slab, piece, side, part).
+    struct Side {
+        std::int32_t slab, piece;
+        std::int8_t side;
+        std::int32_t part; ///< -1: none
+    };
+    std::vector<Side> sides;
+    /// Wholly open faces that lead to another part than their cell's largest.
+    struct Astray {
+        std::int8_t axis, side; ///< 1: the part lies on the face's high side
+        std::int32_t face, part;
+    };
+    std::vector<Astray> astray;
+};
+
+template <int D>
+void add_patch(std::vector<WallPatch<D>>& patches, std::size_t begin, int solid, const Vec<D>& area, const Spin<D>& moment)
+{
+    for (std::size_t k = begin; k < patches.size(); ++k)
+        if (patches[k].solid == solid) {
+            patches[k].area += area;
+            patches[k].moment += moment;
+            return;
+        }
+    patches.push_back({solid, area, moment});
+}
+
+/// Straight piece of a border from P to Q in the terms of BorderArc, about a reference point.
+std::pair<Vec<3>, Vec<3>> chord(const Vec<3>& P, const Vec<3>& Q, const Vec<3>& reference)
+{
+    const Vec<3> p = P - reference, q = Q - reference;
+    return {0.5 * p.cross(q), -0.5 * (p.squaredNorm() + p.dot(q) + q.squaredNorm()) / 3 * (Q - P)};
+}
+
+/// One cell's side: its face, or what is known without one.
+struct HullFace {
+    int state = Complex<3>::open; ///< open or solid; 0: cut
+    const Slab<3>* slab = nullptr;
+    const CutFace<3>* face = nullptr;
+    int slab_number = 0;
+
+    int pieces() const { return state == Complex<3>::solid ? 0 : face ? face->pieces : 1; }
+    int stretches(int e) const
+    {
+        if (!face)
+            return state == Complex<3>::solid ? 0 : 1;
+        if (face->detail >= 0) {
+            const FaceDetail& detail = slab->details[face->detail];
+            return detail.stretch[e + 1] - detail.stretch[e];
+        }
+        return (face->open >> e & 1) || (face->open >> ((e + 1) & 3) & 1) ? 1 : 0;
+    }
+    int piece_at(int e, int k) const
+    {
+        return face && face->detail >= 0 ? slab->stretches[slab->details[face->detail].stretch[e] + k].piece : 0;
+    }
+    double area(int piece, double whole) const { return face ? slab->pieces[face->piece + piece].area : whole; }
+};
+
+class CellBuilder3 {
+public:
+    CellBuilder3(const Grid<3>& grid, const GridPlanes<3>& planes, const DenseIndex<3>& index,
+                 const std::vector<PlacedSolid<3>>& solids, const CutFaces<3>& cut, std::vector<std::int32_t>& cell)
+        : grid_(grid), planes_(planes), index_(index), solids_(solids), cut_(cut), cell_(cell)
+    {
+    }
+
+    CellSlab<3> build(int begin, int end) const
+    {
+        CellSlab<3> result;
+        Index<3> low = index_.low, high = index_.low + index_.size - Index<3>::Ones();
+        low[2] = begin;
+        high[2] = end;
+        for_each_row<3>(low, high, [&](const Index<3>& row) {
+            const int n = high[0] - low[0], first = index_(row);
+            // The six faces of each cell of the row: the last cell of a periodic axis looks at the first face.
+            std::array<const std::int32_t*, 6> faces;
+            for (int q = 0; q < 6; ++q) {
+                Index<3> f = row;
+                if (q % 2 && q / 2 > 0)
+                    f[q / 2] = next(q / 2, row[q / 2]);
+                faces[q] = &cut_.face[q / 2][index_(f)];
+            }
+            for (int i = 0; i < n; ++i) {
+                const int beyond = next(0, row[0] + i) - row[0];
+                const std::array<std::int32_t, 6> f{faces[0][i], faces[0][beyond], faces[2][i],
+                                                    faces[3][i], faces[4][i],      faces[5][i]};
+                std::int32_t& cell = cell_[first + i];
+                if ((f[0] & f[1] & f[2] & f[3] & f[4] & f[5]) == Complex<3>::open) {
+                    cell = Complex<3>::open;
+                    continue;
+                }
+                cell = Complex<3>::solid;
+                bool cut = false, open = false, closed = false;
+                for (int q = 0; q < 6; ++q) {
+                    cut = cut || f[q] >= 0;
+                    open = open || f[q] == Complex<3>::open;
+                    closed = closed || f[q] == Complex<3>::solid;
+                }
+                if (!cut && !open)
+                    continue;
+                Index<3> c = row;
+                c[0] += i;
+                add_cell(c, first + i, f, result);
+            }
+        });
+        return result;
+    }
+
+private:
+    int next(int axis, int i) const { return grid_.periodic(axis) && i + 1 == grid_.cells()[axis] ? 0 : i + 1; }
+
+    void add_cell(const Index<3>& c, int number, const std::array<std::int32_t, 6>& numbers, CellSlab<3>& result) const
+    {
+        std::array<HullFace, 6> hull;
+        std::array<int, 7> first{};
+        for (int q = 0; q < 6; ++q) {
+            HullFace& h = hull[q];
+            h.state = std::min(numbers[q], 0);
+            if (numbers[q] >= 0) {
+                const int plane = q == 5 ? next(2, c[2]) : c[2];
+                h.slab_number = cut_.slab_of[plane - index_.low[2]];
+                h.slab = &cut_.slabs[h.slab_number];
+                h.face = &h.slab->faces[numbers[q]];
+                if (h.face->pieces == 0)
+                    h.state = Complex<3>::solid;
+            }
+            first[q + 1] = first[q] + h.pieces();
+        }
+        const int n = first[6];
+        if (n == 0)
+            return;
+        // Pieces that meet along an edge of the cell are joined.
+        InlineVector<int, 32> up;
+        for (int x = 0; x < n; ++x)
+            up.push_back(x);
+        const auto find = [&](int x) {
+            while (up[x] != x)
+                x = up[x] = up[up[x]];
+            return x;
+        };
+        for (int a = 0; a < 3; ++a) {
+            const int b = (a + 1) % 3, g = (a + 2) % 3;
+            for (int sb = 0; sb < 2; ++sb)
+                for (int sg = 0; sg < 2; ++sg) {
+                    // Of a face normal to b the edge along a is that at u = g; of one normal to g that at v = b.
+                    const int qb = 2 * b + sb, qg = 2 * g + sg, eb = sg ? 1 : 3, eg = sb ? 2 : 0;
+                    const int stretches = std::min(hull[qb].stretches(eb), hull[qg].stretches(eg));
+                    for (int k = 0; k < stretches; ++k)
+                        up[find(first[qb] + hull[qb].piece_at(eb, k))] = find(first[qg] + hull[qg].piece_at(eg, k));
+                }
+        }
+        InlineVector<double, 32> total;
+        InlineVector<int, 32> label;
+        for (int x = 0; x < n; ++x) {
+            total.push_back(0);
+            label.push_back(-1);
+        }
+        std::array<double, 3> whole;
+        for (int axis = 0; axis < 3; ++axis)
+            whole[axis] = grid_.relative_area(axis, c);
+        for (int q = 0; q < 6; ++q)
+            for (int p = 0; p < first[q + 1] - first[q]; ++p)
+                total[find(first[q] + p)] += hull[q].area(p, whole[q / 2]);
+        int largest = -1, count = 0;
+        for (int x = 0; x < n; ++x)
+            if (find(x) == x && total[x] > parameters.least_area && (largest < 0 || total[x] > total[largest]))
+                largest = x;
+        if (largest < 0)
+            return;
+        cell_[number] = static_cast<std::int32_t>(result.cut_cell.size());
+        const int part = static_cast<int>(result.part_cell.size());
+        label[largest] = count++;
+        result.part_area.push_back(total[largest]);
+        for (int x = 0; x < n; ++x)
+            if (find(x) == x && label[x] < 0 && total[x] > parameters.least_area) {
+                label[x] = count++;
+                result.part_area.push_back(total[x]);
+            }
+        for (int p = 0; p < count; ++p) {
+            result.part_cell.push_back(static_cast<std::int32_t>(result.cut_cell.size()));
+            add_walls(hull, first, find, label, p, result);
+        }
+        for (int q = 0; q < 6; ++q)
+            if (hull[q].state == Complex<3>::open && label[find(first[q])] > 0) {
+                Index<3> f = c;
+                if (q % 2)
+                    f[q / 2] = next(q / 2, c[q / 2]);
+                result.astray.push_back({static_cast<std::int8_t>(q / 2), static_cast<std::int8_t>(1 - q % 2), index_(f),
+                                         part + label[find(first[q])]});
+            }
+        for (int q = 0; q < 6; ++q)
+            if (hull[q].face)
+                for (int p = 0; p < hull[q].face->pieces; ++p) {
+                    const int l = label[find(first[q] + p)];
+                    result.sides.push_back({hull[q].slab_number, hull[q].face->piece + p, static_cast<std::int8_t>(1 - q % 2),
+                                            l < 0 ? -1 : part + l});
+                }
+        result.cut_cell.push_back(number);
+        result.parts_of_cell.push_back(count);
+    }
+
+    /// By Stokes, from the borders of the pieces of part p: S = - sum of +-a.
+    template <class Find, class Label>
+    void add_walls(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find, const Label& label, int p,
+                   CellSlab<3>& result) const
+    {
+        const std::size_t begin = result.patches.size();
+        Vec<3> middle = Vec<3>::Zero();
+        int junctions = 0;
+        for (int q = 0; q < 6; ++q) {
+            const CutFace<3>* face = hull[q].face;
+            if (!face)
+                continue;
+            const double sign = q % 2 ? -1 : 1;
+            for (int k = 0; k < face->arcs; ++k) {
+                const BorderArc<3>& arc = hull[q].slab->arcs[face->arc + k];
+                if (label[find(first[q] + arc.piece)] == p)
+                    add_patch<3>(result.patches, begin, solids_[arc.image].solid, sign * arc.area, sign * arc.moment);
+            }
+            if (face->detail >= 0) {
+                const FaceDetail& detail = hull[q].slab->details[face->detail];
+                for (int k = 0; k < detail.junctions; ++k) {
+                    const Junction<3>& j = hull[q].slab->junctions[detail.junction + k];
+                    if (label[find(first[q] + j.piece)] == p) {
+                        middle += j.at;
+                        ++junctions;
+                    }
+                }
+            }
+        }
+        // Solids that meet in the part: the curves along which they meet lead from junction to junction; by straight ways over their middle.
+        if (junctions) {
+            middle /= junctions;
+            for (int q = 0; q < 6; ++q) {
+                const CutFace<3>* face = hull[q].face;
+                if (!face || face->detail < 0)
+                    continue;
+                const double sign = q % 2 ? -1 : 1;
+                const FaceDetail& detail = hull[q].slab->details[face->detail];
+                for (int k = 0; k < detail.junctions; ++k) {
+                    const Junction<3>& j = hull[q].slab->junctions[detail.junction + k];
+                    if (label[find(first[q] + j.piece)] != p)
+                        continue;
+                    for (const auto& [image, turn] : {std::pair{j.from, 1.0}, {j.to, -1.0}}) {
+                        const auto [area, moment] = chord(j.at, middle, solids_[image].reference);
+                        add_patch<3>(result.patches, begin, solids_[image].solid, sign * turn * area, sign * turn * moment);
+                    }
+                }
+            }
+        }
+        result.patches_of_part.push_back(static_cast<std::int32_t>(result.patches.size() - begin));
+    }
+
+    const Grid<3>& grid_;
+    const GridPlanes<3>& planes_;
+    const DenseIndex<3>& index_;
+    const std::vector<PlacedSolid<3>>& solids_;
+    const CutFaces<3>& cut_;
+    std::vector<std::int32_t>& cell_;
+};
+
+void append_offset(std::vector<std::int32_t>& to, const std::vector<std::int32_t>& counts)
+{
+    for (const std::int32_t n : counts)
+        to.push_back(to.back() + n);
+}
+
+/// Cells of a slab in 2D: the pieces of their rectangles are the parts.
+CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, const std::vector<PlacedSolid<2>>& solids,
+                         int slab_number, std::vector<std::int32_t>& cell)
+{
+    CellSlab<2> result;
+    const Slab<2>& slab = cut.slabs[slab_number];
+    Index<2> low = index.low, high = index.low + index.size - Index<2>::Ones();
+    low[1] = slab.begin;
+    high[1] = slab.end;
+    for_each_index<2>(low, high, [&](const Index<2>& c) {
+        const int number = index(c);
+        cell[number] = std::min(cut.face[0][number], 0);
+        if (cut.face[0][number] < 0)
+            return;
+        const CutFace<2>& face = slab.faces[cut.face[0][number]];
+        InlineVector<int, 4> label;
+        int count = 0, largest = -1;
+        for (int p = 0; p < face.pieces; ++p) {
+            label.push_back(-1);
+            const double area = slab.pieces[face.piece + p].area;
+            if (area > parameters.least_area && (largest < 0 || area > slab.pieces[face.piece + largest].area))
+                largest = p;
+        }
+        cell[number] = Complex<2>::solid;
+        if (largest < 0)
+            return;
+        const int part = static_cast<int>(result.part_cell.size());
+        cell[number] = static_cast<std::int32_t>(result.cut_cell.size());
+        label[largest] = count++;
+        for (int p = 0; p < face.pieces; ++p)
+            if (label[p] < 0 && slab.pieces[face.piece + p].area > parameters.least_area)
+                label[p] = count++;
+        for (int l = 0; l < count; ++l) {
+            const std::size_t begin = result.patches.size();
+            for (int p = 0; p < face.pieces; ++p)
+                if (label[p] == l)
+                    result.part_area.push_back(slab.pieces[face.piece + p].area);
+            for (int k = 0; k < face.arcs; ++k) {
+                const BorderArc<2>& arc = slab.arcs[face.arc + k];
+                if (label[arc.piece] == l)
+                    add_patch<2>(result.patches, begin, solids[arc.image].solid, arc.area, arc.moment);
+            }
+            result.part_cell.push_back(static_cast<std::int32_t>(result.cut_cell.size()));
+            result.patches_of_part.push_back(static_cast<std::int32_t>(result.patches.size() - begin));
+        }
+        for (int p = 0; p < face.pieces; ++p)
+            result.sides.push_back({slab_number, face.piece + p, 0, label[p] < 0 ? -1 : part + label[p]});
+        result.cut_cell.push_back(number);
+        result.parts_of_cell.push_back(count);
+    });
+    return result;
+}
+
+/// What is common to both dimensions: one numbering of the slabs' cells and parts.
+template <int D>
+class Joining {
+public:
+    Joining(const Grid<D>& grid, const GridPlanes<D>& planes, const CutFaces<D>& cut, const std::vector<CellSlab<D>>& slabs,
+            Complex<D>& complex)
+        : grid_(grid), planes_(planes), cut_(cut), slabs_(slabs), complex_(complex), index_(complex.index)
+    {
+        std::vector<int> cell_offset{0};
+        for (std::size_t s = 0; s < slabs.size(); ++s) {
+            part_offset_.push_back(part_offset_.back() + static_cast<int>(slabs[s].part_cell.size()));
+            cell_offset.push_back(cell_offset.back() + static_cast<int>(slabs[s].cut_cell.size()));
+            piece_offset_.push_back(piece_offset_.back() + static_cast<int>(cut.slabs[s].pieces.size()));
+        }
+        for (std::size_t s = 0; s < slabs.size(); ++s) {
+            const CellSlab<D>& slab = slabs[s];
+            complex.cut_cell.insert(complex.cut_cell.end(), slab.cut_cell.begin(), slab.cut_cell.end());
+            append_offset(complex.first_part, slab.parts_of_cell);
+            for (const std::int32_t c : slab.part_cell)
+                complex.part_cell.push_back(c + cell_offset[s]);
+            complex.part_area.insert(complex.part_area.end(), slab.part_area.begin(), slab.part_area.end());
+            append_offset(complex.first_patch, slab.patches_of_part);
+            complex.patches.insert(complex.patches.end(), slab.patches.begin(), slab.patches.end());
+            for (const std::int32_t c : slab.cut_cell)
+                complex.cell[c] += cell_offset[s];
+        }
+        sides_.assign(piece_offset_.back(), {-1, -1});
+        for (std::size_t s = 0; s < slabs.size(); ++s)
+            for (const auto& side : slabs[s].sides)
+                if (side.part >= 0)
+                    sides_[piece_offset_[side.slab] + side.piece][side.side] = side.part + part_offset_[s];
+        for (int d = 0; d < D; ++d)
+            complex.main_area[d].assign(index_.count, 0);
+    }
+
+    /// The largest part of a cell, or the cell where it is whole.
+    PartOrCell main_of(const Index<D>& c) const
+    {
+        const Index<D> w = grid_.wrapped(c);
+        if (!grid_.in_domain(w))
+            return {};
+        const int at = index_(w), number = complex_.cell[at];
+        return number >= 0                  ? PartOrCell::part(complex_.first_part[number])
+               : number == Complex<D>::open ? PartOrCell::cell(at)
+                                            : PartOrCell{};
+    }
+
+    void add_piece(int d, const Index<D>& f, PartOrCell low, PartOrCell high, double area, const Vec<D>& centroid)
+    {
+        const auto lies = [&](const PartOrCell& side, const Index<D>& c) {
+            return side.exists() || !grid_.in_domain(grid_.wrapped(c));
+        };
+        if (!lies(low, f - step<D>(d)) || !lies(high, f) || (!low.exists() && !high.exists()))
+            return; // a part too small to be one
+        const std::int32_t id = index_(f);
+        complex_.pieces.push_back({static_cast<std::int8_t>(d), id, low, high, area, centroid});
+        if (complex_.joins_main(complex_.pieces.back()))
+            complex_.main_area[d][id] += area;
+    }
+
+    int part(std::size_t slab, int number) const { return part_offset_[slab] + number; }
+    /// Part on a side of a piece of a slab's faces; -1: none.
+    int part_at(std::size_t slab, int piece, int side) const { return sides_[piece_offset_[slab] + piece][side]; }
+
+    Vec<D> face_centre(int d, const Index<D>& f) const
+    {
+        Vec<D> centre;
+        for (int axis = 0; axis < D; ++axis)
+            centre[axis] = axis == d ? planes_.place[axis][f[axis]]
+                                     : 0.5 * (planes_.place[axis][f[axis]] + planes_.place[axis][f[axis] + 1]);
+        return centre;
+    }
+    double face_area(int d, const Index<D>& f) const
+    {
+        double area = 1;
+        for (int axis = 0; axis < D; ++axis)
+            if (axis != d)
+                area *= planes_.place[axis][f[axis] + 1] - planes_.place[axis][f[axis]];
+        return area;
+    }
+
+    void join_faces() requires(D == 3);
+    void join_faces() requires(D == 2);
+
+private:
+    const Grid<D>& grid_;
+    const GridPlanes<D>& planes_;
+    const CutFaces<D>& cut_;
+    const std::vector<CellSlab<D>>& slabs_;
+    Complex<D>& complex_;
+    const DenseIndex<D>& index_;
+    std::vector<int> part_offset_{0}, piece_offset_{0};
+    std::vector<std::array<std::int32_t, 2>> sides_; ///< parts beside each piece
+};
+
+template <int D>
+void Joining<D>::join_faces() requires(D == 3)
+{
+    for (int d = 0; d < 3; ++d) // wholly open
+        for_each_index<3>(index_.low, owned_faces_end(grid_, d), [&](const Index<3>& f) {
+            const int at = index_(f);
+            if (cut_.face[d][at] == Complex<3>::open && (main_of(f).exists() || main_of(f - step<3>(d)).exists()))
+                complex_.main_area[d][at] = face_area(d, f);
+        });
+    std::vector<typename CellSlab<3>::Astray> astray;
+    for (std::size_t s = 0; s < slabs_.size(); ++s)
+        for (auto a : slabs_[s].astray) {
+            a.part = part(s, a.part);
+            astray.push_back(a);
+        }
+    std::sort(astray.begin(), astray.end(),
+              [](const auto& a, const auto& b) { return std::tie(a.axis, a.face, a.side) < std::tie(b.axis, b.face, b.side); });
+    for (std::size_t k = 0; k < astray.size();) {
+        const int d = astray[k].axis, id = astray[k].face;
+        const Index<3> f = index_.index(id);
+        std::array<PartOrCell, 2> side{main_of(f - step<3>(d)), main_of(f)};
+        for (; k < astray.size() && astray[k].axis == d && astray[k].face == id; ++k)
+            side[astray[k].side] = PartOrCell::part(astray[k].part);
+        const double area = std::exchange(complex_.main_area[d][id], 0.0);
+        add_piece(d, f, side[0], side[1], area, face_centre(d, f));
+    }
+    for (std::size_t s = 0; s < slabs_.size(); ++s) {
+        const Slab<3>& slab = cut_.slabs[s];
+        for (const CutFace<3>& face : slab.faces) {
+            if (face.state == CutFace<3>::State::dead)
+                continue;
+            const Index<3> f = index_.index(face.id);
+            const int d = face.axis, u = u_axis<3>(d), v = v_axis<3>(d);
+            for (int p = 0; p < face.pieces; ++p) {
+                const SquarePiece& piece = slab.pieces[face.piece + p];
+                Vec<3> centroid;
+                centroid[d] = planes_.place[d][f[d]];
+                centroid[u] = piece.centroid[0];
+                centroid[v] = piece.centroid[1];
+                std::array<PartOrCell, 2> side;
+                for (int k = 0; k < 2; ++k)
+                    if (const int number = part_at(s, face.piece + p, k); number >= 0)
+                        side[k] = PartOrCell::part(number);
+                add_piece(d, f, side[0], side[1], piece.area, centroid);
+            }
+        }
+    }
+}
+
+template <int D>
+void Joining<D>::join_faces() requires(D == 2)
+{
+    // An edge's open stretches, as the rectangles beside it have them.
+    struct Edge {
+        const CutFace<2>* face = nullptr;
+        const Slab<2>* slab = nullptr;
+        std::size_t number = 0;
+        int count = 0, first = 0;
+    };
+    const auto edge_of = [&](const Index<2>& c, int e) {
+        const Index<2> w = grid_.wrapped(c);
+        Edge edge;
+        if (!grid_.in_domain(w) || cut_.face[0][index_(w)] < 0)
+            return edge;
+        edge.number = static_cast<std::size_t>(cut_.slab_of[w[1] - index_.low[1]]);
+        edge.slab = &cut_.slabs[edge.number];
+        edge.face = &edge.slab->faces[cut_.face[0][index_(w)]];
+        if (edge.face->detail >= 0) {
+            const FaceDetail& detail = edge.slab->details[edge.face->detail];
+            edge.first = detail.stretch[e];
+            edge.count = detail.stretch[e + 1] - detail.stretch[e];
+        } else
+            edge.count = (edge.face->open >> e & 1) || (edge.face->open >> ((e + 1) & 3) & 1) ? 1 : 0;
+        return edge;
+    };
+    for (int d = 0; d < 2; ++d)
+        for_each_index<2>(index_.low, owned_faces_end(grid_, d), [&](const Index<2>& f) {
+            const int along = 1 - d, e_low = d == 0 ? 1 : 2, e_high = d == 0 ? 3 : 0; // as edges of the cells below and above
+            const Index<2> below = f - step<2>(d);
+            const Edge low = edge_of(below, e_low), high = edge_of(f, e_high);
+            if (!low.face && !high.face) {
+                const PartOrCell a = main_of(below), b = main_of(f);
+                const bool beyond_low = !grid_.in_domain(grid_.wrapped(below)),
+                           beyond_high = !grid_.in_domain(grid_.wrapped(f));
+                if ((a.exists() || beyond_low) && (b.exists() || beyond_high) && (a.exists() || b.exists()))
+                    complex_.main_area[d][index_(f)] = face_area(d, f);
+                return;
+            }
+            const double from = planes_.place[along][f[along]], to = planes_.place[along][f[along] + 1];
+            const int count = low.face && high.face ? std::min(low.count, high.count) : low.face ? low.count : high.count;
+            for (int k = 0; k < count; ++k) {
+                const Edge& known = low.face && (low.face->detail >= 0 || !high.face || high.face->detail < 0) ? low : high;
+                OpenStretch stretch{from, to, 0};
+                if (known.face->detail >= 0)
+                    stretch = known.slab->stretches[known.first + k];
+                else {
+                    const int e = &known == &low ? e_low : e_high;
+                    const bool a = known.face->open >> e & 1, b = known.face->open >> ((e + 1) & 3) & 1;
+                    if (!(a && b)) {
+                        const bool at_low = e < 2 ? a : b; // the open end along the axis
+                        const double crossing =
+                            known.slab->crossings[2 * known.face->crossing + (known.face->crossing_edge[0] == e ? 0 : 1)];
+                        (at_low ? stretch.to : stretch.from) = crossing;
+                    }
+                }
+                Vec<2> centroid;
+                centroid[d] = planes_.place[d][f[d]];
+                centroid[along] = 0.5 * (stretch.from + stretch.to);
+                const auto side = [&](const Edge& edge, const Index<2>& c) {
+                    if (!edge.face)
+                        return main_of(c);
+                    const int piece = edge.face->detail >= 0 ? edge.slab->stretches[edge.first + k].piece : 0;
+                    const int number = part_at(edge.number, edge.face->piece + piece, 0);
+                    return number >= 0 ? PartOrCell::part(number) : PartOrCell{};
+                };
+                add_piece(d, f, side(low, below), side(high, f), stretch.to - stretch.from, centroid);
+            }
+        });
+}
+
+} // namespace
+
+template <int D>
+Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids)
+{
+    Complex<D> complex;
+    complex.index = DenseIndex<D>(grid.low(), grid.high());
+    const GridPlanes<D> planes(grid);
+    Vec<D> low, high;
+    for (int axis = 0; axis < D; ++axis) {
+        low[axis] = planes.place[axis][grid.low()[axis]];
+        high[axis] = planes.place[axis][grid.high()[axis]];
+    }
+    const std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
+    const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed);
+    complex.cell.assign(complex.index.count, Complex<D>::solid);
+    std::vector<CellSlab<D>> slabs(cut.slabs.size());
+    for_each_job(static_cast<int>(slabs.size()), [&](int s) {
+        if constexpr (D == 3)
+            slabs[s] = CellBuilder3(grid, planes, complex.index, placed, cut, complex.cell)
+                           .build(cut.slabs[s].begin, cut.slabs[s].end);
+        else
+            slabs[s] = build_cells2(cut, complex.index, placed, s, complex.cell);
+    });
+    Joining<D>(grid, planes, cut, slabs, complex).join_faces();
+    return complex;
+}
+
+template Complex<2> build_complex(const Grid<2>&, std::span<const Solid<2>>);
+template Complex<3> build_complex(const Grid<3>&, std::span<const Solid<3>>);
+
+template <int D>
+long Complex<D>::bytes() const
+{
+    const auto of = [](const auto& v) { return static_cast<long>(v.capacity() * sizeof(v[0])); };
+    return of(cell) + of(cut_cell) + of(first_part) + of(part_cell) + of(part_area) + of(first_patch) + of(patches) +
+           of(pieces);
+}
+
+template struct Complex<2>;
+template struct Complex<3>;
+
+} // namespace gapflow

@@ -1,0 +1,119 @@
+// One complex of fluid parts: every connected part of the fluid in a cell is a cell of it, whatever its thickness (theory, "The complex").
+//
+// Built from the solids' poses and const from then on. Lengths are in cells (dx), counted from Grid::anchor(): in the core grid plane i lies at i.
+// Coordinates of solids are rounded to 2^-36 of a cell, so that a shift by whole periods is exact: what lies on two sides of a periodic domain is
+// the same to the last bit.
+#pragma once
+
+#include "gapflow/geometry/solid.hpp"
+#include "gapflow/grid/grid.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace gapflow {
+
+/// Numbers of cells and faces in a dense array over this rank's cells and one layer beyond on each high side.
+template <int D>
+struct DenseIndex {
+    Index<D> low, size; ///< cells: low <= c < low + size - 1
+    Index<D> stride;
+    long count = 0;
+
+    DenseIndex() = default;
+    DenseIndex(const Index<D>& low_, const Index<D>& high) : low(low_), size(high - low_ + Index<D>::Ones())
+    {
+        count = 1;
+        for (int axis = 0; axis < D; ++axis) {
+            stride[axis] = static_cast<int>(count);
+            count *= size[axis];
+        }
+    }
+    int operator()(const Index<D>& c) const { return (c - low).dot(stride); }
+    Index<D> index(int number) const
+    {
+        Index<D> c;
+        for (int axis = D - 1; axis >= 0; --axis) {
+            c[axis] = low[axis] + number / stride[axis];
+            number %= stride[axis];
+        }
+        return c;
+    }
+};
+
+/// One side of a face piece: a part of a cut cell, a whole cell, or nothing (beyond the domain).
+struct PartOrCell {
+    static constexpr std::int32_t none = std::numeric_limits<std::int32_t>::min();
+    std::int32_t code = none;
+
+    static PartOrCell part(int number) { return {number}; }
+    static PartOrCell cell(int number) { return {-1 - number}; }
+    bool is_part() const { return code >= 0; }
+    bool is_cell() const { return code < 0 && code != none; }
+    bool exists() const { return code != none; }
+    int number() const { return code >= 0 ? code : -1 - code; }
+};
+
+/// A connected open piece of a face of the grid, where not all of the face is open between two whole cells.
+template <int D>
+struct FacePiece {
+    std::int8_t axis;
+    std::int32_t face; ///< number of the cell on its high side in Complex::index
+    PartOrCell low, high;
+    double area; ///< in cells^(D-1)
+    Vec<D> centroid;
+};
+
+/// A solid's surface in a part: area vector out of the fluid and its moment about the solid's reference point. The flux of the solid's twist out of the part
+/// is their product.
+template <int D>
+struct WallPatch {
+    std::int32_t solid;
+    Vec<D> area;
+    Spin<D> moment;
+};
+
+template <int D>
+struct Complex {
+    static constexpr std::int32_t open = -1, solid = -2;
+
+    DenseIndex<D> index;
+    std::vector<std::int32_t> cell; ///< number of the cut cell, or open, or solid
+    /// Open area of the face on the low side of each cell along each axis, in cells^(D-1), as far as it joins the largest parts of two cells; on
+    /// sides of the domain that of the largest part beside it. Faces on the far side of a periodic axis: those of its first cell.
+    std::array<std::vector<double>, D> main_area;
+    // Cut cells. Their parts: the first one is the largest.
+    std::vector<std::int32_t> cut_cell; ///< number in `index`
+    std::vector<std::int32_t> first_part{0};
+    // Parts.
+    std::vector<std::int32_t> part_cell; ///< cut cell
+    std::vector<double> part_area;       ///< of its open face pieces (2D: its own area)
+    std::vector<std::int32_t> first_patch{0};
+    std::vector<WallPatch<D>> patches;
+    /// Faces that solids cut, and those that do not lead to the largest part.
+    std::vector<FacePiece<D>> pieces;
+
+    /// Whether a piece is part of main_area.
+    bool joins_main(const FacePiece<D>& piece) const { return is_main(piece.low) && is_main(piece.high); }
+    bool is_main(const PartOrCell& side) const { return !side.is_part() || is_main(side.number()); }
+    /// The cell beside a piece, number in `index`.
+    int cell_of(const PartOrCell& side) const { return side.is_part() ? cut_cell[part_cell[side.number()]] : side.number(); }
+
+    int parts() const { return static_cast<int>(part_cell.size()); }
+    int cut_cells() const { return static_cast<int>(cut_cell.size()); }
+    std::span<const WallPatch<D>> patches_of(int part) const
+    {
+        return {patches.data() + first_patch[part], static_cast<std::size_t>(first_patch[part + 1] - first_patch[part])};
+    }
+    bool is_main(int part) const { return first_part[part_cell[part]] == part; }
+    Index<D> cell_of_part(int part) const { return index.index(cut_cell[part_cell[part]]); }
+    long bytes() const;
+};
+
+/// Of the solids at their poses; walls among them (closed sides of the domain) cut nothing and have no patches.
+template <int D>
+Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids);
+
+} // namespace gapflow

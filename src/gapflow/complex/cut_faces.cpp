@@ -1,0 +1,496 @@
+#include "gapflow/complex/cut_faces.hpp"
+
+#include "gapflow/complex/parameters.hpp"
+#include "gapflow/core/threads.hpp"
+#include "gapflow/grid/field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+namespace {
+
+template <int D>
+Index<D> vertex_of_corner(int d, Index<D> f, int c)
+{
+    if (c == 1 || c == 2)
+        ++f[u_axis<D>(d)];
+    if (c >= 2)
+        ++f[v_axis<D>(d)];
+    return f;
+}
+
+template <int D>
+Vec<D> place_of(const GridPlanes<D>& planes, const Index<D>& vertex)
+{
+    Vec<D> x;
+    for (int axis = 0; axis < D; ++axis)
+        x[axis] = planes.place[axis][vertex[axis]];
+    return x;
+}
+
+/// Where a convex solid's surface crosses an edge from a vertex that it covers (or not) to one that it does not (or does).
+double crossing(const Stretch& line, bool low_covered, double from, double to)
+{
+    if (line.empty())
+        return low_covered ? from : to;
+    return std::clamp(low_covered ? line.to : line.from, from, to);
+}
+
+/// Whether a line enters and leaves a convex solid between two vertices that it does not cover.
+bool crosses_twice(const Stretch& line, double from, double to)
+{
+    return !line.empty() && line.from >= from && line.to <= to;
+}
+
+/// Position of an in-plane point in space.
+template <int D>
+Vec<D> in_space(int d, double at, const Vec<2>& x)
+{
+    Vec<D> y;
+    y[u_axis<D>(d)] = x[0];
+    y[v_axis<D>(d)] = x[1];
+    if constexpr (D == 3)
+        y[d] = at;
+    return y;
+}
+
+template <int D>
+Vec<2> in_plane(int d, const Vec<D>& x)
+{
+    return {x[u_axis<D>(d)], x[v_axis<D>(d)]};
+}
+
+template <int D>
+BorderArc<D> border_arc(int image, int piece, int d, double at, const Vec<D>& reference, const Vec<2>& A, const Vec<2>& B,
+                        const Bulge& bulge)
+{
+    BorderArc<D> arc;
+    arc.image = image;
+    arc.piece = piece;
+    if constexpr (D == 3) {
+        const ArcIntegrals sums = arc_integrals(A, B, bulge, in_plane<3>(d, reference), at - reference[d]);
+        const int u = u_axis<3>(d), v = v_axis<3>(d);
+        arc.area[u] = sums.area[0];
+        arc.area[v] = sums.area[1];
+        arc.area[d] = sums.area[2];
+        arc.moment[u] = sums.moment[0];
+        arc.moment[v] = sums.moment[1];
+        arc.moment[d] = 0;
+    } else {
+        const Vec<2> a = A - reference, b = B - reference;
+        arc.area = Vec<2>(b[1] - a[1], a[0] - b[0]);
+        arc.moment[0] = 0.5 * (a.squaredNorm() - b.squaredNorm());
+    }
+    return arc;
+}
+
+/// A face's plane.
+template <int D>
+double plane_of(const GridPlanes<D>& planes, int d, const Index<D>& f)
+{
+    return D == 3 ? planes.place[d][f[d]] : 0.0;
+}
+
+/// Which faces one solid covers or cuts in a slab.
+template <int D, class Kind>
+class Marking {
+public:
+    Marking(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
+            const Kind& kind, int image, CutFaces<D>& cut, Slab<D>& slab)
+        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
+    {
+    }
+
+    void mark()
+    {
+        for (int axis = 0; axis < D; ++axis) {
+            const auto& p = planes_.place[axis];
+            const int from = axis == D - 1 ? slab_.begin : index_.low[axis],
+                      to = axis == D - 1 ? slab_.end : index_.low[axis] + index_.size[axis] - 1;
+            low_[axis] = solid_.low[axis] > p[from] ? std::min(planes_.cell_of(axis, solid_.low[axis]), to) : from;
+            high_[axis] = solid_.high[axis] < p[to] ? std::max(planes_.cell_of(axis, solid_.high[axis]) + 1, from) : to;
+            low_[axis] = std::clamp(low_[axis], from, to);
+            high_[axis] = std::clamp(high_[axis], from, to);
+            if (solid_.inverse) { // it covers all that lies outside
+                low_[axis] = from;
+                high_[axis] = to;
+            } else if (solid_.low[axis] > p[to] || solid_.high[axis] < p[from])
+                return;
+        }
+        find_covered();
+        for (int axis = 0; axis < D; ++axis)
+            find_crossings(axis);
+        for (int d = 0; d < face_kinds<D>; ++d)
+            mark_faces(d);
+    }
+
+private:
+    long offset(const Index<D>& vertex) const { return (vertex - low_).dot(stride_); }
+
+    void find_covered()
+    {
+        long size = 1;
+        for (int axis = 0; axis < D; ++axis) {
+            stride_[axis] = static_cast<int>(size);
+            size *= high_[axis] - low_[axis] + 1;
+        }
+        covered_.resize(size);
+        twice_.assign(size, 0);
+        char* to = covered_.data();
+        for_each_row<D>(low_, Index<D>(high_ + Index<D>::Ones()), [&](const Index<D>& row) {
+            Vec<D> x = place_of(planes_, row);
+            const double* along = &planes_.place[0][low_[0]];
+            for (int i = 0; i <= high_[0] - low_[0]; ++i) {
+                x[0] = along[i];
+                *to++ = kind_.covers(x);
+            }
+        });
+    }
+
+    void find_crossings(int axis)
+    {
+        crossing_[axis].resize(covered_.size());
+        Index<D> end = high_ + Index<D>::Ones();
+        end[axis] = low_[axis] + 1;
+        const int stride = stride_[axis], n = high_[axis] - low_[axis];
+        const double* p = &planes_.place[axis][low_[axis]];
+        for_each_index<D>(low_, end, [&](const Index<D>& start) {
+            const Stretch line = kind_.line(axis, place_of(planes_, start));
+            const long first = offset(start);
+            const char* covered = &covered_[first];
+            for (int i = 0; i < n; ++i) {
+                const bool here = covered[i * stride], there = covered[(i + 1) * stride];
+                if (here != there)
+                    crossing_[axis][first + i * stride] = crossing(line, here, p[i], p[i + 1]);
+                else if (!here && crosses_twice(line, p[i], p[i + 1]))
+                    twice_[first + i * stride] |= static_cast<char>(1 << axis);
+            }
+        });
+    }
+
+    void mark_faces(int d)
+    {
+        const int u = u_axis<D>(d), v = v_axis<D>(d);
+        Index<D> low = low_, high = high_;
+        if constexpr (D == 3) {
+            const bool own_last = slab_.end == index_.low[2] + index_.size[2] - 1;
+            if (d == 2)
+                high[2] = std::min(high_[2], slab_.end - 1 + own_last);
+            if (grid_.periodic(d))
+                high[d] = std::min(high[d], grid_.cells()[d] - 1);
+            if (high[d] < low[d])
+                return;
+            ++high[d];
+        }
+        const int n = D == 3 ? high[d] - low[d] : 1;
+        std::vector<Section> sections(n);
+        std::vector<char> known(n, 0);
+        const auto section = [&](const Index<D>& f) -> const Section& {
+            const int k = D == 3 ? f[d] - low[d] : 0;
+            if (!known[k]) {
+                known[k] = 1;
+                sections[k] = kind_.section(d, plane_of(planes_, d, f));
+            }
+            return sections[k];
+        };
+        const long su = stride_[u], sv = stride_[v];
+        // A section that lies within one face crosses no edge.
+        std::vector<long> within(n, -1);
+        if (solid_.low.allFinite())
+            for (int k = 0; k < n; ++k) {
+                Index<D> f = low;
+                if constexpr (D == 3) {
+                    f[d] = low[d] + k;
+                    const double at = plane_of(planes_, d, f);
+                    if (at < solid_.low[d] || at > solid_.high[d])
+                        continue;
+                }
+                const Section& s = section(f);
+                if (s.empty() || !s.closed)
+                    continue;
+                f[u] = planes_.cell_of(u, s.inside[0]);
+                f[v] = planes_.cell_of(v, s.inside[1]);
+                if (f[u] < low[u] || f[v] < low[v] || f[u] >= high_[u] || f[v] >= high_[v])
+                    continue;
+                const long at = offset(f);
+                if (!covered_[at] && !covered_[at + su] && !covered_[at + sv] && !covered_[at + su + sv] &&
+                    !crossed_twice(at, u, v))
+                    within[k] = at;
+            }
+        high[u] = high_[u];
+        high[v] = high_[v];
+        auto& face = cut_.face[D == 3 ? d : 0];
+        for_each_index<D>(low, high, [&](const Index<D>& f) {
+            const long at = offset(f);
+            const unsigned covered =
+                covered_[at] | covered_[at + su] << 1 | covered_[at + su + sv] << 2 | covered_[at + sv] << 3;
+            const unsigned open = solid_.inverse ? covered : ~covered & 15U;
+            const bool twice = crossed_twice(at, u, v), holds = within[D == 3 ? f[d] - low[d] : 0] == at;
+            if (open == 15 && !twice && !holds)
+                return;
+            const int id = index_(f);
+            std::int32_t& number = face[id];
+            if (number == Complex<D>::solid)
+                return;
+            if (open == 0 && !twice && !holds) {
+                if (number >= 0)
+                    slab_.faces[number].state = CutFace<D>::State::dead;
+                number = Complex<D>::solid;
+                return;
+            }
+            const bool simple = !twice && !holds && open != 5 && open != 10 && open != 0 && open != 15;
+            if (number >= 0) {
+                make_general(slab_.faces[number]);
+                slab_.details[slab_.faces[number].detail].images.push_back(image_);
+                return;
+            }
+            number = static_cast<std::int32_t>(slab_.faces.size());
+            slab_.faces.push_back(
+                {id, static_cast<std::int8_t>(d), CutFace<D>::State::simple, static_cast<std::uint8_t>(open), image_});
+            if (simple)
+                add_simple(d, f, at, open, section(f));
+            else
+                make_general(slab_.faces.back());
+        });
+    }
+
+    bool crossed_twice(long at, int u, int v) const
+    {
+        return (twice_[at] >> u & 1) || (twice_[at + stride_[u]] >> v & 1) || (twice_[at + stride_[v]] >> u & 1) ||
+               (twice_[at] >> v & 1);
+    }
+
+    void make_general(CutFace<D>& face)
+    {
+        if (face.state == CutFace<D>::State::general)
+            return;
+        face.state = CutFace<D>::State::general;
+        face.detail = static_cast<std::int32_t>(slab_.details.size());
+        slab_.details.push_back({{face.image}, {}, 0, 0});
+        if (face.pieces) { // what was found with one solid alone was the last entry or lies idle
+            face.pieces = 0;
+            face.arcs = 0;
+        }
+    }
+
+    /// One solid, one open stretch of the border, one arc.
+    void add_simple(int d, const Index<D>& f, long at, unsigned open, const Section& section)
+    {
+        const int u = u_axis<D>(d), v = v_axis<D>(d);
+        const double u0 = planes_.place[u][f[u]], u1 = planes_.place[u][f[u] + 1], v0 = planes_.place[v][f[v]],
+                     v1 = planes_.place[v][f[v] + 1];
+        const auto corner = [&](int c) { return Vec<2>(c == 1 || c == 2 ? u1 : u0, c >= 2 ? v1 : v0); };
+        const auto on_edge = [&](int e) {
+            switch (e) {
+            case 0:
+                return Vec<2>(crossing_[u][at], v0);
+            case 1:
+                return Vec<2>(u1, crossing_[v][at + stride_[u]]);
+            case 2:
+                return Vec<2>(crossing_[u][at + stride_[v]], v1);
+            default:
+                return Vec<2>(u0, crossing_[v][at]);
+            }
+        };
+        int first = 0; // the first open corner
+        while (!(open >> first & 1) || (open >> ((first + 3) & 3) & 1))
+            ++first;
+        const Vec<2> B = on_edge((first + 3) & 3);
+        Vec<2> here = corner(first);
+        int c = first;
+        double twice_area = 0;
+        Vec<2> moment = Vec<2>::Zero();
+        const auto to = [&](const Vec<2>& x) { // triangle B, here, x
+            const Vec<2> p = here - B, q = x - B;
+            const double w = p[0] * q[1] - p[1] * q[0];
+            twice_area += w;
+            moment += w * (here + x + B);
+            here = x;
+        };
+        while (open >> ((c + 1) & 3) & 1) {
+            ++c;
+            to(corner(c & 3));
+        }
+        const Vec<2> A = on_edge(c & 3);
+        to(A);
+        const Bulge bulge = solid_.inverse ? -section.piece(B, A, false) : section.piece(A, B, false);
+        const double area = 0.5 * twice_area + bulge.area;
+        CutFace<D>& face = slab_.faces.back();
+        face.piece = static_cast<std::int32_t>(slab_.pieces.size());
+        face.arc = static_cast<std::int32_t>(slab_.arcs.size());
+        face.pieces = face.arcs = 1;
+        if constexpr (D == 2) {
+            face.crossing = static_cast<std::int32_t>(slab_.crossings.size() / 2);
+            face.crossing_edge = {static_cast<std::int8_t>((first + 3) & 3), static_cast<std::int8_t>(c & 3)};
+            for (const int e : face.crossing_edge)
+                slab_.crossings.push_back(e % 2 == 0 ? on_edge(e)[0] : on_edge(e)[1]);
+        }
+        slab_.pieces.push_back(
+            {std::max(area, 0.0), area > 0 ? Vec<2>((moment / 6 + bulge.moment) / area) : Vec<2>(0.5 * (A + B))});
+        slab_.arcs.push_back(border_arc<D>(image_, 0, d, plane_of(planes_, d, f), solid_.reference, A, B, bulge));
+    }
+
+    const Grid<D>& grid_;
+    const GridPlanes<D>& planes_;
+    const DenseIndex<D>& index_;
+    const PlacedSolid<D>& solid_;
+    const Kind& kind_;
+    int image_;
+    CutFaces<D>& cut_;
+    Slab<D>& slab_;
+    Index<D> low_, high_, stride_; ///< vertices low .. high
+    std::vector<char> covered_, twice_;
+    std::array<std::vector<double>, D> crossing_;
+};
+
+/// Fills what a convex solid covers of a rectangle's edges, from the same numbers as Marking.
+template <int D, class Kind>
+void fill_square(const GridPlanes<D>& planes, const PlacedSolid<D>& placed, const Kind& kind, int d, const Index<D>& f,
+                 const Section& section, SquareSolid& solid)
+{
+    std::array<bool, 4> covered;
+    for (int c = 0; c < 4; ++c)
+        covered[c] = kind.covers(place_of(planes, vertex_of_corner<D>(d, f, c)));
+    bool any = covered[0] || covered[1] || covered[2] || covered[3];
+    for (int e = 0; e < 4; ++e) {
+        const int axis = edge_axis<D>(d, e);
+        const Index<D> start = edge_start<D>(d, f, e);
+        const double from = planes.place[axis][start[axis]], to = planes.place[axis][start[axis] + 1];
+        const bool here = covered[e < 2 ? e : (e + 1) % 4], there = covered[e < 2 ? e + 1 : e]; // at its low and high end
+        auto& list = solid.edges[e];
+        list.clear();
+        const Stretch line = kind.line(axis, place_of(planes, start));
+        if (here && there) {
+            if (!placed.inverse)
+                list.push_back({from, to});
+        } else if (here != there) {
+            const double at = crossing(line, here, from, to);
+            list.push_back(here != placed.inverse ? Stretch{from, at} : Stretch{at, to});
+        } else if (crosses_twice(line, from, to)) {
+            any = true;
+            if (placed.inverse) {
+                list.push_back({from, line.from});
+                list.push_back({line.to, to});
+            } else
+                list.push_back(line);
+        } else if (placed.inverse)
+            list.push_back({from, to});
+    }
+    solid.inverse = placed.inverse;
+    solid.section = &section;
+    const Vec<2>& x = section.inside;
+    solid.section_inside = !any && !section.empty() && section.closed && x[0] >= planes.place[u_axis<D>(d)][f[u_axis<D>(d)]] &&
+                           x[0] <= planes.place[u_axis<D>(d)][f[u_axis<D>(d)] + 1] &&
+                           x[1] >= planes.place[v_axis<D>(d)][f[v_axis<D>(d)]] &&
+                           x[1] <= planes.place[v_axis<D>(d)][f[v_axis<D>(d)] + 1];
+}
+
+/// Distances of the solids of one rectangle, in cells.
+template <int D>
+struct PlacedDepth final : Square::Depth {
+    const GridPlanes<D>& planes;
+    const std::vector<PlacedSolid<D>>& solids;
+    const std::vector<int>* images = nullptr;
+    int d = 0;
+    double at = 0;
+
+    PlacedDepth(const GridPlanes<D>& planes_, const std::vector<PlacedSolid<D>>& solids_) : planes(planes_), solids(solids_) {}
+    double distance(int k, const Vec<2>& x) const override
+    {
+        return solids[(*images)[k]].shape.distance(planes.in_world(in_space<D>(d, at, x))) / planes.dx;
+    }
+};
+
+/// Faces that more than one solid, or one in an uncommon way, cuts.
+template <int D>
+void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
+                 Slab<D>& slab)
+{
+    Square square;
+    std::vector<Section> sections;
+    PlacedDepth<D> depth(planes, solids);
+    for (CutFace<D>& face : slab.faces) {
+        if (face.state != CutFace<D>::State::general)
+            continue;
+        FaceDetail& detail = slab.details[face.detail];
+        const Index<D> f = index.index(face.id);
+        const int d = face.axis, u = u_axis<D>(d), v = v_axis<D>(d);
+        const double at = plane_of(planes, d, f);
+        square.low = {planes.place[u][f[u]], planes.place[v][f[v]]};
+        square.high = {planes.place[u][f[u] + 1], planes.place[v][f[v] + 1]};
+        square.solids.resize(detail.images.size());
+        sections.resize(detail.images.size());
+        for (std::size_t k = 0; k < detail.images.size(); ++k) {
+            const PlacedSolid<D>& placed = solids[detail.images[k]];
+            std::visit(
+                [&](const auto& kind) {
+                    if constexpr (!std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<D>>) {
+                        sections[k] = kind.section(d, at);
+                        fill_square<D>(planes, placed, kind, d, f, sections[k], square.solids[k]);
+                    }
+                },
+                placed.kind);
+        }
+        depth.images = &detail.images;
+        depth.d = d;
+        depth.at = at;
+        square.cut(&depth);
+        face.piece = static_cast<std::int32_t>(slab.pieces.size());
+        face.arc = static_cast<std::int32_t>(slab.arcs.size());
+        face.pieces = static_cast<std::int32_t>(square.pieces.size());
+        face.arcs = static_cast<std::int32_t>(square.arcs.size());
+        slab.pieces.insert(slab.pieces.end(), square.pieces.begin(), square.pieces.end());
+        for (const SquareArc& arc : square.arcs) {
+            const int image = detail.images[arc.solid];
+            slab.arcs.push_back(border_arc<D>(image, arc.piece, d, at, solids[image].reference, arc.from, arc.to, arc.bulge()));
+        }
+        for (int e = 0; e < 4; ++e) {
+            detail.stretch[e] = static_cast<int>(slab.stretches.size());
+            slab.stretches.insert(slab.stretches.end(), square.stretches[e].begin(), square.stretches[e].end());
+        }
+        detail.stretch[4] = static_cast<int>(slab.stretches.size());
+        detail.junction = static_cast<int>(slab.junctions.size());
+        detail.junctions = static_cast<int>(square.junctions.size());
+        for (const SquareJunction& j : square.junctions)
+            slab.junctions.push_back({j.piece, detail.images[j.from], detail.images[j.to], in_space<D>(d, at, j.at)});
+    }
+}
+
+} // namespace
+
+template <int D>
+CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index,
+                      const std::vector<PlacedSolid<D>>& solids)
+{
+    CutFaces<D> cut;
+    for (auto& face : cut.face)
+        face.assign(index.count, Complex<D>::open);
+    const int first = index.low[D - 1], n = index.size[D - 1] - 1;
+    for (int k = 0; k < n; k += parameters.slab) {
+        cut.slabs.push_back({});
+        cut.slabs.back().begin = first + k;
+        cut.slabs.back().end = first + std::min(n, k + parameters.slab);
+        for (int i = k; i < std::min(n, k + parameters.slab); ++i)
+            cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
+    }
+    cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
+    for_each_job(static_cast<int>(cut.slabs.size()), [&](int s) {
+        Slab<D>& slab = cut.slabs[s];
+        for (std::size_t k = 0; k < solids.size(); ++k)
+            std::visit(
+                [&](const auto& kind) {
+                    using Kind = std::decay_t<decltype(kind)>;
+                    if constexpr (!std::is_same_v<Kind, FacetKind<D>>)
+                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
+                },
+                solids[k].kind);
+        cut_general(planes, index, solids, slab);
+    });
+    return cut;
+}
+
+template CutFaces<2> cut_faces(const Grid<2>&, const GridPlanes<2>&, const DenseIndex<2>&, const std::vector<PlacedSolid<2>>&);
+template CutFaces<3> cut_faces(const Grid<3>&, const GridPlanes<3>&, const DenseIndex<3>&, const std::vector<PlacedSolid<3>>&);
+
+} // namespace gapflow

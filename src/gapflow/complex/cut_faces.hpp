@@ -1,0 +1,109 @@
+// What solids leave open of the grid's faces (2D: of its cells), found slab by slab.
+//
+// A slab is some planes of cells along the last axis. Every solid marks the faces of a slab that it covers or cuts; faces cut by one convex
+// solid in the common way are done at once, all others go through Square. Slabs are independent of each other.
+#pragma once
+
+#include "gapflow/complex/complex.hpp"
+#include "gapflow/complex/placed.hpp"
+#include "gapflow/complex/square.hpp"
+
+#include <memory>
+
+namespace gapflow {
+
+/// The rectangles that are cut: faces normal to each axis in 3D, in 2D the cells.
+template <int D>
+inline constexpr int face_kinds = D == 3 ? 3 : 1;
+
+/// In-plane axes of a rectangle.
+template <int D>
+int u_axis(int d)
+{
+    return D == 3 ? (d + 1) % 3 : 0;
+}
+template <int D>
+int v_axis(int d)
+{
+    return D == 3 ? (d + 2) % 3 : 1;
+}
+
+/// Axis of an edge of a rectangle, and the lower vertex from which it starts.
+template <int D>
+int edge_axis(int d, int e)
+{
+    return e % 2 == 0 ? u_axis<D>(d) : v_axis<D>(d);
+}
+template <int D>
+Index<D> edge_start(int d, Index<D> f, int e)
+{
+    if (e == 1)
+        ++f[u_axis<D>(d)];
+    if (e == 2)
+        ++f[v_axis<D>(d)];
+    return f;
+}
+
+/// A solid's border on a piece: in 3D a = 1/2 int x cross dx and -1/2 int |x|^2 dx along it; in 2D area vector and moment of the wall.
+template <int D>
+struct BorderArc {
+    std::int32_t image; ///< of the placed solids
+    std::int32_t piece; ///< of its rectangle
+    Vec<D> area;
+    Spin<D> moment;
+};
+
+template <int D>
+struct Junction {
+    std::int32_t piece, from, to; ///< images
+    Vec<D> at;
+};
+
+template <int D>
+struct CutFace {
+    enum class State : std::uint8_t { simple, general, dead };
+    std::int32_t id; ///< in DenseIndex
+    std::int8_t axis;
+    State state;
+    std::uint8_t open; ///< corners, counterclockwise from the low one, that are open: of a simple face
+    std::int32_t image;
+    std::int32_t piece = 0, arc = 0;   ///< first ones
+    std::int32_t pieces = 0, arcs = 0; ///< how many
+    std::int32_t detail = -1;          ///< of a general face
+    std::int32_t crossing = -1;        ///< of a simple cell in 2D: first of its two
+    std::array<std::int8_t, 2> crossing_edge{};
+};
+
+/// Of a general face.
+struct FaceDetail {
+    std::vector<int> images;
+    std::array<int, 5> stretch{}; ///< first stretch of each edge, and the end
+    int junction = 0, junctions = 0;
+};
+
+template <int D>
+struct Slab {
+    int begin, end; ///< planes of cells
+    std::vector<CutFace<D>> faces;
+    std::vector<SquarePiece> pieces;
+    std::vector<BorderArc<D>> arcs;
+    std::vector<FaceDetail> details;
+    std::vector<OpenStretch> stretches;
+    std::vector<Junction<D>> junctions;
+    std::vector<double> crossings; ///< 2D: where solids cross the edges of simple cells, along the edge's axis
+};
+
+template <int D>
+struct CutFaces {
+    std::array<std::vector<std::int32_t>, face_kinds<D>> face; ///< number in its slab's faces, Complex::open or Complex::solid
+    std::vector<Slab<D>> slabs;
+    std::vector<int> slab_of; ///< plane of cells, from DenseIndex::low; of the faces on the last side the last slab
+
+    const Slab<D>& slab(int plane, const DenseIndex<D>& index) const { return slabs[slab_of[plane - index.low[D - 1]]]; }
+};
+
+template <int D>
+CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index,
+                      const std::vector<PlacedSolid<D>>& solids);
+
+} // namespace gapflow

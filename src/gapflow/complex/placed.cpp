@@ -1,0 +1,93 @@
+#include "gapflow/complex/placed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapflow {
+
+double rounded(double x)
+{
+    constexpr double unit = 1.0 / (1L << 36);
+    return unit * std::nearbyint(x / unit);
+}
+
+template <int D>
+GridPlanes<D>::GridPlanes(const Grid<D>& grid) : anchor(grid.anchor()), dx(grid.dx())
+{
+    for (int axis = 0; axis < D; ++axis)
+        for (int i = 0; i <= grid.cells()[axis]; ++i)
+            place[axis].push_back(i >= grid.core_low()[axis] && i <= grid.core_high()[axis]
+                                      ? i
+                                      : rounded((grid.face_place(axis, i) - anchor[axis]) / dx));
+}
+
+template <int D>
+int GridPlanes<D>::cell_of(int axis, double x) const
+{
+    const std::vector<double>& p = place[axis];
+    return static_cast<int>(std::upper_bound(p.begin(), p.end(), x) - p.begin()) - 1;
+}
+
+template <int D>
+std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D>& planes, std::span<const Solid<D>> solids,
+                                         const Vec<D>& low, const Vec<D>& high)
+{
+    Vec<D> period = Vec<D>::Zero();
+    for (int axis = 0; axis < D; ++axis)
+        if (grid.periodic(axis))
+            period[axis] = grid.size()[axis];
+    std::vector<PlacedSolid<D>> result;
+    for (const Image<D>& image : images(solids, planes.in_world(low), planes.in_world(high), period, grid.dx())) {
+        const Solid<D>& solid = solids[image.solid];
+        if (solid.wall)
+            continue;
+        // The image's shift in whole cells, everything else from the solid itself: images are the same to the last bit.
+        Vec<D> shift;
+        for (int axis = 0; axis < D; ++axis)
+            shift[axis] = std::nearbyint(image.shift[axis] / grid.dx());
+        const auto at = [&](const Vec<D>& x) {
+            const Vec<D> y = planes.in_cells(x);
+            Vec<D> r;
+            for (int axis = 0; axis < D; ++axis)
+                r[axis] = rounded(y[axis]) + shift[axis];
+            return r;
+        };
+        const Shape<D>& shape = solid.shape.shape();
+        const Vec<D> centre = at(solid.shape.to_world(Vec<D>::Zero()));
+        PlacedSolid<D> placed{FacetKind<D>{},
+                              image.solid,
+                              shape.inside_out(),
+                              at(solid.centre),
+                              planes.in_cells(image.bounds.low),
+                              planes.in_cells(image.bounds.high),
+                              image.shape};
+        if (const auto radius = shape.sphere_radius())
+            placed.kind = BallKind<D>{centre, *radius / grid.dx()};
+        else if (const auto bar = shape.round_bar())
+            placed.kind = RoundKind<D>{centre, Vec<D>(solid.shape.rotation().col(0)), bar->radius / grid.dx(),
+                                       bar->half / grid.dx(), bar->flat};
+        else if (const auto faces = shape.planes(); !faces.empty()) {
+            PlanesKind<D> kind;
+            kind.planes = static_cast<int>(faces.size());
+            for (int k = 0; k < kind.planes; ++k) {
+                kind.normal[k] = solid.shape.rotation() * faces[k].normal;
+                kind.offset[k] = faces[k].offset / grid.dx();
+            }
+            kind.centre = centre;
+            kind.reach = kind.planes > 1 ? bounding_radius(shape.bounds()) / grid.dx() : 0;
+            placed.kind = kind;
+        } else
+            placed.kind = FacetKind<D>{&solid.shape};
+        result.push_back(placed);
+    }
+    return result;
+}
+
+template struct GridPlanes<2>;
+template struct GridPlanes<3>;
+template std::vector<PlacedSolid<2>> place_solids(const Grid<2>&, const GridPlanes<2>&, std::span<const Solid<2>>,
+                                                  const Vec<2>&, const Vec<2>&);
+template std::vector<PlacedSolid<3>> place_solids(const Grid<3>&, const GridPlanes<3>&, std::span<const Solid<3>>,
+                                                  const Vec<3>&, const Vec<3>&);
+
+} // namespace gapflow

@@ -1,0 +1,134 @@
+// What solids leave open of a rectangle: a face of the grid in 3D, a cell of it in 2D.
+//
+// Each solid covers stretches of the rectangle's four edges and has arcs within it that join the ends of these stretches. Walking along
+// open stretches of the edges and along arcs gives the pieces: connected open regions. Every piece's border closes by construction, so
+// areas and area vectors balance to round-off whatever the degeneracy.
+//
+// Edges, counterclockwise: 0 at v low, 1 at u high, 2 at v high, 3 at u low. Coordinates on an edge are those along its axis.
+#pragma once
+
+#include "gapflow/complex/convex.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace gapflow {
+
+/// A place on the border of the rectangle.
+struct OnEdge {
+    int edge = -1;
+    double at = 0; ///< coordinate along the edge's axis
+
+    bool operator==(const OnEdge& other) const = default;
+};
+
+/// One segment of an arc: straight, or clockwise along an ellipse (counterclockwise, where the solid is its outside).
+struct ArcSegment {
+    Vec<2> from, to;
+    const Curve* curve = nullptr; ///< null: straight
+    int surface = 0;              ///< face of the solid to which it belongs
+    bool backwards = false;       ///< counterclockwise
+    bool whole = false;           ///< once around the ellipse
+
+    Bulge bulge() const;
+    /// At t of its way, 0 .. 1.
+    Vec<2> at(double t) const;
+    /// Of its point nearest to x, which lies close to it.
+    double nearest(const Vec<2>& x) const;
+    /// The part between two of these.
+    ArcSegment part(double t0, double t1) const;
+};
+
+/// A solid's border inside the rectangle, with the fluid at its left: from where the border of the fluid enters it to where it leaves.
+struct SquareArc {
+    int solid = 0;     ///< index into Square::solids
+    OnEdge start, end; ///< edge -1: within the rectangle (closed, or at a junction)
+    Vec<2> from = Vec<2>::Zero(), to = Vec<2>::Zero();
+    InlineVector<ArcSegment, 3> segments;
+    int joins = -1; ///< end at a junction: the arc that follows
+    int piece = -1;
+
+    Bulge bulge() const;
+};
+
+/// What one solid covers of the rectangle's edges, and its arcs.
+struct SquareSolid {
+    int solid = 0;                                 ///< the caller's number
+    std::array<InlineVector<Stretch, 1>, 4> edges; ///< covered, in ascending order
+    std::array<bool, 4> corner{};                  ///< covered: (low, low), (high, low), (high, high), (low, high)
+    /// Of a convex solid: its section; arcs follow. Null: `arcs` are given.
+    const Section* section = nullptr;
+    bool inverse = false;        ///< the solid is what lies outside the section
+    bool section_inside = false; ///< the section lies within the rectangle
+    std::vector<SquareArc> arcs; ///< solid and piece unset
+    const void* owner = nullptr;
+};
+
+struct SquarePiece {
+    double area = 0;
+    Vec<2> centroid = Vec<2>::Zero();
+};
+
+/// Where a piece's border goes over from one solid to another.
+struct SquareJunction {
+    int piece, from, to; ///< solids
+    Vec<2> at;
+};
+
+struct OpenStretch {
+    double from, to;
+    int piece;
+};
+
+/// The rectangle, and after cut() its pieces. Kept from call to call for its buffers.
+class Square {
+public:
+    Vec<2> low, high;
+    std::vector<SquareSolid> solids;
+    /// Signed distance of a point of the plane from a solid (index into solids), for solids that may overlap.
+    struct Depth {
+        virtual double distance(int solid, const Vec<2>& x) const = 0;
+
+    protected:
+        ~Depth() = default;
+    };
+
+    std::vector<SquarePiece> pieces;
+    std::vector<SquareArc> arcs; ///< those that bound a piece
+    std::vector<SquareJunction> junctions;
+    std::array<std::vector<OpenStretch>, 4> stretches; ///< of each edge, ascending
+
+    /// `depth`: null where no two solids overlap.
+    void cut(const Depth* depth);
+
+private:
+    /// An open stretch of the border, around corners, counterclockwise.
+    struct RingStretch {
+        OnEdge start, end;
+        int before, after; ///< solids that end and start there; -1: none, all of the border is open
+        int piece = -1;
+    };
+
+    Vec<2> point(const OnEdge& place) const;
+    Vec<2> corner(int c) const;
+    /// 0 .. 4, counterclockwise from the low corner.
+    double along_ring(const OnEdge& place) const;
+    void find_open_stretches();
+    void find_arcs();
+    void arcs_of_convex(int s);
+    void keep_outer(const Depth& depth);
+    void walk();
+    void close_loops();
+    void add_border(int ring);
+    void add_arc(int arc);
+    static void join(SquareArc& arc, const SquareArc& next);
+    int next_ring(SquareArc& arc);
+
+    std::vector<RingStretch> ring_;
+    std::array<std::vector<int>, 4> ring_of_; ///< of each of `stretches`
+    // Of the piece that is being walked around.
+    Bulge sum_;
+    Vec<2> start_, here_;
+};
+
+} // namespace gapflow

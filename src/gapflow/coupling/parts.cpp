@@ -1,0 +1,105 @@
+#include "gapflow/coupling/parts.hpp"
+
+#include "gapflow/coupling/film_rows.hpp"
+#include "gapflow/coupling/grid_conductance.hpp"
+
+#include <cmath>
+
+namespace gapflow {
+
+template <int D>
+Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
+                         double density, const Complex<D>& complex)
+{
+    Coupling<D> coupling;
+    coupling.grid = &grid;
+    coupling.density = density;
+    coupling.solids = std::move(solids);
+    CoupledSystem<D>& system = coupling.system;
+    system.grid = &grid;
+    for (const Solid<D>& solid : coupling.solids)
+        coupling.free_body.push_back(solid.motion == Motion::free ? system.bodies++ : -1);
+
+    // Nodes: parts that are not the largest of their cell, in their order.
+    std::vector<int> node(complex.parts(), -1);
+    for (int p = 0; p < complex.parts(); ++p)
+        if (!complex.is_main(p))
+            node[p] = system.nodes++;
+
+    coupling.open = FaceField<D>(grid, 0.0);
+    coupling.kind = CellField<D, std::int8_t>(grid, static_cast<std::int8_t>(CellKind::solid));
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (complex.cell[complex.index(c)] != Complex<D>::solid)
+            coupling.kind(c) = static_cast<std::int8_t>(CellKind::bulk);
+    });
+    for (int axis = 0; axis < D; ++axis) {
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
+                          [&](const Index<D>& f) { coupling.open(axis, f) = complex.main_area[axis][complex.index(f)]; });
+        if (grid.periodic(axis)) { // the last face is the first one
+            Index<D> low = grid.low(), high = grid.high();
+            low[axis] = high[axis];
+            high[axis] = low[axis] + 1;
+            for_each_index<D>(low, high, [&](const Index<D>& f) {
+                coupling.open(axis, f) = complex.main_area[axis][complex.index(grid.wrapped(f))];
+            });
+        }
+    }
+    fill_conductance(coupling);
+
+    const double unit = std::pow(grid.dx(), D - 2) / density;
+    std::vector<Eigen::Triplet<double>> film;
+    for (const FacePiece<D>& piece : complex.pieces) {
+        if (complex.joins_main(piece) || !(piece.area > 0))
+            continue;
+        const Index<D> f = complex.index.index(piece.face);
+        const double g = unit * piece.area / grid.spread(piece.axis, f[piece.axis]);
+        const auto node_of = [&](const PartOrCell& side) { return side.is_part() ? node[side.number()] : -1; };
+        const int low = node_of(piece.low), high = node_of(piece.high);
+        if (!piece.low.exists() || !piece.high.exists()) { // a side of the domain
+            const int i = std::max(low, high), end = piece.low.exists();
+            if (i >= 0 && is_open(grid.side(piece.axis, end)))
+                film.emplace_back(i, i, g * side_factor(grid, piece.axis, f, end));
+        } else if (low >= 0 && high >= 0) {
+            if (low == high)
+                continue;
+            film.emplace_back(low, low, g);
+            film.emplace_back(high, high, g);
+            film.emplace_back(low, high, -g);
+            film.emplace_back(high, low, -g);
+        } else {
+            const int i = std::max(low, high);
+            const PartOrCell& other = low >= 0 ? piece.high : piece.low;
+            system.links.push_back({g, {{i, 1.0}}, {{grid.key(complex.index.index(complex.cell_of(other))), -1.0}}});
+        }
+    }
+    system.film.resize(system.nodes, system.nodes);
+    system.film.setFromTriplets(film.begin(), film.end());
+
+    const double area = std::pow(grid.dx(), D - 1);
+    FluxEntries<D, Index<D>> cells;
+    FluxEntries<D, int> nodes;
+    for (int p = 0; p < complex.parts(); ++p)
+        for (const WallPatch<D>& patch : complex.patches_of(p)) {
+            Twist<D> flux;
+            flux << area * patch.area, area * grid.dx() * patch.moment;
+            if (node[p] >= 0)
+                nodes.add(coupling, node[p], patch.solid, flux);
+            else
+                cells.add(coupling, complex.cell_of_part(p), patch.solid, flux);
+        }
+    coupling.cell_flux = std::move(cells.all);
+    system.cell_flux = std::move(cells.free);
+    coupling.node_flux = std::move(nodes.all);
+    system.node_flux = std::move(nodes.free);
+    fill_mass(coupling, mass);
+    system.response = BodyResponse(system.mass, {}, {});
+    find_components(coupling);
+    return coupling;
+}
+
+template Coupling<2> couple_parts(const Grid<2>&, std::vector<Solid<2>>, const std::vector<TwistMatrix<2>>&, double,
+                                  const Complex<2>&);
+template Coupling<3> couple_parts(const Grid<3>&, std::vector<Solid<3>>, const std::vector<TwistMatrix<3>>&, double,
+                                  const Complex<3>&);
+
+} // namespace gapflow

@@ -1,0 +1,15 @@
+// The complex of fluid parts and the bodies joined into the coupled system (theory, "The system"). The largest part of a cell is the grid's
+// unknown, every other part takes a node; face pieces between two largest parts are the grid's conductance, all others are sparse.
+#pragma once
+
+#include "gapflow/complex/complex.hpp"
+#include "gapflow/coupling/coupling.hpp"
+
+namespace gapflow {
+
+/// As couple(), without films. `mass` holds the generalised mass of each solid (used for free ones). One rank.
+template <int D>
+Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
+                         double density, const Complex<D>& complex);
+
+} // namespace gapflow
