@@ -68,7 +68,8 @@ void measure(int parts)
         std::vector<std::array<int, 3>> links;
         links_time = std::min(links_time, seconds([&] { links = facet_links<3>(int(s.vertices.size()), elements); }));
         cut_time = std::min(cut_time, seconds([&] {
-                                faces = FacetCut<3>(s.vertices, elements, links, places, Index<3>(0, 0, 0)).cut_faces().size();
+                                faces =
+                                    FacetCut<3>(s.vertices, elements, links, places, Index<3>(0, 0, 0)).chained_faces().size();
                             }));
     }
     std::printf("%7zu facets: links %6.1f ms, cut %6.1f ms, %zu faces\n", s.elements.size(), 1e3 * links_time, 1e3 * cut_time,

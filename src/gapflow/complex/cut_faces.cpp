@@ -1,11 +1,13 @@
 #include "gapflow/complex/cut_faces.hpp"
 
+#include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/field.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gapflow {
 namespace {
@@ -90,6 +92,18 @@ template <int D>
 double plane_of(const GridPlanes<D>& planes, int d, const Index<D>& f)
 {
     return D == 3 ? planes.place[d][f[d]] : 0.0;
+}
+
+/// A face that needs Square; what was found for one solid alone lies idle.
+template <int D>
+void make_general(Slab<D>& slab, CutFace<D>& face)
+{
+    if (face.state == CutFace<D>::State::general)
+        return;
+    face.state = CutFace<D>::State::general;
+    face.detail = static_cast<std::int32_t>(slab.details.size());
+    slab.details.push_back({{face.image}, {}, 0, 0});
+    face.pieces = face.arcs = 0;
 }
 
 /// Which faces one solid covers or cuts in a slab.
@@ -241,7 +255,7 @@ private:
             }
             const bool simple = !twice && !holds && open != 5 && open != 10 && open != 0 && open != 15;
             if (number >= 0) {
-                make_general(slab_.faces[number]);
+                make_general(slab_, slab_.faces[number]);
                 slab_.details[slab_.faces[number].detail].images.push_back(image_);
                 return;
             }
@@ -251,7 +265,7 @@ private:
             if (simple)
                 add_simple(d, f, at, open, section(f));
             else
-                make_general(slab_.faces.back());
+                make_general(slab_, slab_.faces.back());
         });
     }
 
@@ -259,19 +273,6 @@ private:
     {
         return (twice_[at] >> u & 1) || (twice_[at + stride_[u]] >> v & 1) || (twice_[at + stride_[v]] >> u & 1) ||
                (twice_[at] >> v & 1);
-    }
-
-    void make_general(CutFace<D>& face)
-    {
-        if (face.state == CutFace<D>::State::general)
-            return;
-        face.state = CutFace<D>::State::general;
-        face.detail = static_cast<std::int32_t>(slab_.details.size());
-        slab_.details.push_back({{face.image}, {}, 0, 0});
-        if (face.pieces) { // what was found with one solid alone was the last entry or lies idle
-            face.pieces = 0;
-            face.arcs = 0;
-        }
     }
 
     /// One solid, one open stretch of the border, one arc.
@@ -344,6 +345,118 @@ private:
     std::array<std::vector<double>, D> crossing_;
 };
 
+/// Where a mesh covers or cuts faces in a slab.
+template <int D>
+class FacetMarking {
+public:
+    FacetMarking(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
+                 const FacetKind<D>& kind, int image, CutFaces<D>& cut, Slab<D>& slab)
+        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
+    {
+    }
+
+    /// Empty: the mesh does not meet the slab.
+    std::optional<FacetCut<D>> mark()
+    {
+        std::array<std::vector<double>, D> places;
+        for (int axis = 0; axis < D; ++axis) {
+            const auto& p = planes_.place[axis];
+            const int from = axis == D - 1 ? slab_.begin : index_.low[axis],
+                      to = axis == D - 1 ? slab_.end : index_.low[axis] + index_.size[axis] - 1;
+            low_[axis] = from;
+            high_[axis] = to;
+            if (!solid_.inverse) {
+                if (solid_.low[axis] > p[to] + 1 || solid_.high[axis] < p[from] - 1)
+                    return {};
+                // One cell more: the surface's bounds are not rounded.
+                low_[axis] = std::clamp(planes_.cell_of(axis, solid_.low[axis]) - 1, from, to - 1);
+                high_[axis] = std::clamp(planes_.cell_of(axis, solid_.high[axis]) + 2, low_[axis] + 1, to);
+            }
+            places[axis].assign(p.begin() + low_[axis], p.begin() + high_[axis] + 1);
+        }
+        std::optional<FacetCut<D>> facets(std::in_place, kind_.vertices, kind_.surface->elements, *kind_.links, places, low_);
+        for (int d = 0; d < face_kinds<D>; ++d) {
+            Index<D> end = high_;
+            if constexpr (D == 3) {
+                end[d] = high_[d] + 1;
+                const bool own_last = slab_.end == index_.low[2] + index_.size[2] - 1;
+                if (d == 2)
+                    end[2] = std::min(end[2], slab_.end + own_last);
+                if (grid_.periodic(d))
+                    end[d] = std::min(end[d], grid_.cells()[d]);
+            }
+            auto& face = cut_.face[d];
+            DenseIndex<D> local(low_, end);
+            std::vector<char> chained(local.count, 0);
+            for (const ChainedFace<D>& f : facets->chained_faces()) {
+                if ((D == 3 && f.axis != d) || (f.face.array() >= end.array()).any())
+                    continue;
+                chained[local(f.face)] = 1;
+                std::int32_t& number = face[index_(f.face)];
+                if (number == Complex<D>::solid)
+                    continue;
+                if (number < 0) {
+                    number = static_cast<std::int32_t>(slab_.faces.size());
+                    slab_.faces.push_back({index_(f.face), static_cast<std::int8_t>(d), CutFace<D>::State::simple, 0, image_});
+                    make_general(slab_, slab_.faces.back());
+                } else {
+                    make_general(slab_, slab_.faces[number]);
+                    slab_.details[slab_.faces[number].detail].images.push_back(image_);
+                }
+            }
+            for_each_index<D>(low_, end, [&](const Index<D>& f) {
+                if (chained[local(f)] || !facets->covered(f))
+                    return;
+                std::int32_t& number = face[index_(f)];
+                if (number >= 0)
+                    slab_.faces[number].state = CutFace<D>::State::dead;
+                number = Complex<D>::solid;
+            });
+        }
+        return facets;
+    }
+
+private:
+    const Grid<D>& grid_;
+    const GridPlanes<D>& planes_;
+    const DenseIndex<D>& index_;
+    const PlacedSolid<D>& solid_;
+    const FacetKind<D>& kind_;
+    int image_;
+    CutFaces<D>& cut_;
+    Slab<D>& slab_;
+    Index<D> low_, high_;
+};
+
+template <int D>
+void fill_square_of_facets(const GridPlanes<D>& planes, const FacetCut<D>& facets, int d, const Index<D>& f, SquareSolid& solid)
+{
+    solid.section = nullptr;
+    solid.inverse = solid.section_inside = false;
+    solid.arcs.clear();
+    const Vec<2> low(planes.place[u_axis<D>(d)][f[u_axis<D>(d)]], planes.place[v_axis<D>(d)][f[v_axis<D>(d)]]);
+    for (int e = 0; e < 4; ++e) {
+        solid.edges[e].clear();
+        for (const EdgeCover& cover : facets.edge(edge_axis<D>(d, e), edge_start<D>(d, f, e)))
+            solid.edges[e].push_back({low[e % 2] + cover.from, low[e % 2] + cover.to});
+    }
+    const FaceChains chains = facets.face(D == 3 ? d : 2, f);
+    for (int k = 0; k < chains.size(); ++k) {
+        const FacetChain chain = chains[k];
+        SquareArc arc;
+        const std::size_t n = chain.points.size();
+        arc.from = low + chain.points[0];
+        arc.to = low + chain.points[n - 1];
+        if (!chain.closed()) {
+            arc.start = {chain.first_edge, arc.from[chain.first_edge % 2]};
+            arc.end = {chain.last_edge, arc.to[chain.last_edge % 2]};
+        }
+        for (std::size_t i = 0; i + 1 < n; ++i)
+            arc.segments.push_back({low + chain.points[i], low + chain.points[i + 1], nullptr, chain.facets[i], false, false});
+        solid.arcs.push_back(arc);
+    }
+}
+
 /// Fills what a convex solid covers of a rectangle's edges, from the same numbers as Marking.
 template <int D, class Kind>
 void fill_square(const GridPlanes<D>& planes, const PlacedSolid<D>& placed, const Kind& kind, int d, const Index<D>& f,
@@ -405,7 +518,7 @@ struct PlacedDepth final : Square::Depth {
 /// Faces that more than one solid, or one in an uncommon way, cuts.
 template <int D>
 void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
-                 Slab<D>& slab)
+                 const std::vector<std::optional<FacetCut<D>>>& facets, Slab<D>& slab)
 {
     Square square;
     std::vector<Section> sections;
@@ -428,7 +541,8 @@ void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const 
                     if constexpr (!std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<D>>) {
                         sections[k] = kind.section(d, at);
                         fill_square<D>(planes, placed, kind, d, f, sections[k], square.solids[k]);
-                    }
+                    } else
+                        fill_square_of_facets<D>(planes, *facets[detail.images[k]], d, f, square.solids[k]);
                 },
                 placed.kind);
         }
@@ -477,15 +591,19 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
     cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
     for_each_job(static_cast<int>(cut.slabs.size()), [&](int s) {
         Slab<D>& slab = cut.slabs[s];
+        std::vector<std::optional<FacetCut<D>>> facets(solids.size());
         for (std::size_t k = 0; k < solids.size(); ++k)
             std::visit(
                 [&](const auto& kind) {
                     using Kind = std::decay_t<decltype(kind)>;
                     if constexpr (!std::is_same_v<Kind, FacetKind<D>>)
                         Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
+                    else
+                        facets[k] =
+                            FacetMarking<D>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                 },
                 solids[k].kind);
-        cut_general(planes, index, solids, slab);
+        cut_general(planes, index, solids, facets, slab);
     });
     return cut;
 }

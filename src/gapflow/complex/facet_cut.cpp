@@ -718,16 +718,16 @@ private:
             std::vector<int>& row_starts = cut_.row_starts_[slot];
             row_starts.reserve(row_count(slot) + 1);
             for (int row = 0; row < row_count(slot); ++row, ++key) {
-                row_starts.push_back(int(cut_.cut_faces_.size()));
+                row_starts.push_back(int(cut_.chained_.size()));
                 for (int i = starts[key]; i < starts[key + 1]; ++i) {
                     if (i == starts[key] || chains_[i].u != chains_[i - 1].u)
-                        cut_.cut_faces_.push_back(
+                        cut_.chained_.push_back(
                             {D == 2 ? 2 : slot, face_of(slot, row, chains_[i].u) + cut_.low_, int(cut_.records_.size()), 0});
-                    ++cut_.cut_faces_.back().chain_count;
+                    ++cut_.chained_.back().chain_count;
                     cut_.records_.push_back(chains_[i].record);
                 }
             }
-            row_starts.push_back(int(cut_.cut_faces_.size()));
+            row_starts.push_back(int(cut_.chained_.size()));
         }
     }
     Index<D> face_of(int slot, int row, int u) const
@@ -745,7 +745,7 @@ private:
 
     void place_chain_ends()
     {
-        for (const CutFace<D>& face : cut_.cut_faces_) {
+        for (const ChainedFace<D>& face : cut_.chained_) {
             choose_axis(face.axis);
             for (int i = 0; i < face.chain_count; ++i) {
                 const FaceChains::Record& chain = cut_.records_[face.first_chain + i];
@@ -847,8 +847,8 @@ FaceChains FacetCut<D>::face(int axis, const Index<D>& f) const
 {
     const Index<D> local = f - low_;
     const int slot = face_slot(axis), r = row(axis, local), u = (axis + 1) % 3;
-    const auto begin = cut_faces_.begin() + row_starts_[slot][r], end = cut_faces_.begin() + row_starts_[slot][r + 1];
-    const auto at = std::lower_bound(begin, end, f[u], [u](const CutFace<D>& face, int i) { return face.face[u] < i; });
+    const auto begin = chained_.begin() + row_starts_[slot][r], end = chained_.begin() + row_starts_[slot][r + 1];
+    const auto at = std::lower_bound(begin, end, f[u], [u](const ChainedFace<D>& face, int i) { return face.face[u] < i; });
     return at != end && at->face[u] == f[u] ? chains(*at) : FaceChains();
 }
 

@@ -72,7 +72,7 @@ private:
 
 /// A face with chains.
 template <int D>
-struct CutFace {
+struct ChainedFace {
     int axis;
     Index<D> face;
     int first_chain, chain_count; ///< see FacetCut::chains
@@ -109,8 +109,8 @@ public:
     FaceChains face(int axis, const Index<D>& f) const;
 
     /// All faces with chains, sorted by axis and place.
-    std::span<const CutFace<D>> cut_faces() const { return cut_faces_; }
-    FaceChains chains(const CutFace<D>& face) const
+    std::span<const ChainedFace<D>> chained_faces() const { return chained_; }
+    FaceChains chains(const ChainedFace<D>& face) const
     {
         return {std::span(records_).subspan(face.first_chain, face.chain_count), points_.data(), facets_.data()};
     }
@@ -162,8 +162,8 @@ private:
     std::array<std::vector<CutEdge>, D> cut_edges_;      // one more at the end
     std::array<std::vector<EdgeCover>, D> covers_;       // of the cut edges
     std::vector<int> line_windings_;                     // at the first vertex of each line along axis 0
-    std::array<std::vector<int>, face_axes> row_starts_; // of each row of faces in cut_faces_, and the end
-    std::vector<CutFace<D>> cut_faces_;
+    std::array<std::vector<int>, face_axes> row_starts_; // of each row of faces in chained_, and the end
+    std::vector<ChainedFace<D>> chained_;
     std::vector<FaceChains::Record> records_;
     std::vector<Vec<2>> points_;
     std::vector<int> facets_;

@@ -1,5 +1,7 @@
 #include "gapflow/complex/placed.hpp"
 
+#include "gapflow/complex/facet_cut.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -76,9 +78,25 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
             kind.centre = centre;
             kind.reach = kind.planes > 1 ? bounding_radius(shape.bounds()) / grid.dx() : 0;
             placed.kind = kind;
-        } else
-            placed.kind = FacetKind<D>{&solid.shape};
-        result.push_back(placed);
+        } else {
+            // Images of one solid share the surface; they come one after the other.
+            FacetKind<D> kind;
+            const auto* before = !result.empty() && result.back().solid == image.solid
+                                     ? std::get_if<FacetKind<D>>(&result.back().kind)
+                                     : nullptr;
+            if (before) {
+                kind.surface = before->surface;
+                kind.links = before->links;
+            } else {
+                kind.surface = std::make_shared<SurfaceMesh<D>>(shape.display_mesh(0));
+                kind.links = std::make_shared<std::vector<std::array<int, D>>>(
+                    facet_links<D>(static_cast<int>(kind.surface->vertices.size()), kind.surface->elements));
+            }
+            for (const Vec<D>& x : kind.surface->vertices)
+                kind.vertices.push_back(at(solid.shape.to_world(x)));
+            placed.kind = std::move(kind);
+        }
+        result.push_back(std::move(placed));
     }
     return result;
 }

@@ -5,6 +5,7 @@
 #include "gapflow/geometry/solid.hpp"
 #include "gapflow/grid/grid.hpp"
 
+#include <memory>
 #include <variant>
 
 namespace gapflow {
@@ -26,10 +27,12 @@ struct GridPlanes {
 /// Rounded to a multiple of 2^-36: sums with whole numbers below 2^16 are exact.
 double rounded(double x);
 
-/// Facets (meshes, polygons): see facet_cut.
+/// A closed surface of facets: meshes and polygons.
 template <int D>
 struct FacetKind {
-    const PlacedShape<D>* shape;
+    std::vector<Vec<D>> vertices; ///< in cells, rounded
+    std::shared_ptr<const SurfaceMesh<D>> surface;
+    std::shared_ptr<const std::vector<std::array<int, D>>> links; ///< facet_links
 };
 
 template <int D>

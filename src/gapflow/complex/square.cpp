@@ -52,7 +52,13 @@ Vec<2> ArcSegment::at(double t) const
 {
     if (!curve)
         return from + t * (to - from);
-    const Vec<2> a = curve->scaled(from), b = curve->scaled(to);
+    const Vec<2> a = curve->scaled(from), b = curve->scaled(to), chord = curve->axes(Vec<2>(to - from));
+    if (const double half = 0.5 * chord.norm(); !whole && half < 0.5 && a.dot(b) > 0 && (cross(a, chord) <= 0) != backwards) {
+        // A small angle: between the ends, so that the centre of a long ellipse costs no digits.
+        const double angle = 2 * std::asin(half), to_share = std::sin(t * angle) / std::sin(angle),
+                     rest = -2 * std::sin(0.5 * t * angle) * std::sin(0.5 * (1 - t) * angle) / std::cos(0.5 * angle);
+        return from + to_share * (to - from) + rest * (curve->centre - from);
+    }
     double angle = -std::atan2(cross(a, b), a.dot(b)); // clockwise from a to b
     if (whole)
         angle = 2 * std::numbers::pi;
@@ -73,6 +79,9 @@ double ArcSegment::nearest(const Vec<2>& x) const
         return length2 > 0 ? std::clamp((x - from).dot(way) / length2, 0.0, 1.0) : 0.0;
     }
     const Vec<2> a = curve->scaled(from), b = curve->scaled(to), s = curve->scaled(x);
+    if (const Vec<2> chord = curve->axes(Vec<2>(to - from));
+        !whole && chord.norm() < 1e-4 && (cross(a, chord) <= 0) != backwards) // straight but for a millionth
+        return std::clamp((x - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
     const double turn = backwards ? -1 : 1;
     const auto angle = [&](const Vec<2>& y) { // from a, along the way
         const double way = -turn * std::atan2(cross(a, y), a.dot(y));

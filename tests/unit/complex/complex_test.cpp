@@ -58,7 +58,14 @@ template <int D>
 std::unique_ptr<Shape<D>> random_shape(std::mt19937& random, double size)
 {
     std::uniform_real_distribution<double> number(0, 1);
-    switch (static_cast<int>(number(random) * (D == 3 ? 4 : 3))) {
+    switch (static_cast<int>(number(random) * (D == 3 ? 5 : 4))) {
+    case 3: // facets
+        if constexpr (D == 3)
+            return make_mesh<3>(
+                (number(random) < 0.5 ? make_ball<3>(size) : make_cylinder(size, 0.1 * size))->display_mesh(0.05 * size),
+                "facets");
+        else
+            return make_mesh<2>(make_ball<2>(size)->display_mesh(0.05 * size), "facets");
     case 0:
         return make_ball<D>(size);
     case 1: {

@@ -447,7 +447,7 @@ void check(const SurfaceMesh<D>& mesh, const Planes<D>& planes, const What& what
             ASSERT_NEAR(covered[0], area, 1e-9);
         }
     }
-    ASSERT_EQ(cut_count, cut.cut_faces().size());
+    ASSERT_EQ(cut_count, cut.chained_faces().size());
     if constexpr (D == 3)
         for_box<3>(low, high - Index<3>::Ones(), [&](const Index<3>& cell) { check_cell(cut, cell); });
     if (what.vertices)
@@ -585,7 +585,7 @@ TEST(FacetCut, HandValuesOfABoxInOneCell)
     for (std::size_t k = 0; k + 1 < chains[0].points.size(); ++k)
         area += 0.5 * cross(chains[0].points[k], chains[0].points[k + 1]);
     EXPECT_EQ(area, -0.25); // clockwise round the solid
-    EXPECT_EQ(cut.cut_faces().size(), 2u);
+    EXPECT_EQ(cut.chained_faces().size(), 2u);
     EXPECT_EQ(cut.face(0, {1, 1, 1}).size(), 0);
     EXPECT_TRUE(cut.edge(2, {1, 1, 1}).empty());
 }
