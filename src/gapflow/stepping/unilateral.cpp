@@ -95,25 +95,36 @@ bool hold_back(const Model<D>& model, const Coupling<D>& there, const std::vecto
     return any;
 }
 
-// Films whose velocities turn out so different from those expected that transport gives them energy: without it. False if there are none.
+// u* of films without transport where that gives them energy: where their velocities turn out so different from those expected, and where their bodies rebound.
+// These carry the fluid on in the first part of the step and back in the second, and heads that act against the flow of the step's end would be inertia that
+// the rebound does work on. `film`, `mouth`: u* before drag and without the pressure beyond mouths. False if there are none.
 template <int D>
-bool take_back(Coupling<D>& there, const std::vector<double>& beyond_mouths, double dt, Projected<D>& end)
+bool take_back(const Model<D>& model, Coupling<D>& there, std::vector<Vec<D>> film, std::vector<double> mouth,
+               const std::vector<double>& beyond_mouths, double dt, Projected<D>& end)
 {
     if (end.account.planned.empty())
         return false;
-    std::vector<Vec<D>> velocity = end.velocity.film;
-    std::vector<double> mouth = end.velocity.mouth, factor;
-    subtract_film_gradient(there, end.impulse, velocity, mouth);
-    const std::set<FilmPair<D>> pairs = mispredicted_films(there.network, end.account, velocity, mouth);
+    std::set<FilmPair<D>> pairs;
+    if (!model.viscous()) {
+        std::vector<Vec<D>> velocity = end.velocity.film;
+        std::vector<double> flux = end.velocity.mouth;
+        subtract_film_gradient(there, end.impulse, velocity, flux);
+        pairs = mispredicted_films(there.network, end.account, velocity, flux);
+    }
+    for (const FilmPair<D>& pair : end.account.rebounding)
+        if (end.account.planned.contains(pair))
+            pairs.insert(pair);
     if (pairs.empty())
         return false;
-    take_back_transport(there.network, pairs, end.account, end.velocity.film, end.velocity.mouth, factor);
-    for (std::size_t r = 0; r < factor.size(); ++r)
+    std::vector<double> factor;
+    take_back_transport(there.network, pairs, end.account, film, mouth, factor);
+    end.velocity.film = std::move(film);
+    end.velocity.mouth = std::move(mouth);
+    start_drag(there, end.velocity);
+    for (std::size_t r = 0; r < factor.size(); ++r) {
         there.system.links[r].conductance *= factor[r];
-    const std::vector<Mouth<D>>& mouths = there.network.rim.mouths;
-    for (std::size_t r = 0; r < mouths.size(); ++r)
-        if (pairs.contains(there.network.films[mouths[r].film].pair))
-            end.velocity.mouth[r] -= there.system.links[r].conductance * dt * beyond_mouths[r];
+        end.velocity.mouth[r] -= there.system.links[r].conductance * dt * beyond_mouths[r];
+    }
     return true;
 }
 
@@ -135,6 +146,8 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
     const Stopwatch watch;
     for (std::size_t r = 0; r < star.mouth_factor.size(); ++r)
         there.system.links[r].conductance *= star.mouth_factor[r];
+    const std::vector<Vec<D>> film_star = star.velocity.film;
+    const std::vector<double> mouth_star = star.velocity.mouth;
     if (step.dt > 0)
         start_drag(there, star.velocity);
     const std::vector<double> beyond_mouths = pressure_beyond_mouths(model, there.network.rim.mouths, step.end());
@@ -187,7 +200,7 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
         settle();
     if (contacts)
         end.account.rebounding = rebounding_pairs(there, *contacts);
-    if (step.dt > 0 && !voids && !model.viscous() && take_back(there, beyond_mouths, step.dt, end)) {
+    if (step.dt > 0 && !voids && take_back(model, there, film_star, mouth_star, beyond_mouths, step.dt, end)) {
         links_changed = true;
         settle();
     }
