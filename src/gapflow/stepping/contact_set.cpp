@@ -153,7 +153,8 @@ void ContactSet<D>::prepare(const std::vector<Twist<D>>& before, const std::vect
         // Of the speed that fluid in the gap leaves until they meet.
         c.target = impact ? std::max(c.least, c.restitution * std::min(-c.approach, -rate(c.normal, c, expected))) : c.least;
         // A contact at rest may drift within the tolerance: only contacts that close in this step are held.
-        if (c.closed && c.point.distance - c.hold > cushion * dx_)
+        // And what rebounds is open until a solve has told with what speed it would close.
+        if (c.closed && (c.point.distance - c.hold > cushion * dx_ || c.target > c.least))
             c.closed = c.slides = false;
     }
 }

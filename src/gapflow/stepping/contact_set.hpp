@@ -137,6 +137,7 @@ private:
                                         double accuracy) const;
     bool goes_too_far(const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& moved, double longest) const;
     void take_impulses(const Eigen::VectorXd& impulses);
+    void limit_rebounds(const std::vector<Twist<D>>& twists);
     using States = std::vector<char>; ///< of each contact: open, sticks, slides
     bool repeats(const States& next, bool exact);
 

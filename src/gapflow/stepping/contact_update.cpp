@@ -234,11 +234,25 @@ void ContactSet<D>::remember(const std::vector<Twist<D>>& twists)
     secants_.add(stacked(twists), stacked(impulses));
 }
 
+// While none of the contacts that are to rebound is closed, the twists are those without an impact, from which a rebound of more speed would take more energy than it
+// found: impulses times the mean of the speeds without and with them.
+template <int D>
+void ContactSet<D>::limit_rebounds(const std::vector<Twist<D>>& twists)
+{
+    const auto rebounds = [](const Contact<D>& c) { return c.target > c.least; };
+    if (std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact<D>& c) { return c.closed && rebounds(c); }))
+        return;
+    for (Contact<D>& c : contacts_)
+        if (rebounds(c))
+            c.target = std::max(c.least, std::min(c.target, -c.restitution * rate(c.normal, c, twists)));
+}
+
 template <int D>
 ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const Eigen::VectorXd& impulses,
                                     const NearInertia<D>& inertia, const ContactAccuracy& accuracy, bool exact, int round)
 {
     take_impulses(impulses);
+    limit_rebounds(twists);
     if (exact)
         remember(twists);
     const ContactCheck<D> check(contacts_, twists, inertia, accuracy, secants_.secants());
@@ -280,6 +294,7 @@ ContactChange ContactSet<D>::update(const std::vector<Twist<D>>& twists, const E
     template void ContactSet<D>::forget_rounds();                                                                              \
     template void ContactSet<D>::remember(const std::vector<Twist<D>>&);                                                       \
     template void ContactSet<D>::take_impulses(const Eigen::VectorXd&);                                                        \
+    template void ContactSet<D>::limit_rebounds(const std::vector<Twist<D>>&);                                                 \
     template bool ContactSet<D>::repeats(const States&, bool);                                                                 \
     template ContactChange ContactSet<D>::update(const std::vector<Twist<D>>&, const Eigen::VectorXd&, const NearInertia<D>&,  \
                                                  const ContactAccuracy&, bool, int);
