@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gapflow {
 
@@ -36,6 +37,7 @@ bool RimJoints<D>::add(const RimPoint<D>& point, double factor, double reach, st
     const RimPoint<D>* nearest = nullptr;
     double best = std::numeric_limits<double>::infinity();
     std::array<double, D - 1> best_shape{};
+    std::vector<std::pair<double, const RimPoint<D>*>> ends; // 2D: the nearest of every film
     const Index<D> centre = grid_.cell_of(point.x);
     const double slack = 1e-9 * grid_.dx();
     const double furthest = factor * (point.h + largest_h_) + reach + slack + 0.5 * longest_edge_;
@@ -63,7 +65,11 @@ bool RimJoints<D>::add(const RimPoint<D>& point, double factor, double reach, st
     for_each_index<D>(Index<D>::Constant(-cells), Index<D>::Constant(cells + 1), [&](const Index<D>& d) {
         search(d, [&](const RimPoint<D>& other, double distance, const std::array<double, D - 1>& shape) {
             if constexpr (D == 2) {
-                joints.push_back(tie(point, other, shape));
+                const auto known = std::find_if(ends.begin(), ends.end(), [&](const auto& e) { return e.second->film == other.film; });
+                if (known == ends.end())
+                    ends.emplace_back(distance, &other);
+                else if (distance < known->first)
+                    *known = {distance, &other};
             } else if (distance < best) {
                 best = enough = distance;
                 nearest = &other;
@@ -71,6 +77,8 @@ bool RimJoints<D>::add(const RimPoint<D>& point, double factor, double reach, st
             }
         });
     });
+    for (const auto& [distance, other] : ends)
+        joints.push_back(tie(point, *other, other->shape));
     if (nearest)
         joints.push_back(tie(point, *nearest, best_shape));
     return !joints.empty();

@@ -23,7 +23,8 @@ public:
     /// `films` and `points` must last.
     RimJoints(const Grid<D>& grid, std::span<const Film<D>> films, const std::vector<RimPoint<D>>& points);
 
-    /// Ties the point to the nearest rim of other films within factor * (h + h_other) + reach. 2D: to all ends there. Whether there is one.
+    /// Ties the point to the nearest rim of other films within factor * (h + h_other) + reach. 2D: to the nearest end of every
+    /// film there, for tied to both ends of one it would lead around that film. Whether there is one.
     bool add(const RimPoint<D>& point, double factor, double reach, std::vector<Joint<D>>& joints) const;
 
 private:
