@@ -75,6 +75,7 @@ public:
 private:
     struct Sizes {
         double largest, largest_curved, smallest, straddle, straddle_open, straddle_smooth, curved;
+        double varying; ///< the smallest where h varies by more than the largest ratio
     };
 
     int add_vertex(const Vec<D>& x, const Vec<D>& nudge, int patch, bool crease, bool fixed);

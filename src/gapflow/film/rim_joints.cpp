@@ -65,7 +65,8 @@ bool RimJoints<D>::add(const RimPoint<D>& point, double factor, double reach, st
     for_each_index<D>(Index<D>::Constant(-cells), Index<D>::Constant(cells + 1), [&](const Index<D>& d) {
         search(d, [&](const RimPoint<D>& other, double distance, const std::array<double, D - 1>& shape) {
             if constexpr (D == 2) {
-                const auto known = std::find_if(ends.begin(), ends.end(), [&](const auto& e) { return e.second->film == other.film; });
+                const auto known =
+                    std::find_if(ends.begin(), ends.end(), [&](const auto& e) { return e.second->film == other.film; });
                 if (known == ends.end())
                     ends.emplace_back(distance, &other);
                 else if (distance < known->first)

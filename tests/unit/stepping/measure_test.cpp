@@ -354,6 +354,38 @@ TEST(Fluxes, AGapRoundAnEdgeCountsItsFlowOnce)
         EXPECT_NEAR(simulation.volume_flux(plane({x, 0.5, 0}, {1, 0, 0})).flux, through, 1e-8 * through) << x;
 }
 
+// A disk above a port between two sharp seats: each gap has a film along the seat's bore and one along its top, which meet at the corner, where the gap is thinnest. Tied
+// to both ends of the other, each would lead around it, and the flow would be 80 times of what it is.
+TEST(Fluxes, ThroughTwoFilmsThatMeetAtACorner)
+{
+    Scene scene = tank();
+    scene.size = {1, 1, 0};
+    scene.cells = {24, 24, 1};
+    scene.viscosity = 1;
+    scene.gap.roughness = 1e-5;
+    scene.sides[2].kind = scene.sides[3].kind = SideScene::Kind::pressure;
+    scene.sides[2].table = {"", {0}, {{1}}};
+    scene.sides[3].table = {"", {0}, {{0}}};
+    scene.bodies = {box("left", {0.35, 0.15, 0}, {0.175, 0.425, 0}), box("right", {0.35, 0.15, 0}, {0.825, 0.425, 0}),
+                    ball("disk", 0.2, {0.5, 0, 0})};
+    for (BodyScene& body : scene.bodies)
+        body.motion = BodyScene::Motion::fixed;
+    for (const double height : {0.6424626810735107, 0.6495512256733454}) {
+        scene.bodies[2].position[1] = height;
+        Simulation<2> simulation(scene, Communicator());
+        StepReport report;
+        for (int i = 0; i < 3; ++i)
+            report = simulation.step(scene.end);
+        // Where a circle's gap is thinnest by h: 12 mu q = h^2 dp, for the length h that it has to either side of the corner.
+        const double h = std::hypot(0.15, height - 0.5) - 0.2, slit = 2 * h * h / 12;
+        EXPECT_GT(simulation.volume_flux(side(3)).flux, 0.4 * slit) << height;
+        EXPECT_LT(simulation.volume_flux(side(3)).flux, 1.5 * slit) << height;
+        ASSERT_EQ(report.notes.size(), 2u) << height;
+        EXPECT_THAT(report.notes[0], testing::HasSubstr("between 'left' and 'disk' goes through a film that is shorter"));
+        EXPECT_THAT(report.notes[1], testing::HasSubstr("between 'right' and 'disk' goes through a film that is shorter"));
+    }
+}
+
 // Fluid that parting plates draw in from both sides has no direction; that of plates that slide over each other has.
 TEST(Fluxes, AlongAGapWhatGoesThrough)
 {
