@@ -47,7 +47,9 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     std::vector<RigidBody<D>> bodies = model.bodies;
     if (scene.end > 0)
         require_weight(scene, bodies);
-    std::vector<std::string> warnings = thickness_warnings<D>(scene, bodies, model.walls, Scene::Thin::allow);
+    std::vector<std::string> warnings;
+    if (!scene.parts)
+        warnings = thickness_warnings<D>(scene, bodies, model.walls, Scene::Thin::allow);
     for (std::string& warning : placement_warnings<D>(scene, bodies, model.walls))
         warnings.push_back(std::move(warning));
     const std::vector<std::string> moved =
@@ -80,7 +82,11 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     std::printf("memory    about %.3g MiB\n",
                 forecast_memory(scene, coupling.network.nodes, static_cast<long>(coupling.network.rim.mouths.size())) /
                     1048576.0);
-    std::printf("unknowns  %ld pressures, %d of them in films\n", unknowns - coupling.network.nodes, coupling.network.nodes);
+    if (scene.parts)
+        std::printf("unknowns  %ld pressures, %d of them second parts of cells\n", unknowns, coupling.system.nodes);
+    else
+        std::printf("unknowns  %ld pressures, %d of them in films\n", unknowns - coupling.network.nodes,
+                    coupling.network.nodes);
     for (const auto& [pair, sum] : pairs)
         std::printf("film      %s - %s: thinnest %.4g (%.4g cells), where thinner than %.4g cells, %zu nodes\n",
                     solids[pair.first].name.c_str(), solids[pair.second].name.c_str(), sum.thinnest, sum.thinnest / grid.dx(),
@@ -113,7 +119,10 @@ int check_command(const Scene& scene)
         std::printf("bodies    %zu, of which %td move\n", scene.bodies.size(), moving);
         for (const CrowdScene& crowd : scene.crowds)
             std::printf("crowd     %s: %d bodies, %s\n", crowd.name.c_str(), crowd.number, names_text(scene, crowd).c_str());
-        std::printf("gaps      model %s, threshold %s, roughness %s\n", scene.gap.film ? "film" : "none",
+        std::printf("gaps      model %s, threshold %s, roughness %s\n",
+                    scene.parts      ? "parts"
+                    : scene.gap.film ? "film"
+                                     : "none",
                     scene.gap.threshold ? (number_text(*scene.gap.threshold) + " cells").c_str() : "auto",
                     roughness_text(scene).c_str());
         if (scene.end <= 0 || scene.max_step <= 0)
@@ -123,7 +132,8 @@ int check_command(const Scene& scene)
         print_gaps<2>(scene, comm);
     else
         print_gaps<3>(scene, comm);
-    require_thickness(scene); // reported before all else, an error after it
+    if (!scene.parts)
+        require_thickness(scene); // reported before all else, an error after it
     return 0;
 }
 

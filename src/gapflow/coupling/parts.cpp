@@ -9,7 +9,7 @@ namespace gapflow {
 
 template <int D>
 Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
-                         double density, const Complex<D>& complex)
+                         double density, const Complex<D>& complex, const Inertia<D>& inertia)
 {
     Coupling<D> coupling;
     coupling.grid = &grid;
@@ -34,7 +34,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     });
     for (int axis = 0; axis < D; ++axis) {
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
-                          [&](const Index<D>& f) { coupling.open(axis, f) = complex.main_area[axis][complex.index(f)]; });
+                          [&](const Index<D>& f) { coupling.open(axis, f) = inertia.main_weight[axis][complex.index(f)]; });
         if (grid.periodic(axis)) { // the last face is the first one
             Index<D> low = grid.low(), high = grid.high();
             low[axis] = high[axis];
@@ -48,11 +48,12 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
 
     const double unit = std::pow(grid.dx(), D - 2) / density;
     std::vector<Eigen::Triplet<double>> film;
-    for (const FacePiece<D>& piece : complex.pieces) {
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
+        const FacePiece<D>& piece = complex.pieces[k];
         if (complex.joins_main(piece) || !(piece.area > 0))
             continue;
         const Index<D> f = complex.index.index(piece.face);
-        const double g = unit * piece.area / grid.spread(piece.axis, f[piece.axis]);
+        const double g = unit * inertia.piece_weight[k] / grid.spread(piece.axis, f[piece.axis]);
         const auto node_of = [&](const PartOrCell& side) { return side.is_part() ? node[side.number()] : -1; };
         const int low = node_of(piece.low), high = node_of(piece.high);
         if (!piece.low.exists() || !piece.high.exists()) { // a side of the domain
@@ -87,6 +88,21 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
             else
                 cells.add(coupling, complex.cell_of_part(p), patch.solid, flux);
         }
+    for (const LentFlux<D>& lent : inertia.flux) {
+        Twist<D> flux = area * lent.flux;
+        flux.template tail<spin_size<D>>() *= grid.dx();
+        if (lent.row.is_part() && node[lent.row.number()] >= 0)
+            nodes.add(coupling, node[lent.row.number()], lent.solid, flux);
+        else
+            cells.add(coupling, complex.index.index(complex.cell_of(lent.row)), lent.solid, flux);
+    }
+    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
+        for (int d = 0; d < D; ++d)
+            if (const double mass_of = density * std::pow(grid.dx(), D) * inertia.volume[s][d]; mass_of != 0) {
+                Twist<D> row = Twist<D>::Zero();
+                row[d] = 1;
+                coupling.normal_inertia.push_back({static_cast<int>(s), static_cast<int>(s), row, Twist<D>::Zero(), mass_of});
+            }
     coupling.cell_flux = std::move(cells.all);
     system.cell_flux = std::move(cells.free);
     coupling.node_flux = std::move(nodes.all);
@@ -98,8 +114,8 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
 }
 
 template Coupling<2> couple_parts(const Grid<2>&, std::vector<Solid<2>>, const std::vector<TwistMatrix<2>>&, double,
-                                  const Complex<2>&);
+                                  const Complex<2>&, const Inertia<2>&);
 template Coupling<3> couple_parts(const Grid<3>&, std::vector<Solid<3>>, const std::vector<TwistMatrix<3>>&, double,
-                                  const Complex<3>&);
+                                  const Complex<3>&, const Inertia<3>&);
 
 } // namespace gapflow

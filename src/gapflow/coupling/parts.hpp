@@ -2,7 +2,7 @@
 // unknown, every other part takes a node; face pieces between two largest parts are the grid's conductance, all others are sparse.
 #pragma once
 
-#include "gapflow/complex/complex.hpp"
+#include "gapflow/complex/inertia.hpp"
 #include "gapflow/coupling/coupling.hpp"
 
 namespace gapflow {
@@ -10,6 +10,6 @@ namespace gapflow {
 /// As couple(), without films. `mass` holds the generalised mass of each solid (used for free ones). One rank.
 template <int D>
 Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
-                         double density, const Complex<D>& complex);
+                         double density, const Complex<D>& complex, const Inertia<D>& inertia);
 
 } // namespace gapflow

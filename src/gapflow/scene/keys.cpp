@@ -20,7 +20,13 @@ constexpr KeyRange non_negative{0, infinity};
 std::vector<KeyInfo> gap_keys()
 {
     return {
-        {"gap.model", T::choice, "", "\"film\"", any, {"film", "none"}, "thin gaps carry films, or are left to the grid"},
+        {"gap.model",
+         T::choice,
+         "",
+         "\"film\"",
+         any,
+         {"film", "none", "parts"},
+         "thin gaps carry films, or are left to the grid; parts: added masses with bodies of any thickness, no runs yet"},
         {"gap.threshold",
          T::number_or_word,
          "cells",

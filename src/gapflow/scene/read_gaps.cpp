@@ -24,8 +24,11 @@ void read_settings(const Values& v, const std::string& gap_table, const std::str
 {
     const auto wanted = [&](const std::string& name) { return defaults || v.given(name); };
     const std::string& g = gap_table;
-    if (wanted(g + "model"))
+    if (wanted(g + "model")) {
         gap.film = v.text(g + "model") == "film";
+        if (!defaults && v.text(g + "model") == "parts")
+            v.refuse(g + "model", "parts are a model of the whole scene, not of a pair", "write model = \"parts\" in [gap]");
+    }
     if (const Node* threshold = v.given(g + "threshold"))
         gap.threshold = threshold->numeric() ? std::optional(threshold->number) : std::nullopt;
     if (wanted(g + "contact"))
@@ -109,6 +112,11 @@ void read_pair(const Values& v, double automatic, Scene& scene)
 void read_gaps(const Values& v, Purpose purpose, Scene& scene)
 {
     read_settings(v, "gap.", "contact.", true, roughness_of_auto(purpose, scene), scene.gap, scene.contact);
+    scene.parts = v.text("gap.model") == "parts";
+    if (scene.parts && purpose == Purpose::run)
+        v.refuse("gap.model",
+                 "this version computes added masses with \"parts\" (gapflow added-mass, gapflow check), and no runs",
+                 "write \"film\" or \"none\"; runs with \"parts\" come with version 0.2");
     check_dry(v, "gap.", scene.gap, scene);
     if (scene.vapour_pressure)
         check_level(v, "fluid.vapour_pressure", scene);

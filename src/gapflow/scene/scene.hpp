@@ -201,6 +201,7 @@ struct Scene {
     Fractions fractions = Fractions::cut_cell;
     Advection advection = Advection::maccormack;
     Thin thin = Thin::refuse; ///< bodies thinner than a cell
+    bool parts = false; ///< gap.model = "parts": every connected part of a cell's fluid is an unknown; bodies of any thickness
 
     GapScene gap;
     ContactScene contact;

@@ -38,9 +38,9 @@ Json side_json(const SideScene& side, const Lists& list)
     return word({"wall", "open", "periodic"}, side.kind);
 }
 
-Json gap_json(const GapScene& gap)
+Json gap_json(const GapScene& gap, bool parts = false)
 {
-    return {{"model", gap.film ? "film" : "none"},
+    return {{"model", parts ? "parts" : gap.film ? "film" : "none"},
             {"threshold", gap.threshold ? Json(*gap.threshold) : Json("auto")},
             {"contact", word({"wet", "dry"}, gap.contact)},
             {"roughness", gap.roughness},
@@ -222,7 +222,7 @@ std::string scene_as_json(const Scene& scene)
     json["grid"] = {{"fractions", word({"cut-cell", "voxel"}, scene.fractions)},
                     {"advection", word({"maccormack", "semi-lagrangian"}, scene.advection)},
                     {"thin", word({"refuse", "allow"}, scene.thin)}};
-    json["gap"] = gap_json(scene.gap);
+    json["gap"] = gap_json(scene.gap, scene.parts);
     json["contact"] = contact_json(scene.contact);
     json["pair"] = Json::array();
     for (const PairScene& pair : scene.pairs) {

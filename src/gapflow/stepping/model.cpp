@@ -1,5 +1,7 @@
 #include "gapflow/stepping/model.hpp"
 
+#include "gapflow/coupling/parts.hpp"
+
 #include "gapflow/body/forces.hpp"
 
 #include <algorithm>
@@ -136,6 +138,13 @@ Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, std::vector<T
                               StageTimers* timers, const FaceFractions<D>* before) const
 {
     mass.resize(at.size() + walls.solids.size(), TwistMatrix<D>::Identity());
+    if (scene.parts) {
+        if (grid.comm().size() > 1)
+            throw InputError(scene.file + ": gap.model: \"parts\" are computed on one rank; start one process");
+        const std::vector<Solid<D>> all = solids(at);
+        const Complex<D> complex = build_complex<D>(grid, all);
+        return couple_parts<D>(grid, all, mass, scene.density, complex, find_inertia<D>(grid, all, complex));
+    }
     return couple<D>(grid, solids(at), mass, {scene.density, fraction_mode(scene), timers, viscosity_dt}, gaps, alive, drag,
                      before);
 }

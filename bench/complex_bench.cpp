@@ -1,0 +1,64 @@
+// Times of the complex of fluid parts: complex_bench balls CELLS NUMBER RADIUS, or complex_bench mesh CELLS SUBDIVISION.
+// Balls: at random places apart by 0.1 cells or more, radius in cells. Mesh: a ball of 0.3 of the domain's width.
+#include "gapflow/complex/inertia.hpp"
+#include "gapflow/core/timer.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <random>
+#include <string>
+
+using namespace gapflow;
+
+int main(int argc, char** argv)
+{
+    MPI_Init(&argc, &argv);
+    if (argc < 4) {
+        std::fprintf(stderr, "usage: complex_bench balls CELLS NUMBER RADIUS | mesh CELLS TOLERANCE\n");
+        return 2;
+    }
+    const int n = std::atoi(argv[2]);
+    std::array<SideKind, 6> sides;
+    sides.fill(SideKind::wall);
+    const Grid<3> grid(Vec<3>::Zero(), 1.0 / n, Index<3>::Constant(n), sides, 2, Communicator(MPI_COMM_SELF));
+    std::vector<std::unique_ptr<Shape<3>>> shapes;
+    std::vector<Solid<3>> solids;
+    if (std::string(argv[1]) == "balls") {
+        const double r = std::atof(argv[4]) / n;
+        shapes.push_back(make_ball<3>(r));
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> place(r + 0.1 / n, 1 - r - 0.1 / n);
+        std::vector<Vec<3>> at;
+        for (long tries = 0; static_cast<int>(at.size()) < std::atoi(argv[3]) && tries < 20000000; ++tries) {
+            const Vec<3> x(place(random), place(random), place(random));
+            bool free = true;
+            for (const Vec<3>& y : at)
+                free = free && (x - y).norm() > 2 * r + 0.1 / n;
+            if (free)
+                at.push_back(x);
+        }
+        for (const Vec<3>& x : at) {
+            Pose<3> pose;
+            pose.position = x;
+            solids.push_back({"ball", PlacedShape<3>(*shapes[0], pose), x});
+        }
+    } else {
+        shapes.push_back(make_mesh<3>(make_ball<3>(0.3)->display_mesh(std::atof(argv[3]) / n), "ball"));
+        Pose<3> pose;
+        pose.position = Vec<3>(0.501, 0.497, 0.503);
+        solids.push_back({"ball", PlacedShape<3>(*shapes[0], pose), pose.position});
+        std::printf("%zu facets\n", shapes[0]->display_mesh(0).elements.size());
+    }
+    for (int k = 0; k < 5; ++k) {
+        const Stopwatch watch;
+        const Complex<3> complex = build_complex<3>(grid, solids);
+        const double built = watch.seconds();
+        const Inertia<3> inertia = find_inertia<3>(grid, solids, complex);
+        std::printf("%zu solids, %d cut cells, %d parts, %zu pieces: complex %.1f ms, weights %.1f ms, %.0f bytes a cell\n",
+                    solids.size(), complex.cut_cells(), complex.parts(), complex.pieces.size(), 1e3 * built,
+                    1e3 * (watch.seconds() - built), double(complex.bytes()) / grid.owned_cells());
+    }
+    MPI_Finalize();
+    return 0;
+}

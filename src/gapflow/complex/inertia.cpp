@@ -1,0 +1,286 @@
+#include "gapflow/complex/inertia.hpp"
+
+#include "gapflow/complex/placed.hpp"
+#include "gapflow/grid/field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace gapflow {
+namespace {
+
+/// Volume of a solid between the planes of the grid, as the planes normal to d see it: the sum of its sections.
+template <int D>
+double seen_volume(const BallKind<D>& kind, int d)
+{
+    double sum = 0;
+    for (double at = std::ceil(kind.centre[d] - kind.radius); at <= kind.centre[d] + kind.radius; ++at) {
+        const double r2 = kind.radius * kind.radius - (at - kind.centre[d]) * (at - kind.centre[d]);
+        sum += r2 > 0 ? (D == 2 ? 2 * std::sqrt(r2) : std::numbers::pi * r2) : 0.0;
+    }
+    return sum;
+}
+
+template <int D, class Kind>
+double seen_volume_of_sections(const Kind& kind, const Vec<D>& low, const Vec<D>& high, int d)
+{
+    double sum = 0;
+    for (double at = std::ceil(low[d]); at <= high[d]; ++at)
+        if constexpr (D == 2) {
+            const Stretch s = kind.line(1 - d, at * unit<2>(d));
+            sum += s.empty() ? 0.0 : s.to - s.from;
+        } else if (const Section section = kind.section(d, at); !section.empty())
+            sum -= section.whole().area; // clockwise
+    return sum;
+}
+
+template <int D>
+double seen_volume(const FacetKind<D>& kind, const Vec<D>&, const Vec<D>&, int d)
+{
+    // The border of each section, facet by facet: 1/2 x cross dx; in 2D its ends.
+    double sum = 0;
+    for (const auto& element : kind.surface->elements) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const int i : element) {
+            low = std::min(low, kind.vertices[i][d]);
+            high = std::max(high, kind.vertices[i][d]);
+        }
+        for (double at = std::ceil(low); at < high; ++at) { // a vertex in the plane lies below it
+            if (low >= at)
+                continue;
+            std::array<Vec<D>, 2> up_down; // where the facet's border goes up through the plane and where down
+            for (int k = 0; k < D; ++k) {
+                const Vec<D>&a = kind.vertices[element[k]], &b = kind.vertices[element[(k + 1) % D]];
+                const bool above_a = a[d] > at, above_b = b[d] > at;
+                if (above_a == above_b)
+                    continue;
+                const double t = (at - a[d]) / (b[d] - a[d]);
+                const Vec<D> x = a + t * (b - a);
+                if constexpr (D == 2) {
+                    // The solid lies on the left of the segment from a to b: upwards along x its interior has smaller y.
+                    sum += (d == 0 ? 1 : -1) * (above_b ? -1 : 1) * x[1 - d];
+                    break;
+                } else
+                    up_down[above_b ? 0 : 1] = x;
+            }
+            if constexpr (D == 3) {
+                const int u = (d + 1) % 3, v = (d + 2) % 3;
+                sum += 0.5 * (up_down[1][u] * up_down[0][v] - up_down[1][v] * up_down[0][u]);
+            }
+        }
+    }
+    return sum;
+}
+
+template <int D>
+double seen(const PlacedSolid<D>& solid, int d)
+{
+    return std::visit(
+        [&](const auto& kind) -> double {
+            using Kind = std::decay_t<decltype(kind)>;
+            if constexpr (std::is_same_v<Kind, BallKind<D>>)
+                return seen_volume(kind, d);
+            else if constexpr (std::is_same_v<Kind, FacetKind<D>>)
+                return std::abs(seen_volume(kind, solid.low, solid.high, d));
+            else
+                return seen_volume_of_sections<D>(kind, solid.low, solid.high, d);
+        },
+        solid.kind);
+}
+
+/// Finds the piece beside another one in the same plane of the grid.
+template <int D>
+class Neighbours {
+public:
+    struct Place {
+        std::int32_t piece = -1; ///< -1: all of an open face
+        std::int32_t face = -1;  ///< -1: none
+        double area = 0;
+    };
+
+    Neighbours(const Grid<D>& grid, const Complex<D>& complex) : grid_(grid), complex_(complex)
+    {
+        for (int d = 0; d < D; ++d)
+            first_[d].assign(complex.index.count, -1);
+        next_.assign(complex.pieces.size(), -1);
+        for (std::size_t k = complex.pieces.size(); k-- > 0;) {
+            std::int32_t& first = first_[complex.pieces[k].axis][complex.pieces[k].face];
+            next_[k] = first;
+            first = static_cast<std::int32_t>(k);
+        }
+    }
+
+    /// The piece of the face `steps` beyond f along t whose centroid is nearest to that of the given piece, moved as far.
+    Place beside(const FacePiece<D>& from, int t, int steps) const
+    {
+        Index<D> f = complex_.index.index(from.face);
+        f[t] += steps;
+        f = grid_.wrapped(f);
+        if (f[t] < 0 || f[t] >= grid_.cells()[t])
+            return {};
+        const std::int32_t face = complex_.index(f), first = first_[from.axis][face];
+        if (first < 0)
+            return {-1, complex_.main_area[from.axis][face] > 0 ? face : -1, complex_.main_area[from.axis][face]};
+        Place best;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::int32_t k = first; k >= 0; k = next_[k]) {
+            Vec<D> way = complex_.pieces[k].centroid - from.centroid;
+            way[t] = 0; // across: the same side of a thin solid
+            if (way.norm() < least) {
+                least = way.norm();
+                best = {k, face, complex_.pieces[k].area};
+            }
+        }
+        return best;
+    }
+
+private:
+    const Grid<D>& grid_;
+    const Complex<D>& complex_;
+    std::array<std::vector<std::int32_t>, D> first_;
+    std::vector<std::int32_t> next_;
+};
+
+template <int D>
+class Lending {
+public:
+    Lending(const Grid<D>& grid, const Complex<D>& complex, Inertia<D>& inertia)
+        : grid_(grid), complex_(complex), inertia_(inertia), neighbours_(grid, complex)
+    {
+    }
+
+    void lend()
+    {
+        for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
+            const FacePiece<D>& piece = complex_.pieces[k];
+            if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
+                continue;
+            find_shares(piece);
+            if (shares_.empty())
+                continue;
+            const Index<D> f = complex_.index.index(piece.face);
+            for (int t = 0; t < D; ++t) {
+                if (t == piece.axis)
+                    continue;
+                const double centre = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx(),
+                             offset = piece.centroid[t] - centre;
+                const int towards = offset > 0 ? 1 : -1;
+                const auto next = neighbours_.beside(piece, t, towards);
+                if (next.face < 0)
+                    continue;
+                const double lent = 0.5 * std::min(1.0, next.area / piece.area) * piece.area * std::abs(offset);
+                const auto after = neighbours_.beside(piece, t, 2 * towards);
+                const double more = after.face >= 0 ? 0.5 * lent * std::min(1.0, after.area / piece.area) : 0.0;
+                add(piece, {static_cast<std::int32_t>(k), piece.face, piece.area}, -lent - more);
+                add(piece, next, lent + 2 * more);
+                if (more > 0)
+                    add(piece, after, -more);
+            }
+        }
+    }
+
+private:
+    /// A solid beside a piece: its walls in the parts on the two sides.
+    struct Share {
+        std::int32_t solid;
+        double size; ///< of the area vectors; in the end over the sum of all
+        Vec<D> area;
+        Spin<D> moment;
+    };
+
+    void find_shares(const FacePiece<D>& piece)
+    {
+        shares_.clear();
+        double sum = 0;
+        for (const PartOrCell& side : {piece.low, piece.high})
+            if (side.is_part())
+                for (const WallPatch<D>& patch : complex_.patches_of(side.number())) {
+                    const double size = patch.area.norm();
+                    sum += size;
+                    auto known = std::find_if(shares_.begin(), shares_.end(),
+                                              [&](const Share& share) { return share.solid == patch.solid; });
+                    if (known != shares_.end()) {
+                        known->size += size;
+                        known->area += patch.area;
+                        known->moment += patch.moment;
+                    } else
+                        shares_.push_back({patch.solid, size, patch.area, patch.moment});
+                }
+        for (Share& share : shares_)
+            share.size /= sum > 0 ? sum : 1;
+    }
+
+    PartOrCell main_of(const Index<D>& c) const
+    {
+        const Index<D> w = grid_.wrapped(c);
+        const int at = complex_.index(w), number = complex_.cell[at];
+        return number >= 0 ? PartOrCell::part(complex_.first_part[number]) : PartOrCell::cell(at);
+    }
+
+    void add(const FacePiece<D>& lender, const typename Neighbours<D>::Place& place, double area)
+    {
+        const int d = lender.axis;
+        const Index<D> f = complex_.index.index(place.face);
+        PartOrCell low, high;
+        if (place.piece >= 0) {
+            const FacePiece<D>& piece = complex_.pieces[place.piece];
+            inertia_.piece_weight[place.piece] += area;
+            if (complex_.joins_main(piece))
+                inertia_.main_weight[d][place.face] += area;
+            low = piece.low;
+            high = piece.high;
+        } else {
+            inertia_.main_weight[d][place.face] += area;
+            low = main_of(f - step<D>(d));
+            high = main_of(f);
+        }
+        for (const Share& share : shares_) {
+            // A wall that turns moves with its speed along its normal: one that turns in itself lends nothing.
+            Twist<D> flux = Twist<D>::Zero();
+            flux[d] = share.size * area;
+            if (const double square = share.area.squaredNorm(); square > 0)
+                flux.template tail<spin_size<D>>() = share.size * area * share.area[d] / square * share.moment;
+            inertia_.flux.push_back({high, share.solid, flux});
+            inertia_.flux.push_back({low, share.solid, -flux});
+        }
+    }
+
+    const Grid<D>& grid_;
+    const Complex<D>& complex_;
+    Inertia<D>& inertia_;
+    Neighbours<D> neighbours_;
+    std::vector<Share> shares_;
+};
+
+} // namespace
+
+template <int D>
+Inertia<D> find_inertia(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
+{
+    Inertia<D> inertia;
+    inertia.main_weight = complex.main_area;
+    for (const FacePiece<D>& piece : complex.pieces)
+        inertia.piece_weight.push_back(piece.area);
+    Lending<D>(grid, complex, inertia).lend();
+
+    inertia.volume.assign(solids.size(), Vec<D>::Zero());
+    const GridPlanes<D> planes(grid);
+    std::vector<char> known(solids.size(), 0);
+    for (const PlacedSolid<D>& placed :
+         place_solids<D>(grid, planes, solids, planes.in_cells(grid.origin()), planes.in_cells(grid.origin() + grid.size()))) {
+        const double volume = solids[placed.solid].shape.shape().mass_properties().volume / std::pow(grid.dx(), D);
+        if (std::exchange(known[placed.solid], 1) || !std::isfinite(volume))
+            continue; // images see the same
+        for (int d = 0; d < D; ++d)
+            inertia.volume[placed.solid][d] = (placed.inverse ? -1 : 1) * (seen(placed, d) - volume);
+    }
+    return inertia;
+}
+
+template Inertia<2> find_inertia(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&);
+template Inertia<3> find_inertia(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&);
+
+} // namespace gapflow

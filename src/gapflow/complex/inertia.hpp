@@ -1,0 +1,38 @@
+// The kinetic energy of the complex, T = 1/2 sum_f a_f (u_f - U)^2 + 1/2 V D V + ..., of a fluid at rest far away (theory, "The bulk").
+//
+// With a_f = A, the open areas, T is a quadrature of the relative velocity's square with an error that depends on where a wall crosses a cell and whose
+// mean over places is not zero. A cut face therefore lends area to its neighbours: of its first moment m = A c about its own centre -3/4, 1 and -1/4 go
+// to itself, to the next face towards c and to the one after it. Then the mean error vanishes for relative velocities that are quadratic beside the wall. The
+// stencil stays that of the grid.
+#pragma once
+
+#include "gapflow/complex/complex.hpp"
+
+#include <array>
+#include <vector>
+
+namespace gapflow {
+
+/// Flux of a solid's twist out of a part or cell, beside that of the wall patches.
+template <int D>
+struct LentFlux {
+    PartOrCell row;
+    std::int32_t solid;
+    Twist<D> flux; ///< in cells
+};
+
+template <int D>
+struct Inertia {
+    /// a_f of the grid's own faces, as Complex::main_area; conductance is a_f over the distance of the cells' centres.
+    std::array<std::vector<double>, D> main_weight;
+    std::vector<double> piece_weight; ///< of each piece
+    std::vector<LentFlux<D>> flux;
+    /// Of each solid: volume that the grid's planes normal to each axis see, less its volume; in cells^D, negative of a cavity. The fluid's
+    /// momentum in uniform motion is exact with it.
+    std::vector<Vec<D>> volume;
+};
+
+template <int D>
+Inertia<D> find_inertia(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
+
+} // namespace gapflow

@@ -1,0 +1,170 @@
+"""Added masses with gap.model = "parts" (docs/theory/complex.md): single bodies, walls, crowds, thin plates, uniform motion.
+
+References: exact series where the text says so; else Richardson's value of two finer grids of the same model, or the literature.
+"""
+import math
+import random
+
+import harness
+from added_mass_cases import apply, domain, energy, interpolate, quaternion, rectangles, rotate, rotation_matrix, table
+from harness import Row
+
+SINGLE = "Parts: one body, over its places on the grid"
+THIN = "Parts: thin plates"
+NEAR = "Parts: ball over a wall"
+SUMS = "Parts: uniform motion and sums"
+CROWD = "Parts: crowd of 48 balls"
+
+
+def parts(scene, **more):
+    return harness.added_mass({**scene, "gap": dict(model="parts"), **more})
+
+
+def mean_and_scatter(values):
+    mean = sum(values) / len(values)
+    return mean, math.sqrt(sum((v - mean) ** 2 for v in values) / len(values))
+
+
+def alone(dimension, radius, shift, **body):
+    """A body of `radius` cells in a closed box of ten radii (3D: eight), moved by `shift` cells."""
+    n = round((10 if dimension == 2 else 8) * radius)
+    centre = [0.5 + s / n for s in shift]
+    return dict(domain=domain([1.0] * dimension, [n] * dimension),
+                body=[{**dict(name="b", shape="ball", radius=radius / n, position=centre, density=2.0), **body}])
+
+
+def coefficients(dimension, radius, shift):
+    n = round((10 if dimension == 2 else 8) * radius)
+    result = parts(alone(dimension, radius, shift))
+    volume = math.pi * radius ** 2 / n ** 2 if dimension == 2 else 4 / 3 * math.pi * (radius / n) ** 3
+    return [result["matrix"][k][k] / volume for k in range(dimension)], result
+
+
+def round_bodies(quick):
+    places = random.Random(1)
+    for dimension, fine in ((2, (24, 48)), (3, (10, 15))):
+        if quick and dimension == 3:
+            return
+        c = [sum(coefficients(dimension, r, [0.31, 0.17, 0.23][:dimension])[0]) / dimension for r in fine]
+        reference = c[1] + (c[1] - c[0]) / ((fine[1] / fine[0]) ** 2 - 1)
+        for radius, target in ((3.2, 0.3), (4, 0.1), (8, 0.02)):
+            errors, iterations = [], 0
+            for _ in range(12 if dimension == 2 else 4 if radius < 8 else 1):
+                found, result = coefficients(dimension, radius, [places.uniform(-0.5, 0.5) for _ in range(dimension)])
+                errors += [100 * (x / reference - 1) for x in found]
+                iterations = max(iterations, *result["iterations"])
+            mean, scatter = mean_and_scatter(errors)
+            yield Row(SINGLE, f"{'disk' if dimension == 2 else 'ball'} of {radius:g} cells a radius in a closed box, against {fine[0]} and {fine[1]} cells by Richardson",
+                      f"mean and scatter ≤ {target} %", f"{mean:+.3f}, {scatter:.3f} % (at most {iterations} iterations)", max(abs(mean), scatter) <= target)
+
+
+def boxes(quick):
+    """2D boxes in a closed square of five lengths; reference: 96 cells long, aligned and turned."""
+    places = random.Random(2)
+
+    def scene(cells, degrees, shift):
+        n = 5 * cells
+        return dict(domain=domain((1.0, 1.0), (n, n)), body=[dict(name="b", shape="box", size=[0.2, 0.1], position=[0.5 + shift[0] / n, 0.5 + shift[1] / n],
+                                                                 rotation=degrees, density=2.0)])
+
+    def components(cells, degrees, shift):
+        result = parts(scene(cells, degrees, shift))
+        e, f = rotate((1.0, 0.0), degrees), rotate((0.0, 1.0), degrees)
+        return [energy(result, {"b": d}) for d in (e, f)]
+
+    if quick:
+        return
+    references = {}
+    for cells, target in ((8, 3.0), (16, 1.5), (24, 1.0)):
+        errors = ([], [])
+        for _ in range(12):
+            degrees = places.uniform(0, 90)
+            if not references: # turned boxes in a square box: the box's share is below 0.1 %
+                coarse, finer = components(48, 20.0, (0.31, 0.17)), components(96, 20.0, (0.31, 0.17))
+                references = [b + (b - a) / 3 for a, b in zip(coarse, finer)]
+            for k, m in enumerate(components(cells, degrees, (places.uniform(-0.5, 0.5), places.uniform(-0.5, 0.5)))):
+                errors[k].append(100 * (m / references[k] - 1))
+        for k, name in ((0, "along"), (1, "across")):
+            mean, scatter = mean_and_scatter(errors[k])
+            yield Row(SINGLE, f"box {cells} x {cells // 2} cells, {name}, 12 poses, against 48 and 96 cells by Richardson", f"mean and scatter ≤ {target:g} %",
+                      f"{mean:+.2f}, {scatter:.2f} %", max(abs(mean), scatter) <= target)
+
+
+def thin_plates(quick):
+    """Added mass of a plate normal to itself over pi/4 L^2, in a closed square of six lengths."""
+    for cells, target in ((16, 2.5), (32, 1.2)):
+        if quick and cells == 32:
+            return
+        for thickness in (1.0, 0.1, 0.01, 0.001):
+            errors = []
+            for degrees in (0.0, 10.0, 25.0, 45.0):
+                for shift in ((0.0, 0.0), (0.31, 0.17), (0.13, 0.47)):
+                    n = 6 * cells
+                    result = parts(dict(domain=domain((6.0, 6.0), (n, n)), body=[
+                        dict(name="b", shape="box", size=[1.0, thickness / cells], position=[3 + shift[0] / cells, 3 + shift[1] / cells], rotation=degrees, density=2.0)]))
+                    errors.append(energy(result, {"b": rotate((0.0, 1.0), degrees)}) / (math.pi / 4) - 1)
+            rms = math.sqrt(sum(e * e for e in errors) / len(errors))
+            yield Row(THIN, f"plate {cells} x {thickness:g} cells, normal, 0, 10, 25, 45 degrees, three places, in a closed square of six lengths", f"rms ≤ {target} %",
+                      f"{100 * rms:.2f} % ({100 * min(errors):+.2f} … {100 * max(errors):+.2f})", rms <= target / 100)
+
+
+def walls_of_any_thickness(quick):
+    """A wall across a channel at any angle: the fluid on its two sides is two parts, and no flux passes."""
+    for thickness in (1.0, 0.1, 0.001):
+        for degrees in (0.0, 10.0, 37.0):
+            n = 32
+            result = parts(dict(domain=domain((1.0, 1.0), (n, n)), body=[
+                dict(name="wall", shape="box", size=[3.0, thickness / n], position=[0.5, 0.517], rotation=degrees, motion="fixed"),
+                dict(name="b", shape="ball", radius=0.1, position=[0.5, 0.25], density=2.0), dict(name="c", shape="ball", radius=0.1, position=[0.5, 0.8], density=2.0)]))
+            across = max(abs(result["matrix"][i][j]) for i in range(3) for j in range(3, 6)) / result["matrix"][0][0]
+            yield Row(THIN, f"wall {thickness:g} cells thick at {degrees:g} degrees between two disks: what one feels of the other, sealed parts", "0 to round-off; 1",
+                      f"{across:.1e}; {len(result['sealed'])}", across < 1e-9 and len(result["sealed"]) == 1)
+
+
+def ball_over_wall(quick):
+    if quick:
+        return
+    rows = table("I3_sphere_wall.csv")
+    displaced = 4 * math.pi / 3
+
+    def over(cells, gap, shift, side=8.0):
+        n = int(side * cells)
+        return dict(domain=domain((side, side, side), (n, n, n)), body=[
+            dict(name="ball", shape="ball", radius=1.0, position=[side / 2 + shift[0] / cells, side / 2 + shift[1] / cells, 1 + gap], density=2.0)])
+
+    box = {}
+    for name, v, column in (("normal", (0, 0, 1), "C_normal"), ("along", (1, 0, 0), "C_parallel")):
+        c = [energy(parts(over(6, 0.1, (0, 0), side)), {"ball": v}) / displaced for side in (8.0, 14.0)]
+        box[name] = (c[0] - c[1]) / (1 - (8 / 14) ** 3) / interpolate(rows, "gap_over_R", column, 0.1)
+    for cells, target in ((4, 1.0), (6, 0.6), (8, 0.4)):
+        for gap in (0.4, 0.1, 0.02):
+            try:
+                exact = {c: interpolate(rows, "gap_over_R", c, gap) for c in ("C_normal", "C_parallel")}
+            except ValueError:
+                continue
+            errors = {"normal": [], "along": []}
+            for shift in ((0.0, 0.0), (0.31, 0.17)) if cells < 8 else ((0.31, 0.17),):
+                result = parts(over(cells, gap, shift))
+                for name, v, column in (("normal", (0, 0, 1), "C_normal"), ("along", (1, 0, 0), "C_parallel")):
+                    errors[name].append(100 * (energy(result, {"ball": v}) / displaced / exact[column] - 1 - box[name]))
+            for name, found in errors.items():
+                yield Row(NEAR, f"{cells} cells a radius, gap {gap:g} R, {name}, less what the box of 8 R adds ({100 * box[name]:.2f} %)", f"≤ {target} %",
+                          f"{min(found):+.2f} … {max(found):+.2f} %", max(map(abs, found)) <= target)
+
+
+def uniform_motion(quick):
+    """With all bodies in uniform motion the fluid in a closed box of moving walls would follow; of M the columns of one body and their reaction balance."""
+    scene = rectangles(64, 0.05, (0.31, 0.17), 20)
+    result = parts(scene)
+    m = result["matrix"]
+    asymmetry = max(abs(m[i][j] - m[j][i]) for i in range(len(m)) for j in range(len(m))) / max(m[i][i] for i in range(len(m)))
+    yield Row(SUMS, "two rectangles at 20 degrees, 64²: asymmetry of M, closure", "≤ 1e-7; ≤ 1e-12", f"{asymmetry:.1e}; {result['closure']:.1e}" if "closure" in result else f"{asymmetry:.1e}",
+              asymmetry < 1e-7)
+    # A container full of fluid that moves as a whole: added mass of the container = the fluid's mass.
+    for n in (24, 48):
+        result = parts(dict(domain=domain((1.0, 1.0), (n, n)), body=[dict(name="c", shape="ball", radius=0.4, position=[0.507, 0.493], inside_out=True, density=2.0)]))
+        error = result["matrix"][0][0] / (math.pi * 0.16) - 1
+        yield Row(SUMS, f"container of {0.4 * n:g} cells a radius full of fluid: added mass over the fluid's mass", "1 to round-off", f"{error:+.1e}", abs(error) < 1e-9)
+
+
+ALL = [round_bodies, boxes, thin_plates, walls_of_any_thickness, ball_over_wall, uniform_motion]
