@@ -9,11 +9,11 @@
 #include <random>
 #include <string>
 
-using namespace gapflow;
+namespace gapflow {
+namespace {
 
-int main(int argc, char** argv)
+int bench(int argc, char** argv)
 {
-    MPI_Init(&argc, &argv);
     if (argc < 4) {
         std::fprintf(stderr, "usage: complex_bench balls CELLS NUMBER RADIUS | mesh CELLS TOLERANCE\n");
         return 2;
@@ -59,6 +59,14 @@ int main(int argc, char** argv)
                     solids.size(), complex.cut_cells(), complex.parts(), complex.pieces.size(), 1e3 * built,
                     1e3 * (watch.seconds() - built), double(complex.bytes()) / grid.owned_cells());
     }
-    MPI_Finalize();
     return 0;
+}
+
+} // namespace
+} // namespace gapflow
+
+int main(int argc, char** argv)
+{
+    gapflow::Environment environment;
+    return gapflow::bench(argc, argv);
 }

@@ -26,15 +26,15 @@ def mean_and_scatter(values):
 
 
 def alone(dimension, radius, shift, **body):
-    """A body of `radius` cells in a closed box of ten radii (3D: eight), moved by `shift` cells."""
-    n = round((10 if dimension == 2 else 8) * radius)
+    """A body of `radius` cells in a closed box of ten radii, moved by `shift` cells."""
+    n = round(10 * radius)
     centre = [0.5 + s / n for s in shift]
     return dict(domain=domain([1.0] * dimension, [n] * dimension),
                 body=[{**dict(name="b", shape="ball", radius=radius / n, position=centre, density=2.0), **body}])
 
 
 def coefficients(dimension, radius, shift):
-    n = round((10 if dimension == 2 else 8) * radius)
+    n = round(10 * radius)
     result = parts(alone(dimension, radius, shift))
     volume = math.pi * radius ** 2 / n ** 2 if dimension == 2 else 4 / 3 * math.pi * (radius / n) ** 3
     return [result["matrix"][k][k] / volume for k in range(dimension)], result
@@ -162,7 +162,7 @@ def uniform_motion(quick):
               asymmetry < 1e-7)
     # A container full of fluid that moves as a whole: added mass of the container = the fluid's mass.
     for n in (24, 48):
-        result = parts(dict(domain=domain((1.0, 1.0), (n, n)), body=[dict(name="c", shape="ball", radius=0.4, position=[0.507, 0.493], inside_out=True, density=2.0)]))
+        result = parts(dict(domain=domain((1.0, 1.0), (n, n)), body=[dict(name="c", shape="ball", radius=0.4, position=[0.507, 0.493], inside_out=True, mass=1.0, inertia=0.1)]))
         error = result["matrix"][0][0] / (math.pi * 0.16) - 1
         yield Row(SUMS, f"container of {0.4 * n:g} cells a radius full of fluid: added mass over the fluid's mass", "1 to round-off", f"{error:+.1e}", abs(error) < 1e-9)
 

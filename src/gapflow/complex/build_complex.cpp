@@ -436,11 +436,25 @@ private:
 template <int D>
 void Joining<D>::join_faces() requires(D == 3)
 {
-    for (int d = 0; d < 3; ++d) // wholly open
-        for_each_index<3>(index_.low, owned_faces_end(grid_, d), [&](const Index<3>& f) {
-            const int at = index_(f);
-            if (cut_.face[d][at] == Complex<3>::open && (main_of(f).exists() || main_of(f - step<3>(d)).exists()))
-                complex_.main_area[d][at] = face_area(d, f);
+    // Wholly open faces; a side that is none lies beyond the domain, or is a part too small to be one.
+    for (int d = 0; d < 3; ++d)
+        for_each_row_on_threads<3>(index_.low, owned_faces_end(grid_, d), [&](const Index<3>& row) {
+            const int end = owned_faces_end(grid_, d)[0] - row[0], first = index_(row);
+            Index<3> below = row - step<3>(d);
+            const bool side = below[d] < 0 && !grid_.periodic(d), beyond = d > 0 && row[d] == grid_.cells()[d];
+            const int back = side ? 0 : index_(grid_.wrapped(below)) - first;
+            for (int i = 0; i < end; ++i) {
+                const int at = first + i;
+                if (cut_.face[d][at] != Complex<3>::open)
+                    continue;
+                const bool last = beyond || (d == 0 && row[0] + i == grid_.cells()[0]);
+                // Along the rows themselves only the first face has another cell before it.
+                const int other = d == 0 && i > 0 ? at - 1 : at + back;
+                const bool high = !last && complex_.cell[at] != Complex<3>::solid;
+                const bool low = (!side || (d == 0 && i > 0)) && complex_.cell[other] != Complex<3>::solid;
+                if (high || low)
+                    complex_.main_area[d][at] = grid_.graded() ? face_area(d, index_.index(at)) : 1.0;
+            }
         });
     std::vector<typename CellSlab<3>::Astray> astray;
     for (std::size_t s = 0; s < slabs_.size(); ++s)

@@ -113,15 +113,17 @@ public:
         }
     }
 
-    /// The piece of the face `steps` beyond f along t whose centroid is nearest to that of the given piece, moved as far.
-    Place beside(const FacePiece<D>& from, int t, int steps) const
+    /// The piece of the face `steps` beyond f, that of the given piece, along t whose centroid is nearest to that of the given piece, moved as far.
+    Place beside(const FacePiece<D>& from, const Index<D>& f, int t, int steps) const
     {
-        Index<D> f = complex_.index.index(from.face);
-        f[t] += steps;
-        f = grid_.wrapped(f);
-        if (f[t] < 0 || f[t] >= grid_.cells()[t])
-            return {};
-        const std::int32_t face = complex_.index(f), first = first_[from.axis][face];
+        const int cells = grid_.cells()[t];
+        int at = f[t] + steps;
+        if (at < 0 || at >= cells) {
+            if (!grid_.periodic(t))
+                return {};
+            at += at < 0 ? cells : -cells;
+        }
+        const std::int32_t face = from.face + (at - f[t]) * complex_.index.stride[t], first = first_[from.axis][face];
         if (first < 0)
             return {-1, complex_.main_area[from.axis][face] > 0 ? face : -1, complex_.main_area[from.axis][face]};
         Place best;
@@ -168,11 +170,11 @@ public:
                 const double centre = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx(),
                              offset = piece.centroid[t] - centre;
                 const int towards = offset > 0 ? 1 : -1;
-                const auto next = neighbours_.beside(piece, t, towards);
+                const auto next = neighbours_.beside(piece, f, t, towards);
                 if (next.face < 0)
                     continue;
                 const double lent = 0.5 * std::min(1.0, next.area / piece.area) * piece.area * std::abs(offset);
-                const auto after = neighbours_.beside(piece, t, 2 * towards);
+                const auto after = neighbours_.beside(piece, f, t, 2 * towards);
                 const double more = after.face >= 0 ? 0.5 * lent * std::min(1.0, after.area / piece.area) : 0.0;
                 add(piece, {static_cast<std::int32_t>(k), piece.face, piece.area}, -lent - more);
                 add(piece, next, lent + 2 * more);
@@ -243,9 +245,20 @@ private:
             flux[d] = share.size * area;
             if (const double square = share.area.squaredNorm(); square > 0)
                 flux.template tail<spin_size<D>>() = share.size * area * share.area[d] / square * share.moment;
-            inertia_.flux.push_back({high, share.solid, flux});
-            inertia_.flux.push_back({low, share.solid, -flux});
+            add_flux(high, share.solid, flux);
+            add_flux(low, share.solid, -flux);
         }
+    }
+
+    void add_flux(const PartOrCell& row, std::int32_t solid, const Twist<D>& flux)
+    {
+        if (row.is_part())
+            for (int k = complex_.first_patch[row.number()]; k < complex_.first_patch[row.number() + 1]; ++k)
+                if (complex_.patches[k].solid == solid) {
+                    inertia_.patch_flux[k] += flux;
+                    return;
+                }
+        inertia_.flux.push_back({row, solid, flux});
     }
 
     const Grid<D>& grid_;
@@ -262,8 +275,15 @@ Inertia<D> find_inertia(const Grid<D>& grid, std::span<const Solid<D>> solids, c
 {
     Inertia<D> inertia;
     inertia.main_weight = complex.main_area;
+    inertia.piece_weight.reserve(complex.pieces.size());
+    inertia.patch_flux.reserve(complex.patches.size());
     for (const FacePiece<D>& piece : complex.pieces)
         inertia.piece_weight.push_back(piece.area);
+    for (const WallPatch<D>& patch : complex.patches) {
+        Twist<D> flux;
+        flux << patch.area, patch.moment;
+        inertia.patch_flux.push_back(flux);
+    }
     Lending<D>(grid, complex, inertia).lend();
 
     inertia.volume.assign(solids.size(), Vec<D>::Zero());

@@ -13,7 +13,7 @@
 
 namespace gapflow {
 
-/// Flux of a solid's twist out of a part or cell, beside that of the wall patches.
+/// Flux of a solid's twist out of a part or cell that the solid does not touch.
 template <int D>
 struct LentFlux {
     PartOrCell row;
@@ -26,7 +26,8 @@ struct Inertia {
     /// a_f of the grid's own faces, as Complex::main_area; conductance is a_f over the distance of the cells' centres.
     std::array<std::vector<double>, D> main_weight;
     std::vector<double> piece_weight; ///< of each piece
-    std::vector<LentFlux<D>> flux;
+    std::vector<Twist<D>> patch_flux; ///< of each of Complex::patches, in cells: the walls' own and what is lent
+    std::vector<LentFlux<D>> flux;    ///< of the rows beside
     /// Of each solid: volume that the grid's planes normal to each axis see, less its volume; in cells^D, negative of a cavity. The fluid's
     /// momentum in uniform motion is exact with it.
     std::vector<Vec<D>> volume;

@@ -80,13 +80,13 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     FluxEntries<D, Index<D>> cells;
     FluxEntries<D, int> nodes;
     for (int p = 0; p < complex.parts(); ++p)
-        for (const WallPatch<D>& patch : complex.patches_of(p)) {
-            Twist<D> flux;
-            flux << area * patch.area, area * grid.dx() * patch.moment;
+        for (int k = complex.first_patch[p]; k < complex.first_patch[p + 1]; ++k) {
+            Twist<D> flux = area * inertia.patch_flux[k];
+            flux.template tail<spin_size<D>>() *= grid.dx();
             if (node[p] >= 0)
-                nodes.add(coupling, node[p], patch.solid, flux);
+                nodes.add(coupling, node[p], complex.patches[k].solid, flux);
             else
-                cells.add(coupling, complex.cell_of_part(p), patch.solid, flux);
+                cells.add(coupling, complex.cell_of_part(p), complex.patches[k].solid, flux);
         }
     for (const LentFlux<D>& lent : inertia.flux) {
         Twist<D> flux = area * lent.flux;
