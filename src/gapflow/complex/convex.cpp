@@ -197,7 +197,8 @@ Section RoundKind<D>::section(int d, double at) const
         // Corners: points of the side at its ends.
         std::array<double, 2> y2, w2;
         for (const int k : {0, 1}) {
-            y2[k] = p > 0 ? ((2 * k - 1) * half - q * h) / p : (2 * k - 1) * std::numeric_limits<double>::infinity();
+            const double rise = (2 * k - 1) * half - q * h;
+            y2[k] = p > 0 ? rise / p : std::copysign(std::numeric_limits<double>::infinity(), rise);
             w2[k] = p > 0 ? radius * radius + half * half - h * h - y2[k] * y2[k] : -1;
         }
         const bool low = w2[0] > 0, high = w2[1] > 0;

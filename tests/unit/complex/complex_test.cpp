@@ -38,6 +38,21 @@ TEST(Complex, BallIsClosed3D)
     EXPECT_NEAR(covered, exact, 1e-9);
 }
 
+TEST(Complex, CapsuleAlongTheGrid3D)
+{
+    const Grid<3> grid = unit_grid<3>(16);
+    Scene<3> scene(grid);
+    const double radius = 0.15, half = 0.2; // no turn at all: planes normal to the axis cut its round ends
+    scene.add("capsule", make_capsule<3>(radius, 2 * half), pose<3>(Vec<3>(0.51, 0.48, 0.53)));
+    const auto sums = check<3>(grid, scene);
+    double exact = 0;
+    for (int i = 0; i <= 16; ++i) {
+        const double h = std::max(std::abs(i / 16.0 - 0.51) - half, 0.0), r2 = radius * radius - h * h;
+        exact += r2 > 0 ? std::numbers::pi * r2 * 256 : 0;
+    }
+    EXPECT_NEAR(17 * 256 - sums.area[0], exact, 1e-9);
+}
+
 TEST(Complex, DiskIsClosed2D)
 {
     const Grid<2> grid = unit_grid<2>(12);
