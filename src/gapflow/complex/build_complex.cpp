@@ -1,3 +1,4 @@
+#include "gapflow/complex/area_derivative.hpp"
 #include "gapflow/complex/complex.hpp"
 #include "gapflow/complex/cut_faces.hpp"
 #include "gapflow/complex/parameters.hpp"
@@ -385,7 +386,8 @@ public:
                                             : PartOrCell{};
     }
 
-    void add_piece(int d, const Index<D>& f, PartOrCell low, PartOrCell high, double area, const Vec<D>& centroid)
+    void add_piece(int d, const Index<D>& f, PartOrCell low, PartOrCell high, double area, const Vec<D>& centroid,
+                   const PieceSource& source)
     {
         const auto lies = [&](const PartOrCell& side, const Index<D>& c) {
             return side.exists() || !grid_.in_domain(grid_.wrapped(c));
@@ -394,6 +396,8 @@ public:
             return; // a part too small to be one
         const std::int32_t id = index_(f);
         complex_.pieces.push_back({static_cast<std::int8_t>(d), id, low, high, area, centroid});
+        if (sources)
+            sources->push_back(source);
         if (complex_.joins_main(complex_.pieces.back()))
             complex_.main_area[d][id] += area;
     }
@@ -421,6 +425,8 @@ public:
 
     void join_faces() requires(D == 3);
     void join_faces() requires(D == 2);
+
+    std::vector<PieceSource>* sources = nullptr; ///< of the complex's pieces, where they are wanted
 
 private:
     const Grid<D>& grid_;
@@ -471,7 +477,7 @@ void Joining<D>::join_faces() requires(D == 3)
         for (; k < astray.size() && astray[k].axis == d && astray[k].face == id; ++k)
             side[astray[k].side] = PartOrCell::part(astray[k].part);
         const double area = std::exchange(complex_.main_area[d][id], 0.0);
-        add_piece(d, f, side[0], side[1], area, face_centre(d, f));
+        add_piece(d, f, side[0], side[1], area, face_centre(d, f), {});
     }
     for (std::size_t s = 0; s < slabs_.size(); ++s) {
         const Slab<3>& slab = cut_.slabs[s];
@@ -490,7 +496,10 @@ void Joining<D>::join_faces() requires(D == 3)
                 for (int k = 0; k < 2; ++k)
                     if (const int number = part_at(s, face.piece + p, k); number >= 0)
                         side[k] = PartOrCell::part(number);
-                add_piece(d, f, side[0], side[1], piece.area, centroid);
+                const std::int32_t number = face.piece + p;
+                add_piece(
+                    d, f, side[0], side[1], piece.area, centroid,
+                    {static_cast<std::int32_t>(s), static_cast<std::int32_t>(&face - slab.faces.data()), number, 0, 0, 0});
             }
         }
     }
@@ -562,7 +571,10 @@ void Joining<D>::join_faces() requires(D == 2)
                     const int number = part_at(edge.number, edge.face->piece + piece, 0);
                     return number >= 0 ? PartOrCell::part(number) : PartOrCell{};
                 };
-                add_piece(d, f, side(low, below), side(high, f), stretch.to - stretch.from, centroid);
+                add_piece(d, f, side(low, below), side(high, f), stretch.to - stretch.from, centroid,
+                          {static_cast<std::int32_t>(known.number),
+                           static_cast<std::int32_t>(known.face - known.slab->faces.data()), 0, &known == &low ? e_low : e_high,
+                           stretch.from, stretch.to});
             }
         });
 }
@@ -570,7 +582,7 @@ void Joining<D>::join_faces() requires(D == 2)
 } // namespace
 
 template <int D>
-Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids)
+Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives)
 {
     Complex<D> complex;
     complex.index = DenseIndex<D>(grid.low(), grid.high());
@@ -581,7 +593,7 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids)
         high[axis] = planes.place[axis][grid.high()[axis]];
     }
     const std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
-    const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed);
+    const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives != nullptr);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
     std::vector<CellSlab<D>> slabs(cut.slabs.size());
     for_each_job(static_cast<int>(slabs.size()), [&](int s) {
@@ -591,12 +603,17 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids)
         else
             slabs[s] = build_cells2(cut, complex.index, placed, s, complex.cell);
     });
-    Joining<D>(grid, planes, cut, slabs, complex).join_faces();
+    Joining<D> joining(grid, planes, cut, slabs, complex);
+    std::vector<PieceSource> sources;
+    joining.sources = derivatives ? &sources : nullptr;
+    joining.join_faces();
+    if (derivatives)
+        *derivatives = face_derivatives<D>(planes, complex.index, placed, cut, sources);
     return complex;
 }
 
-template Complex<2> build_complex(const Grid<2>&, std::span<const Solid<2>>);
-template Complex<3> build_complex(const Grid<3>&, std::span<const Solid<3>>);
+template Complex<2> build_complex(const Grid<2>&, std::span<const Solid<2>>, FaceDerivatives<2>*);
+template Complex<3> build_complex(const Grid<3>&, std::span<const Solid<3>>, FaceDerivatives<3>*);
 
 template <int D>
 long Complex<D>::bytes() const

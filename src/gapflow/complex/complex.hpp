@@ -112,8 +112,12 @@ struct Complex {
     long bytes() const;
 };
 
-/// Of the solids at their poses; walls among them (closed sides of the domain) cut nothing and have no patches.
 template <int D>
-Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids);
+struct FaceDerivatives;
+
+/// Of the solids at their poses; walls among them (closed sides of the domain) cut nothing and have no patches. `derivatives`: those of
+/// its pieces, where they are wanted (area_derivative.hpp).
+template <int D>
+Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives = nullptr);
 
 } // namespace gapflow

@@ -235,6 +235,36 @@ Section RoundKind<D>::section(int d, double at) const
     }
 }
 
+template <int D>
+Slope BallKind<D>::slope(int d, double at, int, const Vec<2>&) const requires(D == 3)
+{
+    const double h = at - centre[d], r2 = radius * radius - h * h;
+    return {r2 > 0 ? h / std::sqrt(r2) : 0.0, Vec<2>::Zero()};
+}
+
+template <int D>
+Slope PlanesKind<D>::slope(int d, double, int surface, const Vec<2>&) const requires(D == 3)
+{
+    return flat_slope(normal[surface], d);
+}
+
+template <int D>
+Slope RoundKind<D>::slope(int d, double at, int surface, const Vec<2>& x) const requires(D == 3)
+{
+    const double side = surface == 0 ? -1 : 1; // of an end
+    if (surface < 2)
+        return flat ? flat_slope(side * axis, d) : BallKind<D>{centre + side * half * axis, radius}.slope(d, at, 0, x);
+    const int u = across(d, 0), v = across(d, 1);
+    if (std::abs(axis[d]) > 1e-7) // n . axis = 0
+        return {0, Vec<2>(axis[u], axis[v]) / -axis[d]};
+    Vec<D> r;
+    r[u] = x[0];
+    r[v] = x[1];
+    r[d] = at;
+    r -= centre;
+    return flat_slope((r - r.dot(axis) * axis).normalized(), d);
+}
+
 template struct BallKind<2>;
 template struct BallKind<3>;
 template struct PlanesKind<2>;

@@ -48,6 +48,10 @@ struct BallKind {
     }
     /// With the plane x[d] = at (2D: the solid's outline).
     Section section(int d, double at) const;
+    /// Out of the solid, at a point of the surface.
+    Vec<D> normal_at(const Vec<D>& x) const { return (x - centre).normalized(); }
+    /// Of its surface along the section, near the point x of it.
+    Slope slope(int d, double at, int surface, const Vec<2>& x) const requires(D == 3);
 };
 
 /// Intersection of half-spaces normal . x <= offset: boxes and half-spaces.
@@ -82,6 +86,18 @@ struct PlanesKind {
         return s;
     }
     Section section(int d, double at) const;
+    Vec<D> normal_at(const Vec<D>& x) const
+    {
+        int nearest = 0;
+        double most = -std::numeric_limits<double>::infinity();
+        for (int k = 0; k < planes; ++k)
+            if (const double past = normal[k].dot(x - centre) - offset[k]; past > most) {
+                most = past;
+                nearest = k;
+            }
+        return normal[nearest];
+    }
+    Slope slope(int d, double at, int surface, const Vec<2>& x) const requires(D == 3);
 };
 
 /// Points within a radius of an axis of length 2 half: with flat ends (a cylinder, 3D) or round ones (a capsule).
@@ -111,6 +127,17 @@ struct RoundKind {
         return s;
     }
     Section section(int d, double at) const;
+    Vec<D> normal_at(const Vec<D>& x) const
+    {
+        const Vec<D> r = x - centre;
+        const double s = r.dot(axis);
+        if (!flat)
+            return (r - std::clamp(s, -half, half) * axis).normalized();
+        const Vec<D> across = r - s * axis;
+        const double distance = across.norm();
+        return std::abs(s) - half > distance - radius ? Vec<D>(s > 0 ? axis : -axis) : Vec<D>(across / distance);
+    }
+    Slope slope(int d, double at, int surface, const Vec<2>& x) const requires(D == 3);
 
 private:
     /// Of the part between the two ends: r from the centre, perpendicular to `along`.

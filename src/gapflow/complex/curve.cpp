@@ -5,6 +5,16 @@
 
 namespace gapflow {
 
+double ellipse_angle(const Curve& curve, const Vec<2>& A, const Vec<2>& B)
+{
+    const Vec<2> a = curve.scaled(A), b = curve.scaled(B), chord = curve.axes(Vec<2>(B - A));
+    const double cross = a[0] * chord[1] - a[1] * chord[0], quarter = 0.25 * chord.squaredNorm();
+    if (quarter < 0.02 && cross <= 0)
+        return 2 * std::asin(std::sqrt(quarter));
+    const double angle = -std::atan2(cross, a.dot(b));
+    return angle < 0 ? angle + 2 * std::numbers::pi : angle;
+}
+
 Bulge ellipse_bulge(const Curve& curve, const Vec<2>& A, const Vec<2>& B)
 {
     const Vec<2> a = curve.scaled(A), b = curve.scaled(B), chord = curve.axes(Vec<2>(B - A));

@@ -10,6 +10,7 @@
 #include "gapflow/core/types.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace gapflow {
 
@@ -52,6 +53,23 @@ struct Curve {
         return {(r[0] * e1[0] + r[1] * e1[1]) / semi1, (r[1] * e1[0] - r[0] * e1[1]) / semi2};
     }
 };
+
+/// n_d / |n_plane| of a solid's normal n along a curve in which it cuts a plane normal to d: constant + along . nu, nu the curve's unit
+/// normal out of the solid.
+struct Slope {
+    double constant = 0;
+    Vec<2> along = Vec<2>::Zero();
+};
+
+/// Of a flat facet with unit normal n; 0 where it lies in the plane.
+inline Slope flat_slope(const Vec<3>& n, int d)
+{
+    const double in_plane = std::hypot(n[(d + 1) % 3], n[(d + 2) % 3]);
+    return {in_plane > 1e-12 ? n[d] / in_plane : 0.0, Vec<2>::Zero()};
+}
+
+/// Clockwise angle of the piece of the ellipse (on the unit circle, scaled) from A to B, 0 .. 2 pi; A == B: 0.
+double ellipse_angle(const Curve& curve, const Vec<2>& A, const Vec<2>& B);
 
 /// Bulge of the ellipse's piece that runs clockwise from A to B, less than once around; A == B: nothing.
 Bulge ellipse_bulge(const Curve& curve, const Vec<2>& A, const Vec<2>& B);

@@ -1,6 +1,5 @@
 #include "gapflow/complex/cut_faces.hpp"
 
-#include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/field.hpp"
@@ -515,41 +514,69 @@ struct PlacedDepth final : Square::Depth {
     }
 };
 
-/// Faces that more than one solid, or one in an uncommon way, cuts.
+} // namespace
+
+/// Cuts faces that more than one solid, or one in an uncommon way, cuts.
+template <int D>
+class GeneralCut {
+public:
+    GeneralCut(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids)
+        : planes_(planes), index_(index), solids_(solids), depth_(planes, solids)
+    {
+    }
+
+    /// `facets`: of the face's slab. Valid until the next call.
+    Square& cut(const CutFace<D>& face, const FaceDetail& detail, const std::vector<std::optional<FacetCut<D>>>& facets)
+    {
+        const Index<D> f = index_.index(face.id);
+        const int d = face.axis, u = u_axis<D>(d), v = v_axis<D>(d);
+        const double at = plane_of(planes_, d, f);
+        square_.low = {planes_.place[u][f[u]], planes_.place[v][f[v]]};
+        square_.high = {planes_.place[u][f[u] + 1], planes_.place[v][f[v] + 1]};
+        square_.solids.resize(detail.images.size());
+        sections_.resize(detail.images.size());
+        for (std::size_t k = 0; k < detail.images.size(); ++k) {
+            const PlacedSolid<D>& placed = solids_[detail.images[k]];
+            std::visit(
+                [&](const auto& kind) {
+                    if constexpr (!std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<D>>) {
+                        sections_[k] = kind.section(d, at);
+                        fill_square<D>(planes_, placed, kind, d, f, sections_[k], square_.solids[k]);
+                    } else
+                        fill_square_of_facets<D>(planes_, *facets[detail.images[k]], d, f, square_.solids[k]);
+                },
+                placed.kind);
+        }
+        depth_.images = &detail.images;
+        depth_.d = d;
+        depth_.at = at;
+        square_.cut(&depth_);
+        return square_;
+    }
+
+private:
+    const GridPlanes<D>& planes_;
+    const DenseIndex<D>& index_;
+    const std::vector<PlacedSolid<D>>& solids_;
+    Square square_;
+    std::vector<Section> sections_;
+    PlacedDepth<D> depth_;
+};
+
+namespace {
+
 template <int D>
 void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
-                 const std::vector<std::optional<FacetCut<D>>>& facets, Slab<D>& slab)
+                 Slab<D>& slab)
 {
-    Square square;
-    std::vector<Section> sections;
-    PlacedDepth<D> depth(planes, solids);
+    GeneralCut<D> general(planes, index, solids);
     for (CutFace<D>& face : slab.faces) {
         if (face.state != CutFace<D>::State::general)
             continue;
         FaceDetail& detail = slab.details[face.detail];
-        const Index<D> f = index.index(face.id);
-        const int d = face.axis, u = u_axis<D>(d), v = v_axis<D>(d);
-        const double at = plane_of(planes, d, f);
-        square.low = {planes.place[u][f[u]], planes.place[v][f[v]]};
-        square.high = {planes.place[u][f[u] + 1], planes.place[v][f[v] + 1]};
-        square.solids.resize(detail.images.size());
-        sections.resize(detail.images.size());
-        for (std::size_t k = 0; k < detail.images.size(); ++k) {
-            const PlacedSolid<D>& placed = solids[detail.images[k]];
-            std::visit(
-                [&](const auto& kind) {
-                    if constexpr (!std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<D>>) {
-                        sections[k] = kind.section(d, at);
-                        fill_square<D>(planes, placed, kind, d, f, sections[k], square.solids[k]);
-                    } else
-                        fill_square_of_facets<D>(planes, *facets[detail.images[k]], d, f, square.solids[k]);
-                },
-                placed.kind);
-        }
-        depth.images = &detail.images;
-        depth.d = d;
-        depth.at = at;
-        square.cut(&depth);
+        const int d = face.axis;
+        const double at = plane_of(planes, d, index.index(face.id));
+        const Square& square = general.cut(face, detail, slab.facets);
         face.piece = static_cast<std::int32_t>(slab.pieces.size());
         face.arc = static_cast<std::int32_t>(slab.arcs.size());
         face.pieces = static_cast<std::int32_t>(square.pieces.size());
@@ -574,8 +601,86 @@ void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const 
 } // namespace
 
 template <int D>
+FaceArcs<D>::FaceArcs(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids)
+    : planes_(planes), index_(index), solids_(solids), general_(std::make_unique<GeneralCut<D>>(planes, index, solids)),
+      arcs_(1)
+{
+}
+
+template <int D>
+FaceArcs<D>::~FaceArcs() = default;
+
+template <int D>
+std::span<const SquareArc> FaceArcs<D>::of(const Slab<D>& slab, const CutFace<D>& face)
+{
+    if (face.state == CutFace<D>::State::general) {
+        const FaceDetail& detail = slab.details[face.detail];
+        std::vector<SquareArc>& arcs = general_->cut(face, detail, slab.facets).arcs;
+        for (SquareArc& arc : arcs)
+            arc.solid = detail.images[arc.solid];
+        return arcs;
+    }
+    const PlacedSolid<D>& placed = solids_[face.image];
+    std::visit(
+        [&](const auto& kind) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<D>>)
+                find_simple(placed, kind, face);
+        },
+        placed.kind);
+    return arcs_;
+}
+
+template <int D>
+template <class Kind>
+void FaceArcs<D>::find_simple(const PlacedSolid<D>& placed, const Kind& kind, const CutFace<D>& face)
+{
+    const Index<D> f = index_.index(face.id);
+    const int d = face.axis;
+    if (face.image != image_ || d != axis_) {
+        image_ = face.image;
+        axis_ = d;
+        sections_.clear();
+        sections_.resize(D == 3 ? planes_.place[d].size() : 1);
+    }
+    std::unique_ptr<Section>& section = sections_[D == 3 ? f[d] : 0];
+    if (!section)
+        section = std::make_unique<Section>(kind.section(d, plane_of(planes_, d, f)));
+    const auto on_edge = [&](int e) {
+        const int axis = edge_axis<D>(d, e);
+        const Index<D> start = edge_start<D>(d, f, e);
+        const Vec<D> x = place_of(planes_, start);
+        const int low_corner = e < 2 ? e : (e + 1) % 4;
+        const bool covered = (face.open >> low_corner & 1) == placed.inverse;
+        Vec<2> at = in_plane<D>(d, x);
+        at[e % 2] = crossing(kind.line(axis, x), covered, x[axis], planes_.place[axis][start[axis] + 1]);
+        return at;
+    };
+    int first = 0; // the first open corner
+    while (!(face.open >> first & 1) || (face.open >> ((first + 3) & 3) & 1))
+        ++first;
+    int last = first;
+    while (face.open >> ((last + 1) & 3) & 1)
+        ++last;
+    SquareArc& arc = arcs_[0];
+    arc.solid = face.image;
+    arc.piece = 0;
+    arc.from = on_edge(last & 3);
+    arc.to = on_edge((first + 3) & 3);
+    arc.segments.clear();
+    if (section->empty())
+        arc.segments.push_back({arc.from, arc.to, nullptr, -1, false, false});
+    else if (placed.inverse)
+        add_walk(arc, *section, arc.to, arc.from, false, true);
+    else
+        add_walk(arc, *section, arc.from, arc.to, false, false);
+}
+
+template class FaceArcs<2>;
+template class FaceArcs<3>;
+
+template <int D>
 CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index,
-                      const std::vector<PlacedSolid<D>>& solids)
+                      const std::vector<PlacedSolid<D>>& solids, bool keep_facets)
 {
     CutFaces<D> cut;
     for (auto& face : cut.face)
@@ -591,7 +696,7 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
     cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
     for_each_job(static_cast<int>(cut.slabs.size()), [&](int s) {
         Slab<D>& slab = cut.slabs[s];
-        std::vector<std::optional<FacetCut<D>>> facets(solids.size());
+        slab.facets.resize(solids.size());
         for (std::size_t k = 0; k < solids.size(); ++k)
             std::visit(
                 [&](const auto& kind) {
@@ -599,16 +704,20 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                     if constexpr (!std::is_same_v<Kind, FacetKind<D>>)
                         Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                     else
-                        facets[k] =
+                        slab.facets[k] =
                             FacetMarking<D>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                 },
                 solids[k].kind);
-        cut_general(planes, index, solids, facets, slab);
+        cut_general(planes, index, solids, slab);
+        if (!keep_facets)
+            slab.facets = {};
     });
     return cut;
 }
 
-template CutFaces<2> cut_faces(const Grid<2>&, const GridPlanes<2>&, const DenseIndex<2>&, const std::vector<PlacedSolid<2>>&);
-template CutFaces<3> cut_faces(const Grid<3>&, const GridPlanes<3>&, const DenseIndex<3>&, const std::vector<PlacedSolid<3>>&);
+template CutFaces<2> cut_faces(const Grid<2>&, const GridPlanes<2>&, const DenseIndex<2>&, const std::vector<PlacedSolid<2>>&,
+                               bool);
+template CutFaces<3> cut_faces(const Grid<3>&, const GridPlanes<3>&, const DenseIndex<3>&, const std::vector<PlacedSolid<3>>&,
+                               bool);
 
 } // namespace gapflow

@@ -5,10 +5,12 @@
 #pragma once
 
 #include "gapflow/complex/complex.hpp"
+#include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/placed.hpp"
 #include "gapflow/complex/square.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace gapflow {
 
@@ -90,7 +92,8 @@ struct Slab {
     std::vector<FaceDetail> details;
     std::vector<OpenStretch> stretches;
     std::vector<Junction<D>> junctions;
-    std::vector<double> crossings; ///< 2D: where solids cross the edges of simple cells, along the edge's axis
+    std::vector<std::optional<FacetCut<D>>> facets; ///< of images with facets that meet the slab, where they are kept
+    std::vector<double> crossings;                  ///< 2D: where solids cross the edges of simple cells, along the edge's axis
 };
 
 template <int D>
@@ -103,7 +106,34 @@ struct CutFaces {
 };
 
 template <int D>
+class GeneralCut;
+
+/// Finds the arcs of cut faces again, with the curves of which they are made: the same numbers as those of cut_faces.
+template <int D>
+class FaceArcs {
+public:
+    FaceArcs(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids);
+    ~FaceArcs();
+    /// Of a face of a slab that has pieces; their solids are images. Valid until the next call; cheap where faces come as in the slab.
+    std::span<const SquareArc> of(const Slab<D>& slab, const CutFace<D>& face);
+
+private:
+    template <class Kind>
+    void find_simple(const PlacedSolid<D>& placed, const Kind& kind, const CutFace<D>& face);
+
+    const GridPlanes<D>& planes_;
+    const DenseIndex<D>& index_;
+    const std::vector<PlacedSolid<D>>& solids_;
+    std::unique_ptr<GeneralCut<D>> general_;
+    std::vector<SquareArc> arcs_;
+    // Sections of one solid with planes normal to one axis.
+    int image_ = -1, axis_ = -1;
+    std::vector<std::unique_ptr<Section>> sections_;
+};
+
+/// `keep_facets`: for FaceArcs.
+template <int D>
 CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index,
-                      const std::vector<PlacedSolid<D>>& solids);
+                      const std::vector<PlacedSolid<D>>& solids, bool keep_facets);
 
 } // namespace gapflow

@@ -48,6 +48,15 @@ Bulge ArcSegment::bulge() const
     return backwards ? -ellipse_bulge(*curve, to, from) : ellipse_bulge(*curve, from, to);
 }
 
+double ArcSegment::length() const
+{
+    if (!curve)
+        return (to - from).norm();
+    return curve->semi1 * (whole       ? 2 * std::numbers::pi
+                           : backwards ? ellipse_angle(*curve, to, from)
+                                       : ellipse_angle(*curve, from, to));
+}
+
 Vec<2> ArcSegment::at(double t) const
 {
     if (!curve)
@@ -111,6 +120,23 @@ Bulge SquareArc::bulge() const
             sum += triangle(from, segments[k].from, segments[k].to);
     }
     return sum;
+}
+
+void add_walk(SquareArc& arc, const Section& section, const Vec<2>& A, const Vec<2>& B, bool around, bool backwards)
+{
+    const Section::Walk way = section.walk(A, B, around);
+    const std::size_t n = way.points.size() - 1;
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t at = backwards ? n - 1 - k : k;
+        const Curve& c = section.curve[way.curves[at]];
+        ArcSegment segment{way.points[at], way.points[at + 1], c.kind == Curve::Kind::ellipse ? &c : nullptr,
+                           c.surface,      backwards,          false};
+        if (backwards)
+            std::swap(segment.from, segment.to);
+        if (around && n == 1 && segment.curve && (A - B).squaredNorm() < 1e-20)
+            segment.whole = true;
+        arc.segments.push_back(segment);
+    }
 }
 
 Vec<2> Square::corner(int c) const
@@ -237,28 +263,13 @@ void Square::find_open_stretches()
 void Square::arcs_of_convex(int s)
 {
     SquareSolid& solid = solids[s];
-    const auto add_walk = [&](SquareArc& arc, const Vec<2>& A, const Vec<2>& B, bool around, bool backwards) {
-        const Section::Walk way = solid.section->walk(A, B, around);
-        const std::size_t n = way.points.size() - 1;
-        for (std::size_t k = 0; k < n; ++k) {
-            const std::size_t at = backwards ? n - 1 - k : k;
-            const Curve& c = solid.section->curve[way.curves[at]];
-            ArcSegment segment{way.points[at], way.points[at + 1], c.kind == Curve::Kind::ellipse ? &c : nullptr,
-                               c.surface,      backwards,          false};
-            if (backwards)
-                std::swap(segment.from, segment.to);
-            if (around && n == 1 && segment.curve && (A - B).squaredNorm() < 1e-20)
-                segment.whole = true;
-            arc.segments.push_back(segment);
-        }
-    };
     if (solid.section_inside) {
         const Section& section = *solid.section;
         SquareArc arc;
         arc.solid = s;
         arc.from = arc.to = section.single() ? Vec<2>(section.curve[0].centre + section.curve[0].semi1 * section.curve[0].e1)
                                              : section.corner[0];
-        add_walk(arc, arc.from, arc.to, true, solid.inverse);
+        add_walk(arc, section, arc.from, arc.to, true, solid.inverse);
         arcs.push_back(arc);
         return;
     }
@@ -306,11 +317,11 @@ void Square::arcs_of_convex(int s)
         const Vec<2>& x = solid.section->inside;
         const bool inside = (x.array() > low.array()).all() && (x.array() < high.array()).all();
         if (solid.section->empty())
-            arc.segments.push_back({arc.from, arc.to, nullptr, 0, false, false});
+            arc.segments.push_back({arc.from, arc.to, nullptr, -1, false, false});
         else if (solid.inverse)
-            add_walk(arc, arc.to, arc.from, inside, true);
+            add_walk(arc, *solid.section, arc.to, arc.from, inside, true);
         else
-            add_walk(arc, arc.from, arc.to, inside, false);
+            add_walk(arc, *solid.section, arc.from, arc.to, inside, false);
         arcs.push_back(arc);
     }
 }
@@ -471,7 +482,7 @@ void Square::join(SquareArc& arc, const SquareArc& next)
 {
     if (arc.to == next.from)
         return;
-    arc.segments.push_back({arc.to, next.from, nullptr, 0, false, false}); // equal to round-off
+    arc.segments.push_back({arc.to, next.from, nullptr, -1, false, false}); // equal to round-off
     arc.to = next.from;
 }
 
@@ -495,7 +506,7 @@ int Square::next_ring(SquareArc& arc)
     }
     if (best >= 0) {
         const Vec<2> x = point(ring_[best].start);
-        arc.segments.push_back({arc.to, x, nullptr, 0, false, false});
+        arc.segments.push_back({arc.to, x, nullptr, -1, false, false});
         arc.to = x;
     }
     return best;
@@ -572,7 +583,7 @@ void Square::walk()
                 }
             }
             if (last >= 0 && here_ != start_) { // solids that overlap in a way that was not resolved: straight back
-                arcs[last].segments.push_back({here_, start_, nullptr, 0, false, false});
+                arcs[last].segments.push_back({here_, start_, nullptr, -1, false, false});
                 arcs[last].to = start_;
             }
         }

@@ -26,11 +26,13 @@ struct OnEdge {
 struct ArcSegment {
     Vec<2> from, to;
     const Curve* curve = nullptr; ///< null: straight
-    int surface = 0;              ///< face of the solid to which it belongs
+    int surface = 0;              ///< face of the solid to which it belongs; -1: none, its ends are equal to round-off
     bool backwards = false;       ///< counterclockwise
     bool whole = false;           ///< once around the ellipse
 
     Bulge bulge() const;
+    /// Of a straight one or a piece of a circle.
+    double length() const;
     /// At t of its way, 0 .. 1.
     Vec<2> at(double t) const;
     /// Of its point nearest to x, which lies close to it.
@@ -50,6 +52,10 @@ struct SquareArc {
 
     Bulge bulge() const;
 };
+
+/// Appends the piece of a section's border between A and B, both on it (see Section::piece); `backwards`: from B to A, counterclockwise.
+/// The section outlives the arc.
+void add_walk(SquareArc& arc, const Section& section, const Vec<2>& A, const Vec<2>& B, bool around, bool backwards);
 
 /// What one solid covers of the rectangle's edges, and its arcs.
 struct SquareSolid {

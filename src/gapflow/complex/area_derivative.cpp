@@ -1,0 +1,275 @@
+#include "gapflow/complex/area_derivative.hpp"
+
+#include "gapflow/core/threads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gapflow {
+namespace {
+
+/// Integrals along a segment, x from the face's centre.
+struct SegmentIntegrals {
+    Vec<2> normal;       ///< int nu ds
+    Mat<2> first_normal; ///< int x_j nu_k ds
+    Vec<2> turning;      ///< int x_j x . dx
+    double half_square;  ///< int x . dx
+    double slope;        ///< int slope ds
+    Vec<2> first_slope;  ///< int x_j slope ds
+    Mat<2> second_slope; ///< int x_j x_k slope ds
+};
+
+SegmentIntegrals integrate(const ArcSegment& segment, const Vec<2>& origin, const Slope& slope)
+{
+    // int x_j dx_l = mean_j (B - A)_l, and the bulge; the squares likewise (see curve.hpp).
+    const Vec<2> A = segment.from - origin, B = segment.to - origin, way = segment.to - segment.from, mean = 0.5 * (A + B);
+    Bulge bulge = segment.bulge();
+    bulge.moment -= bulge.area * origin;
+    Mat<2> first = mean * way.transpose(); // [j][l]
+    first(0, 1) += bulge.area;
+    first(1, 0) -= bulge.area;
+    const auto square = [&](int j) { return (A[j] * A[j] + A[j] * B[j] + B[j] * B[j]) / 3; };
+    const double uu_u = square(0) * way[0], vv_v = square(1) * way[1], uu_v = square(0) * way[1] + 2 * bulge.moment[0],
+                 vv_u = square(1) * way[0] - 2 * bulge.moment[1], uv_u = 0.5 * (B[0] * B[0] * B[1] - A[0] * A[0] * A[1] - uu_v),
+                 uv_v = 0.5 * (B[0] * B[1] * B[1] - A[0] * A[1] * A[1] - vv_u);
+
+    SegmentIntegrals sum;
+    sum.normal = {-way[1], way[0]}; // the fluid lies at the left
+    sum.first_normal.col(0) = -first.col(1);
+    sum.first_normal.col(1) = first.col(0);
+    sum.turning = {uu_u + uv_v, uv_u + vv_v};
+    sum.half_square = mean.dot(way);
+
+    // slope = along . nu
+    const Vec<2>& a = slope.along;
+    sum.slope = a.dot(sum.normal);
+    sum.first_slope = sum.first_normal * a;
+    sum.second_slope(0, 0) = -a[0] * uu_v + a[1] * uu_u;
+    sum.second_slope(0, 1) = sum.second_slope(1, 0) = -a[0] * uv_v + a[1] * uv_u;
+    sum.second_slope(1, 1) = -a[0] * vv_v + a[1] * vv_u;
+    if (slope.constant == 0)
+        return sum;
+    const double k = slope.constant;
+    if (segment.curve && segment.curve->semi1 == segment.curve->semi2) { // x - c = +-radius nu
+        const Vec<2> c = segment.curve->centre - origin;
+        const double length = segment.length(), out = (segment.backwards ? -1 : 1) * segment.curve->semi1;
+        const Mat<2> second = out * (sum.first_normal + sum.normal * c.transpose()) + length * c * c.transpose();
+        sum.slope += k * length;
+        sum.first_slope += k * (length * c + out * sum.normal);
+        sum.second_slope += 0.5 * k * (second + second.transpose());
+    } else { // straight, or of an ellipse so long that it is
+        const double length = way.norm();
+        sum.slope += k * length;
+        sum.first_slope += k * length * mean;
+        sum.second_slope += k * length * (mean * mean.transpose() + way * way.transpose() / 12);
+    }
+    return sum;
+}
+
+/// Normal of a facet, out of the solid.
+template <int D>
+Vec<D> facet_normal(const FacetKind<D>& kind, int facet)
+{
+    const auto& element = kind.surface->elements[facet];
+    const Vec<D> a = kind.vertices[element[1]] - kind.vertices[element[0]];
+    if constexpr (D == 2)
+        return Vec<2>(a[1], -a[0]).normalized();
+    else
+        return Vec<3>(a.cross(kind.vertices[element[2]] - kind.vertices[element[0]])).normalized();
+}
+
+/// Slope of a placed solid's surface along a segment; its normal out of what is solid.
+Slope slope_of(const PlacedSolid<3>& solid, int d, double at, const ArcSegment& segment)
+{
+    if (segment.surface < 0)
+        return {};
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<3>>)
+                return flat_slope(facet_normal(kind, segment.surface), d);
+            else {
+                Slope slope = kind.slope(d, at, segment.surface, Vec<2>(0.5 * (segment.from + segment.to)));
+                if (solid.inverse)
+                    slope.constant = -slope.constant;
+                return slope;
+            }
+        },
+        solid.kind);
+}
+
+template <int D>
+PieceRate<D>& rate_of(std::vector<PieceRate<D>>& rates, std::size_t begin, int solid)
+{
+    for (std::size_t k = begin; k < rates.size(); ++k)
+        if (rates[k].solid == solid)
+            return rates[k];
+    rates.push_back({solid});
+    return rates.back();
+}
+
+/// Rates of all pieces of a slab's faces.
+struct SlabRates {
+    std::vector<std::int32_t> begin, end; ///< of each piece
+    std::vector<PieceRate<3>> rates;
+};
+
+SlabRates slab_rates(const GridPlanes<3>& planes, const DenseIndex<3>& index, const std::vector<PlacedSolid<3>>& solids,
+                     const Slab<3>& slab)
+{
+    SlabRates result;
+    result.begin.assign(slab.pieces.size(), 0);
+    result.end = result.begin;
+    FaceArcs<3> retrace(planes, index, solids);
+    for (const CutFace<3>& face : slab.faces) {
+        if (face.state == CutFace<3>::State::dead || face.pieces == 0)
+            continue;
+        const Index<3> f = index.index(face.id);
+        const int d = face.axis, u = u_axis<3>(d), v = v_axis<3>(d);
+        const FacePlane plane{d,
+                              planes.place[d][f[d]],
+                              {0.5 * (planes.place[u][f[u]] + planes.place[u][f[u] + 1]),
+                               0.5 * (planes.place[v][f[v]] + planes.place[v][f[v] + 1])}};
+        const std::span<const SquareArc> arcs = retrace.of(slab, face);
+        for (int p = 0; p < face.pieces; ++p) {
+            const std::size_t begin = result.rates.size();
+            for (const SquareArc& arc : arcs) {
+                if (arc.piece != p)
+                    continue;
+                const PlacedSolid<3>& solid = solids[arc.solid];
+                PieceRate<3>& rate = rate_of(result.rates, begin, solid.solid);
+                for (const ArcSegment& segment : arc.segments)
+                    add_segment(plane, solid.reference, segment, slope_of(solid, d, plane.at, segment), rate);
+            }
+            result.begin[face.piece + p] = static_cast<std::int32_t>(begin);
+            result.end[face.piece + p] = static_cast<std::int32_t>(result.rates.size());
+        }
+    }
+    return result;
+}
+
+/// Of an open stretch of an edge: from the solids that bound it.
+void add_stretch(const GridPlanes<2>& planes, const DenseIndex<2>& index, const std::vector<PlacedSolid<2>>& solids,
+                 const Slab<2>& slab, const PieceSource& source, std::vector<PieceRate<2>>& rates)
+{
+    const std::size_t begin = rates.size();
+    const CutFace<2>& face = slab.faces[source.face];
+    const int axis = edge_axis<2>(0, source.edge);
+    const Index<2> start = edge_start<2>(0, index.index(face.id), source.edge);
+    const double low = planes.place[axis][start[axis]], high = planes.place[axis][start[axis] + 1];
+    const Vec<2> x(planes.place[0][start[0]], planes.place[1][start[1]]);
+    const std::span<const int> images =
+        face.detail >= 0 ? std::span<const int>(slab.details[face.detail].images) : std::span<const int>(&face.image, 1);
+    for (const auto& [at, sign] : {std::pair{source.from, -1.0}, {source.to, 1.0}}) {
+        if (at <= low || at >= high)
+            continue;
+        Vec<2> end = x;
+        end[axis] = at;
+        // The solid of which this is a crossing.
+        double least = std::numeric_limits<double>::infinity();
+        const PlacedSolid<2>* nearest = nullptr;
+        Vec<2> normal;
+        for (const int image : images) {
+            const auto offer = [&](double place, auto&& normal_there) {
+                if (std::abs(at - place) < least) {
+                    least = std::abs(at - place);
+                    nearest = &solids[image];
+                    normal = normal_there();
+                }
+            };
+            std::visit(
+                [&](const auto& kind) {
+                    if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<2>>) {
+                        const FaceChains chains = slab.facets[image]->face(2, index.index(face.id));
+                        for (int k = 0; k < chains.size(); ++k) {
+                            const FacetChain chain = chains[k];
+                            if (chain.first_edge == source.edge)
+                                offer(low + chain.points.front()[axis],
+                                      [&] { return facet_normal(kind, chain.facets.front()); });
+                            if (chain.last_edge == source.edge)
+                                offer(low + chain.points.back()[axis], [&] { return facet_normal(kind, chain.facets.back()); });
+                        }
+                    } else {
+                        const Stretch line = kind.line(axis, x);
+                        for (const double place : {line.from, line.to})
+                            offer(place, [&] { return kind.normal_at(end); });
+                    }
+                },
+                solids[image].kind);
+        }
+        if (nearest)
+            add_end(axis, sign, end, 0.5 * (low + high), nearest->reference, normal, rate_of(rates, begin, nearest->solid));
+    }
+}
+
+} // namespace
+
+void add_segment(const FacePlane& face, const Vec<3>& reference, const ArcSegment& segment, const Slope& slope,
+                 PieceRate<3>& rate)
+{
+    const int d = face.d, u = u_axis<3>(d), v = v_axis<3>(d);
+    const SegmentIntegrals sum = integrate(segment, face.centre, slope);
+    // From the reference point: x + arm in the plane, h along d. r x (nu + slope e_d) in (u, v, d):
+    // (r_v slope - h nu_v, h nu_u - r_u slope, r_u nu_v - r_v nu_u), the last one ds = r . dx.
+    const Vec<2> arm(face.centre[0] - reference[u], face.centre[1] - reference[v]);
+    const double h = face.at - reference[d];
+    rate.area[u] -= sum.normal[0];
+    rate.area[v] -= sum.normal[1];
+    rate.area[d] -= sum.slope;
+    rate.area[3 + u] -= sum.first_slope[1] + arm[1] * sum.slope - h * sum.normal[1];
+    rate.area[3 + v] -= h * sum.normal[0] - sum.first_slope[0] - arm[0] * sum.slope;
+    rate.area[3 + d] -= sum.half_square + arm[0] * sum.normal[1] - arm[1] * sum.normal[0];
+    for (const auto& [j, row] : {std::pair{0, u}, {1, v}}) {
+        rate.moment(row, u) -= sum.first_normal(j, 0);
+        rate.moment(row, v) -= sum.first_normal(j, 1);
+        rate.moment(row, d) -= sum.first_slope[j];
+        rate.moment(row, 3 + u) -= sum.second_slope(j, 1) + arm[1] * sum.first_slope[j] - h * sum.first_normal(j, 1);
+        rate.moment(row, 3 + v) -= h * sum.first_normal(j, 0) - sum.second_slope(j, 0) - arm[0] * sum.first_slope[j];
+        rate.moment(row, 3 + d) -= sum.turning[j] + arm[0] * sum.first_normal(j, 1) - arm[1] * sum.first_normal(j, 0);
+    }
+}
+
+void add_end(int axis, double sign, const Vec<2>& x, double centre, const Vec<2>& reference, const Vec<2>& normal,
+             PieceRate<2>& rate)
+{
+    if (normal[axis] == 0)
+        return;
+    const Twist<2> speed = sign * wrench<2>(normal / normal[axis], x - reference);
+    rate.area += speed;
+    rate.moment.row(axis) += (x[axis] - centre) * speed.transpose();
+}
+
+template <int D>
+FaceDerivatives<D> face_derivatives(const GridPlanes<D>& planes, const DenseIndex<D>& index,
+                                    const std::vector<PlacedSolid<D>>& solids, const CutFaces<D>& cut,
+                                    std::span<const PieceSource> sources)
+{
+    FaceDerivatives<D> result;
+    result.first.reserve(sources.size() + 1);
+    if constexpr (D == 3) {
+        std::vector<SlabRates> slabs(cut.slabs.size());
+        for_each_job(static_cast<int>(slabs.size()),
+                     [&](int s) { slabs[s] = slab_rates(planes, index, solids, cut.slabs[s]); });
+        for (const PieceSource& source : sources) {
+            if (source.slab >= 0) {
+                const SlabRates& slab = slabs[source.slab];
+                result.rates.insert(result.rates.end(), slab.rates.begin() + slab.begin[source.piece],
+                                    slab.rates.begin() + slab.end[source.piece]);
+            }
+            result.first.push_back(static_cast<std::int32_t>(result.rates.size()));
+        }
+    } else
+        for (const PieceSource& source : sources) {
+            if (source.slab >= 0)
+                add_stretch(planes, index, solids, cut.slabs[source.slab], source, result.rates);
+            result.first.push_back(static_cast<std::int32_t>(result.rates.size()));
+        }
+    return result;
+}
+
+template FaceDerivatives<2> face_derivatives(const GridPlanes<2>&, const DenseIndex<2>&, const std::vector<PlacedSolid<2>>&,
+                                             const CutFaces<2>&, std::span<const PieceSource>);
+template FaceDerivatives<3> face_derivatives(const GridPlanes<3>&, const DenseIndex<3>&, const std::vector<PlacedSolid<3>>&,
+                                             const CutFaces<3>&, std::span<const PieceSource>);
+
+} // namespace gapflow

@@ -1,0 +1,75 @@
+// How the open pieces of the grid's faces change as solids move: derivatives of their areas and first moments, in closed form.
+//
+// Where a solid moves with the rigid velocity w, its border on a face moves in the face's plane with the normal speed w . n/|n_plane|
+// (n out of the solid, n_plane its part in the plane), and the fluid loses what the solid gains:
+//
+//     dA/dt = - int w . n/|n_plane| ds,     dm/dt = - int (x - centre) w . n/|n_plane| ds     over the solid's arcs,
+//
+// n/|n_plane| = nu + slope e_d with nu the normal of the arc. The integrals over nu follow from the arc's ends and its bulge alone,
+// whatever it is made of; those over the slope n_d/|n_plane| by Slope: where it is constant (facets: straight, balls: circles) from the
+// arc's length, where it is linear in nu (sides of cylinders and capsules: n is perpendicular to the axis) from ends and bulge again.
+// Ends of arcs, where a solid meets another one or the face's border, contribute nothing. In 2D the ends of open stretches move along
+// their edge with w . n/n_edge.
+//
+// A is not continuous where a facet or a rim passes a plane that it is parallel to: a facet that lies in a face's plane adds nothing. Where
+// a straight side of a cylinder touches a plane that it is parallel to, A is the root of the depth: the derivative grows without bound.
+#pragma once
+
+#include "gapflow/complex/cut_faces.hpp"
+
+#include <span>
+
+namespace gapflow {
+
+/// Derivatives by the twist of one solid (cells, radians; rotation about its reference point).
+template <int D>
+struct PieceRate {
+    std::int32_t solid;
+    Twist<D> area = Twist<D>::Zero(); ///< of the open area, in cells^(D-1) a cell
+    /// Of the integral of x - centre of the face over the open piece; along the face's normal zero.
+    Eigen::Matrix<double, D, twist_size<D>> moment = Eigen::Matrix<double, D, twist_size<D>>::Zero();
+};
+
+/// Of each of Complex::pieces, in their order; all other faces are wholly open or wholly covered.
+template <int D>
+struct FaceDerivatives {
+    std::vector<std::int32_t> first{0}; ///< of each piece in `rates`, and the end
+    std::vector<PieceRate<D>> rates;    ///< one for each solid that bounds the piece
+
+    std::span<const PieceRate<D>> of(std::size_t piece) const
+    {
+        return {rates.data() + first[piece], static_cast<std::size_t>(first[piece + 1] - first[piece])};
+    }
+};
+
+/// Where a piece of Complex::pieces comes from.
+struct PieceSource {
+    std::int32_t slab = -1, face = -1; ///< -1: a face that nothing cuts
+    std::int32_t piece = 0;            ///< 3D: of its slab
+    std::int32_t edge = 0;             ///< 2D: of the rectangle `face`
+    double from = 0, to = 0;           ///< 2D: along the edge
+};
+
+/// `sources`: of Complex::pieces; `cut` with its facets kept. build_complex calls it.
+template <int D>
+FaceDerivatives<D> face_derivatives(const GridPlanes<D>& planes, const DenseIndex<D>& index,
+                                    const std::vector<PlacedSolid<D>>& solids, const CutFaces<D>& cut,
+                                    std::span<const PieceSource> sources);
+
+/// A face of a 3D grid.
+struct FacePlane {
+    int d;         ///< its normal
+    double at;     ///< its place along d
+    Vec<2> centre; ///< (u, v)
+};
+
+/// Adds what a segment of a solid's border contributes; `slope` with the normal out of the solid, `reference` of its twist.
+void add_segment(const FacePlane& face, const Vec<3>& reference, const ArcSegment& segment, const Slope& slope,
+                 PieceRate<3>& rate);
+
+/// Adds what the end of an open stretch at x of a 2D grid's edge along `axis` contributes: `sign` 1 at its high end, -1 at its low one;
+/// `normal` of the solid there, of either sign.
+void add_end(int axis, double sign, const Vec<2>& x, double centre, const Vec<2>& reference, const Vec<2>& normal,
+             PieceRate<2>& rate);
+
+} // namespace gapflow
