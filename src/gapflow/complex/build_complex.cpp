@@ -342,9 +342,9 @@ CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, con
 template <int D>
 class Joining {
 public:
-    Joining(const Grid<D>& grid, const GridPlanes<D>& planes, const CutFaces<D>& cut, const std::vector<CellSlab<D>>& slabs,
-            Complex<D>& complex)
-        : grid_(grid), planes_(planes), cut_(cut), slabs_(slabs), complex_(complex), index_(complex.index)
+    Joining(const Grid<D>& grid, const GridPlanes<D>& planes, const std::vector<PlacedSolid<D>>& solids, const CutFaces<D>& cut,
+            const std::vector<CellSlab<D>>& slabs, Complex<D>& complex)
+        : grid_(grid), planes_(planes), solids_(solids), cut_(cut), slabs_(slabs), complex_(complex), index_(complex.index)
     {
         std::vector<int> cell_offset{0};
         for (std::size_t s = 0; s < slabs.size(); ++s) {
@@ -425,6 +425,7 @@ public:
 private:
     const Grid<D>& grid_;
     const GridPlanes<D>& planes_;
+    const std::vector<PlacedSolid<D>>& solids_;
     const CutFaces<D>& cut_;
     const std::vector<CellSlab<D>>& slabs_;
     Complex<D>& complex_;
@@ -485,72 +486,85 @@ void Joining<D>::join_faces() requires(D == 3)
 template <int D>
 void Joining<D>::join_faces() requires(D == 2)
 {
-    // An edge's open stretches, as the rectangles beside it have them.
-    struct Edge {
-        const CutFace<2>* face = nullptr;
-        const Slab<2>* slab = nullptr;
-        std::size_t number = 0;
-        int count = 0, first = 0;
+    // An edge's open stretches and what lies behind them, as one of the rectangles beside it has them; a line that divides the rectangle
+    // divides the edge on that side alone.
+    struct Behind {
+        double from, to;
+        PartOrCell part;
     };
-    const auto edge_of = [&](const Index<2>& c, int e) {
+    using Behinds = InlineVector<Behind, 4>;
+    const auto is_cut = [&](const Index<2>& w) { return grid_.in_domain(w) && cut_.face[0][index_(w)] >= 0; };
+    const auto stretches_of = [&](const Index<2>& c, int e, double from, double to, Behinds& list) {
         const Index<2> w = grid_.wrapped(c);
-        Edge edge;
-        if (!grid_.in_domain(w) || cut_.face[0][index_(w)] < 0)
-            return edge;
-        edge.number = static_cast<std::size_t>(cut_.slab_of[w[1] - index_.low[1]]);
-        edge.slab = &cut_.slabs[edge.number];
-        edge.face = &edge.slab->faces[cut_.face[0][index_(w)]];
-        if (edge.face->detail >= 0) {
-            const FaceDetail& detail = edge.slab->details[edge.face->detail];
-            edge.first = detail.stretch[e];
-            edge.count = detail.stretch[e + 1] - detail.stretch[e];
-        } else
-            edge.count = (edge.face->open >> e & 1) || (edge.face->open >> ((e + 1) & 3) & 1) ? 1 : 0;
-        return edge;
+        list.clear();
+        if (!is_cut(w)) {
+            const PartOrCell main = main_of(c);
+            if (main.exists() || !grid_.in_domain(w))
+                list.push_back({from, to, main});
+            return;
+        }
+        const std::size_t number = static_cast<std::size_t>(cut_.slab_of[w[1] - index_.low[1]]);
+        const Slab<2>& slab = cut_.slabs[number];
+        const CutFace<2>& face = slab.faces[cut_.face[0][index_(w)]];
+        const auto part_of = [&](int piece) {
+            const int part = part_at(number, face.piece + piece, 0);
+            return part >= 0 ? PartOrCell::part(part) : PartOrCell{};
+        };
+        if (face.detail >= 0) {
+            const FaceDetail& detail = slab.details[face.detail];
+            for (int k = detail.stretch[e]; k < detail.stretch[e + 1]; ++k)
+                list.push_back({slab.stretches[k].from, slab.stretches[k].to, part_of(slab.stretches[k].piece)});
+            return;
+        }
+        const bool a = face.open >> e & 1, b = face.open >> ((e + 1) & 3) & 1;
+        if (!a && !b)
+            return;
+        Behind stretch{from, to, part_of(0)};
+        if (!(a && b)) {
+            const bool at_low = e < 2 ? a : b; // the open end along the axis
+            (at_low ? stretch.to : stretch.from) = slab.crossings[2 * face.crossing + (face.crossing_edge[0] == e ? 0 : 1)];
+        }
+        list.push_back(stretch);
     };
+    Behinds low, high;
     for (int d = 0; d < 2; ++d)
         for_each_index<2>(index_.low, owned_faces_end(grid_, d), [&](const Index<2>& f) {
             const int along = 1 - d, e_low = d == 0 ? 1 : 2, e_high = d == 0 ? 3 : 0; // as edges of the cells below and above
             const Index<2> below = f - step<2>(d);
-            const Edge low = edge_of(below, e_low), high = edge_of(f, e_high);
-            if (!low.face && !high.face) {
-                const PartOrCell a = main_of(below), b = main_of(f);
-                const bool beyond_low = !grid_.in_domain(grid_.wrapped(below)),
-                           beyond_high = !grid_.in_domain(grid_.wrapped(f));
-                if ((a.exists() || beyond_low) && (b.exists() || beyond_high) && (a.exists() || b.exists()))
-                    complex_.main_area[d][index_(f)] = face_area(d, f);
+            const double from = planes_.place[along][f[along]], to = planes_.place[along][f[along] + 1];
+            stretches_of(below, e_low, from, to, low);
+            stretches_of(f, e_high, from, to, high);
+            if (!is_cut(grid_.wrapped(below)) && !is_cut(grid_.wrapped(f))) {
+                if (!low.empty() && !high.empty() && (low[0].part.exists() || high[0].part.exists()))
+                    complex_.main_area[d][index_(f)] = to - from;
                 return;
             }
-            const double from = planes_.place[along][f[along]], to = planes_.place[along][f[along] + 1];
-            const int count = low.face && high.face ? std::min(low.count, high.count) : low.face ? low.count : high.count;
-            for (int k = 0; k < count; ++k) {
-                const Edge& known = low.face && (low.face->detail >= 0 || !high.face || high.face->detail < 0) ? low : high;
-                OpenStretch stretch{from, to, 0};
-                if (known.face->detail >= 0)
-                    stretch = known.slab->stretches[known.first + k];
-                else {
-                    const int e = &known == &low ? e_low : e_high;
-                    const bool a = known.face->open >> e & 1, b = known.face->open >> ((e + 1) & 3) & 1;
-                    if (!(a && b)) {
-                        const bool at_low = e < 2 ? a : b; // the open end along the axis
-                        const double crossing =
-                            known.slab->crossings[2 * known.face->crossing + (known.face->crossing_edge[0] == e ? 0 : 1)];
-                        (at_low ? stretch.to : stretch.from) = crossing;
-                    }
+            for (std::size_t i = 0, j = 0; i < low.size() && j < high.size();) {
+                const double begin = std::max(low[i].from, high[j].from), end = std::min(low[i].to, high[j].to);
+                if (end > begin) {
+                    Vec<2> centroid;
+                    centroid[d] = planes_.place[d][f[d]];
+                    centroid[along] = 0.5 * (begin + end);
+                    add_piece(d, f, low[i].part, high[j].part, end - begin, centroid);
                 }
-                Vec<2> centroid;
-                centroid[d] = planes_.place[d][f[d]];
-                centroid[along] = 0.5 * (stretch.from + stretch.to);
-                const auto side = [&](const Edge& edge, const Index<2>& c) {
-                    if (!edge.face)
-                        return main_of(c);
-                    const int piece = edge.face->detail >= 0 ? edge.slab->stretches[edge.first + k].piece : 0;
-                    const int number = part_at(edge.number, edge.face->piece + piece, 0);
-                    return number >= 0 ? PartOrCell::part(number) : PartOrCell{};
-                };
-                add_piece(d, f, side(low, below), side(high, f), stretch.to - stretch.from, centroid);
+                const bool next_low = low[i].to <= high[j].to, next_high = high[j].to <= low[i].to;
+                i += next_low;
+                j += next_high;
             }
         });
+    for (std::size_t s = 0; s < slabs_.size(); ++s)
+        for (const CutFace<2>& face : cut_.slabs[s].faces) {
+            if (face.state == CutFace<2>::State::dead || face.detail < 0)
+                continue;
+            const FaceDetail& detail = cut_.slabs[s].details[face.detail];
+            for (int k = detail.division; k < detail.division + detail.divisions; ++k) {
+                const CornerDivision<2>& division = cut_.slabs[s].divisions[k];
+                const int a = part_at(s, face.piece + division.a, 0), b = part_at(s, face.piece + division.b, 0);
+                if (a >= 0 && b >= 0)
+                    complex_.links.push_back({a, b, solids_[division.image].solid, division.conductance, division.open,
+                                              division.covered, division.at});
+            }
+        }
 }
 
 } // namespace
@@ -577,7 +591,7 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids)
         else
             slabs[s] = build_cells2(cut, complex.index, placed, s, complex.cell);
     });
-    Joining<D>(grid, planes, cut, slabs, complex).join_faces();
+    Joining<D>(grid, planes, placed, cut, slabs, complex).join_faces();
     return complex;
 }
 
@@ -589,7 +603,7 @@ long Complex<D>::bytes() const
 {
     const auto of = [](const auto& v) { return static_cast<long>(v.capacity() * sizeof(v[0])); };
     return of(cell) + of(cut_cell) + of(first_part) + of(part_cell) + of(part_area) + of(first_patch) + of(patches) +
-           of(pieces);
+           of(pieces) + of(links);
 }
 
 template struct Complex<2>;

@@ -220,6 +220,7 @@ private:
             }
         high[u] = high_[u];
         high[v] = high_[v];
+        find_corners();
         auto& face = cut_.face[D == 3 ? d : 0];
         for_each_index<D>(low, high, [&](const Index<D>& f) {
             const long at = offset(f);
@@ -239,7 +240,8 @@ private:
                 number = Complex<D>::solid;
                 return;
             }
-            const bool simple = !twice && !holds && open != 5 && open != 10 && open != 0 && open != 15;
+            const bool divided = std::find(with_corner_.begin(), with_corner_.end(), at) != with_corner_.end();
+            const bool simple = !twice && !holds && !divided && open != 5 && open != 10 && open != 0 && open != 15;
             if (number >= 0) {
                 make_general(slab_.faces[number]);
                 slab_.details[slab_.faces[number].detail].images.push_back(image_);
@@ -255,6 +257,18 @@ private:
         });
     }
 
+    /// Cells of the corners that divide.
+    void find_corners()
+    {
+        with_corner_.clear();
+        if constexpr (D == 2)
+            for (const SharpCorner& corner : solid_.corners) {
+                const Index<2> c(planes_.cell_of(0, corner.at[0]), planes_.cell_of(1, corner.at[1]));
+                if ((c.array() >= low_.array()).all() && (c.array() < high_.array()).all())
+                    with_corner_.push_back(offset(c));
+            }
+    }
+
     bool crossed_twice(long at, int u, int v) const
     {
         return (twice_[at] >> u & 1) || (twice_[at + stride_[u]] >> v & 1) || (twice_[at + stride_[v]] >> u & 1) ||
@@ -267,7 +281,7 @@ private:
             return;
         face.state = CutFace<D>::State::general;
         face.detail = static_cast<std::int32_t>(slab_.details.size());
-        slab_.details.push_back({{face.image}, {}, 0, 0});
+        slab_.details.push_back({{face.image}, {}, 0, 0, 0, 0});
         if (face.pieces) { // what was found with one solid alone was the last entry or lies idle
             face.pieces = 0;
             face.arcs = 0;
@@ -342,6 +356,7 @@ private:
     Index<D> low_, high_, stride_; ///< vertices low .. high
     std::vector<char> covered_, twice_;
     std::array<std::vector<double>, D> crossing_;
+    std::vector<long> with_corner_;
 };
 
 /// Fills what a convex solid covers of a rectangle's edges, from the same numbers as Marking.
@@ -432,6 +447,15 @@ void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const 
                 },
                 placed.kind);
         }
+        square.corners.clear();
+        std::vector<const SharpCorner*> sharp;
+        if constexpr (D == 2)
+            for (std::size_t k = 0; k < detail.images.size(); ++k)
+                for (const SharpCorner& corner : solids[detail.images[k]].corners)
+                    if ((corner.at.array() > square.low.array()).all() && (corner.at.array() < square.high.array()).all()) {
+                        square.corners.push_back({static_cast<int>(k), corner.at, corner.outward});
+                        sharp.push_back(&corner);
+                    }
         depth.images = &detail.images;
         depth.d = d;
         depth.at = at;
@@ -454,6 +478,19 @@ void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const 
         detail.junctions = static_cast<int>(square.junctions.size());
         for (const SquareJunction& j : square.junctions)
             slab.junctions.push_back({j.piece, detail.images[j.from], detail.images[j.to], in_space<D>(d, at, j.at)});
+        detail.division = static_cast<int>(slab.divisions.size());
+        detail.divisions = static_cast<int>(square.links.size());
+        for (const SquareLink& link : square.links) {
+            const SharpCorner& corner = *sharp[link.corner];
+            double covered = std::numeric_limits<double>::infinity();
+            for (int axis = 0; axis < 2; ++axis)
+                if (const double slope = corner.outward[axis]; slope != 0)
+                    covered = std::min(
+                        covered, (corner.at[axis] - (slope > 0 ? square.low[axis] : square.high[axis])) / slope);
+            slab.divisions.push_back({detail.images[square.corners[link.corner].solid], link.a, link.b,
+                                      corner_conductance(corner.angle, link.open, covered), link.open, covered,
+                                      in_space<D>(d, at, corner.at)});
+        }
     }
 }
 

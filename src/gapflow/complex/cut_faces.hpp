@@ -74,11 +74,21 @@ struct CutFace {
     std::array<std::int8_t, 2> crossing_edge{};
 };
 
+/// Two pieces of a rectangle on both sides of the line by which a solid's corner divides it.
+template <int D>
+struct CornerDivision {
+    std::int32_t image;
+    std::int32_t a, b; ///< pieces of the rectangle, at the left and right of the way outward
+    double conductance, open, covered;
+    Vec<D> at; ///< the corner
+};
+
 /// Of a general face.
 struct FaceDetail {
     std::vector<int> images;
     std::array<int, 5> stretch{}; ///< first stretch of each edge, and the end
     int junction = 0, junctions = 0;
+    int division = 0, divisions = 0;
 };
 
 template <int D>
@@ -90,6 +100,7 @@ struct Slab {
     std::vector<FaceDetail> details;
     std::vector<OpenStretch> stretches;
     std::vector<Junction<D>> junctions;
+    std::vector<CornerDivision<D>> divisions;
     std::vector<double> crossings; ///< 2D: where solids cross the edges of simple cells, along the edge's axis
 };
 

@@ -5,6 +5,23 @@
 
 namespace gapflow {
 
+namespace {
+
+/// Corners of a convex polygon.
+std::vector<SharpCorner> corners_of(const Section& polygon)
+{
+    std::vector<SharpCorner> corners;
+    for (int k = 0; k < polygon.count; ++k) {
+        const Vec<2>& at = polygon.corner[k];
+        const Vec<2> a = (at - polygon.corner[(k + polygon.count - 1) % polygon.count]).normalized(),
+                     b = (at - polygon.corner[(k + 1) % polygon.count]).normalized();
+        corners.push_back({at, (a + b).normalized(), std::acos(std::clamp(a.dot(b), -1.0, 1.0))});
+    }
+    return corners;
+}
+
+} // namespace
+
 double rounded(double x)
 {
     constexpr double unit = 1.0 / (1L << 36);
@@ -60,7 +77,8 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
                               at(solid.centre),
                               planes.in_cells(image.bounds.low),
                               planes.in_cells(image.bounds.high),
-                              image.shape};
+                              image.shape,
+                              {}};
         if (const auto radius = shape.sphere_radius())
             placed.kind = BallKind<D>{centre, *radius / grid.dx()};
         else if (const auto bar = shape.round_bar())
@@ -76,6 +94,9 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
             kind.centre = centre;
             kind.reach = kind.planes > 1 ? bounding_radius(shape.bounds()) / grid.dx() : 0;
             placed.kind = kind;
+            if constexpr (D == 2)
+                if (kind.planes > 1 && !placed.inverse)
+                    placed.corners = corners_of(kind.section(0, 0));
         } else
             placed.kind = FacetKind<D>{&solid.shape};
         result.push_back(placed);

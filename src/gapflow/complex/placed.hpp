@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/complex/convex.hpp"
+#include "gapflow/complex/corner.hpp"
 #include "gapflow/geometry/solid.hpp"
 #include "gapflow/grid/grid.hpp"
 
@@ -40,6 +41,7 @@ struct PlacedSolid {
     Vec<D> reference; ///< point of its twist
     Vec<D> low, high; ///< a box around its surface
     PlacedShape<D> shape;
+    std::vector<SharpCorner> corners; ///< 2D: those that divide the fluid
 };
 
 /// Images of the solids that meet the box low .. high (in cells), but walls.

@@ -440,10 +440,7 @@ void Square::add_border(int ring)
         sum_ += triangle(start_, here_, x);
         here_ = x;
     };
-    const double from = along_ring(r.start);
-    double end = along_ring(r.end);
-    if (end < from)
-        end += 4;
+    const double from = along_ring(r.start), end = from + ring_length(r);
     for (int c = static_cast<int>(std::floor(from)) + 1; c < end; ++c)
         to(corner(c % 4));
     to(point(r.end));
@@ -490,6 +487,268 @@ int Square::next_ring(SquareArc& arc)
         arc.to = x;
     }
     return best;
+}
+
+double Square::ring_length(const RingStretch& r) const
+{
+    const double length = along_ring(r.end) - along_ring(r.start);
+    return length > 0 ? length : length + 4;
+}
+
+bool Square::find_joint(const SquareCorner& corner, int& arc, int& segment) const
+{
+    double least = parameters.joint_distance * parameters.joint_distance;
+    arc = -1;
+    for (std::size_t a = 0; a < arcs.size(); ++a) {
+        const SquareArc& candidate = arcs[a];
+        if (candidate.solid != corner.solid)
+            continue;
+        const bool goes_on = candidate.start.edge < 0 && candidate.end.edge < 0 &&
+                             (candidate.joins < 0 || arcs[candidate.joins].solid == candidate.solid);
+        for (std::size_t k = 0; k + (goes_on ? 0 : 1) < candidate.segments.size(); ++k)
+            if (const double distance = (candidate.segments[k].to - corner.at).squaredNorm(); distance < least) {
+                least = distance;
+                arc = static_cast<int>(a);
+                segment = static_cast<int>(k);
+            }
+    }
+    return arc >= 0;
+}
+
+Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction) const
+{
+    Hit hit;
+    hit.way = std::numeric_limits<double>::infinity();
+    const double near = parameters.least_stretch, touching = parameters.joint_distance;
+    for (std::size_t a = 0; a < arcs.size(); ++a)
+        for (std::size_t k = 0; k < arcs[a].segments.size(); ++k) {
+            const ArcSegment& segment = arcs[a].segments[k];
+            double way, t;
+            if (!segment.curve) { // start + way direction = from + t along, from its left
+                const Vec<2> along = segment.to - segment.from, r = segment.from - start;
+                const double turn = cross(direction, along);
+                if (!(turn > 0))
+                    continue;
+                way = cross(r, along) / turn;
+                t = cross(r, direction) / turn;
+                const double margin = near / along.norm();
+                if (t < -margin || t > 1 + margin)
+                    continue;
+                t = std::clamp(t, 0.0, 1.0);
+            } else { // into the ellipse, or out of it where the solid is its outside
+                const Vec<2> s = segment.curve->scaled(start), e = segment.curve->axes(direction);
+                const double A = e.squaredNorm(), B = s.dot(e), C = s.squaredNorm() - 1, root2 = B * B - A * C;
+                if (!(root2 > 0))
+                    continue;
+                way = (-B + (segment.backwards ? 1 : -1) * std::sqrt(root2)) / A;
+                const Vec<2> x = start + way * direction;
+                t = segment.nearest(x);
+                if ((segment.at(t) - x).norm() > touching)
+                    continue;
+            }
+            if (way > -touching && way < hit.way)
+                hit = {std::max(way, 0.0), static_cast<int>(a), static_cast<int>(k), t};
+        }
+    return hit;
+}
+
+int Square::split_arc(int a, int segment, double t, const Vec<2>& x)
+{
+    SquareArc& arc = arcs[a];
+    SquareArc rest = arc;
+    rest.segments.clear();
+    InlineVector<ArcSegment, 3> head;
+    for (int k = 0; k < static_cast<int>(arc.segments.size()); ++k) {
+        const ArcSegment& s = arc.segments[k];
+        if (k < segment || (k == segment && t > 0)) {
+            head.push_back(k < segment ? s : s.part(0, t));
+            if (k == segment)
+                head[head.size() - 1].to = x;
+        }
+        if (k > segment || (k == segment && t < 1)) {
+            rest.segments.push_back(k > segment ? s : s.part(t, 1));
+            if (k == segment)
+                rest.segments[rest.segments.size() - 1].from = x;
+        }
+    }
+    const bool loop = arc.start.edge < 0 && arc.end.edge < 0 && (arc.joins < 0 || arc.joins == a);
+    if (loop) {
+        for (const ArcSegment& s : head)
+            rest.segments.push_back(s);
+        arc.segments = rest.segments;
+        arc.from = arc.to = x;
+        arc.joins = -1;
+        return a;
+    }
+    rest.start = {};
+    rest.from = x;
+    arc.segments = head;
+    arc.end = {};
+    arc.to = x;
+    arc.joins = -1;
+    arcs.push_back(rest);
+    return static_cast<int>(arcs.size()) - 1;
+}
+
+/// The stretch of the ring within which a place lies; -1: none, or at its end.
+int Square::ring_at(const OnEdge& place) const
+{
+    for (std::size_t r = 0; r < ring_.size(); ++r) {
+        if (ring_[r].after < 0)
+            return static_cast<int>(r);
+        double way = along_ring(place) - along_ring(ring_[r].start);
+        way += way < 0 ? 4 : 0;
+        if (way > parameters.least_stretch && way < ring_length(ring_[r]) - parameters.least_stretch)
+            return static_cast<int>(r);
+    }
+    return -1;
+}
+
+void Square::split_ring(int r, const OnEdge& place, int solid)
+{
+    const RingStretch old = ring_[r];
+    const bool whole = old.after < 0;
+    const double start = along_ring(old.start);
+    const auto way = [&](const OnEdge& x) {
+        const double w = along_ring(x) - start;
+        return w < 0 ? w + 4 : w;
+    };
+    const double here = way(place);
+    const int other = static_cast<int>(ring_.size());
+    if (whole)
+        ring_[r] = {place, place, solid, solid};
+    else {
+        ring_[r].end = place;
+        ring_[r].after = solid;
+        ring_.push_back({place, old.end, solid, old.after});
+    }
+    for (int e = 0; e < 4; ++e) {
+        auto& list = stretches[e];
+        for (std::size_t k = 0; k < list.size(); ++k) {
+            if (ring_of_[e][k] != r)
+                continue;
+            if (e == place.edge && place.at > list[k].from && place.at < list[k].to) {
+                list.insert(list.begin() + static_cast<long>(k), list[k]);
+                list[k].to = list[k + 1].from = place.at;
+                ring_of_[e].insert(ring_of_[e].begin() + static_cast<long>(k), r);
+            }
+            if (!whole && way({e, 0.5 * (list[k].from + list[k].to)}) > here)
+                ring_of_[e][k] = other;
+        }
+    }
+}
+
+/// The nearest arc that ends or starts at a place of the border, as a hit.
+Square::Hit Square::arc_end(const OnEdge& place) const
+{
+    const Vec<2> x = point(place);
+    Hit hit;
+    double least = parameters.joint_distance * parameters.joint_distance;
+    for (std::size_t a = 0; a < arcs.size(); ++a) {
+        if (arcs[a].segments.empty())
+            continue;
+        if (arcs[a].start.edge >= 0 && (arcs[a].from - x).squaredNorm() < least) {
+            least = (arcs[a].from - x).squaredNorm();
+            hit = {0, static_cast<int>(a), 0, 0};
+        }
+        if (arcs[a].end.edge >= 0 && (arcs[a].to - x).squaredNorm() < least) {
+            least = (arcs[a].to - x).squaredNorm();
+            hit = {0, static_cast<int>(a), static_cast<int>(arcs[a].segments.size()) - 1, 1};
+        }
+    }
+    return hit;
+}
+
+void Square::divide(int number)
+{
+    const SquareCorner& corner = corners[number];
+    int arc, segment;
+    if (!find_joint(corner, arc, segment))
+        return; // covered by another solid
+    const Vec<2> p = arcs[arc].segments[segment].to, &direction = corner.outward;
+    // Where the line leaves the rectangle.
+    double way = std::numeric_limits<double>::infinity();
+    OnEdge exit;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double to = direction[axis] > 0 ? high[axis] : low[axis], t = (to - p[axis]) / direction[axis];
+        if (direction[axis] != 0 && t < way) {
+            way = t;
+            exit.edge = axis == 0 ? (direction[axis] > 0 ? 1 : 3) : (direction[axis] > 0 ? 2 : 0);
+        }
+    }
+    const int along = exit.edge % 2;
+    exit.at = p[along] + way * direction[along];
+    for (const double end : {low[along], high[along]})
+        if (std::abs(exit.at - end) < parameters.least_stretch)
+            exit.at = end;
+    Hit hit = nearest_hit(p, direction);
+    if (hit.way > way)
+        hit.arc = -1;
+    int ring = -1;
+    if (hit.arc < 0 && (ring = ring_at(exit)) < 0) {
+        hit = arc_end(exit);
+        if (hit.arc < 0)
+            return;
+    }
+    const Vec<2> y = hit.arc < 0 ? point(exit) : arcs[hit.arc].segments[hit.segment].at(hit.t);
+    int ends = -1, starts = -1; // arcs at y
+    if (hit.arc >= 0) {
+        ends = hit.arc;
+        starts = split_arc(hit.arc, hit.segment, hit.t, y);
+        if (!find_joint(corner, arc, segment))
+            return;
+    }
+    int first = arc, second;
+    if (segment + 1 == static_cast<int>(arcs[arc].segments.size()) && arcs[arc].joins >= 0 && arcs[arc].joins != arc)
+        second = arcs[arc].joins;
+    else
+        second = split_arc(arc, segment, 1, p);
+    if (ends == first && second != first)
+        ends = second;
+    // Along the line and back.
+    arcs[first].segments.push_back({p, y, nullptr, -1, false, false, number});
+    arcs[first].to = y;
+    InlineVector<ArcSegment, 3> back;
+    back.push_back({y, p, nullptr, -1, false, false, number});
+    for (const ArcSegment& s : arcs[second].segments)
+        back.push_back(s);
+    arcs[second].segments = back;
+    arcs[second].from = y;
+    if (hit.arc >= 0) {
+        arcs[first].end = arcs[second].start = {};
+        arcs[ends].joins = second;
+        arcs[first].joins = starts;
+    } else {
+        arcs[first].joins = -1;
+        arcs[first].end = arcs[second].start = exit;
+        split_ring(ring, exit, corner.solid);
+    }
+}
+
+void Square::find_links()
+{
+    struct Side {
+        double from, to;
+        int piece;
+    };
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        std::array<InlineVector<Side, 2>, 2> sides;
+        const Vec<2> p = corners[k].at, &direction = corners[k].outward;
+        double line = 0;
+        for (const SquareArc& arc : arcs)
+            for (const ArcSegment& segment : arc.segments)
+                if (segment.fin == static_cast<int>(k)) {
+                    const double from = (segment.from - p).dot(direction), to = (segment.to - p).dot(direction);
+                    sides[to > from ? 0 : 1].push_back({std::min(from, to), std::max(from, to), arc.piece});
+                    line = std::max({line, from, to});
+                }
+        for (const Side& a : sides[0])
+            for (const Side& b : sides[1]) {
+                const double open = std::min(a.to, b.to) - std::max(a.from, b.from);
+                if (open > 0 && a.piece != b.piece)
+                    links.push_back({static_cast<int>(k), a.piece, b.piece, open, line});
+            }
+    }
 }
 
 void Square::walk()
@@ -634,9 +893,7 @@ void Square::close_loops()
                 for (const RingStretch& r : ring_)
                     if (r.piece == static_cast<int>(p)) {
                         Vec<2> from = point(r.start);
-                        const double begin = along_ring(r.start);
-                        double end = along_ring(r.end);
-                        end += end < begin ? 4 : 0;
+                        const double begin = along_ring(r.start), end = begin + ring_length(r);
                         for (int c = static_cast<int>(std::floor(begin)) + 1; c < end; ++c) {
                             go(from, corner(c % 4));
                             from = corner(c % 4);
@@ -667,16 +924,20 @@ void Square::close_loops()
 void Square::cut(const Depth* depth)
 {
     pieces.clear();
+    links.clear();
     junctions.clear();
     find_open_stretches();
     find_arcs();
     if (depth && solids.size() > 1)
         keep_outer(*depth);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+        divide(static_cast<int>(k));
     walk();
     close_loops();
     for (int e = 0; e < 4; ++e)
         for (std::size_t k = 0; k < stretches[e].size(); ++k)
             stretches[e][k].piece = ring_[ring_of_[e][k]].piece;
+    find_links();
 }
 
 } // namespace gapflow

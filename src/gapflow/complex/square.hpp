@@ -4,6 +4,9 @@
 // open stretches of the edges and along arcs gives the pieces: connected open regions. Every piece's border closes by construction, so
 // areas and area vectors balance to round-off whatever the degeneracy.
 //
+// A corner of a solid may divide a piece: its border is then led from the corner along a straight line to the next solid or to the
+// rectangle's border and back on the line's other side, as around a fin of no thickness. To all that follows the fin is the solid's border.
+//
 // Edges, counterclockwise: 0 at v low, 1 at u high, 2 at v high, 3 at u low. Coordinates on an edge are those along its axis.
 #pragma once
 
@@ -29,6 +32,7 @@ struct ArcSegment {
     int surface = 0;              ///< face of the solid to which it belongs
     bool backwards = false;       ///< counterclockwise
     bool whole = false;           ///< once around the ellipse
+    int fin = -1;                 ///< a side of the line by which this corner divides (index into Square::corners)
 
     Bulge bulge() const;
     /// At t of its way, 0 .. 1.
@@ -75,6 +79,21 @@ struct SquareJunction {
     Vec<2> at;
 };
 
+/// A corner of a solid within the rectangle that divides.
+struct SquareCorner {
+    int solid;      ///< index into Square::solids
+    Vec<2> at;      ///< where two segments of the solid's border meet
+    Vec<2> outward; ///< direction of the dividing line
+};
+
+/// Two pieces on both sides of a dividing line.
+struct SquareLink {
+    int corner; ///< index into Square::corners
+    int a, b;   ///< pieces at the left and right of the way outward
+    double open;
+    double line; ///< length of the whole line, of which `open` lies between these two
+};
+
 struct OpenStretch {
     double from, to;
     int piece;
@@ -93,7 +112,10 @@ public:
         ~Depth() = default;
     };
 
+    std::vector<SquareCorner> corners;
+
     std::vector<SquarePiece> pieces;
+    std::vector<SquareLink> links;
     std::vector<SquareArc> arcs; ///< those that bound a piece
     std::vector<SquareJunction> junctions;
     std::array<std::vector<OpenStretch>, 4> stretches; ///< of each edge, ascending
@@ -117,6 +139,20 @@ private:
     void find_arcs();
     void arcs_of_convex(int s);
     void keep_outer(const Depth& depth);
+    struct Hit {
+        double way = 0; ///< from the ray's start
+        int arc = -1, segment = 0;
+        double t = 0;
+    };
+    void divide(int corner);
+    bool find_joint(const SquareCorner& corner, int& arc, int& segment) const;
+    Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction) const;
+    Hit arc_end(const OnEdge& place) const;
+    int split_arc(int arc, int segment, double t, const Vec<2>& x);
+    void split_ring(int ring, const OnEdge& place, int solid);
+    int ring_at(const OnEdge& place) const;
+    void find_links();
+    double ring_length(const RingStretch& r) const;
     void walk();
     void close_loops();
     void add_border(int ring);
