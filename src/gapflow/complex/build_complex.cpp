@@ -285,6 +285,18 @@ void append_offset(std::vector<std::int32_t>& to, const std::vector<std::int32_t
         to.push_back(to.back() + n);
 }
 
+/// Whether a piece of a cell in 2D is a part: it has an open face, or is too large to be round-off.
+bool is_part(const Slab<2>& slab, const CutFace<2>& face, int p)
+{
+    if (slab.pieces[face.piece + p].area > parameters.least_area)
+        return true;
+    if (face.detail < 0)
+        return true; // one corner of it is open
+    const FaceDetail& detail = slab.details[face.detail];
+    return std::any_of(slab.stretches.begin() + detail.stretch[0], slab.stretches.begin() + detail.stretch[4],
+                       [&](const OpenStretch& stretch) { return stretch.piece == p; });
+}
+
 /// Cells of a slab in 2D: the pieces of their rectangles are the parts.
 CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, const std::vector<PlacedSolid<2>>& solids,
                          int slab_number, std::vector<std::int32_t>& cell)
@@ -303,9 +315,8 @@ CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, con
         InlineVector<int, 4> label;
         int count = 0, largest = -1;
         for (int p = 0; p < face.pieces; ++p) {
-            label.push_back(-1);
-            const double area = slab.pieces[face.piece + p].area;
-            if (area > parameters.least_area && (largest < 0 || area > slab.pieces[face.piece + largest].area))
+            label.push_back(is_part(slab, face, p) ? -1 : -2);
+            if (label[p] == -1 && (largest < 0 || slab.pieces[face.piece + p].area > slab.pieces[face.piece + largest].area))
                 largest = p;
         }
         cell[number] = Complex<2>::solid;
@@ -315,7 +326,7 @@ CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, con
         cell[number] = static_cast<std::int32_t>(result.cut_cell.size());
         label[largest] = count++;
         for (int p = 0; p < face.pieces; ++p)
-            if (label[p] < 0 && slab.pieces[face.piece + p].area > parameters.least_area)
+            if (label[p] == -1)
                 label[p] = count++;
         for (int l = 0; l < count; ++l) {
             const std::size_t begin = result.patches.size();

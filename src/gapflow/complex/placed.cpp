@@ -7,6 +7,8 @@ namespace gapflow {
 
 namespace {
 
+constexpr double unit_of_place = 1.0 / (1L << 36);
+
 /// Corners of a convex polygon.
 std::vector<SharpCorner> corners_of(const Section& polygon)
 {
@@ -24,8 +26,7 @@ std::vector<SharpCorner> corners_of(const Section& polygon)
 
 double rounded(double x)
 {
-    constexpr double unit = 1.0 / (1L << 36);
-    return unit * std::nearbyint(x / unit);
+    return unit_of_place * std::nearbyint(x / unit_of_place);
 }
 
 template <int D>
@@ -53,6 +54,7 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
     for (int axis = 0; axis < D; ++axis)
         if (grid.periodic(axis))
             period[axis] = grid.size()[axis];
+    const Vec<D> margin = Vec<D>::Constant(unit_of_place); // the solid is where its place is rounded to
     std::vector<PlacedSolid<D>> result;
     for (const Image<D>& image : images(solids, planes.in_world(low), planes.in_world(high), period, grid.dx())) {
         const Solid<D>& solid = solids[image.solid];
@@ -75,8 +77,8 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
                               image.solid,
                               shape.inside_out(),
                               at(solid.centre),
-                              planes.in_cells(image.bounds.low),
-                              planes.in_cells(image.bounds.high),
+                              planes.in_cells(image.bounds.low) - margin,
+                              planes.in_cells(image.bounds.high) + margin,
                               image.shape,
                               {}};
         if (const auto radius = shape.sphere_radius())

@@ -294,8 +294,10 @@ void Square::arcs_of_convex(int s)
         arc.end = solid.inverse ? intervals[k].end : intervals[(k + n - 1) % n].end;
         arc.from = point(arc.start);
         arc.to = point(arc.end);
-        const Vec<2>& x = solid.section->inside;
-        const bool inside = (x.array() > low.array()).all() && (x.array() < high.array()).all();
+        // Where both ends are one point to round-off, it is the whole border or nothing.
+        const double touching = parameters.joint_distance;
+        const bool inside = (solid.section->low.array() > low.array() - touching).all() &&
+                            (solid.section->high.array() < high.array() + touching).all();
         if (solid.section->empty())
             arc.segments.push_back({arc.from, arc.to, nullptr, 0, false, false});
         else if (solid.inverse)

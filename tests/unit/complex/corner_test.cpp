@@ -1,0 +1,338 @@
+// Cells that sharp corners divide: parts, links, closure, continuity and added masses.
+#include "checks.hpp"
+
+#include "gapflow/complex/corner.hpp"
+#include "gapflow/complex/parameters.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <numbers>
+
+namespace gapflow::testing {
+namespace {
+
+/// A domain of n x n cells with one rectangle of the given size, in cells.
+struct Plate {
+    int n;
+    Vec<2> size, centre;
+    double angle = 0;
+
+    Grid<2> grid() const { return unit_grid<2>(n); }
+    void add_to(Scene<2>& scene) const
+    {
+        scene.add("plate", make_box<2>(Vec<2>(size / n)), pose<2>(Vec<2>(centre / n), angle));
+    }
+    Vec<2> corner(int k) const
+    {
+        return centre + Rotation<2>(angle) * Vec<2>((k % 2 ? 0.5 : -0.5) * size[0], (k / 2 ? 0.5 : -0.5) * size[1]);
+    }
+    /// Places it so that its corner k lies at x.
+    void put_corner(int k, const Vec<2>& x) { centre += x - corner(k); }
+};
+
+struct Flow {
+    Complex<2> complex;
+    ComplexSums<2> sums;
+    int solid;
+};
+
+Flow flow_of(const Plate& plate)
+{
+    const Grid<2> grid = plate.grid();
+    Scene<2> scene(grid);
+    plate.add_to(scene);
+    Flow flow{build_complex<2>(grid, scene.solids), {}, static_cast<int>(scene.solids.size()) - 1};
+    flow.sums = sums_of(grid, flow.complex, scene.solids);
+    return flow;
+}
+
+double fluid_area(const Complex<2>& complex)
+{
+    double area = 0;
+    for (const double a : complex.part_area)
+        area += a;
+    const Index<2> end = complex.index.low + complex.index.size - Index<2>::Ones();
+    for_each_index<2>(complex.index.low, end, [&](const Index<2>& c) { area += complex.cell[complex.index(c)] == Complex<2>::open; });
+    return area;
+}
+
+/// Added mass of the plate against translations over density and cells^2: every face a conductance A/dx, every corner its link, and the
+/// volume that the planes normal to an axis see, less the volume, so that it is exact for a uniform flow.
+Eigen::Matrix2d added_mass(const Plate& plate)
+{
+    const Flow flow = flow_of(plate);
+    const Complex<2>& complex = flow.complex;
+    std::vector<int> number(complex.index.count, -1);
+    int count = complex.parts();
+    for (int c = 0; c < static_cast<int>(complex.index.count); ++c)
+        if (complex.cell[c] == Complex<2>::open)
+            number[c] = count++;
+        else if (complex.cell[c] >= 0)
+            number[c] = complex.first_part[complex.cell[c]];
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(count);
+    const auto join = [&](int a, int b, double g) {
+        entries.insert(entries.end(), {{a, a, g}, {b, b, g}, {a, b, -g}, {b, a, -g}});
+        diagonal[a] += g;
+        diagonal[b] += g;
+    };
+    const auto number_of = [&](const PartOrCell& side) { return side.is_part() ? side.number() : number[side.number()]; };
+    for (const FacePiece<2>& piece : complex.pieces)
+        if (!complex.joins_main(piece) && piece.low.exists() && piece.high.exists())
+            join(number_of(piece.low), number_of(piece.high), piece.area);
+    for (int d = 0; d < 2; ++d)
+        for_each_index<2>(complex.index.low + step<2>(d), complex.index.low + complex.index.size - Index<2>::Ones(), [&](const Index<2>& f) {
+            const int at = complex.index(f);
+            if (const double area = complex.main_area[d][at]; area > 0)
+                join(number[complex.index(f - step<2>(d))], number[at], area);
+        });
+    for (const CornerLink<2>& link : complex.links)
+        join(link.a, link.b, link.conductance);
+    Eigen::Matrix<double, Eigen::Dynamic, 2> K = Eigen::MatrixXd::Zero(count, 2);
+    for (int p = 0; p < complex.parts(); ++p)
+        for (const WallPatch<2>& patch : complex.patches_of(p))
+            if (patch.solid == flow.solid)
+                K.row(p) += patch.area.transpose();
+    for (int k = 0; k < count; ++k)
+        if (diagonal[k] == 0)
+            entries.push_back({k, k, 1.0});
+    entries.push_back({count - 1, count - 1, 1.0}); // the pressure's level
+    Eigen::SparseMatrix<double> L(count, count);
+    L.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(L);
+    Eigen::Matrix2d M = K.transpose() * factors.solve(K);
+    for (int d = 0; d < 2; ++d) // n + 1 planes of n cells
+        M(d, d) += plate.n * (plate.n + 1) - flow.sums.area[d] - plate.size.prod();
+    return M;
+}
+
+/// Of a rectangle L x t in unbounded fluid, (along its sides t, along its sides L), by Schwarz and Christoffel: the exterior of the unit
+/// circle, corners at angles +-a, pi +- a; sides int sqrt(2 |cos 2 th - cos 2 a|) dth.
+Vec<2> rectangle_added_mass(double L, double t)
+{
+    const auto side = [](double a, double from, double to) { // th from its middle by sin(s): smooth at the ends
+        double sum = 0;
+        constexpr int steps = 400;
+        for (int k = 0; k < steps; ++k) {
+            const double s = std::numbers::pi * ((k + 0.5) / steps - 0.5), half = 0.5 * (to - from),
+                         th = 0.5 * (from + to) + half * std::sin(s);
+            sum += std::sqrt(2 * std::abs(std::cos(2 * th) - std::cos(2 * a))) * half * std::cos(s) * std::numbers::pi / steps;
+        }
+        return sum;
+    };
+    double low = 1e-9, high = std::numbers::pi / 4 + 0.01;
+    for (int k = 0; k < 100; ++k) {
+        const double a = 0.5 * (low + high);
+        (side(a, -a, a) / side(a, a, std::numbers::pi - a) < t / L ? low : high) = a;
+    }
+    const double C = L / side(low, low, std::numbers::pi - low), c = std::cos(2 * low);
+    return {2 * std::numbers::pi * C * C * (1 + c) - L * t, 2 * std::numbers::pi * C * C * (1 - c) - L * t};
+}
+
+/// The same in the middle of a closed box of side W: the body is a dipole (M + V) U; its images, of signs (-1)^i in rows i, act on it with
+/// k (M + V) U / W^2, k = pi/6 - pi sum_i (-1)^i / sinh^2(pi i).
+double in_closed_box(double M, double V, double W)
+{
+    double k = std::numbers::pi / 6;
+    for (int i = 1; i < 5; ++i)
+        k -= std::numbers::pi * (i % 2 ? -1 : 1) / std::pow(std::sinh(std::numbers::pi * i), 2);
+    return (M + V) / (1 - k * (M + V) / (W * W)) - V;
+}
+
+TEST(Corners, CellOfACorner)
+{
+    Plate plate{8, {2.6, 2.8}, {0, 0}};
+    plate.put_corner(3, {4.3, 4.4});
+    const Flow flow = flow_of(plate);
+    ASSERT_EQ(flow.complex.links.size(), 4U);
+    const auto link = *std::find_if(flow.complex.links.begin(), flow.complex.links.end(),
+                                    [](const auto& l) { return (l.at - Vec<2>(4.3, 4.4)).norm() < 1e-9; });
+    EXPECT_EQ(link.solid, flow.solid);
+    EXPECT_NEAR(link.open, 0.6 * std::numbers::sqrt2, 1e-9);
+    EXPECT_NEAR(link.covered, 0.3 * std::numbers::sqrt2, 1e-9);
+    EXPECT_NEAR(link.conductance, 2.17 * std::pow(0.5, -0.75) * 2, 1e-8);
+    // Outward the left side is that above the solid.
+    EXPECT_NEAR(flow.complex.part_area[link.a], 0.36, 1e-9);
+    EXPECT_NEAR(flow.complex.part_area[link.b], 0.52, 1e-9);
+    EXPECT_FALSE(flow.complex.is_main(link.a));
+    ASSERT_EQ(flow.complex.patches_of(link.a).size(), 1U);
+    EXPECT_NEAR((flow.complex.patches_of(link.a)[0].area - Vec<2>(0.6, -0.9)).norm(), 0, 1e-9);
+    EXPECT_NEAR((flow.complex.patches_of(link.b)[0].area - Vec<2>(-1.0, 0.6)).norm(), 0, 1e-9);
+    // The line ends at x = 4.9 of the upper side, whose two pieces lead to one and the same cell.
+    double left = 0, right = 0;
+    for (const FacePiece<2>& piece : flow.complex.pieces)
+        if (piece.axis == 1 && flow.complex.index.index(piece.face) == Index<2>(4, 5)) {
+            EXPECT_TRUE(piece.high.is_cell());
+            (piece.low.number() == link.a ? left : right) += piece.area;
+        }
+    EXPECT_NEAR(left, 0.9, 1e-9);
+    EXPECT_NEAR(right, 0.1, 1e-9);
+    EXPECT_LE(flow.sums.closure, 1e-12);
+}
+
+TEST(Corners, EndOfAPlateHasThreeParts)
+{
+    for (const double thickness : {0.1, 0.01, 1e-3}) {
+        Plate plate{8, {4, thickness}, {0, 0}};
+        plate.put_corner(3, {5.6, 4.45 + thickness / 2});
+        const Flow flow = flow_of(plate);
+        ASSERT_EQ(flow.complex.links.size(), 4U);
+        std::vector<std::array<int, 2>> sides;
+        for (const auto& link : flow.complex.links)
+            if (link.at[0] > 4) {
+                sides.push_back({link.a, link.b});
+                EXPECT_NEAR(link.open, 0.4 * std::numbers::sqrt2, 1e-9);
+                EXPECT_NEAR(link.covered,
+                            std::min(0.6, link.at[1] > 4.45 ? link.at[1] - 4 : 5 - link.at[1]) * std::numbers::sqrt2, 1e-9);
+            }
+        ASSERT_EQ(sides.size(), 2U);
+        // The part between the lines is common to both.
+        const int common = sides[0][0] == sides[1][1] ? sides[0][0] : sides[0][1];
+        EXPECT_TRUE(sides[1][0] == common || sides[1][1] == common);
+        EXPECT_NEAR(flow.complex.part_area[common], 0.4 * (thickness + 0.4), 1e-9);
+    }
+}
+
+TEST(Corners, SolidInsideACell)
+{
+    Plate plate{4, {0.3, 0.2}, {1.55, 2.45}, 0.3};
+    const Flow flow = flow_of(plate);
+    EXPECT_EQ(flow.complex.parts(), 4);
+    EXPECT_EQ(flow.complex.links.size(), 4U);
+    EXPECT_LE(flow.sums.closure, 1e-12);
+    EXPECT_NEAR(fluid_area(flow.complex), 16 - 0.06, 1e-9);
+}
+
+TEST(Corners, LineThatEndsOnAnotherSolid)
+{
+    const Grid<2> grid = unit_grid<2>(8);
+    Scene<2> scene(grid);
+    // The lower one's upper right corner at (4.3, 4.4), the other's left side at 4.5.
+    scene.add("left", make_box<2>(Vec<2>(2.0 / 8, 2.0 / 8)), pose<2>(Vec<2>(3.3 / 8, 3.4 / 8)));
+    scene.add("right", make_box<2>(Vec<2>(2.0 / 8, 4.0 / 8)), pose<2>(Vec<2>(5.5 / 8, 4.5 / 8)));
+    const Complex<2> complex = build_complex<2>(grid, scene.solids);
+    EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12);
+    const auto link = *std::find_if(complex.links.begin(), complex.links.end(),
+                                    [](const auto& l) { return (l.at - Vec<2>(4.3, 4.4)).norm() < 1e-9; });
+    EXPECT_NEAR(link.open, 0.2 * std::numbers::sqrt2, 1e-9);
+    EXPECT_NEAR(complex.part_area[link.a] + complex.part_area[link.b], 0.5 - 0.12, 1e-9);
+    EXPECT_NEAR(complex.part_area[link.b], 0.2 * 0.5, 1e-9);
+}
+
+TEST(Corners, RandomPosesAreClosed)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> number(0, 1);
+    for (int k = 0; k < std::atoi(std::getenv("POSES") ? std::getenv("POSES") : "1000") && !HasFailure(); ++k) {
+        const double thickness = k % 2 ? std::pow(10, -3 * number(random)) : 0.2 + 5 * number(random);
+        Plate plate{20, {0.3 + 6 * number(random), thickness}, {0, 0}, 6.28 * number(random)};
+        if (k % 5 < 2)
+            plate.angle = std::numbers::pi / 4 * static_cast<int>(8 * number(random));
+        Vec<2> x(9 + 2 * number(random), 9 + 2 * number(random)); // of a corner: anywhere, on a plane, on a vertex, half way
+        if (k % 3 > 0)
+            x[0] = std::round(2 * x[0]) / 2;
+        if (k % 3 > 1)
+            x[1] = std::round(2 * x[1]) / 2;
+        plate.put_corner(static_cast<int>(4 * number(random)), x);
+        const Flow flow = flow_of(plate);
+        EXPECT_LE(flow.sums.closure, 1e-12);
+        EXPECT_LE(flow.sums.spin_closure, 1e-10);
+        EXPECT_LE(flow.sums.flux[flow.solid].norm(), 1e-9);
+        EXPECT_NEAR(fluid_area(flow.complex), 400 - plate.size.prod(), 1e-9);
+        EXPECT_LE(flow.complex.links.size(), 4U);
+        if (k % 3 == 0) {
+            EXPECT_EQ(flow.complex.links.size(), 4U);
+        }
+        for (const CornerLink<2>& link : flow.complex.links) {
+            EXPECT_NE(link.a, link.b);
+            EXPECT_EQ(flow.complex.part_cell[link.a], flow.complex.part_cell[link.b]);
+            EXPECT_NEAR(link.conductance, corner_conductance(std::numbers::pi / 2, link.open, link.covered),
+                        1e-9 * link.conductance);
+        }
+        if (HasFailure())
+            ADD_FAILURE() << "pose " << k << " size " << plate.size.transpose() << " centre " << plate.centre.transpose()
+                          << " angle " << plate.angle;
+    }
+}
+
+TEST(Corners, LinksFadeAsACornerCrossesAGridLine)
+{
+    Plate plate{16, {5, 3}, {0, 0}, 0.2};
+    const auto link_at = [&](double x) {
+        plate.put_corner(3, {x, 8.4});
+        const Flow flow = flow_of(plate);
+        EXPECT_EQ(flow.complex.links.size(), 4U) << x;
+        EXPECT_LE(flow.sums.closure, 1e-12) << x;
+        return *std::find_if(flow.complex.links.begin(), flow.complex.links.end(),
+                             [&](const auto& l) { return (l.at - Vec<2>(x, 8.4)).norm() < 1e-9; });
+    };
+    for (const double off : {1e-3, 1e-6, 1e-9}) {
+        const auto before = link_at(9 - off), after = link_at(9 + off);
+        EXPECT_NEAR(before.open, off / std::cos(0.2 + std::numbers::pi / 4), 1e-9);
+        EXPECT_LE(before.conductance, 20 * off);
+        EXPECT_NEAR(after.covered, off / std::cos(0.2 + std::numbers::pi / 4), 1e-9);
+        EXPECT_GE(after.conductance, std::min(0.5 / off, 1e7));
+    }
+}
+
+TEST(Corners, AddedMassIsContinuous)
+{
+    for (const double thickness : {0.01, 1.0, 4.21}) {
+        Plate plate{40, {8.37, thickness}, {0, 0}, 0.3};
+        for (const Vec<2>& x : {Vec<2>(24, 20.4), Vec<2>(24.3, 21)}) {
+            const int axis = x[0] == 24 ? 0 : 1;
+            plate.put_corner(3, x - 1e-7 * unit<2>(axis));
+            const Eigen::Matrix2d before = added_mass(plate);
+            plate.put_corner(3, x + 1e-7 * unit<2>(axis));
+            const Eigen::Matrix2d after = added_mass(plate);
+            EXPECT_LE((after - before).norm(), 1e-5 * before.norm()) << thickness << " axis " << axis;
+        }
+    }
+}
+
+TEST(Corners, AddedMassOfPlates)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> number(0, 1);
+    constexpr int L = 16, n = 64;
+    for (const double thickness : {1.0, 0.1, 0.01, 0.001}) {
+        double squares = 0, sum = 0;
+        int count = 0;
+        const double exact = in_closed_box(rectangle_added_mass(L, thickness)[0], L * thickness, n);
+        for (const double degrees : {0, 10, 25, 45})
+            for (int k = 0; k < 6; ++k, ++count) {
+                const Plate plate{n, {L, thickness}, Vec<2>(n / 2 + number(random), n / 2 + number(random)),
+                                  degrees * std::numbers::pi / 180};
+                const Vec<2> normal(-std::sin(plate.angle), std::cos(plate.angle));
+                const double error = normal.dot(added_mass(plate) * normal) / exact - 1;
+                sum += error;
+                squares += error * error;
+            }
+        std::printf("plate of %g cells: added mass off by %.2f %% (mean), %.2f %% (rms)\n", thickness, 100 * sum / count,
+                    100 * std::sqrt(squares / count));
+        EXPECT_LE(std::sqrt(squares / count), 0.025) << thickness;
+    }
+}
+
+TEST(Corners, AddedMassOfBoxes)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> number(0, 1);
+    constexpr int n = 40, count = 40;
+    const Vec<2> M = rectangle_added_mass(8, 4), exact(in_closed_box(M[1], 32, n), in_closed_box(M[0], 32, n));
+    Vec<2> sum = Vec<2>::Zero(), squares = sum;
+    for (int k = 0; k < count; ++k) {
+        const Plate plate{n, {8, 4}, Vec<2>(n / 2 + number(random), n / 2 + number(random)),
+                          (k % 3 ? number(random) * 90 : 45 * (k / 3 % 3)) * std::numbers::pi / 180};
+        const Eigen::Matrix2d R = Rotation<2>(plate.angle).toRotationMatrix();
+        const Vec<2> error = (R.transpose() * added_mass(plate) * R).diagonal().cwiseQuotient(exact) - Vec<2>::Ones();
+        sum += error;
+        squares += error.cwiseAbs2();
+    }
+    std::printf("boxes 8 x 4: along %.2f %% (mean) %.2f (rms), across %.2f %.2f\n", 100 * sum[0] / count,
+                100 * std::sqrt(squares[0] / count), 100 * sum[1] / count, 100 * std::sqrt(squares[1] / count));
+    EXPECT_LE(sum.cwiseAbs().maxCoeff() / count, 0.03);
+}
+
+} // namespace
+} // namespace gapflow::testing
