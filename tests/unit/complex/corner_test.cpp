@@ -223,7 +223,7 @@ TEST(Corners, RandomPosesAreClosed)
 {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> number(0, 1);
-    for (int k = 0; k < std::atoi(std::getenv("POSES") ? std::getenv("POSES") : "1000") && !HasFailure(); ++k) {
+    for (int k = 0; k < 1000 && !HasFailure(); ++k) {
         const double thickness = k % 2 ? std::pow(10, -3 * number(random)) : 0.2 + 5 * number(random);
         Plate plate{20, {0.3 + 6 * number(random), thickness}, {0, 0}, 6.28 * number(random)};
         if (k % 5 < 2)
@@ -252,6 +252,35 @@ TEST(Corners, RandomPosesAreClosed)
         if (HasFailure())
             ADD_FAILURE() << "pose " << k << " size " << plate.size.transpose() << " centre " << plate.centre.transpose()
                           << " angle " << plate.angle;
+    }
+}
+
+TEST(Corners, PlatesSideBySideAreClosed)
+{
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> number(0, 1);
+    const Grid<2> grid = unit_grid<2>(20);
+    for (int k = 0; k < 1000 && !HasFailure(); ++k) {
+        const double gap = std::pow(10, 0.5 - 4 * number(random)),
+                     angle = k % 4 ? 6.28 * number(random) : std::numbers::pi / 4 * static_cast<int>(8 * number(random));
+        const std::array<Vec<2>, 2> size{Vec<2>(1 + 4 * number(random), std::pow(10, -3 * number(random))),
+                                         Vec<2>(1 + 4 * number(random), std::pow(10, -3 * number(random)))};
+        Scene<2> scene(grid);
+        const Vec<2> middle(9 + 2 * number(random), 9 + 2 * number(random));
+        for (const int side : {0, 1}) {
+            const Vec<2> x(2 * number(random) - 1, (side ? 0.5 : -0.5) * (gap + size[side][1]));
+            scene.add("plate", make_box<2>(Vec<2>(size[side] / 20)),
+                      pose<2>(Vec<2>((middle + Rotation<2>(angle) * x) / 20), angle));
+        }
+        const Complex<2> complex = build_complex<2>(grid, scene.solids);
+        const ComplexSums<2> sums = sums_of(grid, complex, scene.solids);
+        EXPECT_LE(sums.closure, 1e-12);
+        EXPECT_NEAR(fluid_area(complex), 400 - size[0].prod() - size[1].prod(), 1e-9);
+        EXPECT_GE(complex.links.size(), 8U);
+        for (const auto& flux : sums.flux)
+            EXPECT_LE(std::min(flux.norm(), std::abs(flux.norm() - 20)), 1e-9); // walls have none
+        if (HasFailure())
+            ADD_FAILURE() << "pose " << k << " gap " << gap;
     }
 }
 
