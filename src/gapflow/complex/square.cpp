@@ -37,6 +37,9 @@ double root(F&& f, double positive, double negative)
     return positive;
 }
 
+/// SquareArc::joins of an arc that ends where another one is about to start.
+constexpr int pending = -2;
+
 } // namespace
 
 Bulge ArcSegment::bulge() const
@@ -497,27 +500,61 @@ double Square::ring_length(const RingStretch& r) const
     return length > 0 ? length : length + 4;
 }
 
-bool Square::find_joint(const SquareCorner& corner, int& arc, int& segment) const
+/// The joint of a solid's border at x between whose two segments, at the fluid's side, a direction leads.
+Square::Hit Square::joint_at(int solid, const Vec<2>& x, const Vec<2>& direction) const
 {
-    double least = parameters.joint_distance * parameters.joint_distance;
-    arc = -1;
-    for (std::size_t a = 0; a < arcs.size(); ++a) {
-        const SquareArc& candidate = arcs[a];
-        if (candidate.solid != corner.solid)
+    Hit hit;
+    double best = -1;
+    const auto try_joint = [&](int arc, int k, const ArcSegment& in, const ArcSegment& out) {
+        const double distance = (in.to - x).norm();
+        if (distance > parameters.joint_distance)
+            return;
+        // Counterclockwise from the way out to the way back.
+        const Vec<2> w = out.at(std::min(1.0, 1e-3)) - out.from, v = in.at(1 - 1e-3) - in.to;
+        const auto angle = [&](const Vec<2>& y) {
+            const double t = std::atan2(cross(w, y), w.dot(y));
+            return t < 0 ? t + 2 * std::numbers::pi : t;
+        };
+        double all = angle(v);
+        if (all < 1e-12)
+            all = 2 * std::numbers::pi; // a fin's end
+        const double here = angle(direction), inside = std::min(here, all - here);
+        if (inside > best) {
+            best = inside;
+            hit = {0, arc, k, 1};
+        }
+    };
+    for (int a = 0; a < static_cast<int>(arcs.size()); ++a) {
+        const SquareArc& arc = arcs[a];
+        const int n = static_cast<int>(arc.segments.size());
+        if (arc.solid != solid || n == 0)
             continue;
-        const bool goes_on = candidate.start.edge < 0 && candidate.end.edge < 0 &&
-                             (candidate.joins < 0 || arcs[candidate.joins].solid == candidate.solid);
-        for (std::size_t k = 0; k + (goes_on ? 0 : 1) < candidate.segments.size(); ++k)
-            if (const double distance = (candidate.segments[k].to - corner.at).squaredNorm(); distance < least) {
-                least = distance;
-                arc = static_cast<int>(a);
-                segment = static_cast<int>(k);
-            }
+        for (int k = 0; k + 1 < n; ++k)
+            try_joint(a, k, arc.segments[k], arc.segments[k + 1]);
+        if (arc.start.edge < 0 && arc.end.edge < 0 && (arc.joins == -1 || arc.joins == a))
+            try_joint(a, n - 1, arc.segments[n - 1], arc.segments[0]);
+        else if (arc.end.edge < 0 && arc.joins >= 0 && arcs[arc.joins].solid == solid && !arcs[arc.joins].segments.empty())
+            try_joint(a, n - 1, arc.segments[n - 1], arcs[arc.joins].segments[0]);
     }
-    return arc >= 0;
+    return hit;
 }
 
-Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction) const
+/// Splits the border at a hit, or opens the joint there.
+Square::End Square::open_at(const Hit& hit, const Vec<2>& x)
+{
+    End end;
+    end.ends = hit.arc;
+    SquareArc& arc = arcs[hit.arc];
+    const bool last = hit.segment + 1 == static_cast<int>(arc.segments.size()) && hit.t >= 1;
+    if (last && arc.end.edge < 0 && arc.joins >= 0 && arc.joins != hit.arc) {
+        end.starts = arc.joins;
+        arc.joins = pending;
+    } else
+        end.starts = split_arc(hit.arc, hit.segment, hit.t, x);
+    return end;
+}
+
+Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least) const
 {
     Hit hit;
     hit.way = std::numeric_limits<double>::infinity();
@@ -548,7 +585,7 @@ Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction) co
                 if ((segment.at(t) - x).norm() > touching)
                     continue;
             }
-            if (way > -touching && way < hit.way)
+            if (way > least && way < hit.way)
                 hit = {std::max(way, 0.0), static_cast<int>(a), static_cast<int>(k), t};
         }
     return hit;
@@ -573,13 +610,13 @@ int Square::split_arc(int a, int segment, double t, const Vec<2>& x)
                 rest.segments[rest.segments.size() - 1].from = x;
         }
     }
-    const bool loop = arc.start.edge < 0 && arc.end.edge < 0 && (arc.joins < 0 || arc.joins == a);
+    const bool loop = arc.start.edge < 0 && arc.end.edge < 0 && (arc.joins == -1 || arc.joins == a);
     if (loop) {
         for (const ArcSegment& s : head)
             rest.segments.push_back(s);
         arc.segments = rest.segments;
         arc.from = arc.to = x;
-        arc.joins = -1;
+        arc.joins = pending;
         return a;
     }
     rest.start = {};
@@ -587,7 +624,7 @@ int Square::split_arc(int a, int segment, double t, const Vec<2>& x)
     arc.segments = head;
     arc.end = {};
     arc.to = x;
-    arc.joins = -1;
+    arc.joins = pending;
     arcs.push_back(rest);
     return static_cast<int>(arcs.size()) - 1;
 }
@@ -661,69 +698,88 @@ Square::Hit Square::arc_end(const OnEdge& place) const
     return hit;
 }
 
-void Square::divide(int number)
+/// Where a ray leaves the rectangle.
+std::pair<double, OnEdge> Square::exit_of(const Vec<2>& start, const Vec<2>& direction) const
 {
-    const SquareCorner& corner = corners[number];
-    int arc, segment;
-    if (!find_joint(corner, arc, segment))
-        return; // covered by another solid
-    const Vec<2> p = arcs[arc].segments[segment].to, &direction = corner.outward;
-    // Where the line leaves the rectangle.
     double way = std::numeric_limits<double>::infinity();
     OnEdge exit;
     for (int axis = 0; axis < 2; ++axis) {
-        const double to = direction[axis] > 0 ? high[axis] : low[axis], t = (to - p[axis]) / direction[axis];
+        const double to = direction[axis] > 0 ? high[axis] : low[axis], t = (to - start[axis]) / direction[axis];
         if (direction[axis] != 0 && t < way) {
             way = t;
             exit.edge = axis == 0 ? (direction[axis] > 0 ? 1 : 3) : (direction[axis] > 0 ? 2 : 0);
         }
     }
     const int along = exit.edge % 2;
-    exit.at = p[along] + way * direction[along];
+    exit.at = start[along] + way * direction[along];
     for (const double end : {low[along], high[along]})
         if (std::abs(exit.at - end) < parameters.least_stretch)
             exit.at = end;
-    Hit hit = nearest_hit(p, direction);
-    if (hit.way > way)
-        hit.arc = -1;
-    int ring = -1;
-    if (hit.arc < 0 && (ring = ring_at(exit)) < 0) {
-        hit = arc_end(exit);
-        if (hit.arc < 0)
-            return;
+    return {way, exit};
+}
+
+/// A fin from p to q, at both of which the border is open: on return it is led along the fin's two sides.
+void Square::add_fin(const Vec<2>& p, End from, const Vec<2>& q, const End& to, int solid, int fin)
+{
+    if (from.ends >= 0 && from.ends == to.ends && to.starts != to.ends)
+        from.ends = to.starts; // what ended at p now starts at q
+    SquareArc out, back;
+    out.solid = back.solid = solid;
+    out.from = back.to = p;
+    out.to = back.from = q;
+    out.segments.push_back({p, q, nullptr, -1, false, false, fin});
+    back.segments.push_back({q, p, nullptr, -1, false, false, fin});
+    const int o = static_cast<int>(arcs.size()), b = o + 1;
+    out.start = back.end = from.place;
+    out.end = back.start = to.place;
+    if (from.ends >= 0) {
+        arcs[from.ends].joins = o;
+        back.joins = from.starts;
     }
-    const Vec<2> y = hit.arc < 0 ? point(exit) : arcs[hit.arc].segments[hit.segment].at(hit.t);
-    int ends = -1, starts = -1; // arcs at y
-    if (hit.arc >= 0) {
-        ends = hit.arc;
-        starts = split_arc(hit.arc, hit.segment, hit.t, y);
-        if (!find_joint(corner, arc, segment))
-            return;
+    if (to.ends >= 0) {
+        arcs[to.ends].joins = b;
+        out.joins = to.starts;
+    } else if (to.place.edge < 0)
+        out.joins = b; // it ends in the fluid
+    arcs.push_back(out);
+    arcs.push_back(back);
+}
+
+/// At a place of the rectangle's border; nothing where it is covered.
+std::optional<Square::End> Square::open_border(const OnEdge& place, int solid)
+{
+    if (const int ring = ring_at(place); ring >= 0) {
+        split_ring(ring, place, solid);
+        End end;
+        end.place = place;
+        return end;
     }
-    int first = arc, second;
-    if (segment + 1 == static_cast<int>(arcs[arc].segments.size()) && arcs[arc].joins >= 0 && arcs[arc].joins != arc)
-        second = arcs[arc].joins;
-    else
-        second = split_arc(arc, segment, 1, p);
-    if (ends == first && second != first)
-        ends = second;
-    // Along the line and back.
-    arcs[first].segments.push_back({p, y, nullptr, -1, false, false, number});
-    arcs[first].to = y;
-    InlineVector<ArcSegment, 3> back;
-    back.push_back({y, p, nullptr, -1, false, false, number});
-    for (const ArcSegment& s : arcs[second].segments)
-        back.push_back(s);
-    arcs[second].segments = back;
-    arcs[second].from = y;
-    if (hit.arc >= 0) {
-        arcs[first].end = arcs[second].start = {};
-        arcs[ends].joins = second;
-        arcs[first].joins = starts;
+    if (const Hit hit = arc_end(place); hit.arc >= 0)
+        return open_at(hit, point(place));
+    return {};
+}
+
+void Square::divide(int number)
+{
+    const SquareCorner& corner = corners[number];
+    const Hit joint = joint_at(corner.solid, corner.at, corner.outward);
+    if (joint.arc < 0)
+        return; // covered by another solid
+    const Vec<2> p = arcs[joint.arc].segments[joint.segment].to;
+    const auto [way, exit] = exit_of(p, corner.outward);
+    const Hit hit = nearest_hit(p, corner.outward, -parameters.joint_distance);
+    const bool border = hit.way > way;
+    if (border && ring_at(exit) < 0 && arc_end(exit).arc < 0)
+        return;
+    const End from = open_at(joint, p);
+    if (border) {
+        const auto to = open_border(exit, corner.solid);
+        add_fin(p, from, point(exit), *to, corner.solid, number);
     } else {
-        arcs[first].joins = -1;
-        arcs[first].end = arcs[second].start = exit;
-        split_ring(ring, exit, corner.solid);
+        const Hit again = nearest_hit(p, corner.outward, -parameters.joint_distance); // the joint's arc was split
+        const Vec<2> q = arcs[again.arc].segments[again.segment].at(again.t);
+        const End to = open_at(again, q);
+        add_fin(p, from, q, to, corner.solid, number);
     }
 }
 

@@ -13,6 +13,7 @@
 #include "gapflow/complex/convex.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gapflow {
@@ -144,10 +145,19 @@ private:
         int arc = -1, segment = 0;
         double t = 0;
     };
+    /// A point where the border is open: arcs that end and start there, or a place on the rectangle's border, or neither in the fluid.
+    struct End {
+        int ends = -1, starts = -1;
+        OnEdge place;
+    };
     void divide(int corner);
-    bool find_joint(const SquareCorner& corner, int& arc, int& segment) const;
-    Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction) const;
+    Hit joint_at(int solid, const Vec<2>& x, const Vec<2>& direction) const;
+    Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least) const;
     Hit arc_end(const OnEdge& place) const;
+    std::pair<double, OnEdge> exit_of(const Vec<2>& start, const Vec<2>& direction) const;
+    End open_at(const Hit& hit, const Vec<2>& x);
+    std::optional<End> open_border(const OnEdge& place, int solid);
+    void add_fin(const Vec<2>& p, End from, const Vec<2>& q, const End& to, int solid, int fin);
     int split_arc(int arc, int segment, double t, const Vec<2>& x);
     void split_ring(int ring, const OnEdge& place, int solid);
     int ring_at(const OnEdge& place) const;
