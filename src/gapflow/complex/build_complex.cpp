@@ -5,6 +5,7 @@
 #include "gapflow/grid/field.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -17,6 +18,7 @@ struct CellSlab {
     std::vector<std::int32_t> cut_cell, parts_of_cell, part_cell, patches_of_part;
     std::vector<double> part_area;
     std::vector<WallPatch<D>> patches;
+    std::vector<CornerLink<D>> links; ///< 3D
     /// Parts on the two sides of each piece of each slab's faces, where this slab's cells lie beside them: entries (slab, piece, side, part).
     struct Side {
         std::int32_t slab, piece;
@@ -69,9 +71,19 @@ struct HullFace {
         }
         return (face->open >> e & 1) || (face->open >> ((e + 1) & 3) & 1) ? 1 : 0;
     }
-    int piece_at(int e, int k) const
+    /// One of them; all that is open of the edge, where one solid cuts the face in the common way or none does.
+    OpenStretch stretch(int e, int k) const
     {
-        return face && face->detail >= 0 ? slab->stretches[slab->details[face->detail].stretch[e] + k].piece : 0;
+        if (face && face->detail >= 0)
+            return slab->stretches[slab->details[face->detail].stretch[e] + k];
+        return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), 0};
+    }
+    std::span<const CornerDivision<3>> divisions() const
+    {
+        if (!face || face->detail < 0)
+            return {};
+        const FaceDetail& detail = slab->details[face->detail];
+        return {slab->divisions.data() + detail.division, static_cast<std::size_t>(detail.divisions)};
     }
     double area(int piece, double whole) const { return face ? slab->pieces[face->piece + piece].area : whole; }
 };
@@ -164,11 +176,20 @@ private:
                 for (int sg = 0; sg < 2; ++sg) {
                     // Of a face normal to b the edge along a is that at u = g; of one normal to g that at v = b.
                     const int qb = 2 * b + sb, qg = 2 * g + sg, eb = sg ? 1 : 3, eg = sb ? 2 : 0;
-                    const int stretches = std::min(hull[qb].stretches(eb), hull[qg].stretches(eg));
-                    for (int k = 0; k < stretches; ++k)
-                        up[find(first[qb] + hull[qb].piece_at(eb, k))] = find(first[qg] + hull[qg].piece_at(eg, k));
+                    for (int i = 0, j = 0; i < hull[qb].stretches(eb) && j < hull[qg].stretches(eg);) {
+                        const OpenStretch s = hull[qb].stretch(eb, i), t = hull[qg].stretch(eg, j);
+                        if (std::min(s.to, t.to) - std::max(s.from, t.from) > parameters.least_stretch)
+                            up[find(first[qb] + s.piece)] = find(first[qg] + t.piece);
+                        i += s.to <= t.to;
+                        j += t.to <= s.to;
+                    }
                 }
         }
+        // What a line divides in the cell on the face's other side alone is one here.
+        for (int q = 0; q < 6; ++q)
+            for (const auto& division : hull[q].divisions())
+                if (!(division.sides & (q % 2 ? 1 : 2)))
+                    up[find(first[q] + division.a)] = find(first[q] + division.b);
         InlineVector<double, 32> total;
         InlineVector<int, 32> label;
         for (int x = 0; x < n; ++x) {
@@ -215,8 +236,72 @@ private:
                     result.sides.push_back({hull[q].slab_number, hull[q].face->piece + p, static_cast<std::int8_t>(1 - q % 2),
                                             l < 0 ? -1 : part + l});
                 }
+        add_links(c, hull, first, find, label, part, result);
         result.cut_cell.push_back(number);
         result.parts_of_cell.push_back(count);
+    }
+
+    /// Of the edges that divide the cell, as far as they part two parts.
+    template <class Find, class Label>
+    void add_links(const Index<3>& c, const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find,
+                   const Label& label, int part, CellSlab<3>& result) const
+    {
+        struct Pair {
+            int image, edge, a, b;
+            double open;
+        };
+        InlineVector<Pair, 4> pairs;
+        for (int q = 0; q < 6; ++q)
+            for (const auto& division : hull[q].divisions()) {
+                if (!(division.sides & (q % 2 ? 1 : 2)))
+                    continue;
+                int a = label[find(first[q] + division.a)], b = label[find(first[q] + division.b)];
+                if (a == b || a < 0 || b < 0)
+                    continue;
+                if (a > b)
+                    std::swap(a, b);
+                // Of a periodic domain's last cell the faces on its far side see another image.
+                const auto known = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) {
+                    return solids_[p.image].solid == solids_[division.image].solid && p.edge == division.edge && p.a == a &&
+                           p.b == b;
+                });
+                if (known != pairs.end())
+                    known->open += division.open;
+                else
+                    pairs.push_back({division.image, division.edge, a, b, division.open});
+            }
+        Vec<3> low, high;
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = planes_.place[axis][c[axis]];
+            high[axis] = planes_.place[axis][c[axis] + 1];
+        }
+        for (const Pair& pair : pairs) {
+            // The image whose edge passes through the cell itself.
+            int image = -1;
+            CellSectors sectors;
+            for (int k = 0; k < static_cast<int>(solids_.size()) && image < 0; ++k)
+                if (solids_[k].solid == solids_[pair.image].solid) {
+                    sectors = cell_sectors(solids_[k].sharp, low, high);
+                    if (std::find(sectors.edges.begin(), sectors.edges.end(), pair.edge) != sectors.edges.end())
+                        image = k;
+                }
+            if (image < 0)
+                continue;
+            const SharpSolid& sharp = solids_[image].sharp;
+            const BisectorAreas areas = bisector_areas(sharp, sectors, pair.edge, low, high);
+            double all = 0, length = 0;
+            for (const Pair& other : pairs)
+                if (other.edge == pair.edge && solids_[other.image].solid == solids_[pair.image].solid)
+                    all += other.open;
+            for (std::size_t k = 0; k < sectors.edges.size(); ++k)
+                if (sectors.edges[k] == pair.edge)
+                    length = sectors.lengths[k];
+            const double open = pair.open / all * areas.open;
+            const SharpEdge& edge = sharp.edges[pair.edge];
+            result.links.push_back({part + pair.a, part + pair.b, solids_[image].solid,
+                                    length * corner_conductance(edge.angle, open, areas.covered), open, areas.covered,
+                                    0.5 * (edge.from + edge.to)});
+        }
     }
 
     /// By Stokes, from the borders of the pieces of part p: S = - sum of +-a.
@@ -374,6 +459,11 @@ public:
             complex.patches.insert(complex.patches.end(), slab.patches.begin(), slab.patches.end());
             for (const std::int32_t c : slab.cut_cell)
                 complex.cell[c] += cell_offset[s];
+            for (CornerLink<D> link : slab.links) {
+                link.a += part_offset_[s];
+                link.b += part_offset_[s];
+                complex.links.push_back(link);
+            }
         }
         sides_.assign(piece_offset_.back(), {-1, -1});
         for (std::size_t s = 0; s < slabs.size(); ++s)
@@ -590,6 +680,10 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids)
     for (int axis = 0; axis < D; ++axis) {
         low[axis] = planes.place[axis][grid.low()[axis]];
         high[axis] = planes.place[axis][grid.high()[axis]];
+    }
+    if constexpr (D == 3) { // edges divide faces of the cells beside theirs
+        low -= Vec<D>::Ones();
+        high += Vec<D>::Ones();
     }
     const std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed);

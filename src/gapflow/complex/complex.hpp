@@ -75,15 +75,15 @@ struct WallPatch {
     Spin<D> moment;
 };
 
-/// Two parts of a cell on both sides of the line by which a sharp corner of a solid divides it. Its flux is relative to the solid: that
+/// Two parts of a cell on both sides of the line (3D: plane) by which a sharp corner (edge) of a solid divides it. Its flux is relative to the solid: that
 /// of the solid's motion through the line is part of their wall patches.
 template <int D>
 struct CornerLink {
     std::int32_t a, b; ///< parts
     std::int32_t solid;
     double conductance;   ///< times density
-    double open, covered; ///< lengths of the corner's bisector in the cell
-    Vec<D> at;            ///< the corner
+    double open, covered; ///< lengths of the corner's bisector in the cell; 3D: areas of the edge's bisector plane
+    Vec<D> at;            ///< the corner; 3D: the edge's middle
 };
 
 template <int D>

@@ -104,6 +104,15 @@ public:
 
     void mark()
     {
+        mark_cut();
+        if constexpr (D == 3)
+            for (const SharpEdge& edge : solid_.sharp.edges)
+                mark_divided(edge);
+    }
+
+private:
+    void mark_cut()
+    {
         for (int axis = 0; axis < D; ++axis) {
             const auto& p = planes_.place[axis];
             const int from = axis == D - 1 ? slab_.begin : index_.low[axis],
@@ -125,7 +134,6 @@ public:
             mark_faces(d);
     }
 
-private:
     long offset(const Index<D>& vertex) const { return (vertex - low_).dot(stride_); }
 
     void find_covered()
@@ -275,6 +283,69 @@ private:
                (twice_[at] >> v & 1);
     }
 
+    /// The faces of the cells through which an edge passes.
+    void mark_divided(const SharpEdge& edge) requires(D == 3)
+    {
+        const Vec<3> way = edge.to - edge.from;
+        Index<3> cell;
+        const auto pass = [&](auto&& self, int axis, double from, double to) -> void {
+            if (axis < 0) {
+                mark_around(cell);
+                return;
+            }
+            const auto& p = planes_.place[axis];
+            const double a = edge.from[axis] + from * way[axis], b = edge.from[axis] + to * way[axis];
+            const int first = std::max(planes_.cell_of(axis, std::min(a, b)) - 1, -1),
+                      last = std::min(planes_.cell_of(axis, std::max(a, b)) + 1, static_cast<int>(p.size()) - 1);
+            for (cell[axis] = first; cell[axis] <= last; ++cell[axis]) { // one more at each end: decided by cell_sectors later
+                double t0 = from, t1 = to;
+                const double lo = planes_.place_of(axis, cell[axis]), hi = planes_.place_of(axis, cell[axis] + 1);
+                if (way[axis] == 0) {
+                    if (!(edge.from[axis] >= lo && edge.from[axis] <= hi))
+                        continue;
+                } else {
+                    const double s = (lo - edge.from[axis]) / way[axis], t = (hi - edge.from[axis]) / way[axis];
+                    t0 = std::max(t0, std::min(s, t));
+                    t1 = std::min(t1, std::max(s, t));
+                }
+                if (t0 <= t1)
+                    self(self, axis - 1, t0, t1);
+            }
+        };
+        pass(pass, 2, 0.0, 1.0);
+    }
+
+    void mark_around(const Index<3>& cell) requires(D == 3)
+    {
+        for (int d = 0; d < 3; ++d)
+            for (int side = 0; side < 2; ++side) {
+                Index<3> f = cell;
+                f[d] += side;
+                bool own = true;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const int from = axis == 2 ? slab_.begin : index_.low[axis],
+                              to = axis == 2 ? slab_.end : index_.low[axis] + index_.size[axis] - 1;
+                    const bool last = axis == d && to == index_.low[axis] + index_.size[axis] - 1 &&
+                                      !(grid_.periodic(axis) && to == grid_.cells()[axis]);
+                    own = own && f[axis] >= from && f[axis] < to + last;
+                }
+                if (!own)
+                    continue;
+                const int id = index_(f);
+                std::int32_t& number = cut_.face[d][id];
+                if (number == Complex<3>::solid)
+                    continue;
+                if (number < 0) {
+                    number = static_cast<std::int32_t>(slab_.faces.size());
+                    slab_.faces.push_back({id, static_cast<std::int8_t>(d), CutFace<3>::State::simple, 15, image_});
+                }
+                make_general(slab_.faces[number]);
+                auto& images = slab_.details[slab_.faces[number].detail].images;
+                if (std::find(images.begin(), images.end(), image_) == images.end())
+                    images.push_back(image_);
+            }
+    }
+
     void make_general(CutFace<D>& face)
     {
         if (face.state == CutFace<D>::State::general)
@@ -417,9 +488,111 @@ struct PlacedDepth final : Square::Depth {
     }
 };
 
+/// A cell beside a face, and the solid that divides it.
+struct DividedCell {
+    Vec<3> low, high;
+    CellSectors sectors;
+    int image = -1;
+};
+
+/// Where the edges of one solid divide a cell: the first of those whose edges pass through it.
+DividedCell divided_cell(const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids, const std::vector<int>& images,
+                         const Index<3>& c)
+{
+    DividedCell cell;
+    for (int axis = 0; axis < 3; ++axis) {
+        cell.low[axis] = planes.place_of(axis, c[axis]);
+        cell.high[axis] = planes.place_of(axis, c[axis] + 1);
+    }
+    for (const int image : images)
+        if (cell.image < 0 || image < cell.image)
+            if (const CellSectors sectors = cell_sectors(solids[image].sharp, cell.low, cell.high); !sectors.empty()) {
+                cell.sectors = sectors;
+                cell.image = image;
+            }
+    return cell;
+}
+
+/// The lines by which edges divide the cells below and above a face.
+struct FaceLine {
+    int image, edge, sides;
+};
+void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids,
+               const std::vector<int>& images, const std::vector<Section>& sections, int d, const Index<3>& f, Square& square,
+               std::vector<FaceLine>& face_lines)
+{
+    std::array<DividedCell, 2> cells;
+    for (int side = 0; side < 2; ++side) {
+        const Index<3> c = f - (1 - side) * step<3>(d);
+        if (grid.in_domain(grid.wrapped(c)))
+            cells[side] = divided_cell(planes, solids, images, c);
+    }
+    const double at = planes.place[d][f[d]];
+    for (std::size_t k = 0; k < images.size(); ++k) {
+        const SharpSolid& sharp = solids[images[k]].sharp;
+        for (int e = 0; e < static_cast<int>(sharp.edges.size()); ++e) {
+            std::array<SectorLine, 2> line;
+            for (int side = 0; side < 2; ++side) {
+                const auto& edges = cells[side].sectors.edges;
+                if (cells[side].image == images[k] && std::find(edges.begin(), edges.end(), e) != edges.end())
+                    line[side] = sector_line(sharp, cells[side].sectors, e, d, at, square.low, square.high);
+            }
+            if (line[0].empty() && line[1].empty())
+                continue;
+            // Its portions in one of the cells or in both.
+            const SectorLine& any = line[0].empty() ? line[1] : line[0];
+            InlineVector<double, 4> breaks;
+            for (const SectorLine& l : line)
+                if (!l.empty())
+                    for (const double t : {l.from, l.to})
+                        if (std::find(breaks.begin(), breaks.end(), t) == breaks.end())
+                            breaks.push_back(t);
+            std::sort(breaks.begin(), breaks.end());
+            for (std::size_t j = 0; j + 1 < breaks.size(); ++j) {
+                SquareLine portion{static_cast<int>(k), any.at(breaks[j]), any.at(breaks[j + 1]), {}, {}};
+                int sides = 0;
+                for (int side = 0; side < 2; ++side) {
+                    const SectorLine& l = line[side];
+                    if (l.empty() || l.from > breaks[j] || l.to < breaks[j + 1])
+                        continue;
+                    sides |= 1 << side;
+                    const auto border = [&](int edge, const Vec<2>& x) {
+                        return OnEdge{edge, std::clamp(x[edge % 2], square.low[edge % 2], square.high[edge % 2])};
+                    };
+                    if (l.from == breaks[j] && l.from_end == SectorLine::End::border)
+                        portion.from_border = border(l.from_edge, portion.from);
+                    if (l.to == breaks[j + 1] && l.to_end == SectorLine::End::border)
+                        portion.to_border = border(l.to_edge, portion.to);
+                    if (l.from == breaks[j] && l.from_end == SectorLine::End::corner) {
+                        const Section& section = sections[k]; // its own corner
+                        for (int m = 0; m < section.count; ++m) {
+                            const int s = section.curve[m].surface, t = section.curve[(m + section.count - 1) % section.count].surface;
+                            if ((s == sharp.edges[e].a && t == sharp.edges[e].b) || (t == sharp.edges[e].a && s == sharp.edges[e].b))
+                                portion.from = section.corner[m];
+                        }
+                    }
+                }
+                if (sides == 0)
+                    continue;
+                for (const bool end : {false, true}) { // on the border to the last bit
+                    const OnEdge& place = end ? portion.to_border : portion.from_border;
+                    Vec<2>& x = end ? portion.to : portion.from;
+                    if (place.edge >= 0) {
+                        x[place.edge % 2] = place.at;
+                        x[1 - place.edge % 2] = place.edge == 1 || place.edge == 2 ? square.high[1 - place.edge % 2]
+                                                                                   : square.low[1 - place.edge % 2];
+                    }
+                }
+                square.lines.push_back(portion);
+                face_lines.push_back({images[k], e, sides});
+            }
+        }
+    }
+}
+
 /// Faces that more than one solid, or one in an uncommon way, cuts.
 template <int D>
-void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
+void cut_general(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
                  Slab<D>& slab)
 {
     Square square;
@@ -456,6 +629,10 @@ void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const 
                         square.corners.push_back({static_cast<int>(k), corner.at, corner.outward});
                         sharp.push_back(&corner);
                     }
+        square.lines.clear();
+        std::vector<FaceLine> face_lines;
+        if constexpr (D == 3)
+            add_lines(grid, planes, solids, detail.images, sections, d, f, square, face_lines);
         depth.images = &detail.images;
         depth.d = d;
         depth.at = at;
@@ -481,13 +658,18 @@ void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const 
         detail.division = static_cast<int>(slab.divisions.size());
         detail.divisions = static_cast<int>(square.links.size());
         for (const SquareLink& link : square.links) {
-            const SharpCorner& corner = *sharp[link.corner];
+            if constexpr (D == 3) {
+                const FaceLine& line = face_lines[link.fin];
+                slab.divisions.push_back({line.image, link.a, link.b, 0, link.open, 0, Vec<D>::Zero(), line.edge, line.sides});
+                continue;
+            }
+            const SharpCorner& corner = *sharp[link.fin];
             double covered = std::numeric_limits<double>::infinity();
             for (int axis = 0; axis < 2; ++axis)
                 if (const double slope = corner.outward[axis]; slope != 0)
                     covered = std::min(
                         covered, (corner.at[axis] - (slope > 0 ? square.low[axis] : square.high[axis])) / slope);
-            slab.divisions.push_back({detail.images[square.corners[link.corner].solid], link.a, link.b,
+            slab.divisions.push_back({detail.images[square.corners[link.fin].solid], link.a, link.b,
                                       corner_conductance(corner.angle, link.open, covered), link.open, covered,
                                       in_space<D>(d, at, corner.at)});
         }
@@ -522,7 +704,7 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                         Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                 },
                 solids[k].kind);
-        cut_general(planes, index, solids, slab);
+        cut_general(grid, planes, index, solids, slab);
     });
     return cut;
 }

@@ -21,6 +21,9 @@ struct ComplexParameters {
     /// directions on the grid; found for angles of 0, 30, .. 150 degrees and fitted by a power of tau.
     double corner_link = 2.17;
     double corner_exponent = 0.75;
+    /// A bisector plane whose normal lies within this angle of a face's normal does not divide the face: its line there is known to
+    /// joint_distance only.
+    double parallel = 1e-6;
     /// Below this covered length a link counts as infinite: it bounds conductances at 1e7 times those of the grid.
     double least_covered = 1e-7;
     /// Planes of cells that a thread cuts at a time. An economy: no value depends on it.

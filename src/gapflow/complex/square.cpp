@@ -783,15 +783,64 @@ void Square::divide(int number)
     }
 }
 
+/// Draws a line from its first end (turned: its last) if the border is open there; to the next solid or to the line's other end.
+bool Square::draw(int number, bool turned)
+{
+    const SquareLine& line = lines[number];
+    const int fin = static_cast<int>(corners.size()) + number;
+    const Vec<2>&p = turned ? line.to : line.from, &q = turned ? line.from : line.to;
+    const OnEdge &start = turned ? line.to_border : line.from_border, &end = turned ? line.from_border : line.to_border;
+    const Vec<2> direction = (q - p).normalized();
+    std::optional<End> from;
+    if (start.edge >= 0)
+        from = open_border(start, line.solid);
+    else if (const Hit joint = joint_at(line.solid, p, direction); joint.arc >= 0)
+        from = open_at(joint, p);
+    if (!from)
+        return false;
+    const double touching = parameters.joint_distance;
+    const Hit hit = nearest_hit(p, direction, touching);
+    if (hit.way < (q - p).norm() - touching) {
+        const Vec<2> x = arcs[hit.arc].segments[hit.segment].at(hit.t);
+        const End to = open_at(hit, x);
+        add_fin(p, *from, x, to, line.solid, fin);
+        return true;
+    }
+    End to;
+    if (end.edge >= 0) {
+        if (const auto opened = open_border(end, line.solid))
+            to = *opened;
+    } else if (const Hit joint = joint_at(line.solid, q, -direction); joint.arc >= 0)
+        to = open_at(joint, q);
+    add_fin(p, *from, q, to, line.solid, fin);
+    return true;
+}
+
+/// Those first that hang on what is there.
+void Square::draw_lines()
+{
+    std::vector<bool> drawn(lines.size(), false);
+    for (bool any = true; any;) {
+        any = false;
+        for (std::size_t k = 0; k < lines.size(); ++k)
+            for (const bool turned : {false, true})
+                if (!drawn[k] && draw(static_cast<int>(k), turned))
+                    any = drawn[k] = true;
+    }
+}
+
 void Square::find_links()
 {
     struct Side {
         double from, to;
         int piece;
     };
-    for (std::size_t k = 0; k < corners.size(); ++k) {
+    for (std::size_t k = 0; k < corners.size() + lines.size(); ++k) {
         std::array<InlineVector<Side, 2>, 2> sides;
-        const Vec<2> p = corners[k].at, &direction = corners[k].outward;
+        const bool ray = k < corners.size();
+        const std::size_t number = ray ? k : k - corners.size();
+        const Vec<2> p = ray ? corners[k].at : lines[number].from,
+                     direction = ray ? corners[k].outward : Vec<2>((lines[number].to - lines[number].from).normalized());
         double line = 0;
         for (const SquareArc& arc : arcs)
             for (const ArcSegment& segment : arc.segments)
@@ -990,6 +1039,7 @@ void Square::cut(const Depth* depth)
         keep_outer(*depth);
     for (std::size_t k = 0; k < corners.size(); ++k)
         divide(static_cast<int>(k));
+    draw_lines();
     walk();
     close_loops();
     for (int e = 0; e < 4; ++e)

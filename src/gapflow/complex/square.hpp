@@ -33,7 +33,7 @@ struct ArcSegment {
     int surface = 0;              ///< face of the solid to which it belongs
     bool backwards = false;       ///< counterclockwise
     bool whole = false;           ///< once around the ellipse
-    int fin = -1;                 ///< a side of the line by which this corner divides (index into Square::corners)
+    int fin = -1;                 ///< a side of the line by which a corner divides, or of a line (see SquareLink)
 
     Bulge bulge() const;
     /// At t of its way, 0 .. 1.
@@ -87,9 +87,16 @@ struct SquareCorner {
     Vec<2> outward; ///< direction of the dividing line
 };
 
+/// A line by which a solid divides: each end at a corner of the solid's border or where lines meet (edge -1), or on the rectangle's border.
+struct SquareLine {
+    int solid; ///< index into Square::solids
+    Vec<2> from, to;
+    OnEdge from_border, to_border;
+};
+
 /// Two pieces on both sides of a dividing line.
 struct SquareLink {
-    int corner; ///< index into Square::corners
+    int fin;    ///< index into Square::corners; from corners.size() on into Square::lines
     int a, b;   ///< pieces at the left and right of the way outward
     double open;
     double line; ///< length of the whole line, of which `open` lies between these two
@@ -114,6 +121,7 @@ public:
     };
 
     std::vector<SquareCorner> corners;
+    std::vector<SquareLine> lines;
 
     std::vector<SquarePiece> pieces;
     std::vector<SquareLink> links;
@@ -151,6 +159,8 @@ private:
         OnEdge place;
     };
     void divide(int corner);
+    void draw_lines();
+    bool draw(int number, bool turned);
     Hit joint_at(int solid, const Vec<2>& x, const Vec<2>& direction) const;
     Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least) const;
     Hit arc_end(const OnEdge& place) const;
