@@ -6,6 +6,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <map>
 #include <numbers>
 
 namespace gapflow::testing {
@@ -361,6 +362,112 @@ TEST(Corners, AddedMassOfBoxes)
     std::printf("boxes 8 x 4: along %.2f %% (mean) %.2f (rms), across %.2f %.2f\n", 100 * sum[0] / count,
                 100 * std::sqrt(squares[0] / count), 100 * sum[1] / count, 100 * std::sqrt(squares[1] / count));
     EXPECT_LE(sum.cwiseAbs().maxCoeff() / count, 0.03);
+}
+
+/// A box in n^3 cells, in cells.
+struct Box {
+    int n;
+    Vec<3> size, centre;
+    Rotation<3> turn = pose<3>(Vec<3>::Zero()).rotation;
+
+    void put_corner(const Vec<3>& x) { centre = x - turn * Vec<3>(0.5 * size); }
+};
+
+struct Flow3 {
+    Complex<3> complex;
+    ComplexSums<3> sums;
+    int solid;
+    Vec<3> place;
+};
+
+Flow3 flow_of(const Box& box)
+{
+    const Grid<3> grid = unit_grid<3>(box.n);
+    Scene<3> scene(grid);
+    Pose<3> at = pose<3>(Vec<3>(box.centre / box.n));
+    at.rotation = box.turn;
+    scene.add("box", make_box<3>(Vec<3>(box.size / box.n)), at);
+    Flow3 flow{build_complex<3>(grid, scene.solids), {}, static_cast<int>(scene.solids.size()) - 1, Vec<3>::Zero()};
+    flow.sums = sums_of(grid, flow.complex, scene.solids, flow.place.data());
+    return flow;
+}
+
+TEST(Edges, CellsOfAnAlignedBox)
+{
+    Box box{10, {3.6, 3.2, 4.1}, {0, 0, 0}};
+    box.put_corner({6.3, 6.4, 6.2});
+    const Flow3 flow = flow_of(box);
+    EXPECT_LE(flow.sums.closure, 1e-12) << flow.place.transpose();
+    const Complex<3>& complex = flow.complex;
+    std::map<int, int> links; // of each cell
+    for (const CornerLink<3>& link : complex.links) {
+        EXPECT_EQ(complex.part_cell[link.a], complex.part_cell[link.b]);
+        ++links[complex.cut_cell[complex.part_cell[link.a]]];
+    }
+    const auto links_of = [&](int i, int j, int k) { return links[complex.index({i, j, k})]; };
+    EXPECT_EQ(links_of(6, 6, 6), 3);
+    EXPECT_EQ(links_of(6, 6, 5), 1);
+    EXPECT_EQ(links_of(6, 5, 6), 1);
+    EXPECT_EQ(links_of(5, 6, 6), 1);
+    EXPECT_EQ(links_of(6, 5, 5), 0);
+    const int vertex = complex.cell[complex.index({6, 6, 6})];
+    EXPECT_EQ(complex.first_part[vertex + 1] - complex.first_part[vertex], 3);
+    for (const CornerLink<3>& link : complex.links) {
+        const Index<3> c = complex.cell_of_part(link.a);
+        if (c == Index<3>(6, 6, 5)) { // as in 2D
+            EXPECT_NEAR(link.conductance, corner_conductance(std::numbers::pi / 2, 0.6, 0.3), 1e-8);
+            EXPECT_NEAR(link.open, 0.6 * std::numbers::sqrt2, 1e-9);
+        }
+        if (c == Index<3>(6, 6, 6) && std::abs(link.at[2] - 6.2) > 0.1) { // its edge along z, of length 0.2
+            EXPECT_NEAR(link.covered, 0.2 * 0.3 * std::numbers::sqrt2, 1e-9);
+            // Outward to 6.9, 7, below the sector of the top: z < 6.2 + y - 6.4.
+            EXPECT_NEAR(link.open, (0.2 * 0.6 + 0.5 * 0.6 * 0.6) * std::numbers::sqrt2, 1e-9);
+            EXPECT_NEAR(link.conductance, corner_conductance(std::numbers::pi / 2, 0.2 * link.open, link.covered), 1e-8);
+        }
+    }
+}
+
+TEST(Edges, RandomPosesAreClosed)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> number(0, 1);
+    int without = 0;
+    for (int k = 0; k < 300 && !HasFailure(); ++k) {
+        Box box{12, {0, 0, 0}, {0, 0, 0}};
+        for (int axis = 0; axis < 3; ++axis)
+            box.size[axis] = axis == 2 && k % 2 ? std::pow(10, -3 * number(random)) : 0.3 + 4 * number(random);
+        if (k % 5 < 3)
+            box.turn = Eigen::AngleAxisd(6.28 * number(random), Vec<3>(number(random), number(random), number(random)).normalized());
+        else if (k % 5 < 4)
+            box.turn = Eigen::AngleAxisd(std::numbers::pi / 4 * static_cast<int>(8 * number(random)),
+                                         Vec<3>::Unit(static_cast<int>(3 * number(random))));
+        Vec<3> x(6, 6, 6);
+        for (int axis = 0; axis < 3; ++axis) {
+            x[axis] += number(random);
+            if (k % 3 > 0 && number(random) < 0.5)
+                x[axis] = std::round(2 * x[axis]) / 2;
+        }
+        box.put_corner(x);
+        box.centre -= 0.4 * (box.centre - Vec<3>::Constant(6));
+        if (k % 3 > 0)
+            box.put_corner(x);
+        const Vec<3> reach = box.turn.toRotationMatrix().cwiseAbs() * box.size / 2;
+        if ((box.centre - reach).minCoeff() < 0 || (box.centre + reach).maxCoeff() > 12)
+            continue;
+        const Flow3 flow = flow_of(box);
+        EXPECT_LE(flow.sums.closure, 1e-12) << "cell " << flow.place.transpose();
+        EXPECT_LE(flow.sums.flux[flow.solid].norm(), 1e-9);
+        // Every edge is in its cells' links: their open and covered areas are those of one division each.
+        for (const CornerLink<3>& link : flow.complex.links) {
+            EXPECT_NE(link.a, link.b);
+            EXPECT_EQ(flow.complex.part_cell[link.a], flow.complex.part_cell[link.b]);
+        }
+        without += flow.complex.links.size() < 8;
+        if (HasFailure())
+            ADD_FAILURE() << "pose " << k << " size " << box.size.transpose() << " centre " << box.centre.transpose() << " turn\n"
+                          << box.turn.toRotationMatrix();
+    }
+    EXPECT_LE(without, 20);
 }
 
 } // namespace
