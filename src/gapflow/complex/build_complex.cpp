@@ -59,6 +59,7 @@ struct HullFace {
     const Slab<3>* slab = nullptr;
     const CutFace<3>* face = nullptr;
     int slab_number = 0;
+    double shift = 0; ///< from where the face is known to where the cell has it, along its axis: a period or nothing
 
     int pieces() const { return state == Complex<3>::solid ? 0 : face ? face->pieces : 1; }
     int stretches(int e) const
@@ -148,6 +149,8 @@ private:
         for (int q = 0; q < 6; ++q) {
             HullFace& h = hull[q];
             h.state = std::min(numbers[q], 0);
+            if (q % 2)
+                h.shift = planes_.place[q / 2][c[q / 2] + 1] - planes_.place[q / 2][next(q / 2, c[q / 2])];
             if (numbers[q] >= 0) {
                 const int plane = q == 5 ? next(2, c[2]) : c[2];
                 h.slab_number = cut_.slab_of[plane - index_.low[2]];
@@ -217,9 +220,10 @@ private:
                 label[x] = count++;
                 result.part_area.push_back(total[x]);
             }
+        const Meetings meetings = meetings_of(hull, first, find, label);
         for (int p = 0; p < count; ++p) {
             result.part_cell.push_back(static_cast<std::int32_t>(result.cut_cell.size()));
-            add_walls(hull, first, find, label, p, result);
+            add_walls(hull, first, find, label, meetings, p, result);
         }
         for (int q = 0; q < 6; ++q)
             if (hull[q].state == Complex<3>::open && label[find(first[q])] > 0) {
@@ -299,19 +303,97 @@ private:
             const double open = pair.open / all * areas.open;
             const SharpEdge& edge = sharp.edges[pair.edge];
             result.links.push_back({part + pair.a, part + pair.b, solids_[image].solid,
-                                    length * corner_conductance(edge.angle, open, areas.covered), open, areas.covered,
+                                    corner_conductance(edge.angle, open, areas.covered / length), open, areas.covered,
                                     0.5 * (edge.from + edge.to)});
         }
     }
 
+    /// Where solids meet in a part the curve leads by straight ways over a middle. Where the plane by which an edge divides the cell meets
+    /// another solid it is the same for the parts on both sides: that of the plane's own ends on the hull if in each part they close their
+    /// curve, or else, where planes meet each other in the cell or solids do, one for all of the cell.
+    struct Meetings {
+        struct Plane {
+            int solid, edge, count;
+            Vec<3> middle;
+        };
+        InlineVector<Plane, 2> planes;
+        int count = 0;
+        bool apart = true;
+        Vec<3> middle = Vec<3>::Zero();
+
+        const Plane* find(const Junction<3>& j) const
+        {
+            return std::find_if(planes.begin(), planes.end(),
+                                [&](const Plane& p) { return p.solid == j.solid && p.edge == j.edge; });
+        }
+    };
+
+    template <class Visit>
+    static void for_each_junction(const std::array<HullFace, 6>& hull, Visit&& visit)
+    {
+        for (int q = 0; q < 6; ++q) {
+            const CutFace<3>* face = hull[q].face;
+            if (!face || face->detail < 0)
+                continue;
+            const FaceDetail& detail = hull[q].slab->details[face->detail];
+            for (int k = 0; k < detail.junctions; ++k) {
+                Junction<3> junction = hull[q].slab->junctions[detail.junction + k];
+                junction.at[q / 2] += hull[q].shift;
+                visit(q, junction);
+            }
+        }
+    }
+    static bool divides(const Junction<3>& j, int q) { return j.sides & (q % 2 ? 1 : 2); }
+
+    template <class Find, class Label>
+    static Meetings meetings_of(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find, const Label& label)
+    {
+        struct Balance {
+            int plane, part, sum;
+        };
+        InlineVector<Balance, 4> balances;
+        Meetings meetings;
+        bool plain = false;
+        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+            const int part = label[find(first[q] + j.piece)];
+            if (part < 0 || (j.edge >= 0 && !divides(j, q)))
+                return;
+            meetings.middle += j.at;
+            ++meetings.count;
+            if (j.edge < 0) {
+                plain = true;
+                return;
+            }
+            const auto* known = meetings.find(j);
+            const int plane = static_cast<int>(known - meetings.planes.begin());
+            if (known == meetings.planes.end())
+                meetings.planes.push_back({j.solid, j.edge, 0, Vec<3>::Zero()});
+            ++meetings.planes[plane].count;
+            meetings.planes[plane].middle += j.at;
+            auto balance = std::find_if(balances.begin(), balances.end(),
+                                        [&](const Balance& b) { return b.plane == plane && b.part == part; });
+            if (balance == balances.end()) {
+                balances.push_back({plane, part, 0});
+                balance = balances.end() - 1;
+            }
+            balance->sum += (q % 2 ? -1 : 1) * (j.from < j.to ? 1 : -1);
+        });
+        for (auto& plane : meetings.planes)
+            plane.middle /= plane.count;
+        if (meetings.count)
+            meetings.middle /= meetings.count;
+        meetings.apart = !plain;
+        for (const Balance& balance : balances)
+            meetings.apart = meetings.apart && balance.sum == 0;
+        return meetings;
+    }
+
     /// By Stokes, from the borders of the pieces of part p: S = - sum of +-a.
     template <class Find, class Label>
-    void add_walls(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find, const Label& label, int p,
-                   CellSlab<3>& result) const
+    void add_walls(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find, const Label& label,
+                   const Meetings& meetings, int p, CellSlab<3>& result) const
     {
         const std::size_t begin = result.patches.size();
-        Vec<3> middle = Vec<3>::Zero();
-        int junctions = 0;
         for (int q = 0; q < 6; ++q) {
             const CutFace<3>* face = hull[q].face;
             if (!face)
@@ -322,37 +404,29 @@ private:
                 if (label[find(first[q] + arc.piece)] == p)
                     add_patch<3>(result.patches, begin, solids_[arc.image].solid, sign * arc.area, sign * arc.moment);
             }
-            if (face->detail >= 0) {
-                const FaceDetail& detail = hull[q].slab->details[face->detail];
-                for (int k = 0; k < detail.junctions; ++k) {
-                    const Junction<3>& j = hull[q].slab->junctions[detail.junction + k];
-                    if (label[find(first[q] + j.piece)] == p) {
-                        middle += j.at;
-                        ++junctions;
-                    }
-                }
-            }
         }
-        // Solids that meet in the part: the curves along which they meet lead from junction to junction; by straight ways over their middle.
-        if (junctions) {
+        Vec<3> middle = Vec<3>::Zero();
+        int junctions = 0;
+        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+            if (label[find(first[q] + j.piece)] == p) {
+                middle += j.at;
+                ++junctions;
+            }
+        });
+        if (junctions)
             middle /= junctions;
-            for (int q = 0; q < 6; ++q) {
-                const CutFace<3>* face = hull[q].face;
-                if (!face || face->detail < 0)
-                    continue;
-                const double sign = q % 2 ? -1 : 1;
-                const FaceDetail& detail = hull[q].slab->details[face->detail];
-                for (int k = 0; k < detail.junctions; ++k) {
-                    const Junction<3>& j = hull[q].slab->junctions[detail.junction + k];
-                    if (label[find(first[q] + j.piece)] != p)
-                        continue;
-                    for (const auto& [image, turn] : {std::pair{j.from, 1.0}, {j.to, -1.0}}) {
-                        const auto [area, moment] = chord(j.at, middle, solids_[image].reference);
-                        add_patch<3>(result.patches, begin, solids_[image].solid, sign * turn * area, sign * turn * moment);
-                    }
-                }
+        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+            if (label[find(first[q] + j.piece)] != p || (j.edge >= 0 && !divides(j, q)))
+                return; // of a line that divides the cell on the face's other side both sides belong to the part
+            const Vec<3>& over = meetings.planes.empty() ? middle : meetings.apart ? meetings.find(j)->middle : meetings.middle;
+            const double sign = q % 2 ? -1 : 1;
+            for (const auto& [image, turn] : {std::pair{j.from, 1.0}, {j.to, -1.0}}) {
+                Vec<3> reference = solids_[image].reference;
+                reference[q / 2] += hull[q].shift;
+                const auto [area, moment] = chord(j.at, over, reference);
+                add_patch<3>(result.patches, begin, solids_[image].solid, sign * turn * area, sign * turn * moment);
             }
-        }
+        });
         result.patches_of_part.push_back(static_cast<std::int32_t>(result.patches.size() - begin));
     }
 

@@ -66,8 +66,9 @@ struct SectorLine {
 SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int edge, int d, double at, const Vec<2>& low,
                        const Vec<2>& high);
 
-/// Conductance (over 1/density, per length of edge) of the link across a dividing line of which a length `open` lies in the fluid
-/// of the corner's cell; `covered`: from the corner back along the bisector to the cell's border.
+/// Conductance (over 1/density) of the link across a dividing line of which a length `open` lies in the fluid of the corner's cell;
+/// `covered`: from the corner back along the bisector to the cell's border. In 3D `open` is an area, `covered` the mean length behind the
+/// edge: area over the edge's length.
 double corner_conductance(double angle, double open, double covered);
 
 } // namespace gapflow

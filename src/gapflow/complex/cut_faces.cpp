@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace gapflow {
 namespace {
@@ -92,13 +93,87 @@ double plane_of(const GridPlanes<D>& planes, int d, const Index<D>& f)
     return D == 3 ? planes.place[d][f[d]] : 0.0;
 }
 
+/// The cells that an edge passes through or touches, in the domain and a layer around it.
+template <class Visit>
+void for_each_cell_of(const GridPlanes<3>& planes, const SharpEdge& edge, Visit&& visit)
+{
+    const Vec<3> way = edge.to - edge.from;
+    Index<3> cell;
+    const auto pass = [&](auto&& self, int axis, double from, double to) -> void {
+        if (axis < 0) {
+            visit(cell);
+            return;
+        }
+        const double a = edge.from[axis] + from * way[axis], b = edge.from[axis] + to * way[axis];
+        const int first = std::max(planes.cell_of(axis, std::min(a, b)) - 1, -1),
+                  last = std::min(planes.cell_of(axis, std::max(a, b)) + 1, static_cast<int>(planes.place[axis].size()) - 1);
+        for (cell[axis] = first; cell[axis] <= last; ++cell[axis]) {
+            double t0 = from, t1 = to;
+            const double lo = planes.place_of(axis, cell[axis]), hi = planes.place_of(axis, cell[axis] + 1);
+            if (way[axis] == 0) {
+                if (!(edge.from[axis] >= lo && edge.from[axis] <= hi))
+                    continue;
+            } else {
+                const double s = (lo - edge.from[axis]) / way[axis], t = (hi - edge.from[axis]) / way[axis];
+                t0 = std::max(t0, std::min(s, t));
+                t1 = std::min(t1, std::max(s, t));
+            }
+            if (t0 <= t1)
+                self(self, axis - 1, t0, t1);
+        }
+    };
+    pass(pass, 2, 0.0, 1.0);
+}
+
+/// Which solid's edges divide a cell in 3D: one at most, the first of those whose edges pass through it, and none where a cell beside it
+/// has an edge of a solid before that one, so that two solids never divide the two sides of a face.
+class Dividers {
+public:
+    Dividers() = default;
+    Dividers(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids)
+    {
+        for (const PlacedSolid<3>& solid : solids)
+            for (const SharpEdge& edge : solid.sharp.edges)
+                for_each_cell_of(planes, edge, [&](const Index<3>& c) {
+                    const Index<3> w = grid.wrapped(c);
+                    if (!grid.in_domain(w))
+                        return;
+                    const auto [known, fresh] = first_.emplace(key(w), solid.solid);
+                    known->second = std::min(known->second, solid.solid);
+                });
+    }
+    /// -1: none.
+    int of(const Grid<3>& grid, const Index<3>& c) const
+    {
+        const Index<3> w = grid.wrapped(c);
+        const auto own = first_.find(key(w));
+        if (!grid.in_domain(w) || own == first_.end())
+            return -1;
+        for (int q = 0; q < 6; ++q) {
+            Index<3> n = w;
+            n[q / 2] += q % 2 ? 1 : -1;
+            if (const auto other = first_.find(key(grid.wrapped(n))); other != first_.end() && other->second < own->second)
+                return -1;
+        }
+        return own->second;
+    }
+
+private:
+    static std::int64_t key(const Index<3>& c)
+    {
+        return ((static_cast<std::int64_t>(c[2]) + 1) << 42) + ((static_cast<std::int64_t>(c[1]) + 1) << 21) + c[0] + 1;
+    }
+    std::unordered_map<std::int64_t, int> first_;
+};
+
 /// Which faces one solid covers or cuts in a slab.
 template <int D, class Kind>
 class Marking {
 public:
     Marking(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
-            const Kind& kind, int image, CutFaces<D>& cut, Slab<D>& slab)
-        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
+            const Kind& kind, int image, const Dividers& dividers, CutFaces<D>& cut, Slab<D>& slab)
+        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), dividers_(dividers), cut_(cut),
+          slab_(slab)
     {
     }
 
@@ -107,7 +182,10 @@ public:
         mark_cut();
         if constexpr (D == 3)
             for (const SharpEdge& edge : solid_.sharp.edges)
-                mark_divided(edge);
+                for_each_cell_of(planes_, edge, [&](const Index<3>& cell) {
+                    if (dividers_.of(grid_, cell) == solid_.solid)
+                        mark_around(cell);
+                });
     }
 
 private:
@@ -283,38 +361,6 @@ private:
                (twice_[at] >> v & 1);
     }
 
-    /// The faces of the cells through which an edge passes.
-    void mark_divided(const SharpEdge& edge) requires(D == 3)
-    {
-        const Vec<3> way = edge.to - edge.from;
-        Index<3> cell;
-        const auto pass = [&](auto&& self, int axis, double from, double to) -> void {
-            if (axis < 0) {
-                mark_around(cell);
-                return;
-            }
-            const auto& p = planes_.place[axis];
-            const double a = edge.from[axis] + from * way[axis], b = edge.from[axis] + to * way[axis];
-            const int first = std::max(planes_.cell_of(axis, std::min(a, b)) - 1, -1),
-                      last = std::min(planes_.cell_of(axis, std::max(a, b)) + 1, static_cast<int>(p.size()) - 1);
-            for (cell[axis] = first; cell[axis] <= last; ++cell[axis]) { // one more at each end: decided by cell_sectors later
-                double t0 = from, t1 = to;
-                const double lo = planes_.place_of(axis, cell[axis]), hi = planes_.place_of(axis, cell[axis] + 1);
-                if (way[axis] == 0) {
-                    if (!(edge.from[axis] >= lo && edge.from[axis] <= hi))
-                        continue;
-                } else {
-                    const double s = (lo - edge.from[axis]) / way[axis], t = (hi - edge.from[axis]) / way[axis];
-                    t0 = std::max(t0, std::min(s, t));
-                    t1 = std::min(t1, std::max(s, t));
-                }
-                if (t0 <= t1)
-                    self(self, axis - 1, t0, t1);
-            }
-        };
-        pass(pass, 2, 0.0, 1.0);
-    }
-
     void mark_around(const Index<3>& cell) requires(D == 3)
     {
         for (int d = 0; d < 3; ++d)
@@ -422,6 +468,7 @@ private:
     const PlacedSolid<D>& solid_;
     const Kind& kind_;
     int image_;
+    const Dividers& dividers_;
     CutFaces<D>& cut_;
     Slab<D>& slab_;
     Index<D> low_, high_, stride_; ///< vertices low .. high
@@ -495,17 +542,20 @@ struct DividedCell {
     int image = -1;
 };
 
-/// Where the edges of one solid divide a cell: the first of those whose edges pass through it.
-DividedCell divided_cell(const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids, const std::vector<int>& images,
-                         const Index<3>& c)
+/// Where the edges of one solid divide a cell.
+DividedCell divided_cell(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids,
+                         const std::vector<int>& images, const Dividers& dividers, const Index<3>& c)
 {
     DividedCell cell;
+    const int solid = dividers.of(grid, c);
+    if (solid < 0)
+        return cell;
     for (int axis = 0; axis < 3; ++axis) {
         cell.low[axis] = planes.place_of(axis, c[axis]);
         cell.high[axis] = planes.place_of(axis, c[axis] + 1);
     }
     for (const int image : images)
-        if (cell.image < 0 || image < cell.image)
+        if (solids[image].solid == solid)
             if (const CellSectors sectors = cell_sectors(solids[image].sharp, cell.low, cell.high); !sectors.empty()) {
                 cell.sectors = sectors;
                 cell.image = image;
@@ -518,14 +568,13 @@ struct FaceLine {
     int image, edge, sides;
 };
 void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids,
-               const std::vector<int>& images, const std::vector<Section>& sections, int d, const Index<3>& f, Square& square,
-               std::vector<FaceLine>& face_lines)
+               const std::vector<int>& images, const Dividers& dividers, const std::vector<Section>& sections, int d,
+               const Index<3>& f, Square& square, std::vector<FaceLine>& face_lines)
 {
     std::array<DividedCell, 2> cells;
     for (int side = 0; side < 2; ++side) {
         const Index<3> c = f - (1 - side) * step<3>(d);
-        if (grid.in_domain(grid.wrapped(c)))
-            cells[side] = divided_cell(planes, solids, images, c);
+        cells[side] = divided_cell(grid, planes, solids, images, dividers, c);
     }
     const double at = planes.place[d][f[d]];
     for (std::size_t k = 0; k < images.size(); ++k) {
@@ -592,7 +641,7 @@ void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vect
 
 /// Faces that more than one solid, or one in an uncommon way, cuts.
 template <int D>
-void cut_general(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
+void cut_general(const Grid<D>& grid, const Dividers& dividers, const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
                  Slab<D>& slab)
 {
     Square square;
@@ -632,7 +681,7 @@ void cut_general(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIn
         square.lines.clear();
         std::vector<FaceLine> face_lines;
         if constexpr (D == 3)
-            add_lines(grid, planes, solids, detail.images, sections, d, f, square, face_lines);
+            add_lines(grid, planes, solids, detail.images, dividers, sections, d, f, square, face_lines);
         depth.images = &detail.images;
         depth.d = d;
         depth.at = at;
@@ -653,8 +702,15 @@ void cut_general(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIn
         detail.stretch[4] = static_cast<int>(slab.stretches.size());
         detail.junction = static_cast<int>(slab.junctions.size());
         detail.junctions = static_cast<int>(square.junctions.size());
-        for (const SquareJunction& j : square.junctions)
+        for (const SquareJunction& j : square.junctions) {
             slab.junctions.push_back({j.piece, detail.images[j.from], detail.images[j.to], in_space<D>(d, at, j.at)});
+            if (D == 3 && j.fin >= 0) {
+                const FaceLine& line = face_lines[j.fin];
+                slab.junctions.back().edge = line.edge;
+                slab.junctions.back().solid = solids[line.image].solid;
+                slab.junctions.back().sides = line.sides;
+            }
+        }
         detail.division = static_cast<int>(slab.divisions.size());
         detail.divisions = static_cast<int>(square.links.size());
         for (const SquareLink& link : square.links) {
@@ -694,6 +750,9 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
             cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
     }
     cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
+    Dividers dividers;
+    if constexpr (D == 3)
+        dividers = Dividers(grid, planes, solids);
     for_each_job(static_cast<int>(cut.slabs.size()), [&](int s) {
         Slab<D>& slab = cut.slabs[s];
         for (std::size_t k = 0; k < solids.size(); ++k)
@@ -701,10 +760,10 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                 [&](const auto& kind) {
                     using Kind = std::decay_t<decltype(kind)>;
                     if constexpr (!std::is_same_v<Kind, FacetKind<D>>)
-                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
+                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), dividers, cut, slab).mark();
                 },
                 solids[k].kind);
-        cut_general(grid, planes, index, solids, slab);
+        cut_general(grid, dividers, planes, index, solids, slab);
     });
     return cut;
 }

@@ -57,6 +57,8 @@ template <int D>
 struct Junction {
     std::int32_t piece, from, to; ///< images
     Vec<D> at;
+    std::int32_t edge = -1, solid = -1; ///< where one of the two is a dividing line: of which edge of which solid
+    int sides = 0;                      ///< which cells it divides, see CornerDivision
 };
 
 template <int D>

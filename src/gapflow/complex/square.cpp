@@ -566,7 +566,7 @@ Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction, do
             if (!segment.curve) { // start + way direction = from + t along, from its left
                 const Vec<2> along = segment.to - segment.from, r = segment.from - start;
                 const double turn = cross(direction, along);
-                if (!(turn > 0))
+                if (!(turn > touching * along.norm())) // away from it, or along it to round-off
                     continue;
                 way = cross(r, along) / turn;
                 t = cross(r, direction) / turn;
@@ -841,21 +841,28 @@ void Square::find_links()
         const std::size_t number = ray ? k : k - corners.size();
         const Vec<2> p = ray ? corners[k].at : lines[number].from,
                      direction = ray ? corners[k].outward : Vec<2>((lines[number].to - lines[number].from).normalized());
-        double line = 0;
         for (const SquareArc& arc : arcs)
             for (const ArcSegment& segment : arc.segments)
                 if (segment.fin == static_cast<int>(k)) {
                     const double from = (segment.from - p).dot(direction), to = (segment.to - p).dot(direction);
                     sides[to > from ? 0 : 1].push_back({std::min(from, to), std::max(from, to), arc.piece});
-                    line = std::max({line, from, to});
                 }
         for (const Side& a : sides[0])
             for (const Side& b : sides[1]) {
                 const double open = std::min(a.to, b.to) - std::max(a.from, b.from);
                 if (open > 0 && a.piece != b.piece)
-                    links.push_back({static_cast<int>(k), a.piece, b.piece, open, line});
+                    links.push_back({static_cast<int>(k), a.piece, b.piece, open});
             }
     }
+}
+
+/// The line of which one of two arcs that follow each other is a side.
+int Square::fin_between(int a, int b) const
+{
+    for (const int arc : {a, b})
+        if (arc >= 0 && !arcs[arc].segments.empty() && arcs[arc].segments[0].fin >= 0)
+            return arcs[arc].segments[0].fin;
+    return -1;
 }
 
 void Square::walk()
@@ -901,9 +908,9 @@ void Square::walk()
                     if (a.piece >= 0)
                         break;
                     a.piece = piece;
-                    last = arc;
                     if (a.solid != from)
-                        junctions.push_back({piece, from, a.solid, a.from});
+                        junctions.push_back({piece, from, a.solid, a.from, fin_between(last, arc)});
+                    last = arc;
                     from = a.solid;
                     if (a.end.edge < 0) {
                         if (a.joins >= 0)
@@ -948,7 +955,7 @@ void Square::close_loops()
         for (const int k : loop) {
             arcs[k].piece = piece;
             if (const int next = arcs[k].joins; next >= 0 && arcs[next].solid != arcs[k].solid)
-                junctions.push_back({piece, arcs[k].solid, arcs[next].solid, arcs[k].to});
+                junctions.push_back({piece, arcs[k].solid, arcs[next].solid, arcs[k].to, fin_between(k, next)});
         }
     };
     for (std::size_t first = 0; first < arcs.size(); ++first) {

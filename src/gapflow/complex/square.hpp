@@ -78,6 +78,7 @@ struct SquarePiece {
 struct SquareJunction {
     int piece, from, to; ///< solids
     Vec<2> at;
+    int fin; ///< of which line one of the two is a side (see SquareLink), or -1
 };
 
 /// A corner of a solid within the rectangle that divides.
@@ -98,8 +99,7 @@ struct SquareLine {
 struct SquareLink {
     int fin;    ///< index into Square::corners; from corners.size() on into Square::lines
     int a, b;   ///< pieces at the left and right of the way outward
-    double open;
-    double line; ///< length of the whole line, of which `open` lies between these two
+    double open; ///< length of the line between them
 };
 
 struct OpenStretch {
@@ -172,6 +172,7 @@ private:
     void split_ring(int ring, const OnEdge& place, int solid);
     int ring_at(const OnEdge& place) const;
     void find_links();
+    int fin_between(int a, int b) const;
     double ring_length(const RingStretch& r) const;
     void walk();
     void close_loops();
