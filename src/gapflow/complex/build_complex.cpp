@@ -346,7 +346,8 @@ private:
     static bool divides(const Junction<3>& j, int q) { return j.sides & (q % 2 ? 1 : 2); }
 
     template <class Find, class Label>
-    static Meetings meetings_of(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find, const Label& label)
+    static Meetings meetings_of(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find,
+                                const Label& label)
     {
         struct Balance {
             int plane, part, sum;

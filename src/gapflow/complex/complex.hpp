@@ -79,7 +79,7 @@ struct WallPatch {
 /// of the solid's motion through the line is part of their wall patches.
 template <int D>
 struct CornerLink {
-    std::int32_t a, b; ///< parts
+    std::int32_t a, b; ///< parts; 2D: at the left and right of the way outward
     std::int32_t solid;
     double conductance;   ///< times density
     double open, covered; ///< lengths of the corner's bisector in the cell; 3D: areas of the edge's bisector plane

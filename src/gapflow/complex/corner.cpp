@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -89,7 +90,8 @@ CellSectors cell_sectors(const SharpSolid& solid, const Vec<3>& low, const Vec<3
     return sectors;
 }
 
-BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low, const Vec<3>& high)
+BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low,
+                             const Vec<3>& high)
 {
     const SharpEdge& edge = solid.edges[number];
     const SharpFacet &a = solid.facets[edge.a], &b = solid.facets[edge.b];
@@ -141,9 +143,8 @@ SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int 
     line.direction = Vec<2>(-difference[1], difference[0]) / steepness;
     if (line.direction.dot(slope(edge.a)) < 0)
         line.direction = -line.direction;
-    const double far = 1e3;
-    line.from = -far;
-    line.to = far;
+    line.from = -std::numeric_limits<double>::infinity();
+    line.to = -line.from;
     const auto keep = [&](double a, double b, SectorLine::End end, int low_edge, int high_edge) {
         const int moved = keep_positive(a, b, line.from, line.to);
         if (moved < 0) {

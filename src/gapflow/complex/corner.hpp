@@ -50,7 +50,8 @@ CellSectors cell_sectors(const SharpSolid& solid, const Vec<3>& low, const Vec<3
 struct BisectorAreas {
     double open, covered;
 };
-BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int edge, const Vec<3>& low, const Vec<3>& high);
+BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int edge, const Vec<3>& low,
+                             const Vec<3>& high);
 
 /// Where the border of two sectors cuts a face of the cell: from `from` on outward of the edge, to - from > 0 along `direction`.
 struct SectorLine {

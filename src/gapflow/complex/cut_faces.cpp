@@ -172,8 +172,8 @@ class Marking {
 public:
     Marking(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
             const Kind& kind, int image, const Dividers& dividers, CutFaces<D>& cut, Slab<D>& slab)
-        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), dividers_(dividers), cut_(cut),
-          slab_(slab)
+        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), dividers_(dividers),
+          cut_(cut), slab_(slab)
     {
     }
 
@@ -615,8 +615,10 @@ void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vect
                     if (l.from == breaks[j] && l.from_end == SectorLine::End::corner) {
                         const Section& section = sections[k]; // its own corner
                         for (int m = 0; m < section.count; ++m) {
-                            const int s = section.curve[m].surface, t = section.curve[(m + section.count - 1) % section.count].surface;
-                            if ((s == sharp.edges[e].a && t == sharp.edges[e].b) || (t == sharp.edges[e].a && s == sharp.edges[e].b))
+                            const int s = section.curve[m].surface,
+                                      t = section.curve[(m + section.count - 1) % section.count].surface;
+                            if ((s == sharp.edges[e].a && t == sharp.edges[e].b) ||
+                                (t == sharp.edges[e].a && s == sharp.edges[e].b))
                                 portion.from = section.corner[m];
                         }
                     }
@@ -641,8 +643,8 @@ void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vect
 
 /// Faces that more than one solid, or one in an uncommon way, cuts.
 template <int D>
-void cut_general(const Grid<D>& grid, const Dividers& dividers, const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
-                 Slab<D>& slab)
+void cut_general(const Grid<D>& grid, const Dividers& dividers, const GridPlanes<D>& planes, const DenseIndex<D>& index,
+                 const std::vector<PlacedSolid<D>>& solids, Slab<D>& slab)
 {
     Square square;
     std::vector<Section> sections;
@@ -723,8 +725,7 @@ void cut_general(const Grid<D>& grid, const Dividers& dividers, const GridPlanes
             double covered = std::numeric_limits<double>::infinity();
             for (int axis = 0; axis < 2; ++axis)
                 if (const double slope = corner.outward[axis]; slope != 0)
-                    covered = std::min(
-                        covered, (corner.at[axis] - (slope > 0 ? square.low[axis] : square.high[axis])) / slope);
+                    covered = std::min(covered, (corner.at[axis] - (slope > 0 ? square.low[axis] : square.high[axis])) / slope);
             slab.divisions.push_back({detail.images[square.corners[link.fin].solid], link.a, link.b,
                                       corner_conductance(corner.angle, link.open, covered), link.open, covered,
                                       in_space<D>(d, at, corner.at)});

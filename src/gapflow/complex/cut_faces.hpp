@@ -80,11 +80,11 @@ struct CutFace {
 template <int D>
 struct CornerDivision {
     std::int32_t image;
-    std::int32_t a, b; ///< pieces of the rectangle, at the left and right of the way outward
+    std::int32_t a, b;                 ///< pieces of the rectangle, at the left and right of the way outward
     double conductance, open, covered; ///< 3D: open only
-    Vec<D> at; ///< the corner
-    int edge = -1;  ///< 3D: of the image
-    int sides = 0;  ///< 3D: which cells it divides: 1 that below the face, 2 that above it
+    Vec<D> at;                         ///< the corner
+    int edge = -1;                     ///< 3D: of the image
+    int sides = 0;                     ///< 3D: which cells it divides: 1 that below the face, 2 that above it
 };
 
 /// Of a general face.

@@ -11,6 +11,9 @@ struct ComplexParameters {
     double least_area = 1e-13;
     /// Borders of solids that touch each other join within this distance: round-off of their sections.
     double joint_distance = 1e-9;
+    /// Share of a curved segment over which its direction at an end is taken, to find on which side of it a line starts: small against a
+    /// turn, large against round-off.
+    double tangent_share = 1e-3;
     /// Points along an arc at which two solids' overlap is looked for.
     int overlap_samples = 12;
     /// The link at a corner of angle alpha of a solid has the conductance corner_link tau^-corner_exponent d/c, tau = 1 - alpha/pi, d

@@ -41,7 +41,8 @@ SharpSolid sharp_solid(const PlanesKind<D>& kind)
                 const double c = m.dot(n), sine2 = way.squaredNorm();
                 if (sine2 < parameters.parallel * parameters.parallel)
                     continue;
-                const Vec<3> p = ((kind.offset[a] - c * kind.offset[b]) * m + (kind.offset[b] - c * kind.offset[a]) * n) / sine2;
+                const Vec<3> p =
+                    ((kind.offset[a] - c * kind.offset[b]) * m + (kind.offset[b] - c * kind.offset[a]) * n) / sine2;
                 double from = -std::numeric_limits<double>::infinity(), to = -from;
                 for (int k = 0; k < kind.planes; ++k) {
                     const double room = kind.offset[k] - kind.normal[k].dot(p), slope = kind.normal[k].dot(way);

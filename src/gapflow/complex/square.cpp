@@ -510,13 +510,13 @@ Square::Hit Square::joint_at(int solid, const Vec<2>& x, const Vec<2>& direction
         if (distance > parameters.joint_distance)
             return;
         // Counterclockwise from the way out to the way back.
-        const Vec<2> w = out.at(std::min(1.0, 1e-3)) - out.from, v = in.at(1 - 1e-3) - in.to;
+        const Vec<2> w = out.at(parameters.tangent_share) - out.from, v = in.at(1 - parameters.tangent_share) - in.to;
         const auto angle = [&](const Vec<2>& y) {
             const double t = std::atan2(cross(w, y), w.dot(y));
             return t < 0 ? t + 2 * std::numbers::pi : t;
         };
         double all = angle(v);
-        if (all < 1e-12)
+        if (all < parameters.least_stretch)
             all = 2 * std::numbers::pi; // a fin's end
         const double here = angle(direction), inside = std::min(here, all - here);
         if (inside > best) {

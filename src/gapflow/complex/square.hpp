@@ -97,8 +97,8 @@ struct SquareLine {
 
 /// Two pieces on both sides of a dividing line.
 struct SquareLink {
-    int fin;    ///< index into Square::corners; from corners.size() on into Square::lines
-    int a, b;   ///< pieces at the left and right of the way outward
+    int fin;     ///< index into Square::corners; from corners.size() on into Square::lines
+    int a, b;    ///< pieces at the left and right of the way outward
     double open; ///< length of the line between them
 };
 

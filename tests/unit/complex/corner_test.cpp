@@ -54,7 +54,8 @@ double fluid_area(const Complex<2>& complex)
     for (const double a : complex.part_area)
         area += a;
     const Index<2> end = complex.index.low + complex.index.size - Index<2>::Ones();
-    for_each_index<2>(complex.index.low, end, [&](const Index<2>& c) { area += complex.cell[complex.index(c)] == Complex<2>::open; });
+    for_each_index<2>(complex.index.low, end,
+                      [&](const Index<2>& c) { area += complex.cell[complex.index(c)] == Complex<2>::open; });
     return area;
 }
 
@@ -85,11 +86,12 @@ struct Network {
             if (!complex.joins_main(piece) && piece.low.exists() && piece.high.exists())
                 join(number_of(piece.low), number_of(piece.high), piece.area);
         for (int d = 0; d < D; ++d)
-            for_each_index<D>(complex.index.low + step<D>(d), complex.index.low + complex.index.size - Index<D>::Ones(), [&](const Index<D>& f) {
-                const int at = complex.index(f);
-                if (const double area = complex.main_area[d][at]; area > 0)
-                    join(number[complex.index(f - step<D>(d))], number[at], area);
-            });
+            for_each_index<D>(complex.index.low + step<D>(d), complex.index.low + complex.index.size - Index<D>::Ones(),
+                              [&](const Index<D>& f) {
+                                  const int at = complex.index(f);
+                                  if (const double area = complex.main_area[d][at]; area > 0)
+                                      join(number[complex.index(f - step<D>(d))], number[at], area);
+                              });
         for (const CornerLink<D>& link : complex.links)
             join(link.a, link.b, link.conductance);
         K = Eigen::MatrixXd::Zero(count, D);
@@ -343,7 +345,9 @@ TEST(Corners, AddedMassOfPlates)
         const double exact = in_closed_box(rectangle_added_mass(L, thickness)[0], L * thickness, n);
         for (const double degrees : {0, 10, 25, 45})
             for (int k = 0; k < 6; ++k, ++count) {
-                const Plate plate{n, {L, thickness}, Vec<2>(n / 2 + number(random), n / 2 + number(random)),
+                const Plate plate{n,
+                                  {L, thickness},
+                                  Vec<2>(n / 2 + number(random), n / 2 + number(random)),
                                   degrees * std::numbers::pi / 180};
                 const Vec<2> normal(-std::sin(plate.angle), std::cos(plate.angle));
                 const double error = normal.dot(added_mass(plate) * normal) / exact - 1;
@@ -364,7 +368,9 @@ TEST(Corners, AddedMassOfBoxes)
     const Vec<2> M = rectangle_added_mass(8, 4), exact(in_closed_box(M[1], 32, n), in_closed_box(M[0], 32, n));
     Vec<2> sum = Vec<2>::Zero(), squares = sum;
     for (int k = 0; k < count; ++k) {
-        const Plate plate{n, {8, 4}, Vec<2>(n / 2 + number(random), n / 2 + number(random)),
+        const Plate plate{n,
+                          {8, 4},
+                          Vec<2>(n / 2 + number(random), n / 2 + number(random)),
                           (k % 3 ? number(random) * 90 : 45 * (k / 3 % 3)) * std::numbers::pi / 180};
         const Eigen::Matrix2d R = Rotation<2>(plate.angle).toRotationMatrix();
         const Vec<2> error = (R.transpose() * added_mass(plate) * R).diagonal().cwiseQuotient(exact) - Vec<2>::Ones();
@@ -449,7 +455,8 @@ TEST(Edges, RandomPosesAreClosed)
         for (int axis = 0; axis < 3; ++axis)
             box.size[axis] = axis == 2 && k % 2 ? std::pow(10, -3 * number(random)) : 0.3 + 4 * number(random);
         if (k % 5 < 3)
-            box.turn = Eigen::AngleAxisd(6.28 * number(random), Vec<3>(number(random), number(random), number(random)).normalized());
+            box.turn =
+                Eigen::AngleAxisd(6.28 * number(random), Vec<3>(number(random), number(random), number(random)).normalized());
         else if (k % 5 < 4)
             box.turn = Eigen::AngleAxisd(std::numbers::pi / 4 * static_cast<int>(8 * number(random)),
                                          Vec<3>::Unit(static_cast<int>(3 * number(random))));
@@ -486,7 +493,8 @@ TEST(Edges, RandomPosesAreClosed)
             EXPECT_NEAR(length, 4 * box.size.sum(), 1e-6);
         }
         if (HasFailure())
-            ADD_FAILURE() << "pose " << k << " size " << box.size.transpose() << " centre " << box.centre.transpose() << " turn\n"
+            ADD_FAILURE() << "pose " << k << " size " << box.size.transpose() << " centre " << box.centre.transpose()
+                          << " turn\n"
                           << box.turn.toRotationMatrix();
     }
     EXPECT_LE(unlinked, on_plane / 5);
@@ -498,7 +506,8 @@ Eigen::Matrix3d added_mass(const Box& box)
     const Flow3 flow = flow_of(box);
     const Network network(flow.complex, flow.solid);
     const Eigen::MatrixXd& K = network.K;
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>> solver;
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>>
+        solver;
     solver.setTolerance(1e-8);
     solver.compute(network.L);
     Eigen::Matrix3d M = K.transpose() * solver.solve(K);
@@ -528,9 +537,10 @@ TEST(Edges, AddedMassOfBoxes)
             sum += error;
             squares += error.cwiseAbs2();
         }
-        std::printf("box %g %g %g: added mass off by %.2f %.2f %.2f %% (mean), %.2f %.2f %.2f (rms)\n", size[0], size[1], size[2],
-                    100 * sum[0] / count, 100 * sum[1] / count, 100 * sum[2] / count, 100 * std::sqrt(squares[0] / count),
-                    100 * std::sqrt(squares[1] / count), 100 * std::sqrt(squares[2] / count));
+        std::printf("box %g %g %g: added mass off by %.2f %.2f %.2f %% (mean), %.2f %.2f %.2f (rms)\n", size[0], size[1],
+                    size[2], 100 * sum[0] / count, 100 * sum[1] / count, 100 * sum[2] / count,
+                    100 * std::sqrt(squares[0] / count), 100 * std::sqrt(squares[1] / count),
+                    100 * std::sqrt(squares[2] / count));
         EXPECT_LE(sum.cwiseAbs().maxCoeff() / count, 0.03);
     }
 }
