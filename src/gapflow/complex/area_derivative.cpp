@@ -114,13 +114,13 @@ struct SlabRates {
     std::vector<PieceRate<3>> rates;
 };
 
-SlabRates slab_rates(const GridPlanes<3>& planes, const DenseIndex<3>& index, const std::vector<PlacedSolid<3>>& solids,
+SlabRates slab_rates(const CutFaces<3>& cut, const GridPlanes<3>& planes, const DenseIndex<3>& index, const std::vector<PlacedSolid<3>>& solids,
                      const Slab<3>& slab)
 {
     SlabRates result;
     result.begin.assign(slab.pieces.size(), 0);
     result.end = result.begin;
-    FaceArcs<3> retrace(planes, index, solids);
+    FaceArcs<3> retrace(cut, planes, index, solids);
     for (const CutFace<3>& face : slab.faces) {
         if (face.state == CutFace<3>::State::dead || face.pieces == 0)
             continue;
@@ -249,7 +249,7 @@ FaceDerivatives<D> face_derivatives(const GridPlanes<D>& planes, const DenseInde
     if constexpr (D == 3) {
         std::vector<SlabRates> slabs(cut.slabs.size());
         for_each_job(static_cast<int>(slabs.size()),
-                     [&](int s) { slabs[s] = slab_rates(planes, index, solids, cut.slabs[s]); });
+                     [&](int s) { slabs[s] = slab_rates(cut, planes, index, solids, cut.slabs[s]); });
         for (const PieceSource& source : sources) {
             if (source.slab >= 0) {
                 const SlabRates& slab = slabs[source.slab];

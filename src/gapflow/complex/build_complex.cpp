@@ -6,6 +6,7 @@
 #include "gapflow/grid/field.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -18,6 +19,7 @@ struct CellSlab {
     std::vector<std::int32_t> cut_cell, parts_of_cell, part_cell, patches_of_part;
     std::vector<double> part_area;
     std::vector<WallPatch<D>> patches;
+    std::vector<CornerLink<D>> links; ///< 3D
     /// Parts on the two sides of each piece of each slab's faces, where this slab's cells lie beside them: entries (slab, piece, side, part).
     struct Side {
         std::int32_t slab, piece;
@@ -58,6 +60,7 @@ struct HullFace {
     const Slab<3>* slab = nullptr;
     const CutFace<3>* face = nullptr;
     int slab_number = 0;
+    double shift = 0; ///< from where the face is known to where the cell has it, along its axis: a period or nothing
 
     int pieces() const { return state == Complex<3>::solid ? 0 : face ? face->pieces : 1; }
     int stretches(int e) const
@@ -70,9 +73,19 @@ struct HullFace {
         }
         return (face->open >> e & 1) || (face->open >> ((e + 1) & 3) & 1) ? 1 : 0;
     }
-    int piece_at(int e, int k) const
+    /// One of them; all that is open of the edge, where one solid cuts the face in the common way or none does.
+    OpenStretch stretch(int e, int k) const
     {
-        return face && face->detail >= 0 ? slab->stretches[slab->details[face->detail].stretch[e] + k].piece : 0;
+        if (face && face->detail >= 0)
+            return slab->stretches[slab->details[face->detail].stretch[e] + k];
+        return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), 0};
+    }
+    std::span<const CornerDivision<3>> divisions() const
+    {
+        if (!face || face->detail < 0)
+            return {};
+        const FaceDetail& detail = slab->details[face->detail];
+        return {slab->divisions.data() + detail.division, static_cast<std::size_t>(detail.divisions)};
     }
     double area(int piece, double whole) const { return face ? slab->pieces[face->piece + piece].area : whole; }
 };
@@ -137,6 +150,8 @@ private:
         for (int q = 0; q < 6; ++q) {
             HullFace& h = hull[q];
             h.state = std::min(numbers[q], 0);
+            if (q % 2)
+                h.shift = planes_.place[q / 2][c[q / 2] + 1] - planes_.place[q / 2][next(q / 2, c[q / 2])];
             if (numbers[q] >= 0) {
                 const int plane = q == 5 ? next(2, c[2]) : c[2];
                 h.slab_number = cut_.slab_of[plane - index_.low[2]];
@@ -165,11 +180,20 @@ private:
                 for (int sg = 0; sg < 2; ++sg) {
                     // Of a face normal to b the edge along a is that at u = g; of one normal to g that at v = b.
                     const int qb = 2 * b + sb, qg = 2 * g + sg, eb = sg ? 1 : 3, eg = sb ? 2 : 0;
-                    const int stretches = std::min(hull[qb].stretches(eb), hull[qg].stretches(eg));
-                    for (int k = 0; k < stretches; ++k)
-                        up[find(first[qb] + hull[qb].piece_at(eb, k))] = find(first[qg] + hull[qg].piece_at(eg, k));
+                    for (int i = 0, j = 0; i < hull[qb].stretches(eb) && j < hull[qg].stretches(eg);) {
+                        const OpenStretch s = hull[qb].stretch(eb, i), t = hull[qg].stretch(eg, j);
+                        if (std::min(s.to, t.to) - std::max(s.from, t.from) > parameters.least_stretch)
+                            up[find(first[qb] + s.piece)] = find(first[qg] + t.piece);
+                        i += s.to <= t.to;
+                        j += t.to <= s.to;
+                    }
                 }
         }
+        // What a line divides in the cell on the face's other side alone is one here.
+        for (int q = 0; q < 6; ++q)
+            for (const auto& division : hull[q].divisions())
+                if (!(division.sides & (q % 2 ? 1 : 2)))
+                    up[find(first[q] + division.a)] = find(first[q] + division.b);
         InlineVector<double, 32> total;
         InlineVector<int, 32> label;
         for (int x = 0; x < n; ++x) {
@@ -197,9 +221,10 @@ private:
                 label[x] = count++;
                 result.part_area.push_back(total[x]);
             }
+        const Meetings meetings = meetings_of(hull, first, find, label);
         for (int p = 0; p < count; ++p) {
             result.part_cell.push_back(static_cast<std::int32_t>(result.cut_cell.size()));
-            add_walls(hull, first, find, label, p, result);
+            add_walls(hull, first, find, label, meetings, p, result);
         }
         for (int q = 0; q < 6; ++q)
             if (hull[q].state == Complex<3>::open && label[find(first[q])] > 0) {
@@ -216,18 +241,161 @@ private:
                     result.sides.push_back({hull[q].slab_number, hull[q].face->piece + p, static_cast<std::int8_t>(1 - q % 2),
                                             l < 0 ? -1 : part + l});
                 }
+        add_links(c, hull, first, find, label, part, result);
         result.cut_cell.push_back(number);
         result.parts_of_cell.push_back(count);
     }
 
+    /// Of the edges that divide the cell, as far as they part two parts.
+    template <class Find, class Label>
+    void add_links(const Index<3>& c, const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find,
+                   const Label& label, int part, CellSlab<3>& result) const
+    {
+        struct Pair {
+            int image, edge, a, b;
+            double open;
+        };
+        InlineVector<Pair, 4> pairs;
+        for (int q = 0; q < 6; ++q)
+            for (const auto& division : hull[q].divisions()) {
+                if (!(division.sides & (q % 2 ? 1 : 2)))
+                    continue;
+                int a = label[find(first[q] + division.a)], b = label[find(first[q] + division.b)];
+                if (a == b || a < 0 || b < 0)
+                    continue;
+                if (a > b)
+                    std::swap(a, b);
+                // Of a periodic domain's last cell the faces on its far side see another image.
+                const auto known = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) {
+                    return solids_[p.image].solid == solids_[division.image].solid && p.edge == division.edge && p.a == a &&
+                           p.b == b;
+                });
+                if (known != pairs.end())
+                    known->open += division.open;
+                else
+                    pairs.push_back({division.image, division.edge, a, b, division.open});
+            }
+        Vec<3> low, high;
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = planes_.place[axis][c[axis]];
+            high[axis] = planes_.place[axis][c[axis] + 1];
+        }
+        for (const Pair& pair : pairs) {
+            // The image whose edge passes through the cell itself.
+            int image = -1;
+            CellSectors sectors;
+            for (int k = 0; k < static_cast<int>(solids_.size()) && image < 0; ++k)
+                if (solids_[k].solid == solids_[pair.image].solid) {
+                    sectors = cell_sectors(solids_[k].sharp, low, high);
+                    if (std::find(sectors.edges.begin(), sectors.edges.end(), pair.edge) != sectors.edges.end())
+                        image = k;
+                }
+            if (image < 0)
+                continue;
+            const SharpSolid& sharp = solids_[image].sharp;
+            const BisectorAreas areas = bisector_areas(sharp, sectors, pair.edge, low, high);
+            double all = 0, length = 0;
+            for (const Pair& other : pairs)
+                if (other.edge == pair.edge && solids_[other.image].solid == solids_[pair.image].solid)
+                    all += other.open;
+            for (std::size_t k = 0; k < sectors.edges.size(); ++k)
+                if (sectors.edges[k] == pair.edge)
+                    length = sectors.lengths[k];
+            const double open = pair.open / all * areas.open;
+            const SharpEdge& edge = sharp.edges[pair.edge];
+            result.links.push_back({part + pair.a, part + pair.b, solids_[image].solid,
+                                    corner_conductance(edge.angle, open, areas.covered / length), open, areas.covered,
+                                    0.5 * (edge.from + edge.to)});
+        }
+    }
+
+    /// Where solids meet in a part the curve leads by straight ways over a middle. Where the plane by which an edge divides the cell meets
+    /// another solid it is the same for the parts on both sides: that of the plane's own ends on the hull if in each part they close their
+    /// curve, or else, where planes meet each other in the cell or solids do, one for all of the cell.
+    struct Meetings {
+        struct Plane {
+            int solid, edge, count;
+            Vec<3> middle;
+        };
+        InlineVector<Plane, 2> planes;
+        int count = 0;
+        bool apart = true;
+        Vec<3> middle = Vec<3>::Zero();
+
+        const Plane* find(const Junction<3>& j) const
+        {
+            return std::find_if(planes.begin(), planes.end(),
+                                [&](const Plane& p) { return p.solid == j.solid && p.edge == j.edge; });
+        }
+    };
+
+    template <class Visit>
+    static void for_each_junction(const std::array<HullFace, 6>& hull, Visit&& visit)
+    {
+        for (int q = 0; q < 6; ++q) {
+            const CutFace<3>* face = hull[q].face;
+            if (!face || face->detail < 0)
+                continue;
+            const FaceDetail& detail = hull[q].slab->details[face->detail];
+            for (int k = 0; k < detail.junctions; ++k) {
+                Junction<3> junction = hull[q].slab->junctions[detail.junction + k];
+                junction.at[q / 2] += hull[q].shift;
+                visit(q, junction);
+            }
+        }
+    }
+    static bool divides(const Junction<3>& j, int q) { return j.sides & (q % 2 ? 1 : 2); }
+
+    template <class Find, class Label>
+    static Meetings meetings_of(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find,
+                                const Label& label)
+    {
+        struct Balance {
+            int plane, part, sum;
+        };
+        InlineVector<Balance, 4> balances;
+        Meetings meetings;
+        bool plain = false;
+        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+            const int part = label[find(first[q] + j.piece)];
+            if (part < 0 || (j.edge >= 0 && !divides(j, q)))
+                return;
+            meetings.middle += j.at;
+            ++meetings.count;
+            if (j.edge < 0) {
+                plain = true;
+                return;
+            }
+            const auto* known = meetings.find(j);
+            const int plane = static_cast<int>(known - meetings.planes.begin());
+            if (known == meetings.planes.end())
+                meetings.planes.push_back({j.solid, j.edge, 0, Vec<3>::Zero()});
+            ++meetings.planes[plane].count;
+            meetings.planes[plane].middle += j.at;
+            auto balance = std::find_if(balances.begin(), balances.end(),
+                                        [&](const Balance& b) { return b.plane == plane && b.part == part; });
+            if (balance == balances.end()) {
+                balances.push_back({plane, part, 0});
+                balance = balances.end() - 1;
+            }
+            balance->sum += (q % 2 ? -1 : 1) * (j.from < j.to ? 1 : -1);
+        });
+        for (auto& plane : meetings.planes)
+            plane.middle /= plane.count;
+        if (meetings.count)
+            meetings.middle /= meetings.count;
+        meetings.apart = !plain;
+        for (const Balance& balance : balances)
+            meetings.apart = meetings.apart && balance.sum == 0;
+        return meetings;
+    }
+
     /// By Stokes, from the borders of the pieces of part p: S = - sum of +-a.
     template <class Find, class Label>
-    void add_walls(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find, const Label& label, int p,
-                   CellSlab<3>& result) const
+    void add_walls(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find, const Label& label,
+                   const Meetings& meetings, int p, CellSlab<3>& result) const
     {
         const std::size_t begin = result.patches.size();
-        Vec<3> middle = Vec<3>::Zero();
-        int junctions = 0;
         for (int q = 0; q < 6; ++q) {
             const CutFace<3>* face = hull[q].face;
             if (!face)
@@ -238,37 +406,29 @@ private:
                 if (label[find(first[q] + arc.piece)] == p)
                     add_patch<3>(result.patches, begin, solids_[arc.image].solid, sign * arc.area, sign * arc.moment);
             }
-            if (face->detail >= 0) {
-                const FaceDetail& detail = hull[q].slab->details[face->detail];
-                for (int k = 0; k < detail.junctions; ++k) {
-                    const Junction<3>& j = hull[q].slab->junctions[detail.junction + k];
-                    if (label[find(first[q] + j.piece)] == p) {
-                        middle += j.at;
-                        ++junctions;
-                    }
-                }
-            }
         }
-        // Solids that meet in the part: the curves along which they meet lead from junction to junction; by straight ways over their middle.
-        if (junctions) {
+        Vec<3> middle = Vec<3>::Zero();
+        int junctions = 0;
+        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+            if (label[find(first[q] + j.piece)] == p) {
+                middle += j.at;
+                ++junctions;
+            }
+        });
+        if (junctions)
             middle /= junctions;
-            for (int q = 0; q < 6; ++q) {
-                const CutFace<3>* face = hull[q].face;
-                if (!face || face->detail < 0)
-                    continue;
-                const double sign = q % 2 ? -1 : 1;
-                const FaceDetail& detail = hull[q].slab->details[face->detail];
-                for (int k = 0; k < detail.junctions; ++k) {
-                    const Junction<3>& j = hull[q].slab->junctions[detail.junction + k];
-                    if (label[find(first[q] + j.piece)] != p)
-                        continue;
-                    for (const auto& [image, turn] : {std::pair{j.from, 1.0}, {j.to, -1.0}}) {
-                        const auto [area, moment] = chord(j.at, middle, solids_[image].reference);
-                        add_patch<3>(result.patches, begin, solids_[image].solid, sign * turn * area, sign * turn * moment);
-                    }
-                }
+        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+            if (label[find(first[q] + j.piece)] != p || (j.edge >= 0 && !divides(j, q)))
+                return; // of a line that divides the cell on the face's other side both sides belong to the part
+            const Vec<3>& over = meetings.planes.empty() ? middle : meetings.apart ? meetings.find(j)->middle : meetings.middle;
+            const double sign = q % 2 ? -1 : 1;
+            for (const auto& [image, turn] : {std::pair{j.from, 1.0}, {j.to, -1.0}}) {
+                Vec<3> reference = solids_[image].reference;
+                reference[q / 2] += hull[q].shift;
+                const auto [area, moment] = chord(j.at, over, reference);
+                add_patch<3>(result.patches, begin, solids_[image].solid, sign * turn * area, sign * turn * moment);
             }
-        }
+        });
         result.patches_of_part.push_back(static_cast<std::int32_t>(result.patches.size() - begin));
     }
 
@@ -284,6 +444,18 @@ void append_offset(std::vector<std::int32_t>& to, const std::vector<std::int32_t
 {
     for (const std::int32_t n : counts)
         to.push_back(to.back() + n);
+}
+
+/// Whether a piece of a cell in 2D is a part: it has an open face, or is too large to be round-off.
+bool is_part(const Slab<2>& slab, const CutFace<2>& face, int p)
+{
+    if (slab.pieces[face.piece + p].area > parameters.least_area)
+        return true;
+    if (face.detail < 0)
+        return true; // one corner of it is open
+    const FaceDetail& detail = slab.details[face.detail];
+    return std::any_of(slab.stretches.begin() + detail.stretch[0], slab.stretches.begin() + detail.stretch[4],
+                       [&](const OpenStretch& stretch) { return stretch.piece == p; });
 }
 
 /// Cells of a slab in 2D: the pieces of their rectangles are the parts.
@@ -304,9 +476,8 @@ CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, con
         InlineVector<int, 4> label;
         int count = 0, largest = -1;
         for (int p = 0; p < face.pieces; ++p) {
-            label.push_back(-1);
-            const double area = slab.pieces[face.piece + p].area;
-            if (area > parameters.least_area && (largest < 0 || area > slab.pieces[face.piece + largest].area))
+            label.push_back(is_part(slab, face, p) ? -1 : -2);
+            if (label[p] == -1 && (largest < 0 || slab.pieces[face.piece + p].area > slab.pieces[face.piece + largest].area))
                 largest = p;
         }
         cell[number] = Complex<2>::solid;
@@ -316,7 +487,7 @@ CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, con
         cell[number] = static_cast<std::int32_t>(result.cut_cell.size());
         label[largest] = count++;
         for (int p = 0; p < face.pieces; ++p)
-            if (label[p] < 0 && slab.pieces[face.piece + p].area > parameters.least_area)
+            if (label[p] == -1)
                 label[p] = count++;
         for (int l = 0; l < count; ++l) {
             const std::size_t begin = result.patches.size();
@@ -343,9 +514,9 @@ CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, con
 template <int D>
 class Joining {
 public:
-    Joining(const Grid<D>& grid, const GridPlanes<D>& planes, const CutFaces<D>& cut, const std::vector<CellSlab<D>>& slabs,
-            Complex<D>& complex)
-        : grid_(grid), planes_(planes), cut_(cut), slabs_(slabs), complex_(complex), index_(complex.index)
+    Joining(const Grid<D>& grid, const GridPlanes<D>& planes, const std::vector<PlacedSolid<D>>& solids, const CutFaces<D>& cut,
+            const std::vector<CellSlab<D>>& slabs, Complex<D>& complex)
+        : grid_(grid), planes_(planes), solids_(solids), cut_(cut), slabs_(slabs), complex_(complex), index_(complex.index)
     {
         std::vector<int> cell_offset{0};
         for (std::size_t s = 0; s < slabs.size(); ++s) {
@@ -364,6 +535,11 @@ public:
             complex.patches.insert(complex.patches.end(), slab.patches.begin(), slab.patches.end());
             for (const std::int32_t c : slab.cut_cell)
                 complex.cell[c] += cell_offset[s];
+            for (CornerLink<D> link : slab.links) {
+                link.a += part_offset_[s];
+                link.b += part_offset_[s];
+                complex.links.push_back(link);
+            }
         }
         sides_.assign(piece_offset_.back(), {-1, -1});
         for (std::size_t s = 0; s < slabs.size(); ++s)
@@ -431,6 +607,7 @@ public:
 private:
     const Grid<D>& grid_;
     const GridPlanes<D>& planes_;
+    const std::vector<PlacedSolid<D>>& solids_;
     const CutFaces<D>& cut_;
     const std::vector<CellSlab<D>>& slabs_;
     Complex<D>& complex_;
@@ -508,75 +685,89 @@ void Joining<D>::join_faces() requires(D == 3)
 template <int D>
 void Joining<D>::join_faces() requires(D == 2)
 {
-    // An edge's open stretches, as the rectangles beside it have them.
-    struct Edge {
-        const CutFace<2>* face = nullptr;
-        const Slab<2>* slab = nullptr;
-        std::size_t number = 0;
-        int count = 0, first = 0;
+    // An edge's open stretches and what lies behind them, as one of the rectangles beside it has them; a line that divides the rectangle
+    // divides the edge on that side alone.
+    struct Behind {
+        double from, to;
+        PartOrCell part;
     };
-    const auto edge_of = [&](const Index<2>& c, int e) {
+    using Behinds = InlineVector<Behind, 4>;
+    const auto is_cut = [&](const Index<2>& w) { return grid_.in_domain(w) && cut_.face[0][index_(w)] >= 0; };
+    const auto stretches_of = [&](const Index<2>& c, int e, double from, double to, Behinds& list) {
         const Index<2> w = grid_.wrapped(c);
-        Edge edge;
-        if (!grid_.in_domain(w) || cut_.face[0][index_(w)] < 0)
-            return edge;
-        edge.number = static_cast<std::size_t>(cut_.slab_of[w[1] - index_.low[1]]);
-        edge.slab = &cut_.slabs[edge.number];
-        edge.face = &edge.slab->faces[cut_.face[0][index_(w)]];
-        if (edge.face->detail >= 0) {
-            const FaceDetail& detail = edge.slab->details[edge.face->detail];
-            edge.first = detail.stretch[e];
-            edge.count = detail.stretch[e + 1] - detail.stretch[e];
-        } else
-            edge.count = (edge.face->open >> e & 1) || (edge.face->open >> ((e + 1) & 3) & 1) ? 1 : 0;
-        return edge;
+        list.clear();
+        if (!is_cut(w)) {
+            const PartOrCell main = main_of(c);
+            if (main.exists() || !grid_.in_domain(w))
+                list.push_back({from, to, main});
+            return;
+        }
+        const std::size_t number = static_cast<std::size_t>(cut_.slab_of[w[1] - index_.low[1]]);
+        const Slab<2>& slab = cut_.slabs[number];
+        const CutFace<2>& face = slab.faces[cut_.face[0][index_(w)]];
+        const auto part_of = [&](int piece) {
+            const int part = part_at(number, face.piece + piece, 0);
+            return part >= 0 ? PartOrCell::part(part) : PartOrCell{};
+        };
+        if (face.detail >= 0) {
+            const FaceDetail& detail = slab.details[face.detail];
+            for (int k = detail.stretch[e]; k < detail.stretch[e + 1]; ++k)
+                list.push_back({slab.stretches[k].from, slab.stretches[k].to, part_of(slab.stretches[k].piece)});
+            return;
+        }
+        const bool a = face.open >> e & 1, b = face.open >> ((e + 1) & 3) & 1;
+        if (!a && !b)
+            return;
+        Behind stretch{from, to, part_of(0)};
+        if (!(a && b)) {
+            const bool at_low = e < 2 ? a : b; // the open end along the axis
+            (at_low ? stretch.to : stretch.from) = slab.crossings[2 * face.crossing + (face.crossing_edge[0] == e ? 0 : 1)];
+        }
+        list.push_back(stretch);
     };
+    Behinds low, high;
     for (int d = 0; d < 2; ++d)
         for_each_index<2>(index_.low, owned_faces_end(grid_, d), [&](const Index<2>& f) {
             const int along = 1 - d, e_low = d == 0 ? 1 : 2, e_high = d == 0 ? 3 : 0; // as edges of the cells below and above
             const Index<2> below = f - step<2>(d);
-            const Edge low = edge_of(below, e_low), high = edge_of(f, e_high);
-            if (!low.face && !high.face) {
-                const PartOrCell a = main_of(below), b = main_of(f);
-                const bool beyond_low = !grid_.in_domain(grid_.wrapped(below)),
-                           beyond_high = !grid_.in_domain(grid_.wrapped(f));
-                if ((a.exists() || beyond_low) && (b.exists() || beyond_high) && (a.exists() || b.exists()))
-                    complex_.main_area[d][index_(f)] = face_area(d, f);
+            const double from = planes_.place[along][f[along]], to = planes_.place[along][f[along] + 1];
+            stretches_of(below, e_low, from, to, low);
+            stretches_of(f, e_high, from, to, high);
+            if (!is_cut(grid_.wrapped(below)) && !is_cut(grid_.wrapped(f))) {
+                if (!low.empty() && !high.empty() && (low[0].part.exists() || high[0].part.exists()))
+                    complex_.main_area[d][index_(f)] = to - from;
                 return;
             }
-            const double from = planes_.place[along][f[along]], to = planes_.place[along][f[along] + 1];
-            const int count = low.face && high.face ? std::min(low.count, high.count) : low.face ? low.count : high.count;
-            for (int k = 0; k < count; ++k) {
-                const Edge& known = low.face && (low.face->detail >= 0 || !high.face || high.face->detail < 0) ? low : high;
-                OpenStretch stretch{from, to, 0};
-                if (known.face->detail >= 0)
-                    stretch = known.slab->stretches[known.first + k];
-                else {
+            for (std::size_t i = 0, j = 0; i < low.size() && j < high.size();) {
+                const double begin = std::max(low[i].from, high[j].from), end = std::min(low[i].to, high[j].to);
+                if (end > begin) {
+                    Vec<2> centroid;
+                    centroid[d] = planes_.place[d][f[d]];
+                    centroid[along] = 0.5 * (begin + end);
+                    const Behinds& known = is_cut(grid_.wrapped(below)) ? low : high;
                     const int e = &known == &low ? e_low : e_high;
-                    const bool a = known.face->open >> e & 1, b = known.face->open >> ((e + 1) & 3) & 1;
-                    if (!(a && b)) {
-                        const bool at_low = e < 2 ? a : b; // the open end along the axis
-                        const double crossing =
-                            known.slab->crossings[2 * known.face->crossing + (known.face->crossing_edge[0] == e ? 0 : 1)];
-                        (at_low ? stretch.to : stretch.from) = crossing;
-                    }
+                    const Index<2> w = grid_.wrapped(&known == &low ? below : f);
+                    add_piece(d, f, low[i].part, high[j].part, end - begin, centroid,
+                              {cut_.slab_of[w[1] - index_.low[1]], cut_.face[0][index_(w)], 0, e, begin, end});
                 }
-                Vec<2> centroid;
-                centroid[d] = planes_.place[d][f[d]];
-                centroid[along] = 0.5 * (stretch.from + stretch.to);
-                const auto side = [&](const Edge& edge, const Index<2>& c) {
-                    if (!edge.face)
-                        return main_of(c);
-                    const int piece = edge.face->detail >= 0 ? edge.slab->stretches[edge.first + k].piece : 0;
-                    const int number = part_at(edge.number, edge.face->piece + piece, 0);
-                    return number >= 0 ? PartOrCell::part(number) : PartOrCell{};
-                };
-                add_piece(d, f, side(low, below), side(high, f), stretch.to - stretch.from, centroid,
-                          {static_cast<std::int32_t>(known.number),
-                           static_cast<std::int32_t>(known.face - known.slab->faces.data()), 0, &known == &low ? e_low : e_high,
-                           stretch.from, stretch.to});
+                const bool next_low = low[i].to <= high[j].to, next_high = high[j].to <= low[i].to;
+                i += next_low;
+                j += next_high;
             }
         });
+    for (std::size_t s = 0; s < slabs_.size(); ++s)
+        for (const CutFace<2>& face : cut_.slabs[s].faces) {
+            if (face.state == CutFace<2>::State::dead || face.detail < 0)
+                continue;
+            const FaceDetail& detail = cut_.slabs[s].details[face.detail];
+            for (int k = detail.division; k < detail.division + detail.divisions; ++k) {
+                const CornerDivision<2>& division = cut_.slabs[s].divisions[k];
+                const int a = part_at(s, face.piece + division.a, 0), b = part_at(s, face.piece + division.b, 0);
+                if (a >= 0 && b >= 0)
+                    complex_.links.push_back({a, b, solids_[division.image].solid, division.conductance, division.open,
+                                              division.covered, division.at});
+            }
+        }
 }
 
 } // namespace
@@ -592,6 +783,10 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
         low[axis] = planes.place[axis][grid.low()[axis]];
         high[axis] = planes.place[axis][grid.high()[axis]];
     }
+    if constexpr (D == 3) { // edges divide faces of the cells beside theirs
+        low -= Vec<D>::Ones();
+        high += Vec<D>::Ones();
+    }
     const std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives != nullptr);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
@@ -603,7 +798,7 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
         else
             slabs[s] = build_cells2(cut, complex.index, placed, s, complex.cell);
     });
-    Joining<D> joining(grid, planes, cut, slabs, complex);
+    Joining<D> joining(grid, planes, placed, cut, slabs, complex);
     std::vector<PieceSource> sources;
     joining.sources = derivatives ? &sources : nullptr;
     joining.join_faces();
@@ -620,7 +815,7 @@ long Complex<D>::bytes() const
 {
     const auto of = [](const auto& v) { return static_cast<long>(v.capacity() * sizeof(v[0])); };
     return of(cell) + of(cut_cell) + of(first_part) + of(part_cell) + of(part_area) + of(first_patch) + of(patches) +
-           of(pieces);
+           of(pieces) + of(links);
 }
 
 template struct Complex<2>;

@@ -75,6 +75,17 @@ struct WallPatch {
     Spin<D> moment;
 };
 
+/// Two parts of a cell on both sides of the line (3D: plane) by which a sharp corner (edge) of a solid divides it. Its flux is relative to the solid: that
+/// of the solid's motion through the line is part of their wall patches.
+template <int D>
+struct CornerLink {
+    std::int32_t a, b; ///< parts; 2D: at the left and right of the way outward
+    std::int32_t solid;
+    double conductance;   ///< times density
+    double open, covered; ///< lengths of the corner's bisector in the cell; 3D: areas of the edge's bisector plane
+    Vec<D> at;            ///< the corner; 3D: the edge's middle
+};
+
 template <int D>
 struct Complex {
     static constexpr std::int32_t open = -1, solid = -2;
@@ -94,6 +105,7 @@ struct Complex {
     std::vector<WallPatch<D>> patches;
     /// Faces that solids cut, and those that do not lead to the largest part.
     std::vector<FacePiece<D>> pieces;
+    std::vector<CornerLink<D>> links;
 
     /// Whether a piece is part of main_area.
     bool joins_main(const FacePiece<D>& piece) const { return is_main(piece.low) && is_main(piece.high); }

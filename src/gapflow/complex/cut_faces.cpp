@@ -101,21 +101,116 @@ void make_general(Slab<D>& slab, CutFace<D>& face)
         return;
     face.state = CutFace<D>::State::general;
     face.detail = static_cast<std::int32_t>(slab.details.size());
-    slab.details.push_back({{face.image}, {}, 0, 0});
+    slab.details.push_back({{face.image}, {}, 0, 0, 0, 0});
     face.pieces = face.arcs = 0;
 }
+
+/// The cells that an edge passes through or touches, in the domain and a layer around it.
+template <class Visit>
+void for_each_cell_of(const GridPlanes<3>& planes, const SharpEdge& edge, Visit&& visit)
+{
+    const Vec<3> way = edge.to - edge.from;
+    Index<3> cell;
+    const auto pass = [&](auto&& self, int axis, double from, double to) -> void {
+        if (axis < 0) {
+            visit(cell);
+            return;
+        }
+        const double a = edge.from[axis] + from * way[axis], b = edge.from[axis] + to * way[axis];
+        const int first = std::max(planes.cell_of(axis, std::min(a, b)) - 1, -1),
+                  last = std::min(planes.cell_of(axis, std::max(a, b)) + 1, static_cast<int>(planes.place[axis].size()) - 1);
+        for (cell[axis] = first; cell[axis] <= last; ++cell[axis]) {
+            double t0 = from, t1 = to;
+            const double lo = planes.place_of(axis, cell[axis]), hi = planes.place_of(axis, cell[axis] + 1);
+            if (way[axis] == 0) {
+                if (!(edge.from[axis] >= lo && edge.from[axis] <= hi))
+                    continue;
+            } else {
+                const double s = (lo - edge.from[axis]) / way[axis], t = (hi - edge.from[axis]) / way[axis];
+                t0 = std::max(t0, std::min(s, t));
+                t1 = std::min(t1, std::max(s, t));
+            }
+            if (t0 <= t1)
+                self(self, axis - 1, t0, t1);
+        }
+    };
+    pass(pass, 2, 0.0, 1.0);
+}
+
+} // namespace
+
+/// Which solid's edges divide a cell in 3D: one at most, the first of those whose edges pass through it, and none where a cell beside it
+/// has an edge of a solid before that one, so that two solids never divide the two sides of a face.
+class Dividers {
+public:
+    Dividers() = default;
+    Dividers(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids)
+    {
+        for (const PlacedSolid<3>& solid : solids)
+            for (const SharpEdge& edge : solid.sharp.edges)
+                for_each_cell_of(planes, edge, [&](const Index<3>& c) {
+                    const Index<3> w = grid.wrapped(c);
+                    if (!grid.in_domain(w))
+                        return;
+                    first_.push_back({key(w), solid.solid});
+                });
+        // The first solid of each cell.
+        std::sort(first_.begin(), first_.end());
+        first_.erase(std::unique(first_.begin(), first_.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), first_.end());
+    }
+    /// -1: none.
+    int of(const Grid<3>& grid, const Index<3>& c) const
+    {
+        const Index<3> w = grid.wrapped(c);
+        const int own = grid.in_domain(w) ? first_of(w) : -1;
+        for (int q = 0; q < 6 && own >= 0; ++q) {
+            Index<3> n = w;
+            n[q / 2] += q % 2 ? 1 : -1;
+            if (const int other = first_of(grid.wrapped(n)); other >= 0 && other < own)
+                return -1;
+        }
+        return own;
+    }
+
+private:
+    int first_of(const Index<3>& c) const
+    {
+        const auto found = std::lower_bound(first_.begin(), first_.end(), std::pair(key(c), 0));
+        return found != first_.end() && found->first == key(c) ? found->second : -1;
+    }
+    static std::int64_t key(const Index<3>& c)
+    {
+        return ((static_cast<std::int64_t>(c[2]) + 1) << 42) + ((static_cast<std::int64_t>(c[1]) + 1) << 21) + c[0] + 1;
+    }
+    std::vector<std::pair<std::int64_t, int>> first_; ///< key and first solid of each cell, sorted
+};
+
+namespace {
 
 /// Which faces one solid covers or cuts in a slab.
 template <int D, class Kind>
 class Marking {
 public:
     Marking(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
-            const Kind& kind, int image, CutFaces<D>& cut, Slab<D>& slab)
-        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
+            const Kind& kind, int image, const Dividers& dividers, CutFaces<D>& cut, Slab<D>& slab)
+        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), dividers_(dividers),
+          cut_(cut), slab_(slab)
     {
     }
 
     void mark()
+    {
+        mark_cut();
+        if constexpr (D == 3)
+            for (const SharpEdge& edge : solid_.sharp.edges)
+                for_each_cell_of(planes_, edge, [&](const Index<3>& cell) {
+                    if (dividers_.of(grid_, cell) == solid_.solid)
+                        mark_around(cell);
+                });
+    }
+
+private:
+    void mark_cut()
     {
         for (int axis = 0; axis < D; ++axis) {
             const auto& p = planes_.place[axis];
@@ -138,7 +233,6 @@ public:
             mark_faces(d);
     }
 
-private:
     long offset(const Index<D>& vertex) const { return (vertex - low_).dot(stride_); }
 
     void find_covered()
@@ -233,6 +327,7 @@ private:
             }
         high[u] = high_[u];
         high[v] = high_[v];
+        find_corners();
         auto& face = cut_.face[D == 3 ? d : 0];
         for_each_index<D>(low, high, [&](const Index<D>& f) {
             const long at = offset(f);
@@ -252,7 +347,8 @@ private:
                 number = Complex<D>::solid;
                 return;
             }
-            const bool simple = !twice && !holds && open != 5 && open != 10 && open != 0 && open != 15;
+            const bool divided = std::find(with_corner_.begin(), with_corner_.end(), at) != with_corner_.end();
+            const bool simple = !twice && !holds && !divided && open != 5 && open != 10 && open != 0 && open != 15;
             if (number >= 0) {
                 make_general(slab_, slab_.faces[number]);
                 slab_.details[slab_.faces[number].detail].images.push_back(image_);
@@ -268,10 +364,53 @@ private:
         });
     }
 
+    /// Cells of the corners that divide.
+    void find_corners()
+    {
+        with_corner_.clear();
+        if constexpr (D == 2)
+            for (const SharpCorner& corner : solid_.corners) {
+                const Index<2> c(planes_.cell_of(0, corner.at[0]), planes_.cell_of(1, corner.at[1]));
+                if ((c.array() >= low_.array()).all() && (c.array() < high_.array()).all())
+                    with_corner_.push_back(offset(c));
+            }
+    }
+
     bool crossed_twice(long at, int u, int v) const
     {
         return (twice_[at] >> u & 1) || (twice_[at + stride_[u]] >> v & 1) || (twice_[at + stride_[v]] >> u & 1) ||
                (twice_[at] >> v & 1);
+    }
+
+    void mark_around(const Index<3>& cell) requires(D == 3)
+    {
+        for (int d = 0; d < 3; ++d)
+            for (int side = 0; side < 2; ++side) {
+                Index<3> f = cell;
+                f[d] += side;
+                bool own = true;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const int from = axis == 2 ? slab_.begin : index_.low[axis],
+                              to = axis == 2 ? slab_.end : index_.low[axis] + index_.size[axis] - 1;
+                    const bool last = axis == d && to == index_.low[axis] + index_.size[axis] - 1 &&
+                                      !(grid_.periodic(axis) && to == grid_.cells()[axis]);
+                    own = own && f[axis] >= from && f[axis] < to + last;
+                }
+                if (!own)
+                    continue;
+                const int id = index_(f);
+                std::int32_t& number = cut_.face[d][id];
+                if (number == Complex<3>::solid)
+                    continue;
+                if (number < 0) {
+                    number = static_cast<std::int32_t>(slab_.faces.size());
+                    slab_.faces.push_back({id, static_cast<std::int8_t>(d), CutFace<3>::State::simple, 15, image_});
+                }
+                make_general(slab_, slab_.faces[number]);
+                auto& images = slab_.details[slab_.faces[number].detail].images;
+                if (std::find(images.begin(), images.end(), image_) == images.end())
+                    images.push_back(image_);
+            }
     }
 
     /// One solid, one open stretch of the border, one arc.
@@ -337,11 +476,13 @@ private:
     const PlacedSolid<D>& solid_;
     const Kind& kind_;
     int image_;
+    const Dividers& dividers_;
     CutFaces<D>& cut_;
     Slab<D>& slab_;
     Index<D> low_, high_, stride_; ///< vertices low .. high
     std::vector<char> covered_, twice_;
     std::array<std::vector<double>, D> crossing_;
+    std::vector<long> with_corner_;
 };
 
 /// Where a mesh covers or cuts faces in a slab.
@@ -514,14 +655,122 @@ struct PlacedDepth final : Square::Depth {
     }
 };
 
+/// A cell beside a face, and the solid that divides it.
+struct DividedCell {
+    Vec<3> low, high;
+    CellSectors sectors;
+    int image = -1;
+};
+
+/// Where the edges of one solid divide a cell.
+DividedCell divided_cell(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids,
+                         const std::vector<int>& images, const Dividers& dividers, const Index<3>& c)
+{
+    DividedCell cell;
+    const int solid = dividers.of(grid, c);
+    if (solid < 0)
+        return cell;
+    for (int axis = 0; axis < 3; ++axis) {
+        cell.low[axis] = planes.place_of(axis, c[axis]);
+        cell.high[axis] = planes.place_of(axis, c[axis] + 1);
+    }
+    for (const int image : images)
+        if (solids[image].solid == solid)
+            if (const CellSectors sectors = cell_sectors(solids[image].sharp, cell.low, cell.high); !sectors.empty()) {
+                cell.sectors = sectors;
+                cell.image = image;
+            }
+    return cell;
+}
+
+/// The lines by which edges divide the cells below and above a face.
+struct FaceLine {
+    int image, edge, sides;
+};
+void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids,
+               const std::vector<int>& images, const Dividers& dividers, const std::vector<Section>& sections, int d,
+               const Index<3>& f, Square& square, std::vector<FaceLine>& face_lines)
+{
+    std::array<DividedCell, 2> cells;
+    for (int side = 0; side < 2; ++side) {
+        const Index<3> c = f - (1 - side) * step<3>(d);
+        cells[side] = divided_cell(grid, planes, solids, images, dividers, c);
+    }
+    const double at = planes.place[d][f[d]];
+    for (std::size_t k = 0; k < images.size(); ++k) {
+        const SharpSolid& sharp = solids[images[k]].sharp;
+        for (int e = 0; e < static_cast<int>(sharp.edges.size()); ++e) {
+            std::array<SectorLine, 2> line;
+            for (int side = 0; side < 2; ++side) {
+                const auto& edges = cells[side].sectors.edges;
+                if (cells[side].image == images[k] && std::find(edges.begin(), edges.end(), e) != edges.end())
+                    line[side] = sector_line(sharp, cells[side].sectors, e, d, at, square.low, square.high);
+            }
+            if (line[0].empty() && line[1].empty())
+                continue;
+            // Its portions in one of the cells or in both.
+            const SectorLine& any = line[0].empty() ? line[1] : line[0];
+            InlineVector<double, 4> breaks;
+            for (const SectorLine& l : line)
+                if (!l.empty())
+                    for (const double t : {l.from, l.to})
+                        if (std::find(breaks.begin(), breaks.end(), t) == breaks.end())
+                            breaks.push_back(t);
+            std::sort(breaks.begin(), breaks.end());
+            for (std::size_t j = 0; j + 1 < breaks.size(); ++j) {
+                SquareLine portion{static_cast<int>(k), any.at(breaks[j]), any.at(breaks[j + 1]), {}, {}};
+                int sides = 0;
+                for (int side = 0; side < 2; ++side) {
+                    const SectorLine& l = line[side];
+                    if (l.empty() || l.from > breaks[j] || l.to < breaks[j + 1])
+                        continue;
+                    sides |= 1 << side;
+                    const auto border = [&](int edge, const Vec<2>& x) {
+                        return OnEdge{edge, std::clamp(x[edge % 2], square.low[edge % 2], square.high[edge % 2])};
+                    };
+                    if (l.from == breaks[j] && l.from_end == SectorLine::End::border)
+                        portion.from_border = border(l.from_edge, portion.from);
+                    if (l.to == breaks[j + 1] && l.to_end == SectorLine::End::border)
+                        portion.to_border = border(l.to_edge, portion.to);
+                    if (l.from == breaks[j] && l.from_end == SectorLine::End::corner) {
+                        const Section& section = sections[k]; // its own corner
+                        for (int m = 0; m < section.count; ++m) {
+                            const int s = section.curve[m].surface,
+                                      t = section.curve[(m + section.count - 1) % section.count].surface;
+                            if ((s == sharp.edges[e].a && t == sharp.edges[e].b) ||
+                                (t == sharp.edges[e].a && s == sharp.edges[e].b))
+                                portion.from = section.corner[m];
+                        }
+                    }
+                }
+                if (sides == 0)
+                    continue;
+                for (const bool end : {false, true}) { // on the border to the last bit
+                    const OnEdge& place = end ? portion.to_border : portion.from_border;
+                    Vec<2>& x = end ? portion.to : portion.from;
+                    if (place.edge >= 0) {
+                        x[place.edge % 2] = place.at;
+                        x[1 - place.edge % 2] = place.edge == 1 || place.edge == 2 ? square.high[1 - place.edge % 2]
+                                                                                   : square.low[1 - place.edge % 2];
+                    }
+                }
+                square.lines.push_back(portion);
+                face_lines.push_back({images[k], e, sides});
+            }
+        }
+    }
+}
+
 } // namespace
 
 /// Cuts faces that more than one solid, or one in an uncommon way, cuts.
 template <int D>
 class GeneralCut {
 public:
-    GeneralCut(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids)
-        : planes_(planes), index_(index), solids_(solids), depth_(planes, solids)
+    /// `faces`: with its grid and dividers.
+    GeneralCut(const CutFaces<D>& faces, const GridPlanes<D>& planes, const DenseIndex<D>& index,
+               const std::vector<PlacedSolid<D>>& solids)
+        : faces_(faces), planes_(planes), index_(index), solids_(solids), depth_(planes, solids)
     {
     }
 
@@ -547,29 +796,48 @@ public:
                 },
                 placed.kind);
         }
+        square_.corners.clear();
+        sharp_.clear();
+        if constexpr (D == 2)
+            for (std::size_t k = 0; k < detail.images.size(); ++k)
+                for (const SharpCorner& corner : solids_[detail.images[k]].corners)
+                    if ((corner.at.array() > square_.low.array()).all() && (corner.at.array() < square_.high.array()).all()) {
+                        square_.corners.push_back({static_cast<int>(k), corner.at, corner.outward});
+                        sharp_.push_back(&corner);
+                    }
+        square_.lines.clear();
+        lines_.clear();
+        if constexpr (D == 3)
+            add_lines(*faces_.grid, planes_, solids_, detail.images, *faces_.dividers, sections_, d, f, square_, lines_);
         depth_.images = &detail.images;
         depth_.d = d;
         depth_.at = at;
         square_.cut(&depth_);
         return square_;
     }
+    /// Of the last face: the corners of Square::corners, and the lines of Square::lines.
+    const SharpCorner& corner(int k) const { return *sharp_[k]; }
+    const FaceLine& line(int k) const { return lines_[k]; }
 
 private:
+    const CutFaces<D>& faces_;
     const GridPlanes<D>& planes_;
     const DenseIndex<D>& index_;
     const std::vector<PlacedSolid<D>>& solids_;
     Square square_;
     std::vector<Section> sections_;
+    std::vector<const SharpCorner*> sharp_;
+    std::vector<FaceLine> lines_;
     PlacedDepth<D> depth_;
 };
 
 namespace {
 
 template <int D>
-void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
-                 Slab<D>& slab)
+void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const DenseIndex<D>& index,
+                 const std::vector<PlacedSolid<D>>& solids, Slab<D>& slab)
 {
-    GeneralCut<D> general(planes, index, solids);
+    GeneralCut<D> general(cut, planes, index, solids);
     for (CutFace<D>& face : slab.faces) {
         if (face.state != CutFace<D>::State::general)
             continue;
@@ -593,16 +861,41 @@ void cut_general(const GridPlanes<D>& planes, const DenseIndex<D>& index, const 
         detail.stretch[4] = static_cast<int>(slab.stretches.size());
         detail.junction = static_cast<int>(slab.junctions.size());
         detail.junctions = static_cast<int>(square.junctions.size());
-        for (const SquareJunction& j : square.junctions)
+        for (const SquareJunction& j : square.junctions) {
             slab.junctions.push_back({j.piece, detail.images[j.from], detail.images[j.to], in_space<D>(d, at, j.at)});
+            if (D == 3 && j.fin >= 0) {
+                const FaceLine& line = general.line(j.fin);
+                slab.junctions.back().edge = line.edge;
+                slab.junctions.back().solid = solids[line.image].solid;
+                slab.junctions.back().sides = line.sides;
+            }
+        }
+        detail.division = static_cast<int>(slab.divisions.size());
+        detail.divisions = static_cast<int>(square.links.size());
+        for (const SquareLink& link : square.links) {
+            if constexpr (D == 3) {
+                const FaceLine& line = general.line(link.fin);
+                slab.divisions.push_back({line.image, link.a, link.b, 0, link.open, 0, Vec<D>::Zero(), line.edge, line.sides});
+                continue;
+            }
+            const SharpCorner& corner = general.corner(link.fin);
+            double covered = std::numeric_limits<double>::infinity();
+            for (int axis = 0; axis < 2; ++axis)
+                if (const double slope = corner.outward[axis]; slope != 0)
+                    covered = std::min(covered, (corner.at[axis] - (slope > 0 ? square.low[axis] : square.high[axis])) / slope);
+            slab.divisions.push_back({detail.images[square.corners[link.fin].solid], link.a, link.b,
+                                      corner_conductance(corner.angle, link.open, covered), link.open, covered,
+                                      in_space<D>(d, at, corner.at)});
+        }
     }
 }
 
 } // namespace
 
 template <int D>
-FaceArcs<D>::FaceArcs(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids)
-    : planes_(planes), index_(index), solids_(solids), general_(std::make_unique<GeneralCut<D>>(planes, index, solids)),
+FaceArcs<D>::FaceArcs(const CutFaces<D>& cut, const GridPlanes<D>& planes, const DenseIndex<D>& index,
+                      const std::vector<PlacedSolid<D>>& solids)
+    : planes_(planes), index_(index), solids_(solids), general_(std::make_unique<GeneralCut<D>>(cut, planes, index, solids)),
       arcs_(1)
 {
 }
@@ -694,6 +987,11 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
             cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
     }
     cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
+    cut.grid = &grid;
+    if constexpr (D == 3)
+        cut.dividers = std::make_shared<Dividers>(grid, planes, solids);
+    else
+        cut.dividers = std::make_shared<Dividers>();
     for_each_job(static_cast<int>(cut.slabs.size()), [&](int s) {
         Slab<D>& slab = cut.slabs[s];
         slab.facets.resize(solids.size());
@@ -702,13 +1000,13 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                 [&](const auto& kind) {
                     using Kind = std::decay_t<decltype(kind)>;
                     if constexpr (!std::is_same_v<Kind, FacetKind<D>>)
-                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
+                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), *cut.dividers, cut, slab).mark();
                     else
                         slab.facets[k] =
                             FacetMarking<D>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                 },
                 solids[k].kind);
-        cut_general(planes, index, solids, slab);
+        cut_general(cut, planes, index, solids, slab);
         if (!keep_facets)
             slab.facets = {};
     });

@@ -59,6 +59,8 @@ template <int D>
 struct Junction {
     std::int32_t piece, from, to; ///< images
     Vec<D> at;
+    std::int32_t edge = -1, solid = -1; ///< where one of the two is a dividing line: of which edge of which solid
+    int sides = 0;                      ///< which cells it divides, see CornerDivision
 };
 
 template <int D>
@@ -76,11 +78,23 @@ struct CutFace {
     std::array<std::int8_t, 2> crossing_edge{};
 };
 
+/// Two pieces of a rectangle on both sides of the line by which a solid's corner (3D: edge) divides it.
+template <int D>
+struct CornerDivision {
+    std::int32_t image;
+    std::int32_t a, b;                 ///< pieces of the rectangle, at the left and right of the way outward
+    double conductance, open, covered; ///< 3D: open only
+    Vec<D> at;                         ///< the corner
+    int edge = -1;                     ///< 3D: of the image
+    int sides = 0;                     ///< 3D: which cells it divides: 1 that below the face, 2 that above it
+};
+
 /// Of a general face.
 struct FaceDetail {
     std::vector<int> images;
     std::array<int, 5> stretch{}; ///< first stretch of each edge, and the end
     int junction = 0, junctions = 0;
+    int division = 0, divisions = 0;
 };
 
 template <int D>
@@ -94,10 +108,15 @@ struct Slab {
     std::vector<Junction<D>> junctions;
     std::vector<std::optional<FacetCut<D>>> facets; ///< of images with facets that meet the slab, where they are kept
     std::vector<double> crossings;                  ///< 2D: where solids cross the edges of simple cells, along the edge's axis
+    std::vector<CornerDivision<D>> divisions;
 };
+
+class Dividers;
 
 template <int D>
 struct CutFaces {
+    const Grid<D>* grid = nullptr;
+    std::shared_ptr<const Dividers> dividers; ///< 3D: which solid's edges divide each cell
     std::array<std::vector<std::int32_t>, face_kinds<D>> face; ///< number in its slab's faces, Complex::open or Complex::solid
     std::vector<Slab<D>> slabs;
     std::vector<int> slab_of; ///< plane of cells, from DenseIndex::low; of the faces on the last side the last slab
@@ -112,7 +131,8 @@ class GeneralCut;
 template <int D>
 class FaceArcs {
 public:
-    FaceArcs(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids);
+    FaceArcs(const CutFaces<D>& cut, const GridPlanes<D>& planes, const DenseIndex<D>& index,
+             const std::vector<PlacedSolid<D>>& solids);
     ~FaceArcs();
     /// Of a face of a slab that has pieces; their solids are images. Valid until the next call; cheap where faces come as in the slab.
     std::span<const SquareArc> of(const Slab<D>& slab, const CutFace<D>& face);

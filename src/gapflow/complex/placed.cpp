@@ -1,16 +1,75 @@
 #include "gapflow/complex/placed.hpp"
 
 #include "gapflow/complex/facet_cut.hpp"
+#include "gapflow/complex/parameters.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace gapflow {
 
+namespace {
+
+constexpr double unit_of_place = 1.0 / (1L << 36);
+
+/// Corners of a convex polygon.
+std::vector<SharpCorner> corners_of(const Section& polygon)
+{
+    std::vector<SharpCorner> corners;
+    for (int k = 0; k < polygon.count; ++k) {
+        const Vec<2>& at = polygon.corner[k];
+        const Vec<2> a = (at - polygon.corner[(k + polygon.count - 1) % polygon.count]).normalized(),
+                     b = (at - polygon.corner[(k + 1) % polygon.count]).normalized();
+        corners.push_back({at, (a + b).normalized(), std::acos(std::clamp(a.dot(b), -1.0, 1.0))});
+    }
+    return corners;
+}
+
+/// Facets and edges of a bounded polytope.
+template <int D>
+SharpSolid sharp_solid(const PlanesKind<D>& kind)
+{
+    SharpSolid solid;
+    if constexpr (D == 3) {
+        for (int k = 0; k < kind.planes; ++k)
+            solid.facets.push_back({kind.normal[k], kind.centre + kind.offset[k] * kind.normal[k]});
+        for (int a = 0; a < kind.planes; ++a)
+            for (int b = a + 1; b < kind.planes; ++b) {
+                const Vec<3>&m = kind.normal[a], &n = kind.normal[b];
+                const Vec<3> way = m.cross(n);
+                const double c = m.dot(n), sine2 = way.squaredNorm();
+                if (sine2 < parameters.parallel * parameters.parallel)
+                    continue;
+                const Vec<3> p =
+                    ((kind.offset[a] - c * kind.offset[b]) * m + (kind.offset[b] - c * kind.offset[a]) * n) / sine2;
+                double from = -std::numeric_limits<double>::infinity(), to = -from;
+                for (int k = 0; k < kind.planes; ++k) {
+                    const double room = kind.offset[k] - kind.normal[k].dot(p), slope = kind.normal[k].dot(way);
+                    if (k == a || k == b)
+                        continue;
+                    if (std::abs(slope) < parameters.parallel) {
+                        if (room < 0)
+                            to = from;
+                    } else if (slope > 0)
+                        to = std::min(to, room / slope);
+                    else
+                        from = std::max(from, room / slope);
+                }
+                if (from < to)
+                    solid.edges.push_back({a, b, kind.centre + p + from * way, kind.centre + p + to * way,
+                                           std::numbers::pi - std::atan2(std::sqrt(sine2), c)});
+            }
+    }
+    return solid;
+}
+
+} // namespace
+
 double rounded(double x)
 {
-    constexpr double unit = 1.0 / (1L << 36);
-    return unit * std::nearbyint(x / unit);
+    return unit_of_place * std::nearbyint(x / unit_of_place);
 }
 
 template <int D>
@@ -38,6 +97,7 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
     for (int axis = 0; axis < D; ++axis)
         if (grid.periodic(axis))
             period[axis] = grid.size()[axis];
+    const Vec<D> margin = Vec<D>::Constant(unit_of_place); // the solid is where its place is rounded to
     std::vector<PlacedSolid<D>> result;
     for (const Image<D>& image : images(solids, planes.in_world(low), planes.in_world(high), period, grid.dx())) {
         const Solid<D>& solid = solids[image.solid];
@@ -60,9 +120,11 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
                               image.solid,
                               shape.inside_out(),
                               at(solid.centre),
-                              planes.in_cells(image.bounds.low),
-                              planes.in_cells(image.bounds.high),
-                              image.shape};
+                              planes.in_cells(image.bounds.low) - margin,
+                              planes.in_cells(image.bounds.high) + margin,
+                              image.shape,
+                              {},
+                              {}};
         if (const auto radius = shape.sphere_radius())
             placed.kind = BallKind<D>{centre, *radius / grid.dx()};
         else if (const auto bar = shape.round_bar())
@@ -78,6 +140,12 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
             kind.centre = centre;
             kind.reach = kind.planes > 1 ? bounding_radius(shape.bounds()) / grid.dx() : 0;
             placed.kind = kind;
+            if (kind.planes > 1 && !placed.inverse) {
+                if constexpr (D == 2)
+                    placed.corners = corners_of(kind.section(0, 0));
+                else
+                    placed.sharp = sharp_solid(kind);
+            }
         } else {
             // Images of one solid share the surface; they come one after the other.
             FacetKind<D> kind;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/complex/convex.hpp"
+#include "gapflow/complex/corner.hpp"
 #include "gapflow/geometry/solid.hpp"
 #include "gapflow/grid/grid.hpp"
 
@@ -20,6 +21,13 @@ struct GridPlanes {
     explicit GridPlanes(const Grid<D>& grid);
     /// Cell along an axis that holds x; not clipped to the domain where the grid is uniform.
     int cell_of(int axis, double x) const;
+    /// Of a plane, in a periodic domain also of one beyond its sides (a cell beyond at most).
+    double place_of(int axis, int plane) const
+    {
+        const auto& p = place[axis];
+        const int n = static_cast<int>(p.size()) - 1;
+        return plane < 0 ? p[n + plane] - p[n] + p[0] : plane > n ? p[plane - n] - p[0] + p[n] : p[plane];
+    }
     Vec<D> in_cells(const Vec<D>& x) const { return (x - anchor) / dx; }
     Vec<D> in_world(const Vec<D>& x) const { return anchor + dx * x; }
 };
@@ -43,6 +51,8 @@ struct PlacedSolid {
     Vec<D> reference; ///< point of its twist
     Vec<D> low, high; ///< a box around its surface
     PlacedShape<D> shape;
+    std::vector<SharpCorner> corners; ///< 2D: those that divide the fluid
+    SharpSolid sharp;                 ///< 3D: the same
 };
 
 /// Images of the solids that meet the box low .. high (in cells), but walls.

@@ -65,9 +65,10 @@ Section::Walk Section::walk(const Vec<2>& A, const Vec<2>& B, bool around) const
     const auto [first, from] = locate(A);
     const auto [last, to] = locate(B);
     int steps = (last - first + count) % count;
-    if (steps == 0 &&
-        (to < from || (A - B).squaredNorm() < 1e-20)) // B lies before A: all the way round, unless both are one point
-        steps = (A - B).squaredNorm() < 1e-20 ? (around ? count : 0) : count;
+    if (steps == 0 && to < from) // B lies before A: all the way round
+        steps = count;
+    if ((A - B).squaredNorm() < 1e-20) // unless both are one point
+        steps = around ? (steps == 0 ? count : steps) : 0;
     for (int k = 0; k < steps; ++k) {
         walk.curves.push_back((first + k) % count);
         walk.points.push_back(corner[(first + k + 1) % count]);

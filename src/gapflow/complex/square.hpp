@@ -4,12 +4,16 @@
 // open stretches of the edges and along arcs gives the pieces: connected open regions. Every piece's border closes by construction, so
 // areas and area vectors balance to round-off whatever the degeneracy.
 //
+// A corner of a solid may divide a piece: its border is then led from the corner along a straight line to the next solid or to the
+// rectangle's border and back on the line's other side, as around a fin of no thickness. To all that follows the fin is the solid's border.
+//
 // Edges, counterclockwise: 0 at v low, 1 at u high, 2 at v high, 3 at u low. Coordinates on an edge are those along its axis.
 #pragma once
 
 #include "gapflow/complex/convex.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gapflow {
@@ -29,6 +33,7 @@ struct ArcSegment {
     int surface = 0;              ///< face of the solid to which it belongs; -1: none, its ends are equal to round-off
     bool backwards = false;       ///< counterclockwise
     bool whole = false;           ///< once around the ellipse
+    int fin = -1;                 ///< a side of the line by which a corner divides, or of a line (see SquareLink)
 
     Bulge bulge() const;
     /// Of a straight one or a piece of a circle.
@@ -79,6 +84,28 @@ struct SquarePiece {
 struct SquareJunction {
     int piece, from, to; ///< solids
     Vec<2> at;
+    int fin; ///< of which line one of the two is a side (see SquareLink), or -1
+};
+
+/// A corner of a solid within the rectangle that divides.
+struct SquareCorner {
+    int solid;      ///< index into Square::solids
+    Vec<2> at;      ///< where two segments of the solid's border meet
+    Vec<2> outward; ///< direction of the dividing line
+};
+
+/// A line by which a solid divides: each end at a corner of the solid's border or where lines meet (edge -1), or on the rectangle's border.
+struct SquareLine {
+    int solid; ///< index into Square::solids
+    Vec<2> from, to;
+    OnEdge from_border, to_border;
+};
+
+/// Two pieces on both sides of a dividing line.
+struct SquareLink {
+    int fin;     ///< index into Square::corners; from corners.size() on into Square::lines
+    int a, b;    ///< pieces at the left and right of the way outward
+    double open; ///< length of the line between them
 };
 
 struct OpenStretch {
@@ -99,7 +126,11 @@ public:
         ~Depth() = default;
     };
 
+    std::vector<SquareCorner> corners;
+    std::vector<SquareLine> lines;
+
     std::vector<SquarePiece> pieces;
+    std::vector<SquareLink> links;
     std::vector<SquareArc> arcs; ///< those that bound a piece
     std::vector<SquareJunction> junctions;
     std::array<std::vector<OpenStretch>, 4> stretches; ///< of each edge, ascending
@@ -123,6 +154,32 @@ private:
     void find_arcs();
     void arcs_of_convex(int s);
     void keep_outer(const Depth& depth);
+    struct Hit {
+        double way = 0; ///< from the ray's start
+        int arc = -1, segment = 0;
+        double t = 0;
+    };
+    /// A point where the border is open: arcs that end and start there, or a place on the rectangle's border, or neither in the fluid.
+    struct End {
+        int ends = -1, starts = -1;
+        OnEdge place;
+    };
+    void divide(int corner);
+    void draw_lines();
+    bool draw(int number, bool turned);
+    Hit joint_at(int solid, const Vec<2>& x, const Vec<2>& direction) const;
+    Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least) const;
+    Hit arc_end(const OnEdge& place) const;
+    std::pair<double, OnEdge> exit_of(const Vec<2>& start, const Vec<2>& direction) const;
+    End open_at(const Hit& hit, const Vec<2>& x);
+    std::optional<End> open_border(const OnEdge& place, int solid);
+    void add_fin(const Vec<2>& p, End from, const Vec<2>& q, const End& to, int solid, int fin);
+    int split_arc(int arc, int segment, double t, const Vec<2>& x);
+    void split_ring(int ring, const OnEdge& place, int solid);
+    int ring_at(const OnEdge& place) const;
+    void find_links();
+    int fin_between(int a, int b) const;
+    double ring_length(const RingStretch& r) const;
     void walk();
     void close_loops();
     void add_border(int ring);

@@ -10,7 +10,7 @@ namespace gapflow::testing {
 /// Sums of a complex that are zero or known.
 template <int D>
 struct ComplexSums {
-    double closure = 0;           ///< largest outflow of a rigid motion of everything from a part, translation
+    double closure = 0;           ///< largest outflow of a rigid motion of everything from a part or an open cell, translation
     double spin_closure = 0;      ///< the same of a rotation
     std::vector<Twist<D>> flux;   ///< of each solid, over all parts
     std::array<double, D> area{}; ///< open, of all faces normal to an axis
@@ -64,6 +64,9 @@ ComplexSums<D> sums_of(const Grid<D>& grid, const Complex<D>& complex, const std
                     row(d, side ? -area : area, y));
             }
         });
+    for (int c = 0; c < cells; ++c)
+        if (complex.cell[c] == Complex<D>::open)
+            sums.closure = std::max(sums.closure, out_cell[c].template head<D>().norm());
     for (int p = 0; p < complex.parts(); ++p) {
         for (const WallPatch<D>& patch : complex.patches_of(p)) {
             Twist<D> w;

@@ -1,0 +1,75 @@
+// Sharp corners of solids, which divide the part of the fluid in which they lie.
+//
+// A grid that does not see a corner moves it by up to half a cell: the flow around it passes through the cell's one node. The part is
+// therefore divided along the corner's bisector, and a link joins the two sides (see ComplexParameters::corner_link).
+#pragma once
+
+#include "gapflow/core/types.hpp"
+#include "gapflow/grid/inline_vector.hpp"
+
+#include <vector>
+
+namespace gapflow {
+
+/// A convex corner of a solid in the plane; lengths in cells.
+struct SharpCorner {
+    Vec<2> at;
+    Vec<2> outward; ///< along the bisector, of unit length
+    double angle;   ///< of the solid, 0 .. pi
+};
+
+/// A flat face of a convex solid in space and an edge between two of them.
+struct SharpFacet {
+    Vec<3> normal, at; ///< out of the solid; a point of it
+
+    double height(const Vec<3>& x) const { return normal.dot(x - at); }
+};
+struct SharpEdge {
+    int a, b; ///< facets
+    Vec<3> from, to;
+    double angle; ///< of the solid
+};
+
+/// Edges and facets of a convex solid: the fluid of a cell through which edges pass is divided among their facets, each point to that above
+/// which it is highest. The borders are bisector planes at edges; at a vertex three of them meet.
+struct SharpSolid {
+    std::vector<SharpFacet> facets;
+    std::vector<SharpEdge> edges;
+};
+
+/// What divides a cell.
+struct CellSectors {
+    InlineVector<int, 4> facets, edges;
+    InlineVector<double, 4> lengths; ///< of each edge within the cell
+
+    bool empty() const { return edges.empty(); }
+};
+CellSectors cell_sectors(const SharpSolid& solid, const Vec<3>& low, const Vec<3>& high);
+
+/// Areas of an edge's bisector plane in a cell: outward of the edge as far as it parts two sectors, and behind the edge within its ends.
+struct BisectorAreas {
+    double open, covered;
+};
+BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int edge, const Vec<3>& low,
+                             const Vec<3>& high);
+
+/// Where the border of two sectors cuts a face of the cell: from `from` on outward of the edge, to - from > 0 along `direction`.
+struct SectorLine {
+    enum class End { corner, border, junction };
+    Vec<2> start, direction;
+    double from = 0, to = 0; ///< from start
+    End from_end = End::border, to_end = End::border;
+    int from_edge = -1, to_edge = -1; ///< of the rectangle, where the line ends there
+    bool empty() const { return !(to > from); }
+    Vec<2> at(double t) const { return start + t * direction; }
+};
+/// In the plane x[d] = at, in the rectangle low .. high.
+SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int edge, int d, double at, const Vec<2>& low,
+                       const Vec<2>& high);
+
+/// Conductance (over 1/density) of the link across a dividing line of which a length `open` lies in the fluid of the corner's cell;
+/// `covered`: from the corner back along the bisector to the cell's border. In 3D `open` is an area, `covered` the mean length behind the
+/// edge: area over the edge's length.
+double corner_conductance(double angle, double open, double covered);
+
+} // namespace gapflow
