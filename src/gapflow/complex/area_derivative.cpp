@@ -82,8 +82,16 @@ Vec<D> facet_normal(const FacetKind<D>& kind, int facet)
 /// Slope of a placed solid's surface along a segment; its normal out of what is solid.
 Slope slope_of(const PlacedSolid<3>& solid, int d, double at, const ArcSegment& segment)
 {
-    if (segment.surface < 0)
+    if (segment.surface == -1)
         return {};
+    if (segment.surface < -1) { // the bisector of two facets, which moves with the solid; its normal at the segment's left
+        const SharpEdge& edge = solid.sharp.edges[surface_of_fin(segment.surface)];
+        Vec<3> normal = (solid.sharp.facets[edge.a].normal - solid.sharp.facets[edge.b].normal).normalized();
+        const Vec<2> way = segment.to - segment.from;
+        if (normal[(d + 2) % 3] * way[0] - normal[(d + 1) % 3] * way[1] < 0)
+            normal = -normal;
+        return flat_slope(normal, d);
+    }
     return std::visit(
         [&](const auto& kind) {
             if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<3>>)
@@ -170,6 +178,7 @@ void add_stretch(const GridPlanes<2>& planes, const DenseIndex<2>& index, const 
         const PlacedSolid<2>* nearest = nullptr;
         Vec<2> normal;
         for (const int image : images) {
+            // A line by which a corner divides the cell ends there, too.
             const auto offer = [&](double place, auto&& normal_there) {
                 if (std::abs(at - place) < least) {
                     least = std::abs(at - place);
@@ -177,6 +186,10 @@ void add_stretch(const GridPlanes<2>& planes, const DenseIndex<2>& index, const 
                     normal = normal_there();
                 }
             };
+            for (const SharpCorner& corner : solids[image].corners)
+                if (const double rise = corner.outward[1 - axis]; rise != 0)
+                    offer(corner.at[axis] + (x[1 - axis] - corner.at[1 - axis]) / rise * corner.outward[axis],
+                          [&] { return Vec<2>(corner.outward[1], -corner.outward[0]); });
             std::visit(
                 [&](const auto& kind) {
                     if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<2>>) {

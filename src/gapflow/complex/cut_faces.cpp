@@ -909,8 +909,13 @@ std::span<const SquareArc> FaceArcs<D>::of(const Slab<D>& slab, const CutFace<D>
     if (face.state == CutFace<D>::State::general) {
         const FaceDetail& detail = slab.details[face.detail];
         std::vector<SquareArc>& arcs = general_->cut(face, detail, slab.facets).arcs;
-        for (SquareArc& arc : arcs)
+        for (SquareArc& arc : arcs) {
             arc.solid = detail.images[arc.solid];
+            if constexpr (D == 3)
+                for (ArcSegment& segment : arc.segments)
+                    if (segment.fin >= 0)
+                        segment.surface = surface_of_fin(general_->line(segment.fin).edge);
+        }
         return arcs;
     }
     const PlacedSolid<D>& placed = solids_[face.image];

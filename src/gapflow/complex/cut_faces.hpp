@@ -127,6 +127,12 @@ struct CutFaces {
 template <int D>
 class GeneralCut;
 
+/// ArcSegment::surface of the plane by which a solid's edge divides a cell, and the edge again.
+inline int surface_of_fin(int edge)
+{
+    return -2 - edge;
+}
+
 /// Finds the arcs of cut faces again, with the curves of which they are made: the same numbers as those of cut_faces.
 template <int D>
 class FaceArcs {

@@ -497,7 +497,7 @@ TEST(Edges, RandomPosesAreClosed)
                           << " turn\n"
                           << box.turn.toRotationMatrix();
     }
-    EXPECT_LE(unlinked, on_plane / 5);
+    EXPECT_LE(unlinked, on_plane / 3);
 }
 
 /// As in 2D; over the box's volume, in its own axes.
