@@ -122,8 +122,8 @@ struct SlabRates {
     std::vector<PieceRate<3>> rates;
 };
 
-SlabRates slab_rates(const CutFaces<3>& cut, const GridPlanes<3>& planes, const DenseIndex<3>& index, const std::vector<PlacedSolid<3>>& solids,
-                     const Slab<3>& slab)
+SlabRates slab_rates(const CutFaces<3>& cut, const GridPlanes<3>& planes, const DenseIndex<3>& index,
+                     const std::vector<PlacedSolid<3>>& solids, const Slab<3>& slab)
 {
     SlabRates result;
     result.begin.assign(slab.pieces.size(), 0);

@@ -156,7 +156,8 @@ public:
                 });
         // The first solid of each cell.
         std::sort(first_.begin(), first_.end());
-        first_.erase(std::unique(first_.begin(), first_.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), first_.end());
+        first_.erase(std::unique(first_.begin(), first_.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+                     first_.end());
     }
     /// -1: none.
     int of(const Grid<3>& grid, const Index<3>& c) const
@@ -1005,7 +1006,8 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                 [&](const auto& kind) {
                     using Kind = std::decay_t<decltype(kind)>;
                     if constexpr (!std::is_same_v<Kind, FacetKind<D>>)
-                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), *cut.dividers, cut, slab).mark();
+                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), *cut.dividers, cut, slab)
+                            .mark();
                     else
                         slab.facets[k] =
                             FacetMarking<D>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();

@@ -116,7 +116,7 @@ class Dividers;
 template <int D>
 struct CutFaces {
     const Grid<D>* grid = nullptr;
-    std::shared_ptr<const Dividers> dividers; ///< 3D: which solid's edges divide each cell
+    std::shared_ptr<const Dividers> dividers;                  ///< 3D: which solid's edges divide each cell
     std::array<std::vector<std::int32_t>, face_kinds<D>> face; ///< number in its slab's faces, Complex::open or Complex::solid
     std::vector<Slab<D>> slabs;
     std::vector<int> slab_of; ///< plane of cells, from DenseIndex::low; of the faces on the last side the last slab

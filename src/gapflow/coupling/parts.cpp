@@ -20,10 +20,18 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     for (const Solid<D>& solid : coupling.solids)
         coupling.free_body.push_back(solid.motion == Motion::free ? system.bodies++ : -1);
 
-    // Nodes: parts that are not the largest of their cell, in their order.
+    // Nodes: parts that are not the largest of their cell, in their order; but slivers between lines from sharp corners without a way out.
+    std::vector<char> leads_on(complex.parts(), 0);
+    for (const FacePiece<D>& piece : complex.pieces)
+        for (const PartOrCell& side : {piece.low, piece.high})
+            if (side.is_part() && piece.area > 0)
+                leads_on[side.number()] = 1;
+    for (const CornerLink<D>& link : complex.links)
+        if (link.conductance > 0)
+            leads_on[link.a] = leads_on[link.b] = 1;
     std::vector<int> node(complex.parts(), -1);
     for (int p = 0; p < complex.parts(); ++p)
-        if (!complex.is_main(p))
+        if (!complex.is_main(p) && leads_on[p])
             node[p] = system.nodes++;
 
     coupling.open = FaceField<D>(grid, 0.0);
@@ -48,30 +56,39 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
 
     const double unit = std::pow(grid.dx(), D - 2) / density;
     std::vector<Eigen::Triplet<double>> film;
+    const auto node_of = [&](const PartOrCell& side) { return side.is_part() ? node[side.number()] : -1; };
+    // Between two parts or cells, not both their cell's largest.
+    const auto join = [&](const PartOrCell& a, const PartOrCell& b, double g) {
+        const int i = node_of(a), j = node_of(b);
+        if (i >= 0 && j >= 0) {
+            if (i == j)
+                return;
+            film.emplace_back(i, i, g);
+            film.emplace_back(j, j, g);
+            film.emplace_back(i, j, -g);
+            film.emplace_back(j, i, -g);
+        } else {
+            const PartOrCell& cell = i >= 0 ? b : a;
+            system.links.push_back(
+                {g, {{std::max(i, j), 1.0}}, {{grid.key(complex.index.index(complex.cell_of(cell))), -1.0}}});
+        }
+    };
+    for (const CornerLink<D>& link : complex.links)
+        if (link.conductance > 0)
+            join(PartOrCell::part(link.a), PartOrCell::part(link.b), unit * link.conductance);
     for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
         const FacePiece<D>& piece = complex.pieces[k];
         if (complex.joins_main(piece) || !(piece.area > 0))
             continue;
         const Index<D> f = complex.index.index(piece.face);
         const double g = unit * inertia.piece_weight[k] / grid.spread(piece.axis, f[piece.axis]);
-        const auto node_of = [&](const PartOrCell& side) { return side.is_part() ? node[side.number()] : -1; };
         const int low = node_of(piece.low), high = node_of(piece.high);
         if (!piece.low.exists() || !piece.high.exists()) { // a side of the domain
             const int i = std::max(low, high), end = piece.low.exists();
             if (i >= 0 && is_open(grid.side(piece.axis, end)))
                 film.emplace_back(i, i, g * side_factor(grid, piece.axis, f, end));
-        } else if (low >= 0 && high >= 0) {
-            if (low == high)
-                continue;
-            film.emplace_back(low, low, g);
-            film.emplace_back(high, high, g);
-            film.emplace_back(low, high, -g);
-            film.emplace_back(high, low, -g);
-        } else {
-            const int i = std::max(low, high);
-            const PartOrCell& other = low >= 0 ? piece.high : piece.low;
-            system.links.push_back({g, {{i, 1.0}}, {{grid.key(complex.index.index(complex.cell_of(other))), -1.0}}});
-        }
+        } else
+            join(piece.low, piece.high, g);
     }
     system.film.resize(system.nodes, system.nodes);
     system.film.setFromTriplets(film.begin(), film.end());
@@ -85,7 +102,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
             flux.template tail<spin_size<D>>() *= grid.dx();
             if (node[p] >= 0)
                 nodes.add(coupling, node[p], complex.patches[k].solid, flux);
-            else
+            else if (complex.is_main(p))
                 cells.add(coupling, complex.cell_of_part(p), complex.patches[k].solid, flux);
         }
     for (const LentFlux<D>& lent : inertia.flux) {
@@ -93,7 +110,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
         flux.template tail<spin_size<D>>() *= grid.dx();
         if (lent.row.is_part() && node[lent.row.number()] >= 0)
             nodes.add(coupling, node[lent.row.number()], lent.solid, flux);
-        else
+        else if (complex.is_main(lent.row))
             cells.add(coupling, complex.index.index(complex.cell_of(lent.row)), lent.solid, flux);
     }
     for (std::size_t s = 0; s < coupling.solids.size(); ++s)

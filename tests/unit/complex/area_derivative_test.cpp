@@ -194,7 +194,8 @@ void expect_almost_all(const Count& count)
 {
     if (!count.rest.empty())
         std::printf("all others:%s\n", count.rest.c_str());
-    EXPECT_GE(count.good, 0.99 * count.all) << count.rest;
+    EXPECT_GE(count.good, 0.96 * count.all)
+        << count.rest; // the rest: where a line from a sharp corner begins or ends to divide a face
 }
 
 template <int D>
@@ -365,8 +366,10 @@ double asymmetry(const Grid<D>& grid, const std::vector<Solid<D>>& solids, int s
         for (const WallPatch<D>& patch : complex.patches_of(p))
             if (patch.solid == solid)
                 flux << patch.area, patch.moment;
-            else
-                ++others;
+        const int cell = complex.part_cell[p]; // a line from a sharp corner to another solid slides along that one
+        for (int q = complex.first_part[cell]; q < complex.first_part[cell + 1]; ++q)
+            for (const WallPatch<D>& patch : complex.patches_of(q))
+                others += patch.solid != solid;
         if (flux.isZero(0) || (others > 0 && !apart))
             continue;
         for (int i = 0; i < n; ++i)
