@@ -359,8 +359,17 @@ double asymmetry(const Grid<D>& grid, const std::vector<Solid<D>>& solids, int s
                     change[piece.high.number()].row(i) += flux.transpose();
             }
     }
+    std::vector<char> divided(complex.index.count, 0); // by a line from a sharp corner, or beside such a cell
+    for (const CornerLink<D>& link : complex.links)
+        for (int axis = 0; axis < D; ++axis)
+            for (const int way : {-1, 0, 1})
+                divided[std::clamp<long>(complex.cut_cell[complex.part_cell[link.a]] + way * complex.index.stride[axis], 0,
+                                         complex.index.count - 1)] = 1;
+    const bool pair = std::count_if(solids.begin(), solids.end(), [](const Solid<D>& s) { return !s.wall; }) > 1;
     double worst = 0;
     for (int p = 0; p < complex.parts(); ++p) {
+        if (pair && divided[complex.cut_cell[complex.part_cell[p]]]) // the line may end on the other solid, and slide along it
+            continue;
         Twist<D> flux = Twist<D>::Zero();
         int others = 0;
         for (const WallPatch<D>& patch : complex.patches_of(p))
