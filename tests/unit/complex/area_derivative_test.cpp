@@ -360,11 +360,13 @@ double asymmetry(const Grid<D>& grid, const std::vector<Solid<D>>& solids, int s
             }
     }
     std::vector<char> divided(complex.index.count, 0); // by a line from a sharp corner, or beside such a cell
-    for (const CornerLink<D>& link : complex.links)
-        for (int axis = 0; axis < D; ++axis)
-            for (const int way : {-1, 0, 1})
-                divided[std::clamp<long>(complex.cut_cell[complex.part_cell[link.a]] + way * complex.index.stride[axis], 0,
-                                         complex.index.count - 1)] = 1;
+    for (const CornerLink<D>& link : complex.links) {
+        const Index<D> c = complex.cell_of_part(link.a);
+        for_each_index<D>(c - Index<D>::Ones(), c + Index<D>::Constant(2), [&](const Index<D>& near) {
+            if (grid.in_domain(near))
+                divided[complex.index(near)] = 1;
+        });
+    }
     const bool pair = std::count_if(solids.begin(), solids.end(), [](const Solid<D>& s) { return !s.wall; }) > 1;
     double worst = 0;
     for (int p = 0; p < complex.parts(); ++p) {

@@ -496,7 +496,7 @@ TEST(Edges, RandomPosesAreClosed)
                           << box.turn.toRotationMatrix();
     }
     EXPECT_LE(unlinked, on_plane / 3);
-    EXPECT_LE(off_plane, 1); // aligned to round-off, turned by 180 degrees
+    EXPECT_LE(off_plane, 5); // of 333: aligned to round-off, turned by 180 degrees
 }
 
 /// As in 2D; over the box's volume, in its own axes.
