@@ -113,6 +113,11 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
         else if (complex.is_main(lent.row))
             cells.add(coupling, complex.index.index(complex.cell_of(lent.row)), lent.solid, flux);
     }
+    coupling.cell_flux = std::move(cells.all);
+    system.cell_flux = std::move(cells.free);
+    coupling.node_flux = std::move(nodes.all);
+    system.node_flux = std::move(nodes.free);
+    fill_mass(coupling, mass); // the bodies' own: with what follows light ones may have a negative one
     for (std::size_t s = 0; s < coupling.solids.size(); ++s)
         for (int d = 0; d < D; ++d)
             if (const double mass_of = density * std::pow(grid.dx(), D) * inertia.volume[s][d]; mass_of != 0) {
@@ -120,11 +125,6 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
                 row[d] = 1;
                 coupling.normal_inertia.push_back({static_cast<int>(s), static_cast<int>(s), row, Twist<D>::Zero(), mass_of});
             }
-    coupling.cell_flux = std::move(cells.all);
-    system.cell_flux = std::move(cells.free);
-    coupling.node_flux = std::move(nodes.all);
-    system.node_flux = std::move(nodes.free);
-    fill_mass(coupling, mass);
     system.response = BodyResponse(system.mass, {}, {});
     find_components(coupling);
     return coupling;
