@@ -47,9 +47,8 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     std::vector<RigidBody<D>> bodies = model.bodies;
     if (scene.end > 0)
         require_weight(scene, bodies);
-    std::vector<std::string> warnings;
-    if (!scene.parts)
-        warnings = thickness_warnings<D>(scene, bodies, model.walls, Scene::Thin::allow);
+    std::vector<std::string> warnings = scene.parts ? short_body_warnings<D>(scene, bodies, model.walls)
+                                                    : thickness_warnings<D>(scene, bodies, model.walls, Scene::Thin::allow);
     for (std::string& warning : placement_warnings<D>(scene, bodies, model.walls))
         warnings.push_back(std::move(warning));
     const std::vector<std::string> moved =
