@@ -129,6 +129,23 @@ class Warnings(unittest.TestCase):
                 self.assertFalse(self.out.exists())
         self.assertIn("warning   body 'plate' is 0.5 cells thin", gapflow("check", self.scene).stdout)
 
+    def test_parts_take_bodies_of_any_thickness(self):
+        parts = '[gap]\nmodel = "parts"'
+        self.scene.write_text(PLATE.format(thickness=0.001, more=parts).replace("position = [0.5, 0.5]", "position = [0.51, 0.508]"))
+        done = json.loads(gapflow("added-mass", self.scene, "--json").stdout)
+        self.assertAlmostEqual(done["matrix"][1][1] / (3.1416 / 16), 1.12, delta=0.04) # the closed box adds 12 %
+        self.assertEqual(done["warnings"], [])
+        self.assertIn("gaps      model parts", gapflow("check", self.scene).stdout)
+        refused = gapflow("run", self.scene, "-o", self.out)
+        self.assertEqual(refused.returncode, 2)
+        self.assertRegex(refused.stderr, "scene.toml:\\d+:\\d+: gap.model.* no runs.*version 0.2")
+        self.scene.write_text(PLATE.format(thickness=0.001, more=parts).replace("[0.5, 0.001]", "[0.125, 0.001]"))
+        self.assertIn("body 'plate' is thin and 4 cells long: its added mass errs by some 8.5 %", gapflow("check", self.scene).stdout)
+        self.write(3, '[[pair]]\nbodies = ["plate", "wall:x_low"]\nmodel = "parts"')
+        refused = gapflow("added-mass", self.scene)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("a model of the whole scene", refused.stderr)
+
     def test_one_that_is_allowed_or_of_one_and_a_half_is_told_of_once(self):
         for cells, sets in ((0.5, ["--set", "grid.thin=allow"]), (1.5, [])):
             self.write(cells)
