@@ -17,7 +17,8 @@ constexpr double least_cells = 1, enough_cells = 2;
 constexpr double beside = 1e-3; // in cells: closer surfaces are flush
 constexpr std::size_t most_told = 3;
 constexpr double long_enough = 8; // cells along a thin body's surface
-constexpr double end_error = 0.34; // of a thin plate's added mass, times its length in cells: rows "Parts: thin plates" of the validation
+constexpr double end_error =
+    0.34; // of a thin plate's added mass, times its length in cells: rows "Parts: thin plates" of the validation
 
 template <int D>
 bool near(const Bounds<D>& a, const Bounds<D>& b, double margin)
@@ -138,18 +139,22 @@ std::vector<std::string> thickness_warnings(const Scene& scene, const std::vecto
 }
 
 template <int D>
-std::vector<std::string> short_body_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls)
+std::vector<std::string> short_body_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
+                                             const DomainWalls<D>& walls)
 {
     std::vector<std::string> warnings;
     for (const ThinBody<D>& thin : thin_bodies<D>(scene, bodies, walls)) {
-        const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const RigidBody<D>& b) { return b.name == thin.name; });
+        const auto body =
+            std::find_if(bodies.begin(), bodies.end(), [&](const RigidBody<D>& b) { return b.name == thin.name; });
         const Bounds<D> bounds = body->shape->bounds();
         const double cells = (bounds.high - bounds.low).maxCoeff() / scene.spacing();
         if (!(cells < long_enough))
             continue;
         char text[160];
-        std::snprintf(text, sizeof text, "' is thin and %.3g cells long: its added mass errs by some %.2g %%; the error falls as the number of cells",
-                      cells, 100 * end_error / cells);
+        std::snprintf(
+            text, sizeof text,
+            "' is thin and %.3g cells long: its added mass errs by some %.2g %%; the error falls as the number of cells", cells,
+            100 * end_error / cells);
         warnings.push_back("body '" + thin.name + text);
     }
     return warnings;
@@ -167,7 +172,8 @@ void require_thickness(const Scene& scene)
     template std::vector<ThinBody<D>> thin_bodies<D>(const Scene&, const std::vector<RigidBody<D>>&, const DomainWalls<D>&);   \
     template std::vector<std::string> thickness_warnings<D>(const Scene&, const std::vector<RigidBody<D>>&,                    \
                                                             const DomainWalls<D>&, Scene::Thin);                               \
-    template std::vector<std::string> short_body_warnings<D>(const Scene&, const std::vector<RigidBody<D>>&, const DomainWalls<D>&);
+    template std::vector<std::string> short_body_warnings<D>(const Scene&, const std::vector<RigidBody<D>>&,                   \
+                                                             const DomainWalls<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

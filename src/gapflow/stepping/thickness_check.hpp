@@ -28,7 +28,8 @@ std::vector<std::string> thickness_warnings(const Scene& scene, const std::vecto
 /// With gap.model = "parts": notes about bodies thinner than two cells that are too short along their surface, with the error of the added
 /// mass to expect.
 template <int D>
-std::vector<std::string> short_body_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls);
+std::vector<std::string> short_body_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
+                                             const DomainWalls<D>& walls);
 
 /// Throws the InputError that a run of the scene would.
 void require_thickness(const Scene& scene);
