@@ -114,6 +114,8 @@ public:
             next_[k] = first;
             first = static_cast<std::int32_t>(k);
         }
+        if (complex.links.empty())
+            return;
         DisjointSets whole(complex.parts());
         for (const CornerLink<D>& link : complex.links)
             whole.join(link.a, link.b);
@@ -125,6 +127,8 @@ public:
     std::optional<Area> led_by(std::int32_t piece) const
     {
         const FacePiece<D>& p = complex_.pieces[piece];
+        if (complex_.links.empty())
+            return Area{piece, p.face, p.area, p.centroid};
         Area sum{piece, p.face, 0, Vec<D>::Zero()};
         for (std::int32_t k = first_[p.axis][p.face]; k >= 0; k = next_[k])
             if (same(k, piece)) {
@@ -141,6 +145,10 @@ public:
     template <class F>
     void for_each(const Area& area, F&& f) const
     {
+        if (complex_.links.empty()) {
+            f(area.piece);
+            return;
+        }
         const FacePiece<D>& p = complex_.pieces[area.piece];
         for (std::int32_t k = first_[p.axis][p.face]; k >= 0; k = next_[k])
             if (same(k, area.piece))
