@@ -47,8 +47,7 @@ void print_gaps(const Scene& scene, const Communicator& comm)
     std::vector<RigidBody<D>> bodies = model.bodies;
     if (scene.end > 0)
         require_weight(scene, bodies);
-    std::vector<std::string> warnings = scene.parts ? short_body_warnings<D>(scene, bodies, model.walls)
-                                                    : thickness_warnings<D>(scene, bodies, model.walls, Scene::Thin::allow);
+    std::vector<std::string> warnings = thickness_warnings<D>(scene, bodies, model.walls, Scene::Thin::allow);
     for (std::string& warning : placement_warnings<D>(scene, bodies, model.walls))
         warnings.push_back(std::move(warning));
     const std::vector<std::string> moved =
@@ -131,8 +130,7 @@ int check_command(const Scene& scene)
         print_gaps<2>(scene, comm);
     else
         print_gaps<3>(scene, comm);
-    if (!scene.parts)
-        require_thickness(scene); // reported before all else, an error after it
+    require_thickness(scene); // reported before all else, an error after it
     return 0;
 }
 

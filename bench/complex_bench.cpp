@@ -54,7 +54,7 @@ int bench(int argc, char** argv)
         const Stopwatch watch;
         const Complex<3> complex = build_complex<3>(grid, solids);
         const double built = watch.seconds();
-        const Inertia<3> inertia = find_inertia<3>(grid, solids, complex);
+        const Inertia<3> inertia = find_inertia<3>(grid, complex);
         std::printf("%zu solids, %d cut cells, %d parts, %zu pieces: complex %.1f ms, weights %.1f ms, %.0f bytes a cell\n",
                     solids.size(), complex.cut_cells(), complex.parts(), complex.pieces.size(), 1e3 * built,
                     1e3 * (watch.seconds() - built), double(complex.bytes()) / grid.owned_cells());

@@ -1,6 +1,4 @@
 // Times of FacetCut: balls of 1000 to 1 000 000 facets, radius 40 cells, in 128^3 cells. Best of several, one thread.
-//
-//     g++ -std=c++20 -O2 -DNDEBUG -Isrc -I/usr/include/eigen3 bench/facet_cut_bench.cpp src/gapflow/complex/facet_cut.cpp
 #include "gapflow/complex/facet_cut.hpp"
 
 #include <algorithm>

@@ -2,10 +2,12 @@
 #include "gapflow/complex/complex.hpp"
 #include "gapflow/complex/cut_faces.hpp"
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/seen_volume.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/field.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -556,10 +558,7 @@ public:
         const Index<D> w = grid_.wrapped(c);
         if (!grid_.in_domain(w))
             return {};
-        const int at = index_(w), number = complex_.cell[at];
-        return number >= 0                  ? PartOrCell::part(complex_.first_part[number])
-               : number == Complex<D>::open ? PartOrCell::cell(at)
-                                            : PartOrCell{};
+        return complex_.main_of(index_(w));
     }
 
     void add_piece(int d, const Index<D>& f, PartOrCell low, PartOrCell high, double area, const Vec<D>& centroid,
@@ -770,6 +769,21 @@ void Joining<D>::join_faces() requires(D == 2)
         }
 }
 
+template <int D>
+std::vector<Vec<D>> seen_excess(std::span<const Solid<D>> solids, const std::vector<PlacedSolid<D>>& placed, double dx)
+{
+    std::vector<Vec<D>> excess(solids.size(), Vec<D>::Zero());
+    std::vector<char> known(solids.size(), 0);
+    for (const PlacedSolid<D>& image : placed) {
+        const double volume = solids[image.solid].shape.shape().mass_properties().volume / std::pow(dx, D);
+        if (std::exchange(known[image.solid], 1) || !std::isfinite(volume))
+            continue; // images see the same
+        for (int d = 0; d < D; ++d)
+            excess[image.solid][d] = (image.inverse ? -1 : 1) * (seen_volume(image, d) - volume);
+    }
+    return excess;
+}
+
 } // namespace
 
 template <int D>
@@ -804,6 +818,7 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     joining.join_faces();
     if (derivatives)
         *derivatives = face_derivatives<D>(planes, complex.index, placed, cut, sources);
+    complex.seen_excess = seen_excess<D>(solids, placed, planes.dx);
     return complex;
 }
 

@@ -110,8 +110,18 @@ struct Complex {
     /// Whether a piece is part of main_area.
     bool joins_main(const FacePiece<D>& piece) const { return is_main(piece.low) && is_main(piece.high); }
     bool is_main(const PartOrCell& side) const { return !side.is_part() || is_main(side.number()); }
+    /// The largest part of a cell (number in `index`), the cell where it is whole, nothing where it is solid.
+    PartOrCell main_of(int number) const
+    {
+        const std::int32_t c = cell[number];
+        return c >= 0 ? PartOrCell::part(first_part[c]) : c == open ? PartOrCell::cell(number) : PartOrCell{};
+    }
     /// The cell beside a piece, number in `index`.
     int cell_of(const PartOrCell& side) const { return side.is_part() ? cut_cell[part_cell[side.number()]] : side.number(); }
+
+    /// Of each solid: volume that the grid's planes normal to each axis see, less its volume; in cells^D, negative of a cavity. The fluid's
+    /// momentum in uniform motion is exact with it.
+    std::vector<Vec<D>> seen_excess;
 
     int parts() const { return static_cast<int>(part_cell.size()); }
     int cut_cells() const { return static_cast<int>(cut_cell.size()); }

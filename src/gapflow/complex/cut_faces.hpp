@@ -120,8 +120,6 @@ struct CutFaces {
     std::array<std::vector<std::int32_t>, face_kinds<D>> face; ///< number in its slab's faces, Complex::open or Complex::solid
     std::vector<Slab<D>> slabs;
     std::vector<int> slab_of; ///< plane of cells, from DenseIndex::low; of the faces on the last side the last slab
-
-    const Slab<D>& slab(int plane, const DenseIndex<D>& index) const { return slabs[slab_of[plane - index.low[D - 1]]]; }
 };
 
 template <int D>

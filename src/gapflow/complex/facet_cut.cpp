@@ -230,7 +230,7 @@ private:
         vertices_.resize(vertices.size());
         for (std::size_t i = 0; i < vertices.size(); ++i)
             for (int axis = 0; axis < D; ++axis) {
-                const std::int64_t x = std::llrint(vertices[i][axis] / scale);
+                const std::int64_t x = std::llrint(vertices[i][axis] / place_unit);
                 assert(std::abs(x) < std::int64_t(1) << 52);
                 const std::vector<std::int64_t>& p = cut_.places_[axis];
                 // Equal distances make the first guess right.
@@ -410,7 +410,7 @@ private:
             n.v = a.cell[1];
             if (in_box(n.u, n.v))
                 for (int w = 0; w < 2; ++w)
-                    n.point[w] = scale * double(a.x[w] - cut_.places_[w][a.cell[w]]);
+                    n.point[w] = place_unit * double(a.x[w] - cut_.places_[w][a.cell[w]]);
         } else {
             const Vertex &a = corner(facet, k), &b = corner(facet, (k + 1) % 3);
             n.u = node_cell(a, b, u_);
@@ -448,7 +448,7 @@ private:
     }
     double node_place(const Vertex& a, const Vertex& b, int w, int cell) const
     {
-        const double place = scale * (double(off_plane(a, b, w, cell)) / double(b.x[axis_] - a.x[axis_]));
+        const double place = place_unit * (double(off_plane(a, b, w, cell)) / double(b.x[axis_] - a.x[axis_]));
         return std::clamp(place, 0., length(w, cell));
     }
 
@@ -503,7 +503,7 @@ private:
     {
         if (edge[axis] < 0 || edge[axis] >= cut_.count_[axis] - 1)
             return;
-        const double place = scale * plane.crossing(place_of(edge), axis);
+        const double place = place_unit * plane.crossing(place_of(edge), axis);
         crossings_[axis].push_back(
             {cut_.line(axis, edge), edge[axis], facet, -plane.sign(axis), std::clamp(place, 0., length(axis, edge[axis]))});
     }
@@ -803,10 +803,10 @@ FacetCut<D>::FacetCut(std::span<const Vec<D>> vertices, std::span<const std::arr
         assert(places[axis].size() >= 2);
         count_[axis] = int(places[axis].size());
         for (const double place : places[axis])
-            places_[axis].push_back(std::llrint(place / scale));
+            places_[axis].push_back(std::llrint(place / place_unit));
         for (int i = 0; i + 1 < count_[axis]; ++i) {
             assert(places_[axis][i] < places_[axis][i + 1]);
-            lengths_[axis].push_back({0, scale * double(places_[axis][i + 1] - places_[axis][i])});
+            lengths_[axis].push_back({0, place_unit * double(places_[axis][i + 1] - places_[axis][i])});
         }
     }
     Maker(*this, vertices, elements, links);

@@ -19,6 +19,9 @@
 
 namespace gapflow {
 
+/// Of coordinates, in cells: they are whole multiples of it, exact in a double and, with differences and products, in 128-bit integers.
+inline constexpr double place_unit = 0x1p-36;
+
 /// The facets on the other side of each facet's borders: 3D of its edges (edge k from vertex k to the next one), 2D of its vertices.
 /// Where more than two meet they are taken in pairs. Depends on the elements only; vertices are 0 .. vertex_count - 1.
 /// The surface is closed and consistently oriented (assertion).
@@ -98,7 +101,7 @@ public:
              std::span<const std::array<int, D>> links, const std::array<std::vector<double>, D>& places, const Index<D>& low);
 
     /// Place of a grid plane as it is used, rounded.
-    double place(int axis, int index) const { return scale * double(places_[axis][index - low_[axis]]); }
+    double place(int axis, int index) const { return place_unit * double(places_[axis][index - low_[axis]]); }
     /// Length of a grid edge along the axis from plane `index` to the next.
     double length(int axis, int index) const { return lengths_[axis][index - low_[axis]].to; }
 
@@ -123,7 +126,6 @@ public:
 private:
     class Maker;
 
-    static constexpr double scale = 0x1p-36; // of one unit of the rounded places
     static constexpr int face_axes = D == 2 ? 1 : 3;
 
     struct CutEdge {
@@ -156,7 +158,7 @@ private:
     int winding(const Index<D>& vertex) const;
 
     Index<D> low_, count_;                               // first index and number of planes
-    std::array<std::vector<std::int64_t>, D> places_;    // in units of `scale`
+    std::array<std::vector<std::int64_t>, D> places_;    // in units of place_unit
     std::array<std::vector<EdgeCover>, D> lengths_;      // from 0 to the length: the cover of a whole edge
     std::array<std::vector<int>, D> line_starts_;        // of each grid line in cut_edges_, and the end
     std::array<std::vector<CutEdge>, D> cut_edges_;      // one more at the end

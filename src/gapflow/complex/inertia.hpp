@@ -28,12 +28,9 @@ struct Inertia {
     std::vector<double> piece_weight; ///< of each piece
     std::vector<Twist<D>> patch_flux; ///< of each of Complex::patches, in cells: the walls' own and what is lent
     std::vector<LentFlux<D>> flux;    ///< of the rows beside
-    /// Of each solid: volume that the grid's planes normal to each axis see, less its volume; in cells^D, negative of a cavity. The fluid's
-    /// momentum in uniform motion is exact with it.
-    std::vector<Vec<D>> volume;
 };
 
 template <int D>
-Inertia<D> find_inertia(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
+Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex);
 
 } // namespace gapflow

@@ -12,8 +12,6 @@ namespace gapflow {
 
 namespace {
 
-constexpr double unit_of_place = 1.0 / (1L << 36);
-
 /// Corners of a convex polygon.
 std::vector<SharpCorner> corners_of(const Section& polygon)
 {
@@ -69,7 +67,7 @@ SharpSolid sharp_solid(const PlanesKind<D>& kind)
 
 double rounded(double x)
 {
-    return unit_of_place * std::nearbyint(x / unit_of_place);
+    return place_unit * std::nearbyint(x / place_unit);
 }
 
 template <int D>
@@ -97,7 +95,7 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
     for (int axis = 0; axis < D; ++axis)
         if (grid.periodic(axis))
             period[axis] = grid.size()[axis];
-    const Vec<D> margin = Vec<D>::Constant(unit_of_place); // the solid is where its place is rounded to
+    const Vec<D> margin = Vec<D>::Constant(place_unit); // the solid is where its place is rounded to
     std::vector<PlacedSolid<D>> result;
     for (const Image<D>& image : images(solids, planes.in_world(low), planes.in_world(high), period, grid.dx())) {
         const Solid<D>& solid = solids[image.solid];

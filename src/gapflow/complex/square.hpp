@@ -72,7 +72,6 @@ struct SquareSolid {
     bool inverse = false;        ///< the solid is what lies outside the section
     bool section_inside = false; ///< the section lies within the rectangle
     std::vector<SquareArc> arcs; ///< solid and piece unset
-    const void* owner = nullptr;
 };
 
 struct SquarePiece {

@@ -120,7 +120,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     fill_mass(coupling, mass); // the bodies' own: with what follows light ones may have a negative one
     for (std::size_t s = 0; s < coupling.solids.size(); ++s)
         for (int d = 0; d < D; ++d)
-            if (const double mass_of = density * std::pow(grid.dx(), D) * inertia.volume[s][d]; mass_of != 0) {
+            if (const double mass_of = density * std::pow(grid.dx(), D) * complex.seen_excess[s][d]; mass_of != 0) {
                 Twist<D> row = Twist<D>::Zero();
                 row[d] = 1;
                 coupling.normal_inertia.push_back({static_cast<int>(s), static_cast<int>(s), row, Twist<D>::Zero(), mass_of});

@@ -73,8 +73,7 @@ AddedMass added_mass_in(const Scene& scene, const Communicator& comm)
     const Stopwatch watch;
     const Model<D> model(scene, comm, Task::added_mass);
     AddedMass result;
-    result.warnings = scene.parts ? short_body_warnings<D>(scene, model.bodies, model.walls)
-                                  : thickness_warnings<D>(scene, model.bodies, model.walls, scene.thin);
+    result.warnings = thickness_warnings<D>(scene, model.bodies, model.walls, scene.thin);
     const Coupling<D> coupling = coupling_of_given_twists(model);
     require_core(model, coupling, model.bodies);
     const std::vector<Solid<D>>& solids = coupling.solids;

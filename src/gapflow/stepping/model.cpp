@@ -143,7 +143,7 @@ Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, std::vector<T
             throw InputError(scene.file + ": gap.model: \"parts\" are computed on one rank; start one process");
         const std::vector<Solid<D>> all = solids(at);
         const Complex<D> complex = build_complex<D>(grid, all);
-        return couple_parts<D>(grid, all, mass, scene.density, complex, find_inertia<D>(grid, all, complex));
+        return couple_parts<D>(grid, all, mass, scene.density, complex, find_inertia<D>(grid, complex));
     }
     return couple<D>(grid, solids(at), mass, {scene.density, fraction_mode(scene), timers, viscosity_dt}, gaps, alive, drag,
                      before);

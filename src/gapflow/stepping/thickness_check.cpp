@@ -114,29 +114,7 @@ std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<Rigid
     return thin;
 }
 
-template <int D>
-std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
-                                            const DomainWalls<D>& walls, Scene::Thin thin)
-{
-    std::vector<std::string> warnings;
-    for (const ThinBody<D>& body : thin_bodies<D>(scene, bodies, walls)) {
-        const std::string remedy = "use " + finer_grid(scene, body.cells) + ", or a thicker body";
-        const bool unseen = body.cells < least_cells - 1e-6;
-        if (unseen && thin == Scene::Thin::refuse)
-            throw InputError(scene.file + ": " + text_of(body) +
-                             ", and the fluid does not see what is thinner than a cell: forces would be wrong; " + remedy +
-                             "; or write thin = \"allow\" in [grid] to compute it all the same");
-        if (warnings.size() == most_told) {
-            warnings.back() += "; so are other bodies";
-            break;
-        }
-        warnings.push_back(text_of(body) +
-                           (unseen ? ": the fluid does not see what is thinner than a cell; "
-                                   : ": pressure leaks through what is thinner than two cells; ") +
-                           remedy);
-    }
-    return warnings;
-}
+namespace {
 
 template <int D>
 std::vector<std::string> short_body_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
@@ -160,6 +138,34 @@ std::vector<std::string> short_body_warnings(const Scene& scene, const std::vect
     return warnings;
 }
 
+} // namespace
+
+template <int D>
+std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
+                                            const DomainWalls<D>& walls, Scene::Thin thin)
+{
+    if (scene.parts)
+        return short_body_warnings<D>(scene, bodies, walls);
+    std::vector<std::string> warnings;
+    for (const ThinBody<D>& body : thin_bodies<D>(scene, bodies, walls)) {
+        const std::string remedy = "use " + finer_grid(scene, body.cells) + ", or a thicker body";
+        const bool unseen = body.cells < least_cells - 1e-6;
+        if (unseen && thin == Scene::Thin::refuse)
+            throw InputError(scene.file + ": " + text_of(body) +
+                             ", and the fluid does not see what is thinner than a cell: forces would be wrong; " + remedy +
+                             "; or write thin = \"allow\" in [grid] to compute it all the same");
+        if (warnings.size() == most_told) {
+            warnings.back() += "; so are other bodies";
+            break;
+        }
+        warnings.push_back(text_of(body) +
+                           (unseen ? ": the fluid does not see what is thinner than a cell; "
+                                   : ": pressure leaks through what is thinner than two cells; ") +
+                           remedy);
+    }
+    return warnings;
+}
+
 void require_thickness(const Scene& scene)
 {
     if (scene.dimension == 2)
@@ -171,9 +177,7 @@ void require_thickness(const Scene& scene)
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<ThinBody<D>> thin_bodies<D>(const Scene&, const std::vector<RigidBody<D>>&, const DomainWalls<D>&);   \
     template std::vector<std::string> thickness_warnings<D>(const Scene&, const std::vector<RigidBody<D>>&,                    \
-                                                            const DomainWalls<D>&, Scene::Thin);                               \
-    template std::vector<std::string> short_body_warnings<D>(const Scene&, const std::vector<RigidBody<D>>&,                   \
-                                                             const DomainWalls<D>&);
+                                                            const DomainWalls<D>&, Scene::Thin);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

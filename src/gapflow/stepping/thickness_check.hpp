@@ -20,16 +20,11 @@ struct ThinBody {
 template <int D>
 std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<RigidBody<D>>& bodies, const DomainWalls<D>& walls);
 
-/// Notes for the user about them. Throws InputError if one is thinner than a cell and `thin` does not allow it.
+/// Notes for the user about them. Throws InputError if one is thinner than a cell and `thin` does not allow it. With gap.model = "parts", which
+/// takes bodies of any thickness: notes about those that are short along their surface, with the error of the added mass to expect.
 template <int D>
 std::vector<std::string> thickness_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
                                             const DomainWalls<D>& walls, Scene::Thin thin);
-
-/// With gap.model = "parts": notes about bodies thinner than two cells that are too short along their surface, with the error of the added
-/// mass to expect.
-template <int D>
-std::vector<std::string> short_body_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
-                                             const DomainWalls<D>& walls);
 
 /// Throws the InputError that a run of the scene would.
 void require_thickness(const Scene& scene);

@@ -59,6 +59,13 @@ void check_rest()
     EXPECT_NEAR(simulation.bodies()[0].pose.position[D - 1], z, 1e-12);
 }
 
+/// Of grid, films and bodies.
+double whole_energy(const Simulation<2>& simulation)
+{
+    const auto budget = simulation.budget();
+    return budget.energy_grid + budget.energy_film + budget.energy_bodies;
+}
+
 TEST(ContactSet, BoxRestsWithItsWeightLessBuoyancy2D)
 {
     check_rest<2>();
@@ -112,10 +119,7 @@ TEST(ContactSet, PlatesReboundFromALayerOfFluidWithoutMoreEnergy)
     scene.cfl = 0.5;
     scene.gap_cfl = 0.125;
     Simulation<2> simulation(scene, Communicator());
-    auto energy = [&] {
-        const auto budget = simulation.budget();
-        return budget.energy_grid + budget.energy_film + budget.energy_bodies;
-    };
+    const auto energy = [&] { return whole_energy(simulation); };
     const double before = energy();
     double most = 0;
     while (simulation.time() < scene.end) {
@@ -147,10 +151,7 @@ TEST(ContactSet, BoxReboundsOnItsCornerWithoutMoreEnergy)
         scene.max_step = viscosity > 0 ? 0.02 : 0.001;
         scene.bodies[0].position[1] = 1.2 - half - gap;
         Simulation<2> simulation(scene, Communicator());
-        auto energy = [&] {
-            const auto budget = simulation.budget();
-            return budget.energy_grid + budget.energy_film + budget.energy_bodies;
-        };
+        const auto energy = [&] { return whole_energy(simulation); };
         const double before = energy();
         double most = 0;
         for (int i = 0; i < 8; ++i) {
@@ -175,10 +176,7 @@ TEST(ContactSet, BoxThatFallsFlatGainsNoEnergyByRestitution)
     scene.end = 0.25;
     scene.max_step = 0.01;
     Simulation<2> simulation(scene, Communicator());
-    auto energy = [&] {
-        const auto budget = simulation.budget();
-        return budget.energy_grid + budget.energy_film + budget.energy_bodies;
-    };
+    const auto energy = [&] { return whole_energy(simulation); };
     const double before = energy();
     while (simulation.time() < scene.end) {
         simulation.step(scene.end);
