@@ -3,12 +3,14 @@
 #include "gapflow/complex/cut_faces.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/complex/seen_volume.hpp"
+#include "gapflow/complex/wall_joins.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/field.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -95,8 +97,9 @@ struct HullFace {
 class CellBuilder3 {
 public:
     CellBuilder3(const Grid<3>& grid, const GridPlanes<3>& planes, const DenseIndex<3>& index,
-                 const std::vector<PlacedSolid<3>>& solids, const CutFaces<3>& cut, std::vector<std::int32_t>& cell)
-        : grid_(grid), planes_(planes), index_(index), solids_(solids), cut_(cut), cell_(cell)
+                 const std::vector<PlacedSolid<3>>& solids, const CutFaces<3>& cut, const FacetsInCells& facets,
+                 std::vector<std::int32_t>& cell)
+        : grid_(grid), planes_(planes), index_(index), solids_(solids), cut_(cut), facets_(facets), cell_(cell)
     {
     }
 
@@ -196,6 +199,7 @@ private:
             for (const auto& division : hull[q].divisions())
                 if (!(division.sides & (q % 2 ? 1 : 2)))
                     up[find(first[q] + division.a)] = find(first[q] + division.b);
+        join_by_walls(c, number, hull, first, up);
         InlineVector<double, 32> total;
         InlineVector<int, 32> label;
         for (int x = 0; x < n; ++x) {
@@ -246,6 +250,154 @@ private:
         add_links(c, hull, first, find, label, part, result);
         result.cut_cell.push_back(number);
         result.parts_of_cell.push_back(count);
+    }
+
+    /// Pieces that one wall inside the cell joins: what leads through a mesh, through a container, or through what several solids leave open. What
+    /// the lines of corners part counts as one. Solids that are convex and apart from each other leave no such way: a closed curve on the hull in
+    /// one of them bounds a disc of it in the cell.
+    void join_by_walls(const Index<3>& c, int number, const std::array<HullFace, 6>& hull, const std::array<int, 7>& first,
+                       InlineVector<int, 32>& up) const
+    {
+        const auto root = [](InlineVector<int, 32>& list, int x) {
+            while (list[x] != x)
+                x = list[x] = list[list[x]];
+            return x;
+        };
+        InlineVector<int, 32> joined = up;
+        for (int q = 0; q < 6; ++q)
+            for (const auto& division : hull[q].divisions())
+                joined[root(joined, first[q] + division.a)] = root(joined, first[q] + division.b);
+        const auto join = [&](int a, int b) {
+            if (root(joined, a) == root(joined, b))
+                return;
+            joined[root(joined, a)] = root(joined, b);
+            up[root(up, a)] = root(up, b);
+        };
+        const auto one = [&] {
+            for (int x = 1; x < first[6]; ++x)
+                if (root(joined, x) != root(joined, 0))
+                    return false;
+            return true;
+        };
+        if (one())
+            return;
+        InlineVector<int, 8> met; // solids that meet another one on the hull
+        bool meshes = false, others = false;
+        for (int q = 0; q < 6; ++q)
+            for (int k = 0; hull[q].face && k < hull[q].face->arcs; ++k) {
+                const PlacedSolid<3>& solid = solids_[hull[q].slab->arcs[hull[q].face->arc + k].image];
+                meshes = meshes || std::holds_alternative<FacetKind<3>>(solid.kind);
+                others = others || solid.inverse;
+            }
+        for_each_junction(hull, [&](int, const Junction<3>& j) {
+            if (j.edge >= 0)
+                return;
+            met.push_back(solids_[j.from].solid);
+            met.push_back(solids_[j.to].solid);
+            others = true;
+        });
+        if (meshes) {
+            std::vector<BorderFacet> borders;
+            for (int q = 0; q < 6; ++q)
+                for (int k = 0; hull[q].face && k < hull[q].face->arcs; ++k) {
+                    const std::int32_t arc = hull[q].face->arc + k;
+                    const BorderArc<3>& border = hull[q].slab->arcs[arc];
+                    if (std::find(met.begin(), met.end(), solids_[border.image].solid) != met.end())
+                        continue; // the other one may close the way
+                    const auto& facets = hull[q].slab->arc_facets;
+                    auto facet = std::lower_bound(facets.begin(), facets.end(), arc,
+                                                  [](const ArcFacet& f, std::int32_t a) { return f.arc < a; });
+                    for (; facet != facets.end() && facet->arc == arc; ++facet)
+                        borders.push_back({border.image, facet->facet, first[q] + border.piece});
+                }
+            FacetJoins joins;
+            for (const PiecePair& pair : joins.find(solids_, borders, facets_.of(number)))
+                join(pair.a, pair.b);
+        }
+        if (others && !one())
+            join_in_sight(c, hull, first, join, [&](int q) {
+                for (int x = first[q]; x < first[q + 1]; ++x)
+                    if (root(joined, x) != root(joined, first[q]))
+                        return false;
+                return true;
+            });
+    }
+
+    /// The box low .. high of a cell.
+    std::pair<Vec<3>, Vec<3>> box_of(const Index<3>& c) const
+    {
+        Vec<3> low, high;
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = planes_.place[axis][c[axis]];
+            high[axis] = planes_.place[axis][c[axis] + 1];
+        }
+        return {low, high};
+    }
+
+    /// Mean direction, into the cell, of the curves in which solids meet that bound a face's pieces; 0: there is none.
+    Vec<3> crease(const std::array<HullFace, 6>& hull, int face) const
+    {
+        const int d = face / 2, inward = face % 2 ? -1 : 1;
+        Vec<3> sum = Vec<3>::Zero();
+        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+            if (q != face || j.edge >= 0)
+                return;
+            Vec<3> x = j.at;
+            x[d] -= hull[q].shift;
+            const auto normal = [&](int image) { return solids_[image].shape.closest(planes_.in_world(x)).normal; };
+            const Vec<3> way = normal(j.from).cross(normal(j.to));
+            sum += (way[d] * inward > 0 ? 1 : -1) * way;
+        });
+        return sum;
+    }
+
+    /// Pieces that see each other: from the centroid of a face's only piece, which lies in it if no solid covers it, to another such, and along the
+    /// curves in which the solids around it meet. `one(q)`: whether the pieces of a face are joined.
+    template <class Join, class One>
+    void join_in_sight(const Index<3>& c, const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Join&& join,
+                       One&& one) const
+    {
+        const auto [low, high] = box_of(c);
+        std::vector<int> images;
+        for (int k = 0; k < static_cast<int>(solids_.size()); ++k)
+            if (solids_[k].inverse ||
+                ((solids_[k].low.array() <= high.array()).all() && (solids_[k].high.array() >= low.array()).all()))
+                images.push_back(k);
+        struct Place {
+            int q;
+            Vec<3> x;
+        };
+        InlineVector<Place, 6> places;
+        for (int q = 0; q < 6; ++q) {
+            if (hull[q].pieces() != 1)
+                continue;
+            const int d = q / 2;
+            Vec<3> x = 0.5 * (low + high);
+            if (hull[q].face) {
+                const Vec<2>& centroid = hull[q].slab->pieces[hull[q].face->piece].centroid;
+                x[u_axis<3>(d)] = centroid[0];
+                x[v_axis<3>(d)] = centroid[1];
+            }
+            x[d] = (q % 2 ? high : low)[d];
+            places.push_back({q, x});
+        }
+        for (const Place& from : places) {
+            for (const Place& to : places)
+                if (to.q < from.q && in_sight(planes_, solids_, images, from.x, to.x))
+                    join(first[from.q], first[to.q]);
+            const Vec<3> way = crease(hull, from.q);
+            double length = std::numeric_limits<double>::infinity();
+            int exit = from.q;
+            for (int d = 0; d < 3; ++d)
+                if (const double t = ((way[d] > 0 ? high : low)[d] - from.x[d]) / way[d];
+                    d != from.q / 2 ? way[d] != 0 && t < length : way[d] != 0 && t > 0 && t < length) {
+                    length = t;
+                    exit = 2 * d + (way[d] > 0);
+                }
+            if (exit != from.q && hull[exit].pieces() > 0 && one(exit) &&
+                in_sight(planes_, solids_, images, from.x, from.x + length * way))
+                join(first[from.q], first[exit]);
+        }
     }
 
     /// Of the edges that divide the cell, as far as they part two parts.
@@ -439,6 +591,7 @@ private:
     const DenseIndex<3>& index_;
     const std::vector<PlacedSolid<3>>& solids_;
     const CutFaces<3>& cut_;
+    const FacetsInCells& facets_;
     std::vector<std::int32_t>& cell_;
 };
 
@@ -805,9 +958,12 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives != nullptr);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
     std::vector<CellSlab<D>> slabs(cut.slabs.size());
+    std::optional<FacetsInCells> facets;
+    if constexpr (D == 3)
+        facets.emplace(planes, complex.index, placed);
     for_each_job(static_cast<int>(slabs.size()), [&](int s) {
         if constexpr (D == 3)
-            slabs[s] = CellBuilder3(grid, planes, complex.index, placed, cut, complex.cell)
+            slabs[s] = CellBuilder3(grid, planes, complex.index, placed, cut, *facets, complex.cell)
                            .build(cut.slabs[s].begin, cut.slabs[s].end);
         else
             slabs[s] = build_cells2(cut, complex.index, placed, s, complex.cell);

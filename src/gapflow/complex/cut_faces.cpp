@@ -834,6 +834,14 @@ private:
 
 namespace {
 
+void add_facets(std::vector<ArcFacet>& facets, std::int32_t number, const SquareArc& arc)
+{
+    std::int32_t last = -1;
+    for (const ArcSegment& segment : arc.segments)
+        if (segment.fin < 0 && segment.surface >= 0 && segment.surface != last)
+            facets.push_back({number, last = segment.surface});
+}
+
 template <int D>
 void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const DenseIndex<D>& index,
                  const std::vector<PlacedSolid<D>>& solids, Slab<D>& slab)
@@ -853,6 +861,8 @@ void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const Dens
         slab.pieces.insert(slab.pieces.end(), square.pieces.begin(), square.pieces.end());
         for (const SquareArc& arc : square.arcs) {
             const int image = detail.images[arc.solid];
+            if (D == 3 && std::holds_alternative<FacetKind<D>>(solids[image].kind))
+                add_facets(slab.arc_facets, static_cast<std::int32_t>(slab.arcs.size()), arc);
             slab.arcs.push_back(border_arc<D>(image, arc.piece, d, at, solids[image].reference, arc.from, arc.to, arc.bulge()));
         }
         for (int e = 0; e < 4; ++e) {

@@ -89,6 +89,11 @@ struct CornerDivision {
     int sides = 0;                     ///< 3D: which cells it divides: 1 that below the face, 2 that above it
 };
 
+/// A facet on an arc of a slab.
+struct ArcFacet {
+    std::int32_t arc, facet;
+};
+
 /// Of a general face.
 struct FaceDetail {
     std::vector<int> images;
@@ -103,6 +108,7 @@ struct Slab {
     std::vector<CutFace<D>> faces;
     std::vector<SquarePiece> pieces;
     std::vector<BorderArc<D>> arcs;
+    std::vector<ArcFacet> arc_facets; ///< 3D: of the meshes' arcs, in their order
     std::vector<FaceDetail> details;
     std::vector<OpenStretch> stretches;
     std::vector<Junction<D>> junctions;
