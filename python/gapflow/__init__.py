@@ -21,7 +21,7 @@ if "OMP_WAIT_POLICY" not in _os.environ:  # read as the library is loaded: threa
 from . import _core
 from ._core import ComputationError, InputError
 from .scene import (Ball, Body, Box, Capsule, Contact, Crowd, Cylinder, Domain, Fluid, Gap, GridOptions, HalfSpace, Hinge, Mesh, Output,
-                    Pair, Scene, SceneLike, Sides, Solver, Spring, Time, Toml)
+                    Pair, Scene, SceneLike, Sheet, Sides, Solver, Spring, Time, Toml)
 from .records import AddedMass, Budget, Films, Grid, SealedPocket, StepReport
 from .simulation import BodyState, SceneWarning, SideValues, Simulation, added_mass, check, rank
 
@@ -30,7 +30,7 @@ __version__: str = _core.__version__
 __all__ = [
     "AddedMass", "Ball", "Body", "BodyState", "Box", "Budget", "Capsule", "ComputationError", "Contact", "Crowd", "Cylinder", "Domain",
     "Films", "Fluid", "Gap", "Grid", "GridOptions", "HalfSpace", "Hinge", "InputError", "Mesh", "Output", "Pair", "Scene",
-    "SceneLike", "SceneWarning", "SealedPocket", "SideValues", "Sides", "Simulation", "Solver", "Spring", "StepReport", "Time", "Toml",
+    "SceneLike", "SceneWarning", "SealedPocket", "Sheet", "SideValues", "Sides", "Simulation", "Solver", "Spring", "StepReport", "Time", "Toml",
     "added_mass", "check", "rank",
 ]
 

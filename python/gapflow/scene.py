@@ -240,17 +240,29 @@ class Mesh(Body):
 
 @checked_names
 @dataclass(kw_only=True, slots=True)
+class Sheet(Body):
+    """A thin body of `thickness` around a middle surface: `points` of a polyline (2D), or `file` (an open OBJ or STL mesh; 2D: a polyline)."""
+
+    thickness: float
+    points: Sequence[Vector] | None = None
+    file: str | Path | None = None
+    scale: float | None = None
+    shape: Literal["sheet"] = field(default="sheet", init=False)
+
+
+@checked_names
+@dataclass(kw_only=True, slots=True)
 class Crowd:
     """Many bodies of one shape, called NAME_0001, NAME_0002 ...: either `number` or `volume_fraction` (of the region).
 
-    shape with its lengths ("ball": radius; "box": size; "capsule", "cylinder": radius, length; "mesh": file, scale). region: {"low", "high"},
+    shape with its lengths ("ball": radius; "box": size; "capsule", "cylinder": radius, length; "mesh": file, scale; "sheet": points or file, scale, thickness). region: {"low", "high"},
     {"centre", "radius"} or {"from", "to", "radius"}; the domain if not given. sizes: {"distribution", "mean", "deviation", "low", "high"} of a
     factor on all lengths. arrangement: "random" (without overlap) or "lattice" with `jitter`. spacing: smallest distance. rotation: as of a
     body, or "random". The other keys are those of a body.
     """
 
     name: str
-    shape: Literal["ball", "box", "capsule", "cylinder", "mesh"]
+    shape: Literal["ball", "box", "capsule", "cylinder", "mesh", "sheet"]
     number: int | None = None
     volume_fraction: float | None = None
     region: Mapping[str, Any] | None = None
@@ -265,6 +277,8 @@ class Crowd:
     length: float | None = None
     file: str | Path | None = None
     scale: float | None = None
+    points: Sequence[Vector] | None = None
+    thickness: float | None = None
     density: float | None = None
     mass: float | None = None
     inertia: float | Sequence[float] | Sequence[Sequence[float]] | None = None

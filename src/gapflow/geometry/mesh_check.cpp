@@ -44,50 +44,6 @@ struct CellHash {
     }
 };
 
-/// Merges vertices no further apart than `tolerance` (each with the first such vertex), drops unused vertices and facets
-/// with fewer than D different vertices, also from `source`.
-template <int D>
-SurfaceMesh<D> welded(const SurfaceMesh<D>& mesh, double tolerance, std::vector<int>& source)
-{
-    SurfaceMesh<D> result;
-    std::size_t kept = 0;
-    const double width = std::max(3 * tolerance, 1e-12 * extent(mesh)), reach = 1.001 * tolerance;
-    std::unordered_map<Cell<D>, std::vector<int>, CellHash<D>> cells;
-    const Vec<D> origin = mesh.vertices.front(); // a small mesh far away keeps small numbers of cells
-    const auto cell_of = [&](const Vec<D>& x) {
-        return Cell<D>{((x - origin) / width).array().floor().matrix().template cast<std::int64_t>()};
-    };
-    const auto merged = [&](const Vec<D>& x) {
-        for (int corner = 0; corner < (tolerance > 0 ? 1 << D : 1); ++corner) { // cells that a cube of size 2 reach touches
-            Vec<D> probe = x;
-            for (int i = 0; i < D; ++i)
-                probe[i] += corner >> i & 1 ? reach : -reach;
-            if (const auto found = cells.find(cell_of(probe)); found != cells.end())
-                for (int v : found->second)
-                    if ((result.vertices[v] - x).norm() <= tolerance)
-                        return v;
-        }
-        result.vertices.push_back(x);
-        cells[cell_of(x)].push_back(int(result.vertices.size()) - 1);
-        return int(result.vertices.size()) - 1;
-    };
-    std::vector<int> target(mesh.vertices.size(), -1);
-    for (std::size_t f = 0; f < mesh.elements.size(); ++f) {
-        std::array<int, D> facet = mesh.elements[f];
-        for (int& v : facet) {
-            if (target[v] < 0)
-                target[v] = merged(mesh.vertices[v]);
-            v = target[v];
-        }
-        if (facet[0] != facet[1] && (D == 2 || (facet[1] != facet[D - 1] && facet[D - 1] != facet[0]))) {
-            result.elements.push_back(facet);
-            source[kept++] = source[f];
-        }
-    }
-    source.resize(kept);
-    return result;
-}
-
 /// The same facets without the vertices that none of them uses.
 template <int D>
 SurfaceMesh<D> compacted(const std::vector<Vec<D>>& vertices, std::vector<std::array<int, D>> facets)
@@ -269,6 +225,48 @@ void check_nesting(const ClosedSurface<D>& surface, const std::string& name)
 } // namespace
 
 template <int D>
+SurfaceMesh<D> welded(const SurfaceMesh<D>& mesh, double tolerance, std::vector<int>& source)
+{
+    SurfaceMesh<D> result;
+    std::size_t kept = 0;
+    const double width = std::max(3 * tolerance, 1e-12 * extent(mesh)), reach = 1.001 * tolerance;
+    std::unordered_map<Cell<D>, std::vector<int>, CellHash<D>> cells;
+    const Vec<D> origin = mesh.vertices.front(); // a small mesh far away keeps small numbers of cells
+    const auto cell_of = [&](const Vec<D>& x) {
+        return Cell<D>{((x - origin) / width).array().floor().matrix().template cast<std::int64_t>()};
+    };
+    const auto merged = [&](const Vec<D>& x) {
+        for (int corner = 0; corner < (tolerance > 0 ? 1 << D : 1); ++corner) { // cells that a cube of size 2 reach touches
+            Vec<D> probe = x;
+            for (int i = 0; i < D; ++i)
+                probe[i] += corner >> i & 1 ? reach : -reach;
+            if (const auto found = cells.find(cell_of(probe)); found != cells.end())
+                for (int v : found->second)
+                    if ((result.vertices[v] - x).norm() <= tolerance)
+                        return v;
+        }
+        result.vertices.push_back(x);
+        cells[cell_of(x)].push_back(int(result.vertices.size()) - 1);
+        return int(result.vertices.size()) - 1;
+    };
+    std::vector<int> target(mesh.vertices.size(), -1);
+    for (std::size_t f = 0; f < mesh.elements.size(); ++f) {
+        std::array<int, D> facet = mesh.elements[f];
+        for (int& v : facet) {
+            if (target[v] < 0)
+                target[v] = merged(mesh.vertices[v]);
+            v = target[v];
+        }
+        if (facet[0] != facet[1] && (D == 2 || (facet[1] != facet[D - 1] && facet[D - 1] != facet[0]))) {
+            result.elements.push_back(facet);
+            source[kept++] = source[f];
+        }
+    }
+    source.resize(kept);
+    return result;
+}
+
+template <int D>
 double winding_number(const SurfaceMesh<D>& mesh, const Vec<D>& x)
 {
     double sum = 0;
@@ -324,6 +322,8 @@ ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name, co
 
 template ClosedSurface<2> closed_surface<2>(SurfaceMesh<2>, const std::string&, const std::vector<int>&);
 template ClosedSurface<3> closed_surface<3>(SurfaceMesh<3>, const std::string&, const std::vector<int>&);
+template SurfaceMesh<2> welded(const SurfaceMesh<2>&, double, std::vector<int>&);
+template SurfaceMesh<3> welded(const SurfaceMesh<3>&, double, std::vector<int>&);
 template double winding_number<2>(const SurfaceMesh<2>&, const Vec<2>&);
 template double winding_number<3>(const SurfaceMesh<3>&, const Vec<3>&);
 

@@ -29,6 +29,11 @@ struct ClosedSurface {
 template <int D>
 ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name, const std::vector<int>& lines = {});
 
+/// Merges vertices no further apart than `tolerance` (each with the first such vertex), drops unused vertices and facets
+/// with fewer than D different vertices, also from `source`.
+template <int D>
+SurfaceMesh<D> welded(const SurfaceMesh<D>& mesh, double tolerance, std::vector<int>& source);
+
 /// Generalised winding number of the surface around x: 1 inside a simple outward surface, 0 outside
 /// (Jacobson et al. 2013; solid angles by Van Oosterom & Strackee 1983).
 template <int D>

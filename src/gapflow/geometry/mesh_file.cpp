@@ -193,23 +193,29 @@ SurfaceMesh<3> read_binary_stl(const std::string& text, std::int64_t count, cons
     return mesh;
 }
 
-SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, double scale, std::vector<int>& lines)
+SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, double scale, bool open, std::vector<int>& lines)
 {
     SurfaceMesh<2> mesh;
-    std::size_t first = 0; // vertex of the loop being read
+    std::vector<int> line_of; // of each vertex
+    std::size_t first = 0;    // vertex of the loop or polyline being read
     int last_line = 0;
     const auto close = [&](int line) {
-        if (mesh.vertices.size() - first > 1 && mesh.vertices.back() == mesh.vertices[first]) {
-            mesh.vertices.pop_back(); // the loop repeats its first vertex
-            lines.pop_back();
+        const bool repeats = mesh.vertices.size() - first > 1 && mesh.vertices.back() == mesh.vertices[first];
+        if (repeats) { // the first vertex
+            mesh.vertices.pop_back();
+            line_of.pop_back();
         }
         const std::size_t n = mesh.vertices.size() - first;
         if (n == 0)
             return;
-        if (n < 3)
+        if (open && n < 2)
+            fail(file, line, "a polyline has one point; it needs at least 2");
+        if (!open && n < 3)
             fail(file, line, "a loop has ", n, " vertices; it needs at least 3");
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t i = 0; i < (open && !repeats ? n - 1 : n); ++i) {
             mesh.elements.push_back({int(first + i), int(first + (i + 1) % n)});
+            lines.push_back(line_of[first + i]); // where the segment starts
+        }
         first = mesh.vertices.size();
     };
     for_each_line(text, [&](const auto& words, int line, bool comment) {
@@ -218,7 +224,7 @@ SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, do
             const Vec<2> x = point_of<2>(words, 0, scale, file, line);
             if (mesh.vertices.size() == first || mesh.vertices.back() != x) {
                 mesh.vertices.push_back(x);
-                lines.push_back(line); // of the segment that starts here
+                line_of.push_back(line);
             }
         } else if (!words.empty())
             fail(file, line, "expected \"x y\", found ", words.size(), " words; write two numbers a line");
@@ -232,13 +238,13 @@ SurfaceMesh<2> read_polygon(const std::string& text, const std::string& file, do
 } // namespace
 
 template <int D>
-SurfaceMesh<D> read_surface_file(const std::string& file, double scale, std::vector<int>* lines)
+SurfaceMesh<D> read_surface_file(const std::string& file, double scale, std::vector<int>* lines, bool open)
 {
-    return parse_surface<D>(whole_file(file), file, scale, lines);
+    return parse_surface<D>(whole_file(file), file, scale, lines, open);
 }
 
 template <int D>
-SurfaceMesh<D> parse_surface(const std::string& text, const std::string& file, double scale, std::vector<int>* lines)
+SurfaceMesh<D> parse_surface(const std::string& text, const std::string& file, double scale, std::vector<int>* lines, bool open)
 {
     std::vector<int> line_of_facet;
     std::string extension = file.substr(std::min(file.rfind('.'), file.size()));
@@ -246,7 +252,7 @@ SurfaceMesh<D> parse_surface(const std::string& text, const std::string& file, d
                    [](unsigned char c) { return char(std::tolower(c)); });
     SurfaceMesh<D> mesh;
     if constexpr (D == 2)
-        mesh = read_polygon(text, file, scale, line_of_facet);
+        mesh = read_polygon(text, file, scale, open, line_of_facet);
     else if (extension == ".obj")
         mesh = read_obj(text, file, scale, line_of_facet);
     else if (extension == ".stl") {
@@ -266,8 +272,8 @@ SurfaceMesh<D> parse_surface(const std::string& text, const std::string& file, d
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template SurfaceMesh<D> read_surface_file<D>(const std::string&, double, std::vector<int>*);                               \
-    template SurfaceMesh<D> parse_surface<D>(const std::string&, const std::string&, double, std::vector<int>*);
+    template SurfaceMesh<D> read_surface_file<D>(const std::string&, double, std::vector<int>*, bool);                         \
+    template SurfaceMesh<D> parse_surface<D>(const std::string&, const std::string&, double, std::vector<int>*, bool);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -1,10 +1,27 @@
 #include "gapflow/scene/body_shape.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/geometry/mesh_file.hpp"
+#include "gapflow/geometry/sheet.hpp"
 
 namespace gapflow {
 
 namespace {
+
+template <int D>
+SurfaceMesh<D> surface_of_sheet(const BodyScene& body)
+{
+    if constexpr (D == 2)
+        if (!body.points.empty()) {
+            std::vector<Vec<2>> points;
+            for (const Triple& x : body.points)
+                points.push_back(body.mesh_scale * to_vec<2>(x));
+            return sheet_surface(polyline(points), body.thickness);
+        }
+    std::vector<int> lines;
+    SurfaceMesh<D> middle = read_surface_file<D>(body.mesh_file, body.mesh_scale, &lines, true);
+    return sheet_surface(std::move(middle), body.thickness, lines);
+}
 
 template <int D>
 std::unique_ptr<Shape<D>> make_outside_in(const BodyScene& body)
@@ -25,6 +42,8 @@ std::unique_ptr<Shape<D>> make_outside_in(const BodyScene& body)
         return make_half_space<D>(to_vec<D>(body.normal));
     case Kind::mesh:
         return make_mesh<D>(body.mesh_file, body.mesh_scale);
+    case Kind::sheet:
+        return make_mesh<D>(surface_of_sheet<D>(body), "body '" + body.name + "'");
     }
     throw InputError("body '" + body.name + "': a cylinder needs three dimensions; use a ball (a disk) or a capsule");
 }

@@ -16,7 +16,7 @@ Vec<D> to_vec(const Triple& t)
 }
 
 /// The body's shape, turned inside out where the scene says so. Throws InputError for mesh files that cannot be read or are not
-/// closed.
+/// closed, SheetError for sheets of which no solid can be made.
 template <int D>
 std::unique_ptr<Shape<D>> make_shape(const BodyScene& body);
 

@@ -130,7 +130,8 @@ ShapeHull<D> hull_of(const BodyScene& body, const Shape<D>& shape)
     case Kind::half_space:
         corners(shape.bounds().low, shape.bounds().high);
         break;
-    case Kind::mesh: {
+    case Kind::mesh:
+    case Kind::sheet: {
         const Bounds<D> bounds = shape.bounds();
         result.centre = 0.5 * (bounds.low + bounds.high);
         for (const Vec<D>& x : shape.display_mesh((bounds.high - bounds.low).norm()).vertices)
@@ -240,7 +241,7 @@ CrowdRoom<D>::CrowdRoom(const Scene& scene)
         Vec<D> at = bounded ? placed.to_world(0.5 * (bounds.low + bounds.high)) : pose.position;
         Hull<D> hull;
         if (bounded && !body.inside_out && shape->convex() && body.shape != BodyScene::ShapeKind::half_space &&
-            body.shape != BodyScene::ShapeKind::mesh) {
+            body.shape != BodyScene::ShapeKind::mesh && body.shape != BodyScene::ShapeKind::sheet) {
             const ShapeHull<D> own = hull_of<D>(body, *shape);
             at = placed.to_world(own.centre);
             hull = own.hull.turned(placed.rotation(), 1);

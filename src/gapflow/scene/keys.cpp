@@ -77,7 +77,7 @@ std::vector<KeyInfo> body_keys()
          "",
          "",
          any,
-         {"box", "ball", "capsule", "cylinder", "half-space", "mesh"},
+         {"box", "ball", "capsule", "cylinder", "half-space", "mesh", "sheet"},
          "shape of the solid; a ball is a disk in 2D",
          "always"},
         {"body.size", T::vector, "m", "", positive, {}, "edge lengths of a box", "for a box"},
@@ -97,9 +97,31 @@ std::vector<KeyInfo> body_keys()
          "",
          any,
          {},
-         "of a mesh: its surface (OBJ or STL; 2D: polygon); else the motion of a prescribed body",
-         "for a mesh"},
-        {"body.scale", T::number, "", "1.0", positive, {}, "of a mesh: factor on its file's coordinates"},
+         "of a mesh: its surface (OBJ or STL; 2D: polygon); of a sheet: its middle surface (an open one; 2D: polyline); else "
+         "the motion of a prescribed body",
+         "for a mesh, and a sheet without points"},
+        {"body.scale",
+         T::number,
+         "",
+         "1.0",
+         positive,
+         {},
+         "of a mesh or sheet: factor on the coordinates of its file or points"},
+        {"body.points",
+         T::vectors,
+         "m",
+         "",
+         any,
+         {},
+         "of a sheet in 2D: its polyline; the last point may be the first one (a ring)"},
+        {"body.thickness",
+         T::number,
+         "m",
+         "",
+         positive,
+         {},
+         "of a sheet: half of it lies on each side of the middle surface, whose ends are cut off at right angles",
+         "for a sheet"},
         {"body.inside_out", T::flag, "", "false", any, {}, "the solid is everything outside the shape"},
         {"body.position", T::vector, "m", "0.0", any, {}, "of the shape's own origin"},
         {"body.rotation", T::rotation, "degrees", "", any, {}, "from body axes to world axes; none if not given"},
@@ -126,7 +148,8 @@ std::vector<KeyInfo> body_keys()
          "",
          any,
          {},
-         "motion of a prescribed body (for a mesh, whose file is its surface): rows of time,x,y,angle (radians; or angle_deg) "
+         "motion of a prescribed body (for a mesh or sheet, whose file is its surface): rows of time,x,y,angle (radians; or "
+         "angle_deg) "
          "or time,x,y,z,qw,qx,qy,qz; a first line of names tells another order, and may have the velocities vx,vy,omega or "
          "vx,vy,vz,wx,wy,wz too"},
         {"body.interpolation",
@@ -264,7 +287,7 @@ std::vector<KeyInfo> crowd_keys()
         if (name == "shape")
             std::erase(key.choices, "half-space");
         else if (name == "file")
-            key.meaning = "of a mesh: its surface (OBJ or STL; 2D: polygon)";
+            key.meaning = "of a mesh: its surface (OBJ or STL; 2D: polygon); of a sheet: its middle surface (2D: polyline)";
         else if (name == "mass" || name == "inertia")
             key.meaning += "; of a body of size factor 1";
         else if (name == "motion")

@@ -1,3 +1,5 @@
+#include "gapflow/geometry/sheet.hpp"
+#include "gapflow/scene/body_shape.hpp"
 #include "gapflow/scene/check_keys.hpp"
 #include "gapflow/scene/read_parts.hpp"
 #include "gapflow/scene/time_table.hpp"
@@ -36,21 +38,63 @@ void read_name(const Values& v, const Scene& scene, BodyScene& body)
 /// The shape's own keys: all of them are needed but mesh scale; keys of other shapes are refused.
 void check_shape_keys(const Values& v, const std::string& shape, ShapeKind kind)
 {
-    static const std::vector<std::vector<std::string>> keys_of{
-        {"size"}, {"radius"}, {"radius", "length"}, {"radius", "length"}, {"normal"}, {"file", "scale"}};
+    static const std::vector<std::vector<std::string>> keys_of{{"size"},
+                                                               {"radius"},
+                                                               {"radius", "length"},
+                                                               {"radius", "length"},
+                                                               {"normal"},
+                                                               {"file", "scale"},
+                                                               {"thickness", "points", "file", "scale"}};
+    static const std::vector<std::string> optional{"scale", "points"};
     const auto& own = keys_of[static_cast<std::size_t>(kind)];
-    for (const char* name : {"size", "radius", "length", "normal", "scale"})
+    for (const char* name : {"size", "radius", "length", "normal", "scale", "points", "thickness"})
         if (v.given(name) && !contains(own, name))
             v.refuse(name, "a " + shape + " has no " + name, "remove it; the keys of this shape are: " + joined(own));
     for (const std::string& name : own)
-        if (name != "scale" && !v.given(name))
-            v.refuse_missing(name, "a " + shape + " needs it");
+        if (!contains(optional, name) && !v.given(name) && !(name == "file" && v.given("points")))
+            v.refuse_missing(name, "a " + shape + " needs it" +
+                                       (kind == ShapeKind::sheet && name == "file" && v.dimension() == 2 ? ", or points" : ""));
 }
 
 ShapeKind shape_named(const std::string& word)
 {
-    static const std::vector<std::string> words{"box", "ball", "capsule", "cylinder", "half-space", "mesh"};
+    static const std::vector<std::string> words{"box", "ball", "capsule", "cylinder", "half-space", "mesh", "sheet"};
     return static_cast<ShapeKind>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+void read_surface_path(const Values& v, const Scene& scene, BodyScene& body)
+{
+    body.mesh_file = resolved_path(scene, v.text("file"));
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(body.mesh_file, error) || !std::ifstream(body.mesh_file))
+        v.refuse("file", "cannot read the " + v.text("shape") + " " + body.mesh_file,
+                 "paths are relative to the scene's folder; check that the file is there");
+}
+
+/// Its solid is made once here, so that what is wrong with it is said of the scene's key.
+void read_sheet(const Values& v, const Scene& scene, BodyScene& body)
+{
+    const char* surface = v.given("points") ? "points" : "file";
+    if (v.given("points") && v.given("file"))
+        v.refuse("file", "given together with points", "keep one of them; a motion's file is motion_file");
+    if (v.given("points") && scene.dimension == 3)
+        v.refuse("points", "a polyline is a sheet in 2D only", "give file, an open mesh");
+    if (body.inside_out)
+        v.refuse("inside_out", "a sheet has no inside", "remove it; a closed polyline or mesh encloses fluid as it is");
+    body.thickness = v.number("thickness");
+    if (v.given("file"))
+        read_surface_path(v, scene, body);
+    else
+        for (const Node& x : v.given("points")->items)
+            body.points.push_back(to_triple(x));
+    try {
+        if (scene.dimension == 2)
+            make_shape<2>(body);
+        else
+            make_shape<3>(body);
+    } catch (const SheetError& error) {
+        v.refuse(error.of_thickness ? "thickness" : surface, error.problem, error.remedy);
+    }
 }
 
 void read_shape(const Values& v, const Scene& scene, BodyScene& body)
@@ -71,14 +115,12 @@ void read_shape(const Values& v, const Scene& scene, BodyScene& body)
             v.refuse("normal", "a normal of length 0", "give the direction out of the solid");
     }
     body.inside_out = v.known("inside_out") && v.flag("inside_out");
-    if (body.shape != ShapeKind::mesh)
-        return;
-    body.mesh_scale = v.number("scale");
-    body.mesh_file = resolved_path(scene, v.text("file"));
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(body.mesh_file, error) || !std::ifstream(body.mesh_file))
-        v.refuse("file", "cannot read the mesh " + body.mesh_file,
-                 "paths are relative to the scene's folder; check that the file is there");
+    if (body.shape == ShapeKind::mesh || body.shape == ShapeKind::sheet)
+        body.mesh_scale = v.number("scale");
+    if (body.shape == ShapeKind::mesh)
+        read_surface_path(v, scene, body);
+    if (body.shape == ShapeKind::sheet)
+        read_sheet(v, scene, body);
 }
 
 void read_rotation(const Values& v, BodyScene& body)
@@ -147,10 +189,10 @@ void read_mass(const Values& v, bool moves, BodyScene& body)
         v.refuse_missing("density", "a free body needs density, or mass and inertia");
 }
 
-/// The key that names the motion's file, or null: motion_file, or file unless that is the mesh.
+/// The key that names the motion's file, or null: motion_file, or file unless that is the mesh or sheet.
 const char* motion_key(const Values& v, const BodyScene& body)
 {
-    const bool file = v.given("file") && body.shape != ShapeKind::mesh;
+    const bool file = v.given("file") && body.shape != ShapeKind::mesh && body.shape != ShapeKind::sheet;
     if (file && v.given("motion_file"))
         v.refuse("motion_file", "given together with file", "keep one of them");
     return v.given("motion_file") ? "motion_file" : file ? "file" : nullptr;

@@ -242,6 +242,7 @@ BodyScene scaled(BodyScene body, double factor, int dimension)
     body.radius *= factor;
     body.length *= factor;
     body.mesh_scale *= factor;
+    body.thickness *= factor;
     const double volume = dimension == 2 ? factor * factor : factor * factor * factor;
     if (body.mass)
         body.mass = *body.mass * volume;
@@ -305,7 +306,7 @@ void add_crowd(const Values& v, bool moves, CrowdRoom<D>& room, Scene& scene)
         v.refuse("volume_fraction", "given together with number", "keep one of them");
     if (!v.given("number") && !v.given("volume_fraction"))
         v.refuse_missing("number", "a crowd needs number or volume_fraction");
-    if (v.given("file") && v.text("shape") != "mesh")
+    if (v.given("file") && v.text("shape") != "mesh" && v.text("shape") != "sheet")
         v.refuse("file", "a " + v.text("shape") + " has no file",
                  "remove it; a crowd moves with constant velocities, not as in a file");
     const BodyScene body = read_crowd_body(v, moves, scene);

@@ -73,17 +73,19 @@ struct HingeScene {
 };
 
 struct BodyScene {
-    enum class ShapeKind { box, ball, capsule, cylinder, half_space, mesh };
+    enum class ShapeKind { box, ball, capsule, cylinder, half_space, mesh, sheet };
     enum class Motion { free, fixed, prescribed };
 
     std::string name;
     ShapeKind shape = ShapeKind::ball;
-    Triple size{};         ///< box
-    double radius = 0.0;   ///< ball, capsule, cylinder
-    double length = 0.0;   ///< capsule (between the centres of its caps), cylinder
-    Triple normal{};       ///< half-space: out of the solid
-    std::string mesh_file; ///< mesh, resolved against the scene's folder
-    double mesh_scale = 1.0;
+    Triple size{};              ///< box
+    double radius = 0.0;        ///< ball, capsule, cylinder
+    double length = 0.0;        ///< capsule (between the centres of its caps), cylinder
+    Triple normal{};            ///< half-space: out of the solid
+    std::string mesh_file;      ///< mesh, sheet: resolved against the scene's folder; a sheet of points has none
+    double mesh_scale = 1.0;    ///< also of the points
+    std::vector<Triple> points; ///< sheet in 2D: its polyline
+    double thickness = 0.0;     ///< sheet
     bool inside_out = false;
 
     Triple position{};                            ///< of the shape's own origin

@@ -57,7 +57,7 @@ Json contact_json(const ContactScene& contact)
 void add_shape(Json& json, const BodyScene& body, const Lists& list)
 {
     using Kind = BodyScene::ShapeKind;
-    json["shape"] = word({"box", "ball", "capsule", "cylinder", "half-space", "mesh"}, body.shape);
+    json["shape"] = word({"box", "ball", "capsule", "cylinder", "half-space", "mesh", "sheet"}, body.shape);
     if (body.shape == Kind::box)
         json["size"] = list.vector(body.size);
     if (body.shape == Kind::ball || body.shape == Kind::capsule || body.shape == Kind::cylinder)
@@ -66,9 +66,15 @@ void add_shape(Json& json, const BodyScene& body, const Lists& list)
         json["length"] = body.length;
     if (body.shape == Kind::half_space)
         json["normal"] = list.vector(body.normal);
-    if (body.shape == Kind::mesh) {
-        json["file"] = body.mesh_file;
+    if (body.shape == Kind::mesh || body.shape == Kind::sheet) {
+        if (body.points.empty())
+            json["file"] = body.mesh_file;
         json["scale"] = body.mesh_scale;
+    }
+    if (body.shape == Kind::sheet) {
+        for (const Triple& x : body.points)
+            json["points"].push_back(list.vector(x));
+        json["thickness"] = body.thickness;
     }
     json["inside_out"] = body.inside_out;
 }

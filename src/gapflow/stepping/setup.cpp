@@ -165,16 +165,16 @@ class MeshShapes {
 public:
     std::shared_ptr<const Shape<D>> of(const BodyScene& body)
     {
-        if (body.shape != BodyScene::ShapeKind::mesh)
+        if (body.shape != BodyScene::ShapeKind::mesh && (body.shape != BodyScene::ShapeKind::sheet || !body.points.empty()))
             return make_shape<D>(body);
-        std::shared_ptr<const Shape<D>>& shape = made_[{body.mesh_file, body.mesh_scale, body.inside_out}];
+        std::shared_ptr<const Shape<D>>& shape = made_[{body.mesh_file, body.mesh_scale, body.thickness, body.inside_out}];
         if (!shape)
             shape = make_shape<D>(body);
         return shape;
     }
 
 private:
-    std::map<std::tuple<std::string, double, bool>, std::shared_ptr<const Shape<D>>> made_;
+    std::map<std::tuple<std::string, double, double, bool>, std::shared_ptr<const Shape<D>>> made_;
 };
 
 /// A body has an image for every period that it spans: of one as wide as ten they would be hundreds, each in the other.

@@ -5,9 +5,13 @@
 #include "gapflow/geometry/thickness.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace gapflow {
 
@@ -116,6 +120,37 @@ std::vector<ThinBody<D>> thin_bodies(const Scene& scene, const std::vector<Rigid
 
 namespace {
 
+/// How far a thin body reaches along its surface, whichever way it lies in its own frame: its extent along the longest principal axis, in 3D along the
+/// second longest.
+template <int D>
+double extent_along(const Shape<D>& shape, double cell)
+{
+    Mat<D> axes = Mat<D>::Identity();
+    const std::vector<Vec<D>> points = shape.display_mesh(0.1 * cell).vertices;
+    if constexpr (D == 3)
+        axes = Eigen::SelfAdjointEigenSolver<Mat<3>>(shape.mass_properties().inertia).eigenvectors();
+    else { // of the surface's points: a twist has one moment of inertia
+        Vec<2> middle = Vec<2>::Zero();
+        for (const Vec<2>& x : points)
+            middle += x / static_cast<double>(points.size());
+        Mat<2> square = Mat<2>::Zero();
+        for (const Vec<2>& x : points)
+            square += (x - middle) * (x - middle).transpose();
+        axes = Eigen::SelfAdjointEigenSolver<Mat<2>>(square).eigenvectors();
+    }
+    std::array<double, D> extent;
+    for (int k = 0; k < D; ++k) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Vec<D>& x : points) {
+            low = std::min(low, axes.col(k).dot(x));
+            high = std::max(high, axes.col(k).dot(x));
+        }
+        extent[k] = high - low;
+    }
+    std::sort(extent.begin(), extent.end());
+    return extent[1];
+}
+
 template <int D>
 std::vector<std::string> short_body_warnings(const Scene& scene, const std::vector<RigidBody<D>>& bodies,
                                              const DomainWalls<D>& walls)
@@ -124,8 +159,7 @@ std::vector<std::string> short_body_warnings(const Scene& scene, const std::vect
     for (const ThinBody<D>& thin : thin_bodies<D>(scene, bodies, walls)) {
         const auto body =
             std::find_if(bodies.begin(), bodies.end(), [&](const RigidBody<D>& b) { return b.name == thin.name; });
-        const Bounds<D> bounds = body->shape->bounds();
-        const double cells = (bounds.high - bounds.low).maxCoeff() / scene.spacing();
+        const double cells = extent_along<D>(*body->shape, scene.spacing()) / scene.spacing();
         if (!(cells < long_enough))
             continue;
         char text[160];

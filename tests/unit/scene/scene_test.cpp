@@ -94,6 +94,13 @@ length = 0.5
 motion = "prescribed"
 file = "MOTION"
 [[body]]
+name = "foil"
+shape = "sheet"
+points = [[0.2, 0.2], [0.4, 0.2], [0.5, 0.3]]
+scale = 0.5
+thickness = 1e-3
+motion = "fixed"
+[[body]]
 name = "ramp"
 shape = "half-space"
 normal = [1, 1]
