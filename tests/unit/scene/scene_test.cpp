@@ -311,8 +311,14 @@ max_step = 0.1
 TEST(Scene, Bodies2D)
 {
     const Scene s = flat();
-    ASSERT_EQ(s.bodies.size(), 4u);
-    const BodyScene &box = s.bodies[0], &ball = s.bodies[1], &arm = s.bodies[2], &ramp = s.bodies[3];
+    ASSERT_EQ(s.bodies.size(), 5u);
+    const BodyScene &box = s.bodies[0], &ball = s.bodies[1], &arm = s.bodies[2], &foil = s.bodies[3],
+                    &ramp = s.bodies[4];
+    EXPECT_EQ(foil.shape, BodyScene::ShapeKind::sheet);
+    EXPECT_EQ(foil.points.size(), 3u);
+    EXPECT_EQ(foil.points[2], (Triple{0.5, 0.3, 0}));
+    EXPECT_EQ(foil.mesh_scale, 0.5);
+    EXPECT_EQ(foil.thickness, 1e-3);
     EXPECT_EQ(box.shape, BodyScene::ShapeKind::box);
     EXPECT_EQ(box.size, (Triple{1, 0.5, 0}));
     EXPECT_NEAR(box.angle, pi / 6, 1e-15);
