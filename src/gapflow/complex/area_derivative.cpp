@@ -106,6 +106,62 @@ Slope slope_of(const PlacedSolid<3>& solid, int d, double at, const ArcSegment& 
         solid.kind);
 }
 
+/// Velocity, normal to a rim's chord in a face, of one of its ends over the solid's twist: where the cone crosses an edge of the grid, or at the rim
+/// itself.
+Twist<3> chord_end_speed(const SharpRim& rim, const Vec<3>& reference, int d, double at, const Vec<2>& end, int edge,
+                         const Vec<3>& normal)
+{
+    Vec<3> x;
+    x[d] = at;
+    x[u_axis<3>(d)] = end[0];
+    x[v_axis<3>(d)] = end[1];
+    const Vec<3> r = x - rim.centre, radial = (r - r.dot(rim.normal) * rim.normal).normalized();
+    if (edge >= 0) { // along the edge
+        const int along = edge_axis<3>(d, edge);
+        const Vec<3> cone = rim.normal - radial;
+        return wrench<3>(cone * (normal[along] / cone[along]), x - reference);
+    }
+    const Vec<3> tangent = rim.normal.cross(radial); // with the rim, less what leaves the plane along it
+    return wrench<3>(normal - normal.dot(tangent) / tangent[d] * Vec<3>::Unit(d), x - reference);
+}
+
+/// A chord of a rim's cone moves with its two ends.
+void add_rim_chord(const FacePlane& face, const Vec<2>& low, const Vec<2>& high, const SharpRim& rim, const Vec<3>& reference,
+                   const ArcSegment& segment, PieceRate<3>& rate)
+{
+    const Vec<2> way = segment.to - segment.from;
+    const double length = way.norm();
+    double least = std::numeric_limits<double>::infinity();
+    RimLine chord;
+    for (const RimLine& line : rim_lines(rim, face.d, face.at, low, high)) {
+        const Vec<2> along = (line.to - line.from).normalized();
+        double off = 0;
+        for (const Vec<2>& x : {segment.from, segment.to})
+            off += std::abs((x - line.from)[0] * along[1] - (x - line.from)[1] * along[0]);
+        if (off < least) {
+            least = off;
+            chord = line;
+        }
+    }
+    if (!(least < length) || !(length > 0))
+        return;
+    Vec<3> normal = Vec<3>::Zero();
+    normal[u_axis<3>(face.d)] = -way[1] / length;
+    normal[v_axis<3>(face.d)] = way[0] / length;
+    const Twist<3> from = chord_end_speed(rim, reference, face.d, face.at, chord.from, chord.from_edge, normal),
+                   to = chord_end_speed(rim, reference, face.d, face.at, chord.to, chord.to_edge, normal);
+    const Vec<2> whole = chord.to - chord.from;
+    const auto speed = [&](const Vec<2>& x) {
+        const double t = (x - chord.from).dot(whole) / whole.squaredNorm();
+        return Twist<3>((1 - t) * from + t * to);
+    };
+    const Twist<3> a = speed(segment.from), b = speed(segment.to);
+    const Vec<2> A = segment.from - face.centre, B = segment.to - face.centre;
+    rate.area -= 0.5 * length * (a + b);
+    for (const auto& [j, row] : {std::pair{0, u_axis<3>(face.d)}, {1, v_axis<3>(face.d)}})
+        rate.moment.row(row) -= length / 6 * ((2 * A[j] + B[j]) * a + (A[j] + 2 * B[j]) * b).transpose();
+}
+
 template <int D>
 PieceRate<D>& rate_of(std::vector<PieceRate<D>>& rates, std::size_t begin, int solid)
 {
@@ -146,8 +202,14 @@ SlabRates slab_rates(const CutFaces<3>& cut, const GridPlanes<3>& planes, const 
                     continue;
                 const PlacedSolid<3>& solid = solids[arc.solid];
                 PieceRate<3>& rate = rate_of(result.rates, begin, solid.solid);
+                const int edges = static_cast<int>(solid.sharp.edges.size());
                 for (const ArcSegment& segment : arc.segments)
-                    add_segment(plane, solid.reference, segment, slope_of(solid, d, plane.at, segment), rate);
+                    if (const int edge = surface_of_fin(segment.surface); segment.surface < -1 && edge >= edges)
+                        add_rim_chord(plane, {planes.place[u][f[u]], planes.place[v][f[v]]},
+                                      {planes.place[u][f[u] + 1], planes.place[v][f[v] + 1]}, solid.sharp.rims[edge - edges],
+                                      solid.reference, segment, rate);
+                    else
+                        add_segment(plane, solid.reference, segment, slope_of(solid, d, plane.at, segment), rate);
             }
             result.begin[face.piece + p] = static_cast<std::int32_t>(begin);
             result.end[face.piece + p] = static_cast<std::int32_t>(result.rates.size());

@@ -440,27 +440,28 @@ private:
             CellSectors sectors;
             for (int k = 0; k < static_cast<int>(solids_.size()) && image < 0; ++k)
                 if (solids_[k].solid == solids_[pair.image].solid) {
-                    sectors = cell_sectors(solids_[k].sharp, low, high);
-                    if (std::find(sectors.edges.begin(), sectors.edges.end(), pair.edge) != sectors.edges.end())
+                    sectors = cell_sectors(solids_[k].sharp, c, low, high);
+                    if (divided_by(solids_[k].sharp, sectors, pair.edge))
                         image = k;
                 }
             if (image < 0)
                 continue;
-            const SharpSolid& sharp = solids_[image].sharp;
-            const BisectorAreas areas = bisector_areas(sharp, sectors, pair.edge, low, high);
-            double all = 0, length = 0;
+            const EdgeInCell edge = edge_in_cell(solids_[image].sharp, sectors, pair.edge, c, low, high);
+            double all = 0;
             for (const Pair& other : pairs)
                 if (other.edge == pair.edge && solids_[other.image].solid == solids_[pair.image].solid)
                     all += other.open;
-            for (std::size_t k = 0; k < sectors.edges.size(); ++k)
-                if (sectors.edges[k] == pair.edge)
-                    length = sectors.lengths[k];
-            const double open = pair.open / all * areas.open;
-            const SharpEdge& edge = sharp.edges[pair.edge];
+            const double open = pair.open / all * edge.open;
             result.links.push_back({part + pair.a, part + pair.b, solids_[image].solid,
-                                    corner_conductance(edge.angle, open, areas.covered / length), open, areas.covered,
-                                    0.5 * (edge.from + edge.to)});
+                                    corner_conductance(edge.angle, open, edge.covered / edge.length), open, edge.covered,
+                                    edge.at});
         }
+    }
+    static bool divided_by(const SharpSolid& sharp, const CellSectors& sectors, int edge)
+    {
+        const int edges = static_cast<int>(sharp.edges.size());
+        return edge < edges ? std::find(sectors.edges.begin(), sectors.edges.end(), edge) != sectors.edges.end()
+                            : std::find(sectors.rims.begin(), sectors.rims.end(), edge - edges) != sectors.rims.end();
     }
 
     /// Where solids meet in a part the curve leads by straight ways over a middle. Where the plane by which an edge divides the cell meets
@@ -473,7 +474,7 @@ private:
         };
         InlineVector<Plane, 2> planes;
         int count = 0;
-        bool apart = true;
+        bool apart = true, crossed = false; ///< crossed: planes of two solids meet
         Vec<3> middle = Vec<3>::Zero();
 
         const Plane* find(const Junction<3>& j) const
@@ -512,12 +513,13 @@ private:
         bool plain = false;
         for_each_junction(hull, [&](int q, const Junction<3>& j) {
             const int part = label[find(first[q] + j.piece)];
-            if (part < 0 || (j.edge >= 0 && !divides(j, q)))
+            if (part < 0 || !divides(j, q))
                 return;
             meetings.middle += j.at;
             ++meetings.count;
-            if (j.edge < 0) {
+            if (j.lines != 1) {
                 plain = true;
+                meetings.crossed = meetings.crossed || j.lines > 1;
                 return;
             }
             const auto* known = meetings.find(j);
@@ -572,9 +574,11 @@ private:
         if (junctions)
             middle /= junctions;
         for_each_junction(hull, [&](int q, const Junction<3>& j) {
-            if (label[find(first[q] + j.piece)] != p || (j.edge >= 0 && !divides(j, q)))
+            if (label[find(first[q] + j.piece)] != p || !divides(j, q))
                 return; // of a line that divides the cell on the face's other side both sides belong to the part
-            const Vec<3>& over = meetings.planes.empty() ? middle : meetings.apart ? meetings.find(j)->middle : meetings.middle;
+            const Vec<3>& over = meetings.planes.empty() && !meetings.crossed ? middle
+                                 : meetings.apart                             ? meetings.find(j)->middle
+                                                                              : meetings.middle;
             const double sign = q % 2 ? -1 : 1;
             for (const auto& [image, turn] : {std::pair{j.from, 1.0}, {j.to, -1.0}}) {
                 Vec<3> reference = solids_[image].reference;

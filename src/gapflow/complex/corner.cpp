@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace gapflow {
@@ -70,9 +72,23 @@ bool part_in_cell(const SharpEdge& edge, const Vec<3>& low, const Vec<3>& high, 
 
 } // namespace
 
-CellSectors cell_sectors(const SharpSolid& solid, const Vec<3>& low, const Vec<3>& high)
+std::span<const RimPiece> SharpSolid::pieces_in(const Index<3>& cell) const
+{
+    const auto key = [](const Index<3>& c) { return std::tuple(c[0], c[1], c[2]); };
+    const auto first = std::lower_bound(pieces.begin(), pieces.end(), cell,
+                                        [&](const RimPiece& p, const Index<3>& c) { return key(p.cell) < key(c); });
+    auto last = first;
+    while (last != pieces.end() && last->cell == cell)
+        ++last;
+    return {first, last};
+}
+
+CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Vec<3>& low, const Vec<3>& high)
 {
     CellSectors sectors;
+    for (const RimPiece& piece : solid.pieces_in(cell))
+        if (sectors.rims.empty() || sectors.rims[sectors.rims.size() - 1] != piece.rim)
+            sectors.rims.push_back(piece.rim);
     const auto add = [&](int facet) {
         if (std::find(sectors.facets.begin(), sectors.facets.end(), facet) == sectors.facets.end())
             sectors.facets.push_back(facet);
@@ -90,8 +106,11 @@ CellSectors cell_sectors(const SharpSolid& solid, const Vec<3>& low, const Vec<3
     return sectors;
 }
 
-BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low,
-                             const Vec<3>& high)
+namespace {
+
+/// Open and covered area of an edge's bisector plane.
+std::pair<double, double> bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low,
+                                         const Vec<3>& high)
 {
     const SharpEdge& edge = solid.edges[number];
     const SharpFacet &a = solid.facets[edge.a], &b = solid.facets[edge.b];
@@ -118,6 +137,95 @@ BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors
     clip(behind, {1, 0}, (p - edge.from).dot(along));
     clip(behind, {-1, 0}, (edge.to - p).dot(along));
     return {area(polygon), area(behind)};
+}
+
+} // namespace
+
+EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int number, const Index<3>& cell,
+                        const Vec<3>& low, const Vec<3>& high)
+{
+    const int edges = static_cast<int>(solid.edges.size());
+    if (number < edges) {
+        const SharpEdge& edge = solid.edges[number];
+        const auto [open, covered] = bisector_areas(solid, sectors, number, low, high);
+        const auto at = std::find(sectors.edges.begin(), sectors.edges.end(), number) - sectors.edges.begin();
+        return {edge.angle, sectors.lengths[at], open, covered, 0.5 * (edge.from + edge.to)};
+    }
+    const SharpRim& rim = solid.rims[number - edges];
+    EdgeInCell sum{std::numbers::pi / 2, 0, 0, 0, Vec<3>::Zero()};
+    CellSectors own;
+    own.facets.push_back(0);
+    own.facets.push_back(1);
+    for (const RimPiece& piece : solid.pieces_in(cell)) {
+        if (piece.rim != number - edges)
+            continue;
+        const SharpSolid chord{
+            {{rim.normal, rim.centre}, {piece.out, piece.from}}, {{0, 1, piece.from, piece.to, std::numbers::pi / 2}}, {}, {}};
+        const auto [open, covered] = bisector_areas(chord, own, 0, low, high);
+        sum.open += open;
+        sum.covered += covered;
+        sum.length += (piece.to - piece.from).norm();
+        sum.at = 0.5 * (piece.from + piece.to);
+    }
+    return sum;
+}
+
+InlineVector<RimLine, 2> rim_lines(const SharpRim& rim, int d, double at, const Vec<2>& low, const Vec<2>& high)
+{
+    const int u = (d + 1) % 3, v = (d + 2) % 3;
+    // Angles around the axis from where the rim's plane rises most along d.
+    const Vec<3> rise = Vec<3>::Unit(d) - rim.normal[d] * rim.normal;
+    const double slope = rise.norm();
+    const Vec<3> b1 = slope > parameters.parallel ? Vec<3>(rise / slope) : rim.normal.unitOrthogonal(),
+                 b2 = rim.normal.cross(b1);
+    struct Point {
+        double angle;
+        Vec<2> x;
+        int edge;
+    };
+    InlineVector<Point, 6> points;
+    const auto in_plane = [&](const Vec<3>& x) { return Vec<2>(x[u], x[v]); };
+    const auto holds = [&](const Vec<2>& x) { return (x.array() >= low.array()).all() && (x.array() <= high.array()).all(); };
+    if (const double c = (at - rim.centre[d]) / (rim.radius * slope); slope > parameters.parallel && std::abs(c) < 1)
+        for (const double angle : {-std::acos(c), std::acos(c)}) {
+            const Vec<2> x = in_plane(rim.centre + rim.radius * (std::cos(angle) * b1 + std::sin(angle) * b2));
+            if (holds(x))
+                points.push_back({angle, x, -1});
+        }
+    for (int e = 0; e < 4; ++e) {
+        const int along = e % 2 == 0 ? u : v, across = e % 2 == 0 ? v : u;
+        Vec<3> r = Vec<3>::Zero();
+        r[d] = at - rim.centre[d];
+        r[across] = (e % 2 == 0 ? (e == 0 ? low : high)[1] : (e == 3 ? low : high)[0]) - rim.centre[across];
+        // |r + t e - z normal| = radius + z, z = z0 + q t
+        const double z0 = rim.normal.dot(r), q = rim.normal[along], reach = rim.radius + z0, A = 1 - 2 * q * q,
+                     B = -q * (z0 + reach), C = r.squaredNorm() - z0 * z0 - reach * reach, root2 = B * B - A * C;
+        if (!(root2 > 0))
+            continue;
+        const double far = B > 0 ? -B - std::sqrt(root2) : -B + std::sqrt(root2);
+        for (const double t : {far / A, C / far}) {
+            const double place = rim.centre[along] + t;
+            if (!(z0 + q * t > 0 && place > low[e % 2] && place < high[e % 2]))
+                continue;
+            Vec<3> x = r;
+            x[along] = t;
+            points.push_back({std::atan2(x.dot(b2), x.dot(b1)), in_plane(x + rim.centre), e});
+        }
+    }
+    std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.angle < b.angle; });
+    InlineVector<RimLine, 2> lines;
+    const int n = static_cast<int>(points.size());
+    for (int k = 0; k < n && n > 1; ++k) {
+        const Point &a = points[k], &b = points[(k + 1) % n];
+        const double angle = 0.5 * (a.angle + b.angle + (k + 1 == n ? 2 * std::numbers::pi : 0));
+        const Vec<3> way = std::cos(angle) * b1 + std::sin(angle) * b2;
+        // The cone there: centre + rho way + (rho - radius) normal.
+        const double rho = (at - rim.centre[d] + rim.radius * rim.normal[d]) / (way[d] + rim.normal[d]);
+        if (rho > rim.radius && (a.edge >= 0 || b.edge >= 0) &&
+            holds(in_plane(rim.centre + rho * way + (rho - rim.radius) * rim.normal)))
+            lines.push_back(a.edge < 0 ? RimLine{a.x, b.x, a.edge, b.edge} : RimLine{b.x, a.x, b.edge, a.edge});
+    }
+    return lines;
 }
 
 SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int number, int d, double at, const Vec<2>& low,

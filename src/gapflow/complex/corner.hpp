@@ -7,6 +7,7 @@
 #include "gapflow/core/types.hpp"
 #include "gapflow/grid/inline_vector.hpp"
 
+#include <span>
 #include <vector>
 
 namespace gapflow {
@@ -30,28 +31,49 @@ struct SharpEdge {
     double angle; ///< of the solid
 };
 
+/// A round edge between a flat end and the side of a cylinder. The cone on which the heights over both are equal divides its cells.
+struct SharpRim {
+    Vec<3> centre, normal; ///< of the end, out of the solid
+    double radius;
+};
+/// Part of a rim in one cell, between planes of the grid.
+struct RimPiece {
+    Index<3> cell;
+    int rim;
+    Vec<3> from, to, out; ///< out: normal of the side at its middle
+};
+
 /// Edges and facets of a convex solid: the fluid of a cell through which edges pass is divided among their facets, each point to that above
 /// which it is highest. The borders are bisector planes at edges; at a vertex three of them meet.
 struct SharpSolid {
     std::vector<SharpFacet> facets;
     std::vector<SharpEdge> edges;
+    std::vector<SharpRim> rims;   ///< the number of a rim as an edge: from edges.size() on
+    std::vector<RimPiece> pieces; ///< sorted by cell and rim
+
+    bool empty() const { return edges.empty() && pieces.empty(); }
+    std::span<const RimPiece> pieces_in(const Index<3>& cell) const;
 };
 
 /// What divides a cell.
 struct CellSectors {
     InlineVector<int, 4> facets, edges;
     InlineVector<double, 4> lengths; ///< of each edge within the cell
+    InlineVector<int, 2> rims;
 
-    bool empty() const { return edges.empty(); }
+    bool empty() const { return edges.empty() && rims.empty(); }
 };
-CellSectors cell_sectors(const SharpSolid& solid, const Vec<3>& low, const Vec<3>& high);
+CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Vec<3>& low, const Vec<3>& high);
 
-/// Areas of an edge's bisector plane in a cell: outward of the edge as far as it parts two sectors, and behind the edge within its ends.
-struct BisectorAreas {
+/// An edge, or a rim by its chords, in a cell.
+struct EdgeInCell {
+    double angle, length;
+    /// Areas of the bisector plane: outward of the edge as far as it parts two sectors, and behind the edge within its ends.
     double open, covered;
+    Vec<3> at;
 };
-BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int edge, const Vec<3>& low,
-                             const Vec<3>& high);
+EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int edge, const Index<3>& cell, const Vec<3>& low,
+                        const Vec<3>& high);
 
 /// Where the border of two sectors cuts a face of the cell: from `from` on outward of the edge, to - from > 0 along `direction`.
 struct SectorLine {
@@ -66,6 +88,14 @@ struct SectorLine {
 /// In the plane x[d] = at, in the rectangle low .. high.
 SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int edge, int d, double at, const Vec<2>& low,
                        const Vec<2>& high);
+
+/// On a face of the grid: the chord of the curve in which a rim's cone cuts it.
+struct RimLine {
+    Vec<2> from, to;
+    int from_edge, to_edge; ///< of the rectangle; -1: at the rim
+};
+/// Of the part of the cone outside the solid, in the plane x[d] = at, in the rectangle low .. high.
+InlineVector<RimLine, 2> rim_lines(const SharpRim& rim, int d, double at, const Vec<2>& low, const Vec<2>& high);
 
 /// Conductance (over 1/density) of the link across a dividing line of which a length `open` lies in the fluid of the corner's cell;
 /// `covered`: from the corner back along the bisector to the cell's border. In 3D `open` is an area, `covered` the mean length behind the

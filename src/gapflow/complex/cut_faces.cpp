@@ -137,77 +137,25 @@ void for_each_cell_of(const GridPlanes<3>& planes, const SharpEdge& edge, Visit&
     pass(pass, 2, 0.0, 1.0);
 }
 
-} // namespace
-
-/// Which solid's edges divide a cell in 3D: one at most, the first of those whose edges pass through it, and none where a cell beside it
-/// has an edge of a solid before that one, so that two solids never divide the two sides of a face.
-class Dividers {
-public:
-    Dividers() = default;
-    Dividers(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids)
-    {
-        for (const PlacedSolid<3>& solid : solids)
-            for (const SharpEdge& edge : solid.sharp.edges)
-                for_each_cell_of(planes, edge, [&](const Index<3>& c) {
-                    const Index<3> w = grid.wrapped(c);
-                    if (!grid.in_domain(w))
-                        return;
-                    first_.push_back({key(w), solid.solid});
-                });
-        // The first solid of each cell.
-        std::sort(first_.begin(), first_.end());
-        first_.erase(std::unique(first_.begin(), first_.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
-                     first_.end());
-    }
-    /// -1: none.
-    int of(const Grid<3>& grid, const Index<3>& c) const
-    {
-        const Index<3> w = grid.wrapped(c);
-        const int own = grid.in_domain(w) ? first_of(w) : -1;
-        for (int q = 0; q < 6 && own >= 0; ++q) {
-            Index<3> n = w;
-            n[q / 2] += q % 2 ? 1 : -1;
-            if (const int other = first_of(grid.wrapped(n)); other >= 0 && other < own)
-                return -1;
-        }
-        return own;
-    }
-
-private:
-    int first_of(const Index<3>& c) const
-    {
-        const auto found = std::lower_bound(first_.begin(), first_.end(), std::pair(key(c), 0));
-        return found != first_.end() && found->first == key(c) ? found->second : -1;
-    }
-    static std::int64_t key(const Index<3>& c)
-    {
-        return ((static_cast<std::int64_t>(c[2]) + 1) << 42) + ((static_cast<std::int64_t>(c[1]) + 1) << 21) + c[0] + 1;
-    }
-    std::vector<std::pair<std::int64_t, int>> first_; ///< key and first solid of each cell, sorted
-};
-
-namespace {
-
 /// Which faces one solid covers or cuts in a slab.
 template <int D, class Kind>
 class Marking {
 public:
     Marking(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
-            const Kind& kind, int image, const Dividers& dividers, CutFaces<D>& cut, Slab<D>& slab)
-        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), dividers_(dividers),
-          cut_(cut), slab_(slab)
+            const Kind& kind, int image, CutFaces<D>& cut, Slab<D>& slab)
+        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
     {
     }
 
     void mark()
     {
         mark_cut();
-        if constexpr (D == 3)
+        if constexpr (D == 3) {
             for (const SharpEdge& edge : solid_.sharp.edges)
-                for_each_cell_of(planes_, edge, [&](const Index<3>& cell) {
-                    if (dividers_.of(grid_, cell) == solid_.solid)
-                        mark_around(cell);
-                });
+                for_each_cell_of(planes_, edge, [&](const Index<3>& cell) { mark_around(cell); });
+            for (const RimPiece& piece : solid_.sharp.pieces)
+                mark_around(piece.cell);
+        }
     }
 
 private:
@@ -385,6 +333,8 @@ private:
 
     void mark_around(const Index<3>& cell) requires(D == 3)
     {
+        if (!grid_.in_domain(grid_.wrapped(cell)))
+            return;
         for (int d = 0; d < 3; ++d)
             for (int side = 0; side < 2; ++side) {
                 Index<3> f = cell;
@@ -477,7 +427,6 @@ private:
     const PlacedSolid<D>& solid_;
     const Kind& kind_;
     int image_;
-    const Dividers& dividers_;
     CutFaces<D>& cut_;
     Slab<D>& slab_;
     Index<D> low_, high_, stride_; ///< vertices low .. high
@@ -656,109 +605,148 @@ struct PlacedDepth final : Square::Depth {
     }
 };
 
-/// A cell beside a face, and the solid that divides it.
-struct DividedCell {
-    Vec<3> low, high;
-    CellSectors sectors;
-    int image = -1;
-};
-
-/// Where the edges of one solid divide a cell.
-DividedCell divided_cell(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids,
-                         const std::vector<int>& images, const Dividers& dividers, const Index<3>& c)
+/// How the edges of each of a face's images divide a cell beside it.
+std::vector<CellSectors> divided_cell(const Grid<3>& grid, const GridPlanes<3>& planes,
+                                      const std::vector<PlacedSolid<3>>& solids, const std::vector<int>& images,
+                                      const Index<3>& c)
 {
-    DividedCell cell;
-    const int solid = dividers.of(grid, c);
-    if (solid < 0)
-        return cell;
+    std::vector<CellSectors> sectors(images.size());
+    if (!grid.in_domain(grid.wrapped(c)))
+        return sectors;
+    Vec<3> low, high;
     for (int axis = 0; axis < 3; ++axis) {
-        cell.low[axis] = planes.place_of(axis, c[axis]);
-        cell.high[axis] = planes.place_of(axis, c[axis] + 1);
+        low[axis] = planes.place_of(axis, c[axis]);
+        high[axis] = planes.place_of(axis, c[axis] + 1);
     }
-    for (const int image : images)
-        if (solids[image].solid == solid)
-            if (const CellSectors sectors = cell_sectors(solids[image].sharp, cell.low, cell.high); !sectors.empty()) {
-                cell.sectors = sectors;
-                cell.image = image;
-            }
-    return cell;
+    for (std::size_t k = 0; k < images.size(); ++k)
+        if (!solids[images[k]].sharp.empty())
+            sectors[k] = cell_sectors(solids[images[k]].sharp, c, low, high);
+    return sectors;
+}
+
+/// The corner of a section between two surfaces of its solid that lies next to x; x itself where there is none.
+Vec<2> section_corner(const Section& section, int a, int b, const Vec<2>& x)
+{
+    Vec<2> nearest = x;
+    double least = std::numeric_limits<double>::infinity();
+    for (int m = 0; m < section.count; ++m) {
+        const int s = section.curve[m].surface, t = section.curve[(m + section.count - 1) % section.count].surface;
+        if (const double distance = (section.corner[m] - x).squaredNorm();
+            ((s == a && t == b) || (t == a && s == b)) && distance < least) {
+            least = distance;
+            nearest = section.corner[m];
+        }
+    }
+    return nearest;
+}
+
+/// Moves x onto a border of the rectangle, to the last bit.
+void put_on_border(const Square& square, const OnEdge& place, Vec<2>& x)
+{
+    if (place.edge < 0)
+        return;
+    x[place.edge % 2] = place.at;
+    x[1 - place.edge % 2] =
+        place.edge == 1 || place.edge == 2 ? square.high[1 - place.edge % 2] : square.low[1 - place.edge % 2];
+}
+OnEdge border_at(const Square& square, int edge, const Vec<2>& x)
+{
+    if (edge < 0)
+        return {};
+    return {edge, std::clamp(x[edge % 2], square.low[edge % 2], square.high[edge % 2])};
 }
 
 /// The lines by which edges divide the cells below and above a face.
 struct FaceLine {
     int image, edge, sides;
 };
-void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids,
-               const std::vector<int>& images, const Dividers& dividers, const std::vector<Section>& sections, int d,
-               const Index<3>& f, Square& square, std::vector<FaceLine>& face_lines)
+using DividedCells = std::array<std::vector<CellSectors>, 2>; ///< below and above a face, of each of its images
+
+void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int image, int k, const Section& section, int d,
+                    double at, Square& square, std::vector<FaceLine>& face_lines)
 {
-    std::array<DividedCell, 2> cells;
-    for (int side = 0; side < 2; ++side) {
-        const Index<3> c = f - (1 - side) * step<3>(d);
-        cells[side] = divided_cell(grid, planes, solids, images, dividers, c);
-    }
-    const double at = planes.place[d][f[d]];
-    for (std::size_t k = 0; k < images.size(); ++k) {
-        const SharpSolid& sharp = solids[images[k]].sharp;
-        for (int e = 0; e < static_cast<int>(sharp.edges.size()); ++e) {
-            std::array<SectorLine, 2> line;
-            for (int side = 0; side < 2; ++side) {
-                const auto& edges = cells[side].sectors.edges;
-                if (cells[side].image == images[k] && std::find(edges.begin(), edges.end(), e) != edges.end())
-                    line[side] = sector_line(sharp, cells[side].sectors, e, d, at, square.low, square.high);
-            }
-            if (line[0].empty() && line[1].empty())
-                continue;
-            // Its portions in one of the cells or in both.
-            const SectorLine& any = line[0].empty() ? line[1] : line[0];
-            InlineVector<double, 4> breaks;
-            for (const SectorLine& l : line)
-                if (!l.empty())
-                    for (const double t : {l.from, l.to})
-                        if (std::find(breaks.begin(), breaks.end(), t) == breaks.end())
-                            breaks.push_back(t);
-            std::sort(breaks.begin(), breaks.end());
-            for (std::size_t j = 0; j + 1 < breaks.size(); ++j) {
-                SquareLine portion{static_cast<int>(k), any.at(breaks[j]), any.at(breaks[j + 1]), {}, {}};
-                int sides = 0;
-                for (int side = 0; side < 2; ++side) {
-                    const SectorLine& l = line[side];
-                    if (l.empty() || l.from > breaks[j] || l.to < breaks[j + 1])
-                        continue;
-                    sides |= 1 << side;
-                    const auto border = [&](int edge, const Vec<2>& x) {
-                        return OnEdge{edge, std::clamp(x[edge % 2], square.low[edge % 2], square.high[edge % 2])};
-                    };
-                    if (l.from == breaks[j] && l.from_end == SectorLine::End::border)
-                        portion.from_border = border(l.from_edge, portion.from);
-                    if (l.to == breaks[j + 1] && l.to_end == SectorLine::End::border)
-                        portion.to_border = border(l.to_edge, portion.to);
-                    if (l.from == breaks[j] && l.from_end == SectorLine::End::corner) {
-                        const Section& section = sections[k]; // its own corner
-                        for (int m = 0; m < section.count; ++m) {
-                            const int s = section.curve[m].surface,
-                                      t = section.curve[(m + section.count - 1) % section.count].surface;
-                            if ((s == sharp.edges[e].a && t == sharp.edges[e].b) ||
-                                (t == sharp.edges[e].a && s == sharp.edges[e].b))
-                                portion.from = section.corner[m];
-                        }
-                    }
-                }
-                if (sides == 0)
-                    continue;
-                for (const bool end : {false, true}) { // on the border to the last bit
-                    const OnEdge& place = end ? portion.to_border : portion.from_border;
-                    Vec<2>& x = end ? portion.to : portion.from;
-                    if (place.edge >= 0) {
-                        x[place.edge % 2] = place.at;
-                        x[1 - place.edge % 2] = place.edge == 1 || place.edge == 2 ? square.high[1 - place.edge % 2]
-                                                                                   : square.low[1 - place.edge % 2];
-                    }
-                }
-                square.lines.push_back(portion);
-                face_lines.push_back({images[k], e, sides});
-            }
+    for (int e = 0; e < static_cast<int>(sharp.edges.size()); ++e) {
+        std::array<SectorLine, 2> line;
+        for (int side = 0; side < 2; ++side) {
+            const auto& edges = cells[side][k].edges;
+            if (std::find(edges.begin(), edges.end(), e) != edges.end())
+                line[side] = sector_line(sharp, cells[side][k], e, d, at, square.low, square.high);
         }
+        if (line[0].empty() && line[1].empty())
+            continue;
+        // Its portions in one of the cells or in both.
+        const SectorLine& any = line[0].empty() ? line[1] : line[0];
+        InlineVector<double, 4> breaks;
+        for (const SectorLine& l : line)
+            if (!l.empty())
+                for (const double t : {l.from, l.to})
+                    if (std::find(breaks.begin(), breaks.end(), t) == breaks.end())
+                        breaks.push_back(t);
+        std::sort(breaks.begin(), breaks.end());
+        for (std::size_t j = 0; j + 1 < breaks.size(); ++j) {
+            SquareLine portion{k, any.at(breaks[j]), any.at(breaks[j + 1]), {}, {}};
+            int sides = 0;
+            for (int side = 0; side < 2; ++side) {
+                const SectorLine& l = line[side];
+                if (l.empty() || l.from > breaks[j] || l.to < breaks[j + 1])
+                    continue;
+                sides |= 1 << side;
+                if (l.from == breaks[j] && l.from_end == SectorLine::End::border)
+                    portion.from_border = border_at(square, l.from_edge, portion.from);
+                if (l.to == breaks[j + 1] && l.to_end == SectorLine::End::border)
+                    portion.to_border = border_at(square, l.to_edge, portion.to);
+                if (l.from == breaks[j] && l.from_end == SectorLine::End::corner)
+                    portion.from = section_corner(section, sharp.edges[e].a, sharp.edges[e].b, portion.from);
+            }
+            if (sides == 0)
+                continue;
+            put_on_border(square, portion.from_border, portion.from);
+            put_on_border(square, portion.to_border, portion.to);
+            square.lines.push_back(portion);
+            face_lines.push_back({image, e, sides});
+        }
+    }
+}
+
+void add_rim_lines(const SharpSolid& sharp, const DividedCells& cells, int image, int k, const Section& section, int d,
+                   double at, Square& square, std::vector<FaceLine>& face_lines)
+{
+    constexpr int side_surface = 2;
+    for (int r = 0; r < static_cast<int>(sharp.rims.size()); ++r) {
+        int sides = 0;
+        for (int side = 0; side < 2; ++side) {
+            const auto& rims = cells[side][k].rims;
+            if (std::find(rims.begin(), rims.end(), r) != rims.end())
+                sides |= 1 << side;
+        }
+        if (sides == 0)
+            continue;
+        for (const RimLine& line : rim_lines(sharp.rims[r], d, at, square.low, square.high)) {
+            SquareLine portion{k, line.from, line.to, border_at(square, line.from_edge, line.from),
+                               border_at(square, line.to_edge, line.to)};
+            if (line.from_edge < 0)
+                portion.from = section_corner(section, r, side_surface, portion.from);
+            put_on_border(square, portion.from_border, portion.from);
+            put_on_border(square, portion.to_border, portion.to);
+            square.lines.push_back(portion);
+            face_lines.push_back({image, static_cast<int>(sharp.edges.size()) + r, sides});
+        }
+    }
+}
+
+void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids,
+               const std::vector<int>& images, const std::vector<Section>& sections, int d, const Index<3>& f, Square& square,
+               std::vector<FaceLine>& face_lines)
+{
+    if (std::all_of(images.begin(), images.end(), [&](int image) { return solids[image].sharp.empty(); }))
+        return;
+    const DividedCells cells{divided_cell(grid, planes, solids, images, f - step<3>(d)),
+                             divided_cell(grid, planes, solids, images, f)};
+    const double at = planes.place[d][f[d]];
+    for (int k = 0; k < static_cast<int>(images.size()); ++k) {
+        const SharpSolid& sharp = solids[images[k]].sharp;
+        add_edge_lines(sharp, cells, images[k], k, sections[k], d, at, square, face_lines);
+        add_rim_lines(sharp, cells, images[k], k, sections[k], d, at, square, face_lines);
     }
 }
 
@@ -768,7 +756,7 @@ void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vect
 template <int D>
 class GeneralCut {
 public:
-    /// `faces`: with its grid and dividers.
+    /// `faces`: with its grid.
     GeneralCut(const CutFaces<D>& faces, const GridPlanes<D>& planes, const DenseIndex<D>& index,
                const std::vector<PlacedSolid<D>>& solids)
         : faces_(faces), planes_(planes), index_(index), solids_(solids), depth_(planes, solids)
@@ -809,7 +797,7 @@ public:
         square_.lines.clear();
         lines_.clear();
         if constexpr (D == 3)
-            add_lines(*faces_.grid, planes_, solids_, detail.images, *faces_.dividers, sections_, d, f, square_, lines_);
+            add_lines(*faces_.grid, planes_, solids_, detail.images, sections_, d, f, square_, lines_);
         depth_.images = &detail.images;
         depth_.d = d;
         depth_.at = at;
@@ -873,13 +861,17 @@ void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const Dens
         detail.junction = static_cast<int>(slab.junctions.size());
         detail.junctions = static_cast<int>(square.junctions.size());
         for (const SquareJunction& j : square.junctions) {
-            slab.junctions.push_back({j.piece, detail.images[j.from], detail.images[j.to], in_space<D>(d, at, j.at)});
-            if (D == 3 && j.fin >= 0) {
-                const FaceLine& line = general.line(j.fin);
-                slab.junctions.back().edge = line.edge;
-                slab.junctions.back().solid = solids[line.image].solid;
-                slab.junctions.back().sides = line.sides;
-            }
+            Junction<D> junction{j.piece, detail.images[j.from], detail.images[j.to], in_space<D>(d, at, j.at)};
+            if constexpr (D == 3)
+                for (const int fin : j.fin)
+                    if (fin >= 0) {
+                        const FaceLine& line = general.line(fin);
+                        junction.edge = line.edge;
+                        junction.solid = solids[line.image].solid;
+                        junction.sides &= line.sides;
+                        ++junction.lines;
+                    }
+            slab.junctions.push_back(junction);
         }
         detail.division = static_cast<int>(slab.divisions.size());
         detail.divisions = static_cast<int>(square.links.size());
@@ -1004,10 +996,6 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
     }
     cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
     cut.grid = &grid;
-    if constexpr (D == 3)
-        cut.dividers = std::make_shared<Dividers>(grid, planes, solids);
-    else
-        cut.dividers = std::make_shared<Dividers>();
     for_each_job(static_cast<int>(cut.slabs.size()), [&](int s) {
         Slab<D>& slab = cut.slabs[s];
         slab.facets.resize(solids.size());
@@ -1016,8 +1004,7 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                 [&](const auto& kind) {
                     using Kind = std::decay_t<decltype(kind)>;
                     if constexpr (!std::is_same_v<Kind, FacetKind<D>>)
-                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), *cut.dividers, cut, slab)
-                            .mark();
+                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                     else
                         slab.facets[k] =
                             FacetMarking<D>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();

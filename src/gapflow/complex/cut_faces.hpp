@@ -60,7 +60,8 @@ struct Junction {
     std::int32_t piece, from, to; ///< images
     Vec<D> at;
     std::int32_t edge = -1, solid = -1; ///< where one of the two is a dividing line: of which edge of which solid
-    int sides = 0;                      ///< which cells it divides, see CornerDivision
+    int sides = 3;                      ///< which cells the lines divide, see CornerDivision
+    int lines = 0;                      ///< how many of the two are lines
 };
 
 template <int D>
@@ -117,12 +118,9 @@ struct Slab {
     std::vector<CornerDivision<D>> divisions;
 };
 
-class Dividers;
-
 template <int D>
 struct CutFaces {
     const Grid<D>* grid = nullptr;
-    std::shared_ptr<const Dividers> dividers;                  ///< 3D: which solid's edges divide each cell
     std::array<std::vector<std::int32_t>, face_kinds<D>> face; ///< number in its slab's faces, Complex::open or Complex::solid
     std::vector<Slab<D>> slabs;
     std::vector<int> slab_of; ///< plane of cells, from DenseIndex::low; of the faces on the last side the last slab

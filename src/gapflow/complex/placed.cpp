@@ -1,69 +1,12 @@
 #include "gapflow/complex/placed.hpp"
 
 #include "gapflow/complex/facet_cut.hpp"
-#include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/sharp_features.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace gapflow {
-
-namespace {
-
-/// Corners of a convex polygon.
-std::vector<SharpCorner> corners_of(const Section& polygon)
-{
-    std::vector<SharpCorner> corners;
-    for (int k = 0; k < polygon.count; ++k) {
-        const Vec<2>& at = polygon.corner[k];
-        const Vec<2> a = (at - polygon.corner[(k + polygon.count - 1) % polygon.count]).normalized(),
-                     b = (at - polygon.corner[(k + 1) % polygon.count]).normalized();
-        corners.push_back({at, (a + b).normalized(), std::acos(std::clamp(a.dot(b), -1.0, 1.0))});
-    }
-    return corners;
-}
-
-/// Facets and edges of a bounded polytope.
-template <int D>
-SharpSolid sharp_solid(const PlanesKind<D>& kind)
-{
-    SharpSolid solid;
-    if constexpr (D == 3) {
-        for (int k = 0; k < kind.planes; ++k)
-            solid.facets.push_back({kind.normal[k], kind.centre + kind.offset[k] * kind.normal[k]});
-        for (int a = 0; a < kind.planes; ++a)
-            for (int b = a + 1; b < kind.planes; ++b) {
-                const Vec<3>&m = kind.normal[a], &n = kind.normal[b];
-                const Vec<3> way = m.cross(n);
-                const double c = m.dot(n), sine2 = way.squaredNorm();
-                if (sine2 < parameters.parallel * parameters.parallel)
-                    continue;
-                const Vec<3> p =
-                    ((kind.offset[a] - c * kind.offset[b]) * m + (kind.offset[b] - c * kind.offset[a]) * n) / sine2;
-                double from = -std::numeric_limits<double>::infinity(), to = -from;
-                for (int k = 0; k < kind.planes; ++k) {
-                    const double room = kind.offset[k] - kind.normal[k].dot(p), slope = kind.normal[k].dot(way);
-                    if (k == a || k == b)
-                        continue;
-                    if (std::abs(slope) < parameters.parallel) {
-                        if (room < 0)
-                            to = from;
-                    } else if (slope > 0)
-                        to = std::min(to, room / slope);
-                    else
-                        from = std::max(from, room / slope);
-                }
-                if (from < to)
-                    solid.edges.push_back({a, b, kind.centre + p + from * way, kind.centre + p + to * way,
-                                           std::numbers::pi - std::atan2(std::sqrt(sine2), c)});
-            }
-    }
-    return solid;
-}
-
-} // namespace
 
 double rounded(double x)
 {
@@ -125,10 +68,14 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
                               {}};
         if (const auto radius = shape.sphere_radius())
             placed.kind = BallKind<D>{centre, *radius / grid.dx()};
-        else if (const auto bar = shape.round_bar())
-            placed.kind = RoundKind<D>{centre, Vec<D>(solid.shape.rotation().col(0)), bar->radius / grid.dx(),
-                                       bar->half / grid.dx(), bar->flat};
-        else if (const auto faces = shape.planes(); !faces.empty()) {
+        else if (const auto bar = shape.round_bar()) {
+            const RoundKind<D> kind{centre, Vec<D>(solid.shape.rotation().col(0)), bar->radius / grid.dx(),
+                                    bar->half / grid.dx(), bar->flat};
+            placed.kind = kind;
+            if constexpr (D == 3)
+                if (bar->flat && !placed.inverse)
+                    placed.sharp = sharp_solid(kind, planes);
+        } else if (const auto faces = shape.planes(); !faces.empty()) {
             PlanesKind<D> kind;
             kind.planes = static_cast<int>(faces.size());
             for (int k = 0; k < kind.planes; ++k) {
@@ -160,6 +107,8 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
             }
             for (const Vec<D>& x : kind.surface->vertices)
                 kind.vertices.push_back(at(solid.shape.to_world(x)));
+            if constexpr (D == 2)
+                placed.corners = corners_of(kind.vertices, kind.surface->elements, *kind.links);
             placed.kind = std::move(kind);
         }
         result.push_back(std::move(placed));

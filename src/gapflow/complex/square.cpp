@@ -314,7 +314,7 @@ void Square::walk()
                         break;
                     a.piece = piece;
                     if (a.solid != from)
-                        junctions.push_back({piece, from, a.solid, a.from, fin_between(last, arc)});
+                        junctions.push_back({piece, from, a.solid, a.from, {fin_of(last), fin_of(arc)}});
                     last = arc;
                     from = a.solid;
                     if (a.end.edge < 0) {
@@ -360,7 +360,7 @@ void Square::close_loops()
         for (const int k : loop) {
             arcs[k].piece = piece;
             if (const int next = arcs[k].joins; next >= 0 && arcs[next].solid != arcs[k].solid)
-                junctions.push_back({piece, arcs[k].solid, arcs[next].solid, arcs[k].to, fin_between(k, next)});
+                junctions.push_back({piece, arcs[k].solid, arcs[next].solid, arcs[k].to, {fin_of(k), fin_of(next)}});
         }
     };
     for (std::size_t first = 0; first < arcs.size(); ++first) {

@@ -83,7 +83,7 @@ struct SquarePiece {
 struct SquareJunction {
     int piece, from, to; ///< solids
     Vec<2> at;
-    int fin; ///< of which line one of the two is a side (see SquareLink), or -1
+    std::array<int, 2> fin; ///< of which line each of the two is a side (see SquareLink), or -1
 };
 
 /// A corner of a solid within the rectangle that divides.
@@ -177,7 +177,8 @@ private:
     void split_ring(int ring, const OnEdge& place, int solid);
     int ring_at(const OnEdge& place) const;
     void find_links();
-    int fin_between(int a, int b) const;
+    int fin_of(int arc) const;
+    Hit other_side(int arc, int segment, const Vec<2>& x) const;
     double ring_length(const RingStretch& r) const;
     void walk();
     void close_loops();

@@ -299,6 +299,22 @@ void Square::divide(int number)
     }
 }
 
+/// The place x of a dividing line's side as a hit on the line's other side.
+Square::Hit Square::other_side(int arc, int segment, const Vec<2>& x) const
+{
+    const ArcSegment& side = arcs[arc].segments[segment];
+    for (int a = 0; a < static_cast<int>(arcs.size()); ++a)
+        for (int k = 0; k < static_cast<int>(arcs[a].segments.size()); ++k) {
+            const ArcSegment& s = arcs[a].segments[k];
+            if (s.fin != side.fin || !((s.to - s.from).dot(side.to - side.from) < 0))
+                continue;
+            const double t = s.nearest(x);
+            if ((s.at(t) - x).norm() < parameters.joint_distance)
+                return {0, a, k, t};
+        }
+    return {0, -1, 0, 0};
+}
+
 /// Draws a line from its first end (turned: its last) if the border is open there; to the next solid or to the line's other end.
 bool Square::draw(int number, bool turned)
 {
@@ -315,12 +331,21 @@ bool Square::draw(int number, bool turned)
     if (!from)
         return false;
     const double touching = parameters.joint_distance;
-    const Hit hit = nearest_hit(p, direction, touching);
-    if (hit.way < (q - p).norm() - touching) {
+    // Through the lines of other solids, which end at a solid.
+    Vec<2> here = p;
+    for (;;) {
+        const Hit hit = nearest_hit(here, direction, touching);
+        if (!(hit.way < (q - here).norm() - touching))
+            break;
         const Vec<2> x = arcs[hit.arc].segments[hit.segment].at(hit.t);
+        const bool through = arcs[hit.arc].solid != line.solid && arcs[hit.arc].segments[hit.segment].fin >= 0;
+        const Hit behind = through ? other_side(hit.arc, hit.segment, x) : Hit{};
         const End to = open_at(hit, x);
-        add_fin(p, *from, x, to, line.solid, fin);
-        return true;
+        add_fin(here, *from, x, to, line.solid, fin);
+        if (behind.arc < 0)
+            return true;
+        from = open_at(behind, x);
+        here = x;
     }
     End to;
     if (end.edge >= 0) {
@@ -328,7 +353,7 @@ bool Square::draw(int number, bool turned)
             to = *opened;
     } else if (const Hit joint = joint_at(line.solid, q, -direction); joint.arc >= 0)
         to = open_at(joint, q);
-    add_fin(p, *from, q, to, line.solid, fin);
+    add_fin(here, *from, q, to, line.solid, fin);
     return true;
 }
 
@@ -372,13 +397,10 @@ void Square::find_links()
     }
 }
 
-/// The line of which one of two arcs that follow each other is a side.
-int Square::fin_between(int a, int b) const
+/// The line of which an arc is a side.
+int Square::fin_of(int arc) const
 {
-    for (const int arc : {a, b})
-        if (arc >= 0 && !arcs[arc].segments.empty() && arcs[arc].segments[0].fin >= 0)
-            return arcs[arc].segments[0].fin;
-    return -1;
+    return arc >= 0 && !arcs[arc].segments.empty() ? arcs[arc].segments[0].fin : -1;
 }
 
 } // namespace gapflow
