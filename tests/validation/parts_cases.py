@@ -4,6 +4,8 @@ References: exact series where the text says so; else Richardson's value of two 
 """
 import math
 import random
+import tempfile
+from pathlib import Path
 
 import harness
 from added_mass_cases import domain, energy, interpolate, rectangles, rotate, table
@@ -14,6 +16,8 @@ THIN = "Parts: thin plates"
 NEAR = "Parts: ball over a wall"
 SUMS = "Parts: uniform motion and sums"
 CROWD = "Parts: crowd of 48 balls"
+SHIFTS = "Parts: added mass over 200 small shifts"
+MESHES = "Parts: meshes"
 
 
 def parts(scene, **more):
@@ -212,6 +216,140 @@ def solve(matrix, right):
     return [row[n:] for row in a]
 
 
+def write_polygon(folder, name, corners):
+    file = Path(folder) / f"{name}.txt"
+    file.write_text("".join(f"{x!r} {y!r}\n" for x, y in corners))
+    return str(file)
+
+
+def write_mesh(folder, name, vertices, facets):
+    file = Path(folder) / f"{name}.obj"
+    file.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in vertices) + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in facets))
+    return str(file)
+
+
+def regular(n, radius):
+    return [(radius * math.cos(2 * math.pi * k / n), radius * math.sin(2 * math.pi * k / n)) for k in range(n)]
+
+
+def prism(corners, height):
+    """A convex polygon times a height, as triangles."""
+    n = len(corners)
+    vertices = [(x, y, z) for z in (-height / 2, height / 2) for x, y in corners]
+    facets = [(0, k + 1, k) for k in range(1, n - 1)] + [(n, n + k, n + k + 1) for k in range(1, n - 1)]
+    for k in range(n):
+        j = (k + 1) % n
+        facets += [(k, j, n + j), (k, n + j, n + k)]
+    return vertices, facets
+
+
+def over_shifts(quick):
+    """Largest change of a translation's added mass from one of 200 shifts to the next; at the first and the hundredth, walls and corners lie on the grid."""
+    with tempfile.TemporaryDirectory() as folder:
+        triangle = write_polygon(folder, "triangle", regular(3, 6.0))
+        half_disk = write_polygon(folder, "half_disk", [(4 * math.cos(math.pi * k / 60), 4 * math.sin(math.pi * k / 60)) for k in range(61)])
+        flat = [("box 8 x 4 cells along the grid", dict(shape="box", size=[8.0, 4.0]), 0), ("box 8 x 4 cells at 20 degrees", dict(shape="box", size=[8.0, 4.0]), 20),
+                ("plate 16 x 0.1 cells along the grid", dict(shape="box", size=[16.0, 0.1]), 0), ("triangle of 10.4 cells a side, one side along the grid", dict(shape="mesh", file=triangle), 0),
+                ("half disk of 4 cells a radius, its side along the grid", dict(shape="mesh", file=half_disk), 0)]
+        solid = [("box 4 x 4 x 2 cells along the grid", dict(shape="box", size=[4.0, 4.0, 2.0])), ("plate 6 x 6 x 0.1 cells along the grid", dict(shape="box", size=[6.0, 6.0, 0.1])),
+                 ("cylinder 3 cells a radius, 2 long, along the grid", dict(shape="cylinder", radius=3.0, length=2.0))]
+        cases = [(2, name, {**body, "rotation": degrees}) for name, body, degrees in flat] + ([] if quick else [(3, name, body) for name, body in solid])
+        for dimension, name, body in cases:
+            n, steps = (64, 200) if dimension == 2 else (16, 200)
+            direction, last, largest = (1.0, 0.5, 0.5)[:dimension], None, 0.0
+            for k in range(0, steps + 1, 10 if quick else 1):
+                for off in (-1e-6, 1e-6) if k % 100 == 0 else (0.0,):    # across the grid's lines, and on from there
+                    shift = [(k / steps + off) * d for d in direction]
+                    result = parts(dict(domain=domain([n] * dimension, [n] * dimension),
+                                        body=[dict(name="b", position=[n / 2 + s for s in shift], density=2.0, **body)]))
+                    m = [result["matrix"][i][i] for i in range(dimension)]
+                    if last:
+                        largest = max(largest, max(abs(x - y) for x, y in zip(m, last)) / max(m))
+                    last = m
+            yield Row(SHIFTS, name, "largest change ≤ 1 %", f"{100 * largest:.2f} %", largest <= 0.01)
+
+
+def sphere_mesh(levels):
+    """An octahedron, each triangle in four `levels` times, vertices on the unit sphere."""
+    vertices = [(1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)]
+    facets = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
+    for _ in range(levels):
+        middle, finer = {}, []
+
+        def between(a, b):
+            if (key := (min(a, b), max(a, b))) not in middle:
+                x = [p + q for p, q in zip(vertices[a], vertices[b])]
+                r = math.sqrt(sum(c * c for c in x))
+                middle[key] = len(vertices)
+                vertices.append(tuple(c / r for c in x))
+            return middle[key]
+        for a, b, c in facets:
+            d, e, f = between(a, b), between(b, c), between(c, a)
+            finer += [(a, d, f), (d, b, e), (f, e, c), (d, e, f)]
+        facets = finer
+    return vertices, facets
+
+
+def lamb(a, b):
+    """Added mass over displaced mass of a spheroid of semi-axes a, b, b along its axis and across it (Lamb, art. 114)."""
+    def coefficient(square):    # a b b int_0^inf ds / ((square + s) sqrt((a² + s) (b² + s)²)), s = x/(1 - x) squared
+        steps, total = 4000, 0.0
+        for k in range(steps):
+            x = (k + 0.5) / steps
+            w = x / (1 - x)
+            s = w * w
+            total += 2 * w / (1 - x) ** 2 / ((square + s) * math.sqrt(a * a + s) * (b * b + s))
+        return a * b * b * total / steps
+    return [c / (2 - c) for c in (coefficient(a * a), coefficient(b * b))]
+
+
+def ellipsoids(quick):
+    """Prolate spheroids as fine meshes (32768 facets, scaled to the exact volume) between far sides, two lengths by four widths, turned."""
+    if quick:
+        return
+    vertices, facets = sphere_mesh(6)
+    volume = sum(sum(vertices[a][i] * (vertices[b][(i + 1) % 3] * vertices[c][(i + 2) % 3] - vertices[b][(i + 2) % 3] * vertices[c][(i + 1) % 3]) for i in range(3))
+                 for a, b, c in facets) / 6
+    scale = (4 / 3 * math.pi / volume) ** (1 / 3)
+    all_sides = {f"{axis}_{end}": "far" for axis in "xyz" for end in ("low", "high")}
+    with tempfile.TemporaryDirectory() as folder:
+        for ratio in (2, 5):
+            exact = lamb(ratio, 1)
+            for cells, target in ((8, 2.0), (16, 0.7)):
+                r = cells / 2
+                file = write_mesh(folder, f"e{ratio}{cells}", [(scale * ratio * r * x, scale * r * y, scale * r * z) for x, y, z in vertices], facets)
+                size = [4 * ratio * r, 8 * r, 8 * r]
+                errors = ([], [])
+                for shift in ((0.0, 0.0, 0.0), (0.31, 0.17, 0.43)):
+                    result = parts(dict(domain=domain(size, [round(s) for s in size], sides=all_sides),
+                                        body=[dict(name="b", shape="mesh", file=file, position=[s / 2 + t for s, t in zip(size, shift)], density=2.0)]))
+                    displaced = 4 / 3 * math.pi * ratio * r ** 3
+                    for axis in range(3):
+                        errors[min(axis, 1)].append(100 * (result["matrix"][axis][axis] / displaced / exact[min(axis, 1)] - 1))
+                for name, found in zip(("along", "across"), errors):
+                    yield Row(MESHES, f"ellipsoid {ratio}:1:1, {cells} cells the short axis, {name}, against Lamb, two places", f"≤ {target} %", f"{min(found):+.2f} … {max(found):+.2f} %",
+                              max(map(abs, found)) <= target)
+
+
+def boxes_as_meshes(quick):
+    """The same box as a box and as a polygon or mesh: difference of the added mass normal to its longest side."""
+    with tempfile.TemporaryDirectory() as folder:
+        for dimension in (2,) if quick else (2, 3):
+            size = [8.0, 4.0] if dimension == 2 else [4.0, 4.0, 2.0]
+            corners = [(-size[0] / 2, -size[1] / 2), (size[0] / 2, -size[1] / 2), (size[0] / 2, size[1] / 2), (-size[0] / 2, size[1] / 2)]
+            file = write_polygon(folder, "box", corners) if dimension == 2 else write_mesh(folder, "box", *prism(corners, size[2]))
+            n, places = (40, random.Random(4)) if dimension == 2 else (16, random.Random(4))
+            worst = 0.0
+            for _ in range(6):
+                pose = dict(position=[n / 2 + places.uniform(-0.5, 0.5) for _ in range(dimension)],
+                            rotation=places.uniform(0, 90) if dimension == 2 else dict(axis=[places.gauss(0, 1) for _ in range(3)], degrees=places.uniform(0, 90)))
+                m = [parts(dict(domain=domain([n] * dimension, [n] * dimension), body=[dict(name="b", density=2.0, **pose, **shape)]))["matrix"]
+                     for shape in (dict(shape="box", size=size), dict(shape="mesh", file=file))]
+                worst = max(worst, *(abs(m[0][i][i] / m[1][i][i] - 1) for i in range(dimension)))
+            name = "box 8 x 4 cells as a polygon against itself, six poses" if dimension == 2 else "box 4 x 4 x 2 cells as a mesh (its edges divide nothing) against itself, six poses"
+            yield Row(MESHES, name, "≤ 1e-6" if dimension == 2 else "", f"{100 * worst:.2f} %" if dimension == 3 else f"{worst:.1e}", dimension == 3 or worst <= 1e-6)
+
+
 def crowd(quick):
     """48 balls on a shaken lattice, volume fraction 0.31, density 2: accelerations by gravity and by random forces."""
     if quick:
@@ -239,4 +377,4 @@ def crowd(quick):
                   f"{rms[0]:.2f}; {rms[1]:.2f} % (at most {iterations} iterations)", rms[0] <= targets[0] and rms[1] <= targets[1])
 
 
-ALL = [round_bodies, boxes, thin_plates, walls_of_any_thickness, ball_over_wall, crowd, uniform_motion]
+ALL = [round_bodies, boxes, thin_plates, walls_of_any_thickness, ball_over_wall, crowd, uniform_motion, over_shifts, ellipsoids, boxes_as_meshes]
