@@ -17,6 +17,9 @@
 namespace gapflow {
 namespace {
 
+/// Parts below and above each piece of a slab's faces (2D: the first of each piece of a cell), numbers as in the slab of the part's cell; -1: none.
+using PartsBeside = std::vector<std::array<std::int32_t, 2>>;
+
 /// What the cells of one slab are made of; numbers of parts and cut cells count from 0 in each slab.
 template <int D>
 struct CellSlab {
@@ -24,13 +27,6 @@ struct CellSlab {
     std::vector<double> part_area;
     std::vector<WallPatch<D>> patches;
     std::vector<CornerLink<D>> links; ///< 3D
-    /// Parts on the two sides of each piece of each slab's faces, where this slab's cells lie beside them: entries (slab, piece, side, part).
-    struct Side {
-        std::int32_t slab, piece;
-        std::int8_t side;
-        std::int32_t part; ///< -1: none
-    };
-    std::vector<Side> sides;
     /// Wholly open faces that lead to another part than their cell's largest.
     struct Astray {
         std::int8_t axis, side; ///< 1: the part lies on the face's high side
@@ -94,12 +90,30 @@ struct HullFace {
     double area(int piece, double whole) const { return face ? slab->pieces[face->piece + piece].area : whole; }
 };
 
+/// Whether edges of a cube join all corners of a set. Corners 0 to 3 and 4 to 7: around the lower and the upper face.
+constexpr bool are_connected(unsigned corners)
+{
+    unsigned reached = corners & ~(corners - 1);
+    for (int k = 0; k < 8; ++k)
+        for (int i = 0; i < 8; ++i)
+            if (reached >> i & 1)
+                reached |= corners & (1U << (i ^ 4) | 1U << ((i & 4) + ((i + 1) & 3)) | 1U << ((i & 4) + ((i + 3) & 3)));
+    return corners != 0 && reached == corners;
+}
+constexpr auto connected_corners = [] {
+    std::array<bool, 256> connected{};
+    for (unsigned corners = 0; corners < 256; ++corners)
+        connected[corners] = are_connected(corners);
+    return connected;
+}();
+
 class CellBuilder3 {
 public:
     CellBuilder3(const Grid<3>& grid, const GridPlanes<3>& planes, const DenseIndex<3>& index,
                  const std::vector<PlacedSolid<3>>& solids, const CutFaces<3>& cut, const FacetsInCells& facets,
-                 std::vector<std::int32_t>& cell)
-        : grid_(grid), planes_(planes), index_(index), solids_(solids), cut_(cut), facets_(facets), cell_(cell)
+                 std::vector<PartsBeside>& beside, std::vector<std::int32_t>& cell)
+        : grid_(grid), planes_(planes), index_(index), solids_(solids), cut_(cut), facets_(facets), beside_(beside),
+          cell_(cell)
     {
     }
 
@@ -168,7 +182,7 @@ private:
             first[q + 1] = first[q] + h.pieces();
         }
         const int n = first[6];
-        if (n == 0)
+        if (n == 0 || add_whole_cell(c, number, hull, result))
             return;
         // Pieces that meet along an edge of the cell are joined.
         InlineVector<int, 32> up;
@@ -244,8 +258,7 @@ private:
             if (hull[q].face)
                 for (int p = 0; p < hull[q].face->pieces; ++p) {
                     const int l = label[find(first[q] + p)];
-                    result.sides.push_back({hull[q].slab_number, hull[q].face->piece + p, static_cast<std::int8_t>(1 - q % 2),
-                                            l < 0 ? -1 : part + l});
+                    beside_[hull[q].slab_number][hull[q].face->piece + p][1 - q % 2] = l < 0 ? -1 : part + l;
                 }
         add_links(c, hull, first, find, label, part, result);
         result.cut_cell.push_back(number);
@@ -398,6 +411,41 @@ private:
                 in_sight(planes_, solids_, images, from.x, from.x + length * way))
                 join(first[from.q], first[exit]);
         }
+    }
+
+    /// A cell of one part: one solid cuts its faces in the common way, and a way along open edges leads from any open corner to any other. Else
+    /// false.
+    bool add_whole_cell(const Index<3>& c, int number, const std::array<HullFace, 6>& hull, CellSlab<3>& result) const
+    {
+        unsigned corners = 0; // of the face below along the last axis, counterclockwise, then of that above
+        double total = 0;
+        for (int q = 0; q < 6; ++q) {
+            const HullFace& h = hull[q];
+            if (h.face && h.face->detail >= 0)
+                return false;
+            if (q >= 4)
+                corners |= (h.face ? h.face->open : h.state == Complex<3>::open ? 15U : 0U) << 4 * (q - 4);
+            for (int p = 0; p < h.pieces(); ++p)
+                total += h.area(p, grid_.relative_area(q / 2, c));
+        }
+        if (!connected_corners[corners] || !(total > parameters.least_area))
+            return false;
+        cell_[number] = static_cast<std::int32_t>(result.cut_cell.size());
+        const auto part = static_cast<std::int32_t>(result.part_cell.size());
+        const std::size_t begin = result.patches.size();
+        for (int q = 0; q < 6; ++q)
+            if (const CutFace<3>* face = hull[q].face) {
+                const BorderArc<3>& arc = hull[q].slab->arcs[face->arc];
+                const double sign = q % 2 ? -1 : 1;
+                add_patch<3>(result.patches, begin, solids_[arc.image].solid, sign * arc.area, sign * arc.moment);
+                beside_[hull[q].slab_number][face->piece][1 - q % 2] = part;
+            }
+        result.part_cell.push_back(cell_[number]);
+        result.part_area.push_back(total);
+        result.patches_of_part.push_back(static_cast<std::int32_t>(result.patches.size() - begin));
+        result.cut_cell.push_back(number);
+        result.parts_of_cell.push_back(1);
+        return true;
     }
 
     /// Of the edges that divide the cell, as far as they part two parts.
@@ -596,14 +644,9 @@ private:
     const std::vector<PlacedSolid<3>>& solids_;
     const CutFaces<3>& cut_;
     const FacetsInCells& facets_;
+    std::vector<PartsBeside>& beside_;
     std::vector<std::int32_t>& cell_;
 };
-
-void append_offset(std::vector<std::int32_t>& to, const std::vector<std::int32_t>& counts)
-{
-    for (const std::int32_t n : counts)
-        to.push_back(to.back() + n);
-}
 
 /// Whether a piece of a cell in 2D is a part: it has an open face, or is too large to be round-off.
 bool is_part(const Slab<2>& slab, const CutFace<2>& face, int p)
@@ -619,7 +662,7 @@ bool is_part(const Slab<2>& slab, const CutFace<2>& face, int p)
 
 /// Cells of a slab in 2D: the pieces of their rectangles are the parts.
 CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, const std::vector<PlacedSolid<2>>& solids,
-                         int slab_number, std::vector<std::int32_t>& cell)
+                         int slab_number, PartsBeside& beside, std::vector<std::int32_t>& cell)
 {
     CellSlab<2> result;
     const Slab<2>& slab = cut.slabs[slab_number];
@@ -662,7 +705,7 @@ CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, con
             result.patches_of_part.push_back(static_cast<std::int32_t>(result.patches.size() - begin));
         }
         for (int p = 0; p < face.pieces; ++p)
-            result.sides.push_back({slab_number, face.piece + p, 0, label[p] < 0 ? -1 : part + label[p]});
+            beside[face.piece + p][0] = label[p] < 0 ? -1 : part + label[p];
         result.cut_cell.push_back(number);
         result.parts_of_cell.push_back(count);
     });
@@ -674,39 +717,29 @@ template <int D>
 class Joining {
 public:
     Joining(const Grid<D>& grid, const GridPlanes<D>& planes, const std::vector<PlacedSolid<D>>& solids, const CutFaces<D>& cut,
-            const std::vector<CellSlab<D>>& slabs, Complex<D>& complex)
-        : grid_(grid), planes_(planes), solids_(solids), cut_(cut), slabs_(slabs), complex_(complex), index_(complex.index)
+            const std::vector<CellSlab<D>>& slabs, const std::vector<PartsBeside>& beside, Complex<D>& complex)
+        : grid_(grid), planes_(planes), solids_(solids), cut_(cut), slabs_(slabs), beside_(beside), complex_(complex),
+          index_(complex.index)
     {
-        std::vector<int> cell_offset{0};
-        for (std::size_t s = 0; s < slabs.size(); ++s) {
-            part_offset_.push_back(part_offset_.back() + static_cast<int>(slabs[s].part_cell.size()));
-            cell_offset.push_back(cell_offset.back() + static_cast<int>(slabs[s].cut_cell.size()));
-            piece_offset_.push_back(piece_offset_.back() + static_cast<int>(cut.slabs[s].pieces.size()));
+        for (const CellSlab<D>& slab : slabs) {
+            part_offset_.push_back(part_offset_.back() + static_cast<int>(slab.part_cell.size()));
+            cell_offset_.push_back(cell_offset_.back() + static_cast<int>(slab.cut_cell.size()));
+            patch_offset_.push_back(patch_offset_.back() + static_cast<int>(slab.patches.size()));
         }
-        for (std::size_t s = 0; s < slabs.size(); ++s) {
-            const CellSlab<D>& slab = slabs[s];
-            complex.cut_cell.insert(complex.cut_cell.end(), slab.cut_cell.begin(), slab.cut_cell.end());
-            append_offset(complex.first_part, slab.parts_of_cell);
-            for (const std::int32_t c : slab.part_cell)
-                complex.part_cell.push_back(c + cell_offset[s]);
-            complex.part_area.insert(complex.part_area.end(), slab.part_area.begin(), slab.part_area.end());
-            append_offset(complex.first_patch, slab.patches_of_part);
-            complex.patches.insert(complex.patches.end(), slab.patches.begin(), slab.patches.end());
-            for (const std::int32_t c : slab.cut_cell)
-                complex.cell[c] += cell_offset[s];
-            for (CornerLink<D> link : slab.links) {
+        complex.cut_cell.resize(cell_offset_.back());
+        complex.first_part.resize(cell_offset_.back() + 1);
+        complex.part_cell.resize(part_offset_.back());
+        complex.part_area.resize(part_offset_.back());
+        complex.first_patch.resize(part_offset_.back() + 1);
+        complex.patches.resize(patch_offset_.back());
+        for_each_job(static_cast<int>(slabs.size()), [&](int s) { copy_slab(s); });
+        for (std::size_t s = 0; s < slabs.size(); ++s)
+            for (CornerLink<D> link : slabs[s].links) {
                 link.a += part_offset_[s];
                 link.b += part_offset_[s];
                 complex.links.push_back(link);
             }
-        }
-        sides_.assign(piece_offset_.back(), {-1, -1});
-        for (std::size_t s = 0; s < slabs.size(); ++s)
-            for (const auto& side : slabs[s].sides)
-                if (side.part >= 0)
-                    sides_[piece_offset_[side.slab] + side.piece][side.side] = side.part + part_offset_[s];
-        for (int d = 0; d < D; ++d)
-            complex.main_area[d].assign(index_.count, 0);
+        for_each_job(D, [&](int d) { complex.main_area[d].assign(index_.count, 0); });
     }
 
     /// The largest part of a cell, or the cell where it is whole.
@@ -718,8 +751,14 @@ public:
         return complex_.main_of(index_(w));
     }
 
+    /// Pieces of one slab.
+    struct Pieces {
+        std::vector<FacePiece<D>> pieces;
+        std::vector<PieceSource> sources;
+    };
+
     void add_piece(int d, const Index<D>& f, PartOrCell low, PartOrCell high, double area, const Vec<D>& centroid,
-                   const PieceSource& source)
+                   const PieceSource& source, Pieces& to)
     {
         const auto lies = [&](const PartOrCell& side, const Index<D>& c) {
             return side.exists() || !grid_.in_domain(grid_.wrapped(c));
@@ -727,16 +766,35 @@ public:
         if (!lies(low, f - step<D>(d)) || !lies(high, f) || (!low.exists() && !high.exists()))
             return; // a part too small to be one
         const std::int32_t id = index_(f);
-        complex_.pieces.push_back({static_cast<std::int8_t>(d), id, low, high, area, centroid});
+        to.pieces.push_back({static_cast<std::int8_t>(d), id, low, high, area, centroid});
         if (sources)
-            sources->push_back(source);
-        if (complex_.joins_main(complex_.pieces.back()))
+            to.sources.push_back(source);
+        if (complex_.joins_main(to.pieces.back()))
             complex_.main_area[d][id] += area;
     }
 
-    int part(std::size_t slab, int number) const { return part_offset_[slab] + number; }
-    /// Part on a side of a piece of a slab's faces; -1: none.
-    int part_at(std::size_t slab, int piece, int side) const { return sides_[piece_offset_[slab] + piece][side]; }
+    /// Of all slabs, in their order.
+    void add_all(const std::vector<Pieces>& lists)
+    {
+        std::vector<std::size_t> offset{0};
+        for (const Pieces& list : lists)
+            offset.push_back(offset.back() + list.pieces.size());
+        complex_.pieces.resize(offset.back());
+        if (sources)
+            sources->resize(offset.back());
+        for_each_job(static_cast<int>(lists.size()), [&](int s) {
+            std::copy(lists[s].pieces.begin(), lists[s].pieces.end(), complex_.pieces.begin() + offset[s]);
+            if (sources)
+                std::copy(lists[s].sources.begin(), lists[s].sources.end(), sources->begin() + offset[s]);
+        });
+    }
+
+    /// Part on a side of a piece of a slab's faces, where a cell of slab `of_cell` lies there.
+    PartOrCell part_at(std::size_t slab, int piece, int side, std::size_t of_cell) const
+    {
+        const std::int32_t part = beside_[slab][piece][side];
+        return part >= 0 ? PartOrCell::part(part + part_offset_[of_cell]) : PartOrCell{};
+    }
 
     Vec<D> face_centre(int d, const Index<D>& f) const
     {
@@ -761,15 +819,35 @@ public:
     std::vector<PieceSource>* sources = nullptr; ///< of the complex's pieces, where they are wanted
 
 private:
+    void copy_slab(int s)
+    {
+        const CellSlab<D>& slab = slabs_[s];
+        const int cell = cell_offset_[s], part = part_offset_[s], patch = patch_offset_[s];
+        const auto sums = [](const std::vector<std::int32_t>& counts, int sum, auto to) { // ends of counted ranges
+            for (const std::int32_t n : counts)
+                *to++ = sum += n;
+        };
+        for (std::size_t k = 0; k < slab.cut_cell.size(); ++k) {
+            complex_.cut_cell[cell + k] = slab.cut_cell[k];
+            complex_.cell[slab.cut_cell[k]] += cell;
+        }
+        sums(slab.parts_of_cell, part, complex_.first_part.begin() + cell + 1);
+        for (std::size_t k = 0; k < slab.part_cell.size(); ++k)
+            complex_.part_cell[part + k] = slab.part_cell[k] + cell;
+        std::copy(slab.part_area.begin(), slab.part_area.end(), complex_.part_area.begin() + part);
+        sums(slab.patches_of_part, patch, complex_.first_patch.begin() + part + 1);
+        std::copy(slab.patches.begin(), slab.patches.end(), complex_.patches.begin() + patch);
+    }
+
     const Grid<D>& grid_;
     const GridPlanes<D>& planes_;
     const std::vector<PlacedSolid<D>>& solids_;
     const CutFaces<D>& cut_;
     const std::vector<CellSlab<D>>& slabs_;
+    const std::vector<PartsBeside>& beside_;
     Complex<D>& complex_;
     const DenseIndex<D>& index_;
-    std::vector<int> part_offset_{0}, piece_offset_{0};
-    std::vector<std::array<std::int32_t, 2>> sides_; ///< parts beside each piece
+    std::vector<int> cell_offset_{0}, part_offset_{0}, patch_offset_{0}; ///< first one of each slab
 };
 
 template <int D>
@@ -798,11 +876,12 @@ void Joining<D>::join_faces() requires(D == 3)
     std::vector<typename CellSlab<3>::Astray> astray;
     for (std::size_t s = 0; s < slabs_.size(); ++s)
         for (auto a : slabs_[s].astray) {
-            a.part = part(s, a.part);
+            a.part += part_offset_[s];
             astray.push_back(a);
         }
     std::sort(astray.begin(), astray.end(),
               [](const auto& a, const auto& b) { return std::tie(a.axis, a.face, a.side) < std::tie(b.axis, b.face, b.side); });
+    std::vector<Pieces> lists(slabs_.size() + 1); // those astray before the slabs'
     for (std::size_t k = 0; k < astray.size();) {
         const int d = astray[k].axis, id = astray[k].face;
         const Index<3> f = index_.index(id);
@@ -810,32 +889,30 @@ void Joining<D>::join_faces() requires(D == 3)
         for (; k < astray.size() && astray[k].axis == d && astray[k].face == id; ++k)
             side[astray[k].side] = PartOrCell::part(astray[k].part);
         const double area = std::exchange(complex_.main_area[d][id], 0.0);
-        add_piece(d, f, side[0], side[1], area, face_centre(d, f), {});
+        add_piece(d, f, side[0], side[1], area, face_centre(d, f), {}, lists[0]);
     }
-    for (std::size_t s = 0; s < slabs_.size(); ++s) {
+    for_each_job(static_cast<int>(slabs_.size()), [&](int s) {
         const Slab<3>& slab = cut_.slabs[s];
         for (const CutFace<3>& face : slab.faces) {
             if (face.state == CutFace<3>::State::dead)
                 continue;
             const Index<3> f = index_.index(face.id);
             const int d = face.axis, u = u_axis<3>(d), v = v_axis<3>(d);
+            const int plane = grid_.wrapped(f - step<3>(d))[2] - index_.low[2]; // of the cell below
+            const int below = plane < 0 ? s : cut_.slab_of[plane];
             for (int p = 0; p < face.pieces; ++p) {
-                const SquarePiece& piece = slab.pieces[face.piece + p];
+                const int number = face.piece + p;
+                const SquarePiece& piece = slab.pieces[number];
                 Vec<3> centroid;
                 centroid[d] = planes_.place[d][f[d]];
                 centroid[u] = piece.centroid[0];
                 centroid[v] = piece.centroid[1];
-                std::array<PartOrCell, 2> side;
-                for (int k = 0; k < 2; ++k)
-                    if (const int number = part_at(s, face.piece + p, k); number >= 0)
-                        side[k] = PartOrCell::part(number);
-                const std::int32_t number = face.piece + p;
-                add_piece(
-                    d, f, side[0], side[1], piece.area, centroid,
-                    {static_cast<std::int32_t>(s), static_cast<std::int32_t>(&face - slab.faces.data()), number, 0, 0, 0});
+                add_piece(d, f, part_at(s, number, 0, below), part_at(s, number, 1, s), piece.area, centroid,
+                          {s, static_cast<std::int32_t>(&face - slab.faces.data()), number, 0, 0, 0}, lists[s + 1]);
             }
         }
-    }
+    });
+    add_all(lists);
 }
 
 template <int D>
@@ -861,10 +938,7 @@ void Joining<D>::join_faces() requires(D == 2)
         const std::size_t number = static_cast<std::size_t>(cut_.slab_of[w[1] - index_.low[1]]);
         const Slab<2>& slab = cut_.slabs[number];
         const CutFace<2>& face = slab.faces[cut_.face[0][index_(w)]];
-        const auto part_of = [&](int piece) {
-            const int part = part_at(number, face.piece + piece, 0);
-            return part >= 0 ? PartOrCell::part(part) : PartOrCell{};
-        };
+        const auto part_of = [&](int piece) { return part_at(number, face.piece + piece, 0, number); };
         if (face.detail >= 0) {
             const FaceDetail& detail = slab.details[face.detail];
             for (int k = detail.stretch[e]; k < detail.stretch[e + 1]; ++k)
@@ -881,6 +955,7 @@ void Joining<D>::join_faces() requires(D == 2)
         }
         list.push_back(stretch);
     };
+    std::vector<Pieces> pieces(1);
     Behinds low, high;
     for (int d = 0; d < 2; ++d)
         for_each_index<2>(index_.low, owned_faces_end(grid_, d), [&](const Index<2>& f) {
@@ -904,13 +979,14 @@ void Joining<D>::join_faces() requires(D == 2)
                     const int e = &known == &low ? e_low : e_high;
                     const Index<2> w = grid_.wrapped(&known == &low ? below : f);
                     add_piece(d, f, low[i].part, high[j].part, end - begin, centroid,
-                              {cut_.slab_of[w[1] - index_.low[1]], cut_.face[0][index_(w)], 0, e, begin, end});
+                              {cut_.slab_of[w[1] - index_.low[1]], cut_.face[0][index_(w)], 0, e, begin, end}, pieces[0]);
                 }
                 const bool next_low = low[i].to <= high[j].to, next_high = high[j].to <= low[i].to;
                 i += next_low;
                 j += next_high;
             }
         });
+    add_all(pieces);
     for (std::size_t s = 0; s < slabs_.size(); ++s)
         for (const CutFace<2>& face : cut_.slabs[s].faces) {
             if (face.state == CutFace<2>::State::dead || face.detail < 0)
@@ -918,10 +994,10 @@ void Joining<D>::join_faces() requires(D == 2)
             const FaceDetail& detail = cut_.slabs[s].details[face.detail];
             for (int k = detail.division; k < detail.division + detail.divisions; ++k) {
                 const CornerDivision<2>& division = cut_.slabs[s].divisions[k];
-                const int a = part_at(s, face.piece + division.a, 0), b = part_at(s, face.piece + division.b, 0);
-                if (a >= 0 && b >= 0)
-                    complex_.links.push_back({a, b, solids_[division.image].solid, division.conductance, division.open,
-                                              division.covered, division.at});
+                const PartOrCell a = part_at(s, face.piece + division.a, 0, s), b = part_at(s, face.piece + division.b, 0, s);
+                if (a.exists() && b.exists())
+                    complex_.links.push_back({a.number(), b.number(), solids_[division.image].solid, division.conductance,
+                                              division.open, division.covered, division.at});
             }
         }
 }
@@ -962,17 +1038,19 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives != nullptr);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
     std::vector<CellSlab<D>> slabs(cut.slabs.size());
+    std::vector<PartsBeside> beside(cut.slabs.size());
+    for_each_job(static_cast<int>(slabs.size()), [&](int s) { beside[s].assign(cut.slabs[s].pieces.size(), {-1, -1}); });
     std::optional<FacetsInCells> facets;
     if constexpr (D == 3)
         facets.emplace(planes, complex.index, placed);
     for_each_job(static_cast<int>(slabs.size()), [&](int s) {
         if constexpr (D == 3)
-            slabs[s] = CellBuilder3(grid, planes, complex.index, placed, cut, *facets, complex.cell)
+            slabs[s] = CellBuilder3(grid, planes, complex.index, placed, cut, *facets, beside, complex.cell)
                            .build(cut.slabs[s].begin, cut.slabs[s].end);
         else
-            slabs[s] = build_cells2(cut, complex.index, placed, s, complex.cell);
+            slabs[s] = build_cells2(cut, complex.index, placed, s, beside[s], complex.cell);
     });
-    Joining<D> joining(grid, planes, placed, cut, slabs, complex);
+    Joining<D> joining(grid, planes, placed, cut, slabs, beside, complex);
     std::vector<PieceSource> sources;
     joining.sources = derivatives ? &sources : nullptr;
     joining.join_faces();

@@ -1,247 +1,240 @@
 #include "gapflow/complex/inertia.hpp"
 
-#include "gapflow/core/disjoint_sets.hpp"
+#include "gapflow/complex/open_areas.hpp"
+#include "gapflow/complex/parameters.hpp"
+#include "gapflow/core/threads.hpp"
 #include "gapflow/grid/field.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 namespace gapflow {
 namespace {
 
-/// Pieces of faces that only the line from a sharp corner separates, taken together; and what lies beside them in the plane of the grid.
+/// Flux of a solid's twist that lending adds to a row: the largest part of a cell, or another part of it.
 template <int D>
-class OpenAreas {
-public:
-    struct Area {
-        std::int32_t piece = -1; ///< its first piece; -1: all of an open face
-        std::int32_t face = -1;  ///< -1: none
-        double area = 0;
-        Vec<D> centroid = Vec<D>::Zero();
-    };
-
-    OpenAreas(const Grid<D>& grid, const Complex<D>& complex) : grid_(grid), complex_(complex)
-    {
-        for (int d = 0; d < D; ++d)
-            first_[d].assign(complex.index.count, -1);
-        next_.assign(complex.pieces.size(), -1);
-        for (std::size_t k = complex.pieces.size(); k-- > 0;) {
-            std::int32_t& first = first_[complex.pieces[k].axis][complex.pieces[k].face];
-            next_[k] = first;
-            first = static_cast<std::int32_t>(k);
-        }
-        if (complex.links.empty())
-            return;
-        DisjointSets whole(complex.parts());
-        for (const CornerLink<D>& link : complex.links)
-            whole.join(link.a, link.b);
-        int count = 0;
-        whole_ = whole.numbers(count);
-    }
-
-    /// The area to which a piece belongs, if that is its first one.
-    std::optional<Area> led_by(std::int32_t piece) const
-    {
-        const FacePiece<D>& p = complex_.pieces[piece];
-        if (complex_.links.empty())
-            return Area{piece, p.face, p.area, p.centroid};
-        Area sum{piece, p.face, 0, Vec<D>::Zero()};
-        for (std::int32_t k = first_[p.axis][p.face]; k >= 0; k = next_[k])
-            if (same(k, piece)) {
-                if (k < piece)
-                    return {};
-                sum.area += complex_.pieces[k].area;
-                sum.centroid += complex_.pieces[k].area * complex_.pieces[k].centroid;
-            }
-        sum.centroid /= sum.area > 0 ? sum.area : 1;
-        return sum;
-    }
-
-    /// Calls f(piece) for the pieces of an area.
-    template <class F>
-    void for_each(const Area& area, F&& f) const
-    {
-        if (complex_.links.empty()) {
-            f(area.piece);
-            return;
-        }
-        const FacePiece<D>& p = complex_.pieces[area.piece];
-        for (std::int32_t k = first_[p.axis][p.face]; k >= 0; k = next_[k])
-            if (same(k, area.piece))
-                f(k);
-    }
-
-    /// The one of the face `steps` beyond f, that of the given area, along t whose centroid is nearest to its own but for t.
-    Area beside(int axis, const Area& from, const Index<D>& f, int t, int steps) const
-    {
-        const int cells = grid_.cells()[t];
-        int at = f[t] + steps;
-        if (at < 0 || at >= cells) {
-            if (!grid_.periodic(t))
-                return {};
-            at += at < 0 ? cells : -cells;
-        }
-        const std::int32_t face = from.face + (at - f[t]) * complex_.index.stride[t], first = first_[axis][face];
-        if (first < 0)
-            return {-1, complex_.main_area[axis][face] > 0 ? face : -1, complex_.main_area[axis][face], Vec<D>::Zero()};
-        Area best;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::int32_t k = first; k >= 0; k = next_[k])
-            if (const std::optional<Area> area = led_by(k)) {
-                Vec<D> way = area->centroid - from.centroid;
-                way[t] = 0; // across: the same side of a thin solid
-                if (way.norm() < least) {
-                    least = way.norm();
-                    best = *area;
-                }
-            }
-        return best;
-    }
-
-private:
-    int whole(const PartOrCell& side) const { return side.is_part() ? whole_[side.number()] : side.code; }
-    bool same(std::int32_t a, std::int32_t b) const
-    {
-        return a == b || (whole(complex_.pieces[a].low) == whole(complex_.pieces[b].low) &&
-                          whole(complex_.pieces[a].high) == whole(complex_.pieces[b].high));
-    }
-
-    const Grid<D>& grid_;
-    const Complex<D>& complex_;
-    std::array<std::vector<std::int32_t>, D> first_;
-    std::vector<std::int32_t> next_;
-    std::vector<int> whole_; ///< of each part: those that links join have one number
+struct LentRow {
+    std::int32_t part; ///< -1: the largest, or the whole cell
+    std::int32_t solid, cell;
+    std::int32_t next; ///< of the same cell; -1: none
+    Twist<D> flux;
 };
 
+/// Lends from the faces of some planes. Reaches two planes further on either side.
 template <int D>
 class Lending {
 public:
     using Area = typename OpenAreas<D>::Area;
 
-    Lending(const Grid<D>& grid, const Complex<D>& complex, Inertia<D>& inertia)
-        : grid_(grid), complex_(complex), inertia_(inertia), areas_(grid, complex)
+    /// `first_row`: workspace, of each cell; so far -1.
+    Lending(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas, std::vector<std::int32_t>& first_row,
+            Inertia<D>& inertia)
+        : grid_(grid), complex_(complex), areas_(areas), first_row_(first_row), inertia_(inertia)
     {
+        for (int axis = 0; axis < D; ++axis)
+            for (int i = grid.low()[axis]; i < grid.high()[axis]; ++i)
+                centre_[axis].push_back((grid.centre_place(axis, i) - grid.anchor()[axis]) / grid.dx());
     }
 
-    void lend()
+    /// To the weights and to the fluxes of Complex::patches; returns the rows beside these.
+    std::vector<LentRow<D>> lend(int begin, int end)
     {
-        for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
-            const FacePiece<D>& piece = complex_.pieces[k];
-            if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
-                continue;
-            const std::optional<Area> own = areas_.led_by(static_cast<std::int32_t>(k));
-            if (!own)
-                continue;
-            find_shares(*own);
-            if (shares_.empty())
-                continue;
-            const Index<D> f = complex_.index.index(piece.face);
-            for (int t = 0; t < D; ++t) {
-                if (t == piece.axis)
-                    continue;
-                const double centre = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx(),
-                             offset = own->centroid[t] - centre;
-                const int towards = offset > 0 ? 1 : -1;
-                const Area next = areas_.beside(piece.axis, *own, f, t, towards);
-                if (next.face < 0 || !(next.area > 0))
-                    continue;
-                const double lent = 0.5 * std::min(1.0, next.area / own->area) * own->area * std::abs(offset);
-                const Area after = areas_.beside(piece.axis, *own, f, t, 2 * towards);
-                const double more =
-                    after.face >= 0 && after.area > 0 ? 0.5 * lent * std::min(1.0, after.area / own->area) : 0.0;
-                add(piece.axis, *own, -lent - more);
-                add(piece.axis, next, lent + 2 * more);
-                if (more > 0)
-                    add(piece.axis, after, -more);
+        Index<D> low = grid_.low(), high = grid_.high();
+        low[D - 1] = begin;
+        high[D - 1] = end;
+        for_each_row<D>(low, high, [&](const Index<D>& row) {
+            for (axis_ = 0; axis_ < D; ++axis_) {
+                const int i = row[axis_];
+                below_ = (grid_.periodic(axis_) && i == 0 ? grid_.cells()[axis_] - 1 : -1) * complex_.index.stride[axis_];
+                Index<D> f = row;
+                for (int face = complex_.index(row); f[0] < high[0]; ++f[0], ++face) {
+                    for (std::int32_t k = areas_.first(axis_, face); k >= 0; k = areas_.next(k))
+                        lend_from(k, f);
+                    if (axis_ == 0)
+                        below_ = -1;
+                }
             }
-        }
+        });
+        move_to_patches();
+        return std::move(rows_);
     }
 
 private:
-    /// A solid beside a piece: its walls in the parts on the two sides.
+    /// What of a solid's motion lent area carries: of its velocity along the axis, and of its spin.
     struct Share {
         std::int32_t solid;
-        double size; ///< of the area vectors; in the end over the sum of all
+        double size; ///< of the area vectors of its walls on both sides; in the end over the sum of all
         Vec<D> area;
-        Spin<D> moment;
+        Spin<D> moment; ///< in the end flux of the spin
     };
 
-    void find_shares(const Area& area)
+    void lend_from(std::int32_t k, const Index<D>& f)
+    {
+        const FacePiece<D>& piece = complex_.pieces[k];
+        if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
+            return;
+        const std::optional<Area> own = areas_.led_by(k);
+        if (!own)
+            return;
+        find_shares(k, *own);
+        if (shares_.empty())
+            return;
+        double given = 0;
+        for (int t = 0; t < D; ++t) {
+            if (t == axis_)
+                continue;
+            const double offset = own->centroid[t] - centre_[t][f[t] - grid_.low()[t]];
+            const int towards = offset > 0 ? 1 : -1;
+            const Area next = areas_.beside(axis_, *own, f, t, towards);
+            if (next.face < 0 || !(next.area > 0))
+                continue;
+            const double lent = 0.5 * std::min(1.0, next.area / own->area) * own->area * std::abs(offset);
+            const Area after = areas_.beside(axis_, *own, f, t, 2 * towards);
+            const double more = after.face >= 0 && after.area > 0 ? 0.5 * lent * std::min(1.0, after.area / own->area) : 0.0;
+            given += lent + more;
+            add(next, lent + 2 * more);
+            if (more > 0)
+                add(after, -more);
+        }
+        if (given > 0)
+            add(*own, -given);
+    }
+
+    void find_shares(std::int32_t k, const Area& area)
     {
         shares_.clear();
+        if (area.piece < 0)
+            add_walls(complex_.pieces[k]);
+        else
+            areas_.for_each(area, [&](std::int32_t piece) { add_walls(complex_.pieces[piece]); });
         double sum = 0;
-        areas_.for_each(area, [&](std::int32_t piece) {
-            for (const PartOrCell& side : {complex_.pieces[piece].low, complex_.pieces[piece].high})
-                if (side.is_part())
-                    for (const WallPatch<D>& patch : complex_.patches_of(side.number())) {
-                        const double size = patch.area.norm();
-                        sum += size;
-                        auto known = std::find_if(shares_.begin(), shares_.end(),
-                                                  [&](const Share& share) { return share.solid == patch.solid; });
-                        if (known != shares_.end()) {
-                            known->size += size;
-                            known->area += patch.area;
-                            known->moment += patch.moment;
-                        } else
-                            shares_.push_back({patch.solid, size, patch.area, patch.moment});
-                    }
-        });
-        for (Share& share : shares_)
+        for (const Share& share : shares_)
+            sum += share.size;
+        // A wall that turns moves with its speed along its normal: one that turns in itself lends nothing.
+        for (Share& share : shares_) {
             share.size /= sum > 0 ? sum : 1;
+            const double square = share.area.squaredNorm();
+            share.moment *= square > 0 ? share.size * share.area[axis_] / square : 0.0;
+        }
     }
 
-    PartOrCell main_of(const Index<D>& c) const { return complex_.main_of(complex_.index(grid_.wrapped(c))); }
+    void add_walls(const FacePiece<D>& piece)
+    {
+        for (const PartOrCell& side : {piece.low, piece.high})
+            if (side.is_part())
+                for (const WallPatch<D>& patch : complex_.patches_of(side.number())) {
+                    const double size = patch.area.norm();
+                    const auto known = std::find_if(shares_.begin(), shares_.end(),
+                                                    [&](const Share& share) { return share.solid == patch.solid; });
+                    if (known != shares_.end()) {
+                        known->size += size;
+                        known->area += patch.area;
+                        known->moment += patch.moment;
+                    } else
+                        shares_.push_back({patch.solid, size, patch.area, patch.moment});
+                }
+    }
 
-    void add(int d, const Area& to, double area)
+    void add(const Area& to, double area)
     {
         if (to.piece < 0) {
-            inertia_.main_weight[d][to.face] += area;
-            const Index<D> f = complex_.index.index(to.face);
-            add_flux(d, main_of(f - step<D>(d)), main_of(f), area);
+            inertia_.main_weight[axis_][to.face] += area;
+            add_to_row(-1, to.face, area);
+            add_to_row(-1, to.face + below_, -area);
             return;
         }
+        const auto other_part = [&](const PartOrCell& side) { return complex_.is_main(side) ? -1 : side.number(); };
         areas_.for_each(to, [&](std::int32_t k) {
             const FacePiece<D>& piece = complex_.pieces[k];
-            const double share = area * piece.area / to.area;
+            const double share = area * (piece.area / to.area);
             inertia_.piece_weight[k] += share;
             if (complex_.joins_main(piece))
-                inertia_.main_weight[d][to.face] += share;
-            add_flux(d, piece.low, piece.high, share);
+                inertia_.main_weight[axis_][to.face] += share;
+            add_to_row(other_part(piece.high), to.face, share);
+            add_to_row(other_part(piece.low), to.face + below_, -share);
         });
     }
 
-    void add_flux(int d, const PartOrCell& low, const PartOrCell& high, double area)
+    void add_to_row(std::int32_t part, int cell, double area)
     {
         for (const Share& share : shares_) {
-            // A wall that turns moves with its speed along its normal: one that turns in itself lends nothing.
-            Twist<D> flux = Twist<D>::Zero();
-            flux[d] = share.size * area;
-            if (const double square = share.area.squaredNorm(); square > 0)
-                flux.template tail<spin_size<D>>() = share.size * area * share.area[d] / square * share.moment;
-            add_row(high, share.solid, flux);
-            add_row(low, share.solid, -flux);
+            std::int32_t* at = &first_row_[cell];
+            while (*at >= 0 && (rows_[*at].solid != share.solid || rows_[*at].part != part))
+                at = &rows_[*at].next;
+            if (*at < 0) {
+                *at = static_cast<std::int32_t>(rows_.size());
+                rows_.push_back({part, share.solid, cell, -1, Twist<D>::Zero()});
+                at = &first_row_[cell];
+                while (rows_[*at].solid != share.solid || rows_[*at].part != part)
+                    at = &rows_[*at].next;
+            }
+            Twist<D>& flux = rows_[*at].flux;
+            flux[axis_] += area * share.size;
+            flux.template tail<spin_size<D>>() += area * share.moment;
         }
     }
 
-    void add_row(const PartOrCell& row, std::int32_t solid, const Twist<D>& flux)
+    void move_to_patches()
     {
-        if (row.is_part())
-            for (int k = complex_.first_patch[row.number()]; k < complex_.first_patch[row.number() + 1]; ++k)
-                if (complex_.patches[k].solid == solid) {
-                    inertia_.patch_flux[k] += flux;
-                    return;
-                }
-        inertia_.flux.push_back({row, solid, flux});
+        std::size_t left = 0;
+        for (LentRow<D>& row : rows_) {
+            const PartOrCell at = row.part >= 0 ? PartOrCell::part(row.part) : complex_.main_of(row.cell);
+            int k = at.is_part() ? complex_.first_patch[at.number()] : 0;
+            const int end = at.is_part() ? complex_.first_patch[at.number() + 1] : 0;
+            while (k < end && complex_.patches[k].solid != row.solid)
+                ++k;
+            if (k < end)
+                inertia_.patch_flux[k] += row.flux;
+            else
+                rows_[left++] = row;
+        }
+        rows_.resize(left);
     }
 
     const Grid<D>& grid_;
     const Complex<D>& complex_;
+    const OpenAreas<D>& areas_;
+    std::vector<std::int32_t>& first_row_;
     Inertia<D>& inertia_;
-    OpenAreas<D> areas_;
+    std::array<std::vector<double>, D> centre_; ///< of cells along each axis, from Grid::low() on
+    int axis_ = 0;                              ///< of the face that lends
+    int below_ = 0;                             ///< number of the cell below it less that of the one above it
     std::vector<Share> shares_;
+    std::vector<LentRow<D>> rows_;
 };
+
+/// Planes in slabs, first all even ones, then all odd ones: those of one time reach no common cell, and sums are the same for any number of threads.
+template <int D>
+void lend(const Grid<D>& grid, const Complex<D>& complex, Inertia<D>& inertia)
+{
+    const OpenAreas<D> areas(grid, complex);
+    const int first = grid.low()[D - 1], n = grid.high()[D - 1] - first, slabs = std::max(1, n / (2 * parameters.slab) * 2);
+    std::vector<std::vector<LentRow<D>>> rows(slabs);
+    for (int odd = 0; odd < 2; ++odd) {
+        std::vector<std::int32_t> first_row(complex.index.count, -1);
+        for_each_job((slabs + 1 - odd) / 2, [&](int k) {
+            const int s = 2 * k + odd;
+            rows[s] =
+                Lending<D>(grid, complex, areas, first_row, inertia).lend(first + n * s / slabs, first + n * (s + 1) / slabs);
+        });
+    }
+    for_each_part(static_cast<long>(complex.pieces.size()), [&](long begin, long end) {
+        for (long k = begin; k < end; ++k)
+            if (const FacePiece<D>& piece = complex.pieces[k]; areas.plain(piece.axis, piece.face))
+                inertia.piece_weight[k] = inertia.main_weight[piece.axis][piece.face];
+            else
+                inertia.piece_weight[k] += piece.area;
+    });
+    std::vector<std::size_t> offset{0};
+    for (const auto& list : rows)
+        offset.push_back(offset.back() + list.size());
+    inertia.flux.resize(offset.back());
+    for_each_job(slabs, [&](int s) {
+        std::size_t k = offset[s];
+        for (const LentRow<D>& row : rows[s])
+            inertia.flux[k++] = {row.part >= 0 ? PartOrCell::part(row.part) : complex.main_of(row.cell), row.solid, row.flux};
+    });
+}
 
 } // namespace
 
@@ -250,16 +243,13 @@ Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex)
 {
     Inertia<D> inertia;
     inertia.main_weight = complex.main_area;
-    inertia.piece_weight.reserve(complex.pieces.size());
-    inertia.patch_flux.reserve(complex.patches.size());
-    for (const FacePiece<D>& piece : complex.pieces)
-        inertia.piece_weight.push_back(piece.area);
-    for (const WallPatch<D>& patch : complex.patches) {
-        Twist<D> flux;
-        flux << patch.area, patch.moment;
-        inertia.patch_flux.push_back(flux);
-    }
-    Lending<D>(grid, complex, inertia).lend();
+    inertia.piece_weight.resize(complex.pieces.size());
+    inertia.patch_flux.resize(complex.patches.size());
+    for_each_part(static_cast<long>(complex.patches.size()), [&](long begin, long end) {
+        for (long k = begin; k < end; ++k)
+            inertia.patch_flux[k] << complex.patches[k].area, complex.patches[k].moment;
+    });
+    lend(grid, complex, inertia);
     return inertia;
 }
 
