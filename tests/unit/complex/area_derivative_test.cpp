@@ -367,7 +367,12 @@ double asymmetry(const Grid<D>& grid, const std::vector<Solid<D>>& solids, int s
                 divided[complex.index(near)] = 1;
         });
     }
-    const bool pair = std::count_if(solids.begin(), solids.end(), [](const Solid<D>& s) { return !s.wall; }) > 1;
+    const auto has_rims = [](const Solid<D>& s) { // the chords of a rim's cone do not move as the solid does
+        const auto bar = s.shape.shape().round_bar();
+        return bar && bar->flat;
+    };
+    const bool pair = std::count_if(solids.begin(), solids.end(), [](const Solid<D>& s) { return !s.wall; }) > 1 ||
+                      std::any_of(solids.begin(), solids.end(), has_rims);
     double worst = 0;
     for (int p = 0; p < complex.parts(); ++p) {
         if (pair && divided[complex.cut_cell[complex.part_cell[p]]]) // the line may end on the other solid, and slide along it
