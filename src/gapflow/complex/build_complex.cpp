@@ -1067,7 +1067,10 @@ template <int D>
 long Complex<D>::bytes() const
 {
     const auto of = [](const auto& v) { return static_cast<long>(v.capacity() * sizeof(v[0])); };
-    return of(cell) + of(cut_cell) + of(first_part) + of(part_cell) + of(part_area) + of(first_patch) + of(patches) +
+    long areas = 0;
+    for (const std::vector<double>& area : main_area)
+        areas += of(area);
+    return areas + of(cell) + of(cut_cell) + of(first_part) + of(part_cell) + of(part_area) + of(first_patch) + of(patches) +
            of(pieces) + of(links);
 }
 

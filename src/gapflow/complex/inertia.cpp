@@ -253,6 +253,18 @@ Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex)
     return inertia;
 }
 
+template <int D>
+long Inertia<D>::bytes() const
+{
+    const auto of = [](const auto& v) { return static_cast<long>(v.capacity() * sizeof(v[0])); };
+    long sum = of(piece_weight) + of(patch_flux) + of(flux);
+    for (const std::vector<double>& weight : main_weight)
+        sum += of(weight);
+    return sum;
+}
+
+template struct Inertia<2>;
+template struct Inertia<3>;
 template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&);
 template Inertia<3> find_inertia(const Grid<3>&, const Complex<3>&);
 

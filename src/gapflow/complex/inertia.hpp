@@ -27,7 +27,9 @@ struct Inertia {
     std::array<std::vector<double>, D> main_weight;
     std::vector<double> piece_weight; ///< of each piece
     std::vector<Twist<D>> patch_flux; ///< of each of Complex::patches, in cells: the walls' own and what is lent
-    std::vector<LentFlux<D>> flux;    ///< of the rows beside
+    std::vector<LentFlux<D>> flux;    ///< of the rows beside; one may come more than once
+
+    long bytes() const;
 };
 
 template <int D>

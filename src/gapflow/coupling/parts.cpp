@@ -36,13 +36,19 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
 
     coupling.open = FaceField<D>(grid, 0.0);
     coupling.kind = CellField<D, std::int8_t>(grid, static_cast<std::int8_t>(CellKind::solid));
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        if (complex.cell[complex.index(c)] != Complex<D>::solid)
-            coupling.kind(c) = static_cast<std::int8_t>(CellKind::bulk);
+    for_each_row_on_threads<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
+        const std::int32_t* cell = &complex.cell[complex.index(row)];
+        std::int8_t* kind = &coupling.kind(row);
+        for (int i = 0; i < grid.high()[0] - row[0]; ++i)
+            if (cell[i] != Complex<D>::solid)
+                kind[i] = static_cast<std::int8_t>(CellKind::bulk);
     });
     for (int axis = 0; axis < D; ++axis) {
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
-                          [&](const Index<D>& f) { coupling.open(axis, f) = inertia.main_weight[axis][complex.index(f)]; });
+        const Index<D> end = owned_faces_end(grid, axis);
+        for_each_row_on_threads<D>(grid.low(), end, [&](const Index<D>& row) {
+            const double* weight = &inertia.main_weight[axis][complex.index(row)];
+            std::copy(weight, weight + (end[0] - row[0]), &coupling.open(axis, row));
+        });
         if (grid.periodic(axis)) { // the last face is the first one
             Index<D> low = grid.low(), high = grid.high();
             low[axis] = high[axis];
@@ -94,27 +100,35 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     system.film.setFromTriplets(film.begin(), film.end());
 
     const double area = std::pow(grid.dx(), D - 1);
-    FluxEntries<D, Index<D>> cells;
+    const auto in_world = [&](const Twist<D>& flux) {
+        Twist<D> world = area * flux;
+        world.template tail<spin_size<D>>() *= grid.dx();
+        return world;
+    };
+    append_entries<D, Index<D>>(
+        complex.cut_cells(),
+        [&](long c, FluxEntries<D, Index<D>>& cells) {
+            const int p = complex.first_part[c];
+            const Index<D> row = complex.index.index(complex.cut_cell[c]);
+            for (int k = complex.first_patch[p]; k < complex.first_patch[p + 1]; ++k)
+                cells.add(coupling, row, complex.patches[k].solid, in_world(inertia.patch_flux[k]));
+        },
+        coupling.cell_flux, system.cell_flux);
+    append_entries<D, Index<D>>(
+        static_cast<long>(inertia.flux.size()),
+        [&](long i, FluxEntries<D, Index<D>>& cells) {
+            const LentFlux<D>& lent = inertia.flux[i];
+            if (complex.is_main(lent.row))
+                cells.add(coupling, complex.index.index(complex.cell_of(lent.row)), lent.solid, in_world(lent.flux));
+        },
+        coupling.cell_flux, system.cell_flux);
     FluxEntries<D, int> nodes;
     for (int p = 0; p < complex.parts(); ++p)
-        for (int k = complex.first_patch[p]; k < complex.first_patch[p + 1]; ++k) {
-            Twist<D> flux = area * inertia.patch_flux[k];
-            flux.template tail<spin_size<D>>() *= grid.dx();
-            if (node[p] >= 0)
-                nodes.add(coupling, node[p], complex.patches[k].solid, flux);
-            else if (complex.is_main(p))
-                cells.add(coupling, complex.cell_of_part(p), complex.patches[k].solid, flux);
-        }
-    for (const LentFlux<D>& lent : inertia.flux) {
-        Twist<D> flux = area * lent.flux;
-        flux.template tail<spin_size<D>>() *= grid.dx();
+        for (int k = complex.first_patch[p]; node[p] >= 0 && k < complex.first_patch[p + 1]; ++k)
+            nodes.add(coupling, node[p], complex.patches[k].solid, in_world(inertia.patch_flux[k]));
+    for (const LentFlux<D>& lent : inertia.flux)
         if (lent.row.is_part() && node[lent.row.number()] >= 0)
-            nodes.add(coupling, node[lent.row.number()], lent.solid, flux);
-        else if (complex.is_main(lent.row))
-            cells.add(coupling, complex.index.index(complex.cell_of(lent.row)), lent.solid, flux);
-    }
-    coupling.cell_flux = std::move(cells.all);
-    system.cell_flux = std::move(cells.free);
+            nodes.add(coupling, node[lent.row.number()], lent.solid, in_world(lent.flux));
     coupling.node_flux = std::move(nodes.all);
     system.node_flux = std::move(nodes.free);
     fill_mass(coupling, mass); // the bodies' own: with what follows light ones may have a negative one
