@@ -1,9 +1,10 @@
-// gapflow added-mass: the added-mass matrix of all bodies that are not fixed.
+// gapflow added-mass: the added-mass matrix of all bodies that are not fixed, and first accelerations.
 #include "commands.hpp"
 
 #include "gapflow/core/communicator.hpp"
 #include "gapflow/core/logging.hpp"
 #include "gapflow/stepping/added_mass.hpp"
+#include "gapflow/stepping/first_acceleration.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
 
 #include <nlohmann/json.hpp>
@@ -12,11 +13,12 @@
 
 namespace gapflow {
 
-int added_mass_command(const Scene& scene, bool json)
+int added_mass_command(const Scene& scene, bool json, bool accelerations)
 {
     const Communicator comm;
     const Logger log(comm, false);
     const AddedMass result = added_mass(scene, comm);
+    const FirstAccelerations first = accelerations ? first_accelerations(scene, comm) : FirstAccelerations{};
     for (const std::string& warning : result.warnings)
         log.warning(warning);
     if (!comm.root())
@@ -41,6 +43,13 @@ int added_mass_command(const Scene& scene, bool json)
                 {{"cells", pocket.cells}, {"film_nodes", pocket.nodes}, {"bodies", pocket.bodies}, {"at", pocket.at}});
         out["blind_film_ends"] = result.blind_length;
         out["warnings"] = result.warnings;
+        if (accelerations) {
+            out["accelerations"] = nlohmann::ordered_json::object();
+            for (std::size_t b = 0; b < first.bodies.size(); ++b)
+                out["accelerations"][first.bodies[b]] =
+                    std::vector<double>(first.acceleration[b].begin(), first.acceleration[b].end());
+            out["acceleration_iterations"] = first.iterations;
+        }
         out["seconds"] = result.seconds;
         std::puts(out.dump(2).c_str());
         return 0;
@@ -55,6 +64,12 @@ int added_mass_command(const Scene& scene, bool json)
         std::printf("%-16s", result.labels[i].c_str());
         for (long j = 0; j < result.matrix.cols(); ++j)
             std::printf(" %13.6g", result.matrix(i, j));
+        std::printf("\n");
+    }
+    for (std::size_t b = 0; b < first.bodies.size(); ++b) {
+        std::printf("first acceleration of %s:", first.bodies[b].c_str());
+        for (const double component : first.acceleration[b])
+            std::printf(" %.6g", component);
         std::printf("\n");
     }
     for (const SealedPocket& pocket : result.sealed)

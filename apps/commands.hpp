@@ -56,7 +56,7 @@ int sweep_command(const SceneReader& read, const SweepOptions& options);
 int check_command(const Scene& scene);
 
 /// Prints the added-mass matrix, as a table or as JSON. Collective.
-int added_mass_command(const Scene& scene, bool json);
+int added_mass_command(const Scene& scene, bool json, bool accelerations);
 
 struct ReportOptions {
     std::vector<std::string> folders; ///< of runs, or of a sweep

@@ -27,7 +27,7 @@ struct Arguments {
     ConvergeOptions converge;
     SweepOptions sweep;
     ReportOptions report;
-    bool quiet = false, json = false, names = false, force = false;
+    bool quiet = false, json = false, names = false, force = false, accelerations = false;
 };
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
@@ -141,8 +141,12 @@ void add_check_and_added_mass(const CommandLine& line)
 
     CLI::App* mass = line.add_of_scene(
         "added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses",
-        [&arguments] { return added_mass_command(scene_of(arguments, Purpose::added_mass), arguments.json); });
+        [&arguments] {
+            return added_mass_command(scene_of(arguments, Purpose::added_mass), arguments.json, arguments.accelerations);
+        });
     mass->add_flag("--json", arguments.json, "Print JSON");
+    mass->add_flag("--accelerations", arguments.accelerations,
+                   "Also the free bodies' first accelerations when everything starts from rest, by gravity, forces and springs");
 }
 
 void add_converge(const CommandLine& line)

@@ -7,7 +7,9 @@
 #include "gapflow/output/checkpoint.hpp"
 #include "gapflow/scene/parse_scene.hpp"
 #include "gapflow/stepping/added_mass.hpp"
+#include "gapflow/stepping/first_acceleration.hpp"
 
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
 namespace py = pybind11;
@@ -41,6 +43,20 @@ py::dict added_mass_dict(const Scene& scene)
     return py::dict("bodies"_a = result.bodies, "labels"_a = result.labels, "matrix"_a = matrix, "cells"_a = result.cells,
                     "film_nodes"_a = result.film_nodes, "iterations"_a = result.iterations, "sealed"_a = sealed,
                     "warnings"_a = result.warnings, "seconds"_a = result.seconds);
+}
+
+py::dict first_accelerations_dict(const Scene& scene)
+{
+    runtime().start();
+    FirstAccelerations result;
+    {
+        const Computing computing;
+        result = first_accelerations(scene, Communicator());
+    }
+    py::dict accelerations;
+    for (std::size_t b = 0; b < result.bodies.size(); ++b)
+        accelerations[py::str(result.bodies[b])] = py::cast(result.acceleration[b]);
+    return accelerations;
 }
 
 // Names of the bodies and how each moves.
@@ -103,6 +119,7 @@ PYBIND11_MODULE(_core, m)
         return read_checkpoint(file, Communicator()).scene;
     });
     m.def("added_mass", &added_mass_dict);
+    m.def("first_accelerations", &first_accelerations_dict);
 
     py::class_<Session, std::shared_ptr<Session>>(m, "Session")
         .def(py::init(&Session::make))

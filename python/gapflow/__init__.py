@@ -23,7 +23,7 @@ from ._core import ComputationError, InputError
 from .scene import (Ball, Body, Box, Capsule, Contact, Crowd, Cylinder, Domain, Fluid, Gap, GridOptions, HalfSpace, Hinge, Mesh, Output,
                     Pair, Scene, SceneLike, Sheet, Sides, Solver, Spring, Time, Toml)
 from .records import AddedMass, Budget, Films, Grid, SealedPocket, StepReport
-from .simulation import BodyState, SceneWarning, SideValues, Simulation, added_mass, check, rank
+from .simulation import BodyState, SceneWarning, SideValues, Simulation, added_mass, check, first_accelerations, rank
 
 __version__: str = _core.__version__
 
@@ -31,7 +31,7 @@ __all__ = [
     "AddedMass", "Ball", "Body", "BodyState", "Box", "Budget", "Capsule", "ComputationError", "Contact", "Crowd", "Cylinder", "Domain",
     "Films", "Fluid", "Gap", "Grid", "GridOptions", "HalfSpace", "Hinge", "InputError", "Mesh", "Output", "Pair", "Scene",
     "SceneLike", "SceneWarning", "SealedPocket", "Sheet", "SideValues", "Sides", "Simulation", "Solver", "Spring", "StepReport", "Time", "Toml",
-    "added_mass", "check", "rank",
+    "added_mass", "check", "first_accelerations", "rank",
 ]
 
 InputError.__doc__ = "A bad scene or argument, found before anything is computed: the command's text (place, key, value, remedy)."

@@ -567,6 +567,13 @@ def added_mass(scene: SceneLike, *, set: Mapping[str, Any] | None = None) -> Add
 
 
 @checked_arguments
+def first_accelerations(scene: SceneLike, *, set: Mapping[str, Any] | None = None) -> dict[str, Floats]:
+    """Of each free body its acceleration and angular acceleration, in one array, when bodies and fluid start from rest: by gravity with buoyancy, given
+    forces and springs, in ideal fluid. Prescribed bodies are held, contacts do not act. Needs no [time]. Collective. Raises as added_mass()."""
+    return _core.first_accelerations(_read(scene, set, "added_mass"))
+
+
+@checked_arguments
 def check(scene: SceneLike, *, set: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """Validates a scene, computing nothing, and returns it with all defaults filled in. Raises InputError."""
     return json.loads(_read(scene, set, "check").json())

@@ -277,6 +277,17 @@ def test_added_mass_is_the_commands(command, tmp_path):
     assert mass["right.vx", "left.vx"] == mass.matrix[3, 0]
 
 
+@pytest.mark.parametrize("model", ["film", "parts"])
+def test_first_acceleration_is_that_of_the_added_mass(model):
+    ball = {"name": "b", "shape": "ball", "radius": 0.2, "position": [0.5, 0.5], "density": 0.25}
+    scene = {"domain": {"size": [1, 1], "cells": [32, 32]}, "gravity": [0, -1], "gap": {"model": model}, "body": [ball]}
+    volume = np.pi * 0.04
+    mass = gapflow.added_mass(scene)["b.vy", "b.vy"]
+    a = gapflow.first_accelerations(scene)["b"]
+    assert a[1] == pytest.approx(0.75 * volume / (0.25 * volume + mass), rel=1e-6)
+    assert abs(a[0]) < 1e-6 and a.shape == (3,)
+
+
 def test_added_mass_of_one_cylinder():
     """rho pi R^2, and a few percent for the walls and the grid."""
     cylinder = gapflow.Ball(name="cylinder", radius=0.5, position=[4, 4])

@@ -72,12 +72,12 @@ def command(args, ranks=1, check=True, timeout=1800):
     return done
 
 
-def added_mass(scene, ranks=1):
+def added_mass(scene, ranks=1, accelerations=False):
     """The parsed JSON of `gapflow added-mass --json` for a scene."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "scene.toml"
         file.write_text(scene_text(scene))
-        return json.loads(command(["added-mass", file, "--json"], ranks).stdout)
+        return json.loads(command(["added-mass", file, "--json", *(["--accelerations"] if accelerations else [])], ranks).stdout)
 
 
 def smooth(scene):

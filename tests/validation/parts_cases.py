@@ -2,6 +2,7 @@
 
 References: exact series where the text says so; else Richardson's value of two finer grids of the same model, or the literature.
 """
+import json
 import math
 import random
 import tempfile
@@ -17,6 +18,7 @@ SHEET = "Parts: sheets, thin discs and square plates"
 SLIT = "Parts: slits and holes in thin walls"
 NEAR = "Parts: ball over a wall"
 SUMS = "Parts: uniform motion and sums"
+LIGHT = "Parts: light bodies"
 CROWD = "Parts: crowd of 48 balls"
 SHIFTS = "Parts: added mass over 200 small shifts"
 MESHES = "Parts: meshes"
@@ -395,6 +397,78 @@ def uniform_motion(quick):
         yield Row(SUMS, f"container of {0.4 * n:g} cells a radius full of fluid: added mass over the fluid's mass", "1 to round-off", f"{error:+.1e}", abs(error) < 1e-9)
 
 
+def uniform_acceleration(quick):
+    """A free container, full of fluid and of neutral bodies, pushed through its centre: everything moves as one."""
+    for name, n, inside in (
+            ("three disks, a capsule and a box", 64, [dict(shape="ball", radius=0.09, position=[0.31, 0.42]), dict(shape="ball", radius=0.06, position=[0.63, 0.71]), dict(shape="ball", radius=0.031, position=[0.5, 0.22]),
+                                                      dict(shape="capsule", radius=0.03, length=0.15, position=[0.63, 0.43], rotation=31.0), dict(shape="box", size=[0.2, 0.08], position=[0.37, 0.66], rotation=17.0)]),
+            ("two balls", 24, [dict(shape="ball", radius=0.13, position=[0.35, 0.42, 0.5]), dict(shape="ball", radius=0.1, position=[0.64, 0.55, 0.47])])):
+        if quick and n == 24:
+            continue
+        dimension = len(inside[0]["position"])
+        container = dict(name="container", shape="ball", radius=0.4, position=[0.507, 0.493, 0.501][:dimension], inside_out=True, mass=0.2, inertia=0.1 if dimension == 2 else [0.1, 0.1, 0.1],
+                         force=[1.0, 0.5, 0.3][:dimension])
+        bodies = [container] + [dict(name=f"b{k}", density=1.0, **body) for k, body in enumerate(inside)]
+        result = harness.added_mass(dict(domain=domain([1.0] * dimension, [n] * dimension), solver=dict(tolerance=1e-13), gap=dict(model="parts"), body=bodies), accelerations=True)
+        total = 0.2 + (math.pi * 0.16 if dimension == 2 else 4 / 3 * math.pi * 0.064)
+        exact = [f / total for f in container["force"]]
+        error = max(max(abs(x - y) for x, y in zip(a, exact + [0.0] * 3)) for a in result["accelerations"].values()) / exact[0]
+        yield Row(SUMS, f"free container, {0.4 * n:g} cells a radius, full of fluid, with neutral {name}: accelerations, against force over all mass", "1e-10", f"{error:.1e}; {result['acceleration_iterations']} iterations", error < 1e-10)
+
+
+def light_bodies(quick):
+    """First accelerations by gravity at densities of 0.001 to 1000 of the fluid, against the dense system with the added-mass matrix."""
+    places = random.Random(4)
+
+    def shifted(n, dimension):
+        return [n / 2 + places.uniform(-0.5, 0.5) for _ in range(dimension)]
+
+    kinds = [(f"disk of {r} cells a radius", 2, 12 * r, lambda r=r: dict(shape="ball", radius=float(r), position=shifted(12 * r, 2)), math.pi * r * r, 0.5 * r * r) for r in (2, 3, 4, 8)]
+    kinds += [(f"ball of {r} cells a radius", 3, 8 * r, lambda r=r: dict(shape="ball", radius=float(r), position=shifted(8 * r, 3)), 4 / 3 * math.pi * r ** 3, 0.4 * r * r) for r in (2, 4)]
+    kinds += [(f"plate 16 x 0.1 cells at {a:g} degrees", 2, 64, lambda a=a: dict(shape="box", size=[16.0, 0.1], rotation=a, position=shifted(64, 2)), 1.6, (256.01) / 12) for a in (0.0, 25.0)]
+    kinds += [("plate 8 x 8 x 0.1 cells", 3, 24, lambda: dict(shape="box", size=[8.0, 8.0, 0.1], position=shifted(24, 3)), 6.4, None)]
+    for name, dimension, n, make, volume, gyration in kinds[:3] + kinds[6:7] if quick else kinds:
+        error, iterations = 0, 0
+        for density in (0.001, 0.01, 1.0, 1000.0):
+            for _ in range(2 if dimension == 2 else 1):
+                gravity = [0.6, -0.8, 0.3][:dimension]
+                result = harness.added_mass(dict(domain=domain([float(n)] * dimension, [n] * dimension), gravity=gravity, gap=dict(model="parts"),
+                                                 body=[dict(name="b", density=density, force=[0.1 * volume] * dimension, **make())]), accelerations=True)
+                turns = 1 if dimension == 2 else 3
+                inertia = [density * volume * gyration] * turns if gyration else [density * volume * (64 + 0.01) / 12] * 2 + [density * volume * 128 / 12]
+                own = [density * volume] * dimension + inertia
+                m = [[x + (own[i] if i == j else 0) for j, x in enumerate(row)] for i, row in enumerate(result["matrix"])]
+                right = [[(density - 1) * volume * g + 0.1 * volume] for g in gravity] + [[0.0]] * turns
+                exact = [row[0] for row in solve(m, right)]
+                error = max(error, max(abs(x - y) for x, y in zip(result["accelerations"]["b"], exact)) / max(map(abs, exact)))
+                iterations = max(iterations, result["acceleration_iterations"])
+        yield Row(LIGHT, f"{name}, densities 0.001, 0.01, 1, 1000: first accelerations, against the added-mass matrix", "1e-6; ≤ 25 iterations", f"{error:.1e}; {iterations} iterations", error < 1e-6 and iterations <= 25)
+
+
+def random_masses(quick):
+    """Smallest eigenvalue of the added mass, over the displaced fluid's, in random scenes: bodies that touch, overlap, leave the domain."""
+    import numpy as np    # only here: other cases need no NumPy
+
+    import random_scene_kinds as kinds
+    numbers = list(range(-24, 0)) + list(range(300, 306)) + [316, 343] if quick else range(-500, 500)
+    worst, failed = (math.inf, None), []
+    for number in numbers:
+        with tempfile.TemporaryDirectory() as folder:
+            scene, _ = kinds.make(number, folder, None)
+            scene = {**{k: v for k, v in scene.items() if k != "pair"}, "gap": dict(model="parts"), "solver": dict(tolerance=1e-13)}
+            file = Path(folder) / "scene.toml"
+            file.write_text(harness.scene_text(scene))
+            done = harness.command(["added-mass", file, "--json"], check=False)
+        if done.returncode != 0:
+            failed.append(f"{number}: {done.stderr.strip().splitlines()[-1][:80]}")
+            continue
+        m = np.array(json.loads(done.stdout)["matrix"])
+        scale = 1 / np.sqrt(np.maximum(np.diag(m), 1e-9 * np.diag(m).max()))
+        worst = min(worst, (float(np.linalg.eigvalsh(0.5 * scale[:, None] * (m + m.T) * scale)[0]), number))
+    yield Row(LIGHT, f"{len(numbers)} random scenes: smallest eigenvalue of the added mass, its diagonal scaled to 1", "≥ -1e-12", f"{worst[0]:.1e} (scene {worst[1]}); {len(failed)} failed {'; '.join(failed[:3])}",
+              worst[0] >= -1e-12 and not failed)
+
+
 def solve(matrix, right):
     """Gauss with pivots; no numpy on a machine that only validates."""
     n = len(matrix)
@@ -576,5 +650,5 @@ def crowd(quick):
                   f"{rms[0]:.2f}; {rms[1]:.2f} % (at most {iterations} iterations)", rms[0] <= targets[0] and rms[1] <= targets[1])
 
 
-ALL = [round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, crowd, uniform_motion, over_shifts,
-       ellipsoids, boxes_as_meshes]
+ALL = [round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
+       over_shifts, ellipsoids, boxes_as_meshes]

@@ -1002,21 +1002,6 @@ void Joining<D>::join_faces() requires(D == 2)
         }
 }
 
-template <int D>
-std::vector<Vec<D>> seen_excess(std::span<const Solid<D>> solids, const std::vector<PlacedSolid<D>>& placed, double dx)
-{
-    std::vector<Vec<D>> excess(solids.size(), Vec<D>::Zero());
-    std::vector<char> known(solids.size(), 0);
-    for (const PlacedSolid<D>& image : placed) {
-        const double volume = solids[image.solid].shape.shape().mass_properties().volume / std::pow(dx, D);
-        if (std::exchange(known[image.solid], 1) || !std::isfinite(volume))
-            continue; // images see the same
-        for (int d = 0; d < D; ++d)
-            excess[image.solid][d] = (image.inverse ? -1 : 1) * (seen_volume(image, d) - volume);
-    }
-    return excess;
-}
-
 } // namespace
 
 template <int D>
@@ -1056,7 +1041,7 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     joining.join_faces();
     if (derivatives)
         *derivatives = face_derivatives<D>(planes, complex.index, placed, cut, sources);
-    complex.seen_excess = seen_excess<D>(solids, placed, planes.dx);
+    complex.seen_excess = seen_excess<D>(grid, planes, solids, placed, complex);
     return complex;
 }
 

@@ -1,6 +1,7 @@
 // Volume of a solid as the planes of the grid see it.
 #pragma once
 
+#include "gapflow/complex/complex.hpp"
 #include "gapflow/complex/placed.hpp"
 
 namespace gapflow {
@@ -8,5 +9,11 @@ namespace gapflow {
 /// Sum of the solid's sections with the planes normal to d, in the grid of the core continued without end; of one that is inside out that of its cavity.
 template <int D>
 double seen_volume(const PlacedSolid<D>& solid, int d);
+
+/// Of each solid: what the planes see of it more than its volume, times the share of the solid that is in the fluid: inside the domain and not within another
+/// solid. That share is the volume that the planes see through the walls of the complex, over that of the whole solid.
+template <int D>
+std::vector<Vec<D>> seen_excess(const Grid<D>& grid, const GridPlanes<D>& planes, std::span<const Solid<D>> solids,
+                                const std::vector<PlacedSolid<D>>& placed, const Complex<D>& complex);
 
 } // namespace gapflow

@@ -98,6 +98,9 @@ struct Coupling {
     /// K of all solids but walls, in this rank's cells and own nodes; `body` is the solid. The system contains the free bodies' share of it.
     std::vector<BodyFlux<D, Index<D>>> cell_flux;
     std::vector<BodyFlux<D, int>> node_flux;
+    /// Y of the gauge in which system.cell_flux, node_flux and mass stand (pressure_gauge.hpp); `body` as in the system. Empty: p is the pressure.
+    std::vector<BodyFlux<D, Index<D>>> gauge_cells;
+    std::vector<BodyFlux<D, int>> gauge_nodes;
     std::vector<NormalInertia<D>> normal_inertia; ///< one for each element of this rank's films, in their order
     std::vector<Drag> element_drag, mouth_drag;   ///< one for each film element or mouth; empty without viscosity
     std::vector<std::vector<CarriedCell>>

@@ -2,6 +2,7 @@
 
 #include "gapflow/coupling/film_rows.hpp"
 #include "gapflow/coupling/grid_conductance.hpp"
+#include "gapflow/coupling/pressure_gauge.hpp"
 
 #include <cmath>
 
@@ -54,7 +55,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
             low[axis] = high[axis];
             high[axis] = low[axis] + 1;
             for_each_index<D>(low, high, [&](const Index<D>& f) {
-                coupling.open(axis, f) = complex.main_area[axis][complex.index(grid.wrapped(f))];
+                coupling.open(axis, f) = inertia.main_weight[axis][complex.index(grid.wrapped(f))];
             });
         }
     }
@@ -131,7 +132,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
             nodes.add(coupling, node[lent.row.number()], lent.solid, in_world(lent.flux));
     coupling.node_flux = std::move(nodes.all);
     system.node_flux = std::move(nodes.free);
-    fill_mass(coupling, mass); // the bodies' own: with what follows light ones may have a negative one
+    fill_mass(coupling, mass); // the bodies' own: D follows with add_seen_mass()
     for (std::size_t s = 0; s < coupling.solids.size(); ++s)
         for (int d = 0; d < D; ++d)
             if (const double mass_of = density * std::pow(grid.dx(), D) * complex.seen_excess[s][d]; mass_of != 0) {
@@ -139,6 +140,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
                 row[d] = 1;
                 coupling.normal_inertia.push_back({static_cast<int>(s), static_cast<int>(s), row, Twist<D>::Zero(), mass_of});
             }
+    limit_deficits(coupling);
     system.response = BodyResponse(system.mass, {}, {});
     find_components(coupling);
     return coupling;

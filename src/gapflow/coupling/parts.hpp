@@ -7,7 +7,8 @@
 
 namespace gapflow {
 
-/// As couple(), without films. `mass` holds the generalised mass of each solid (used for free ones). One rank.
+/// As couple(), without films. `mass` holds the generalised mass of each solid (used for free ones): the system has the bodies' own mass until
+/// add_seen_mass() completes it. One rank.
 template <int D>
 Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
                          double density, const Complex<D>& complex, const Inertia<D>& inertia);

@@ -1,6 +1,7 @@
 #include "gapflow/stepping/model.hpp"
 
 #include "gapflow/coupling/parts.hpp"
+#include "gapflow/coupling/pressure_gauge.hpp"
 
 #include "gapflow/body/forces.hpp"
 
@@ -137,13 +138,17 @@ Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, std::vector<T
                               const std::set<FilmPair<D>>& alive, const std::function<DragTerms(const Coupling<D>&)>& drag,
                               StageTimers* timers, const FaceFractions<D>* before) const
 {
+    const bool moves = !mass.empty();
     mass.resize(at.size() + walls.solids.size(), TwistMatrix<D>::Identity());
     if (scene.parts) {
         if (grid.comm().size() > 1)
             throw InputError(scene.file + ": gap.model: \"parts\" are computed on one rank; start one process");
         const std::vector<Solid<D>> all = solids(at);
         const Complex<D> complex = build_complex<D>(grid, all);
-        return couple_parts<D>(grid, all, mass, scene.density, complex, find_inertia<D>(grid, complex));
+        Coupling<D> coupling = couple_parts<D>(grid, all, mass, scene.density, complex, find_inertia<D>(grid, complex));
+        if (moves)
+            add_seen_mass(coupling);
+        return coupling;
     }
     return couple<D>(grid, solids(at), mass, {scene.density, fraction_mode(scene), timers, viscosity_dt}, gaps, alive, drag,
                      before);
