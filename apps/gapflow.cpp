@@ -140,13 +140,13 @@ void add_check_and_added_mass(const CommandLine& line)
                       [&arguments] { return check_command(scene_of(arguments, Purpose::check)); });
 
     CLI::App* mass = line.add_of_scene(
-        "added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses",
-        [&arguments] {
+        "added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses", [&arguments] {
             return added_mass_command(scene_of(arguments, Purpose::added_mass), arguments.json, arguments.accelerations);
         });
     mass->add_flag("--json", arguments.json, "Print JSON");
-    mass->add_flag("--accelerations", arguments.accelerations,
-                   "Also the free bodies' first accelerations when everything starts from rest, by gravity, forces and springs");
+    mass->add_flag(
+        "--accelerations", arguments.accelerations,
+        "Also the free bodies' first accelerations when everything starts from rest, by gravity, forces and springs");
 }
 
 void add_converge(const CommandLine& line)

@@ -110,8 +110,8 @@ void expect_one_solution(const Scene& scene)
     const Eigen::MatrixXd N = dense.own + dense.K.transpose() * dense.solve(dense.fluid, dense.K);
     const Eigen::VectorXd a = N.llt().solve(force);
     const Eigen::MatrixXd compliance = dense.mass.inverse();
-    const Eigen::VectorXd q = dense.solve(dense.fluid + dense.gauged * compliance * dense.gauged.transpose(),
-                                          -dense.gauged * (compliance * force));
+    const Eigen::VectorXd q =
+        dense.solve(dense.fluid + dense.gauged * compliance * dense.gauged.transpose(), -dense.gauged * (compliance * force));
     const Eigen::VectorXd found = compliance * (force + dense.gauged.transpose() * q);
     EXPECT_LT((found - a).norm(), 1e-9 * a.norm());
 
