@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace gapflow {
 namespace {
@@ -26,10 +28,10 @@ class Lending {
 public:
     using Area = typename OpenAreas<D>::Area;
 
-    /// `first_row`: workspace, of each cell; so far -1.
+    /// `first_row`: workspace, of each cell; so far -1. `plain`: of each piece the share of its energy that is not a gap's; empty: all of it.
     Lending(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas, std::vector<std::int32_t>& first_row,
-            Inertia<D>& inertia)
-        : grid_(grid), complex_(complex), areas_(areas), first_row_(first_row), inertia_(inertia)
+            const std::vector<double>& plain, Inertia<D>& inertia)
+        : grid_(grid), complex_(complex), areas_(areas), first_row_(first_row), plain_(plain), inertia_(inertia)
     {
         for (int axis = 0; axis < D; ++axis)
             for (int i = grid.low()[axis]; i < grid.high()[axis]; ++i)
@@ -88,9 +90,11 @@ private:
             const Area next = areas_.beside(axis_, *own, f, t, towards);
             if (next.face < 0 || !(next.area > 0))
                 continue;
-            const double lent = 0.5 * std::min(1.0, next.area / own->area) * own->area * std::abs(offset);
+            const double lent =
+                0.5 * plain(*own) * plain(next) * std::min(1.0, next.area / own->area) * own->area * std::abs(offset);
             const Area after = areas_.beside(axis_, *own, f, t, 2 * towards);
-            const double more = after.face >= 0 && after.area > 0 ? 0.5 * lent * std::min(1.0, after.area / own->area) : 0.0;
+            const double more =
+                after.face >= 0 && after.area > 0 ? 0.5 * plain(after) * lent * std::min(1.0, after.area / own->area) : 0.0;
             given += lent + more;
             add(next, lent + 2 * more);
             if (more > 0)
@@ -98,6 +102,14 @@ private:
         }
         if (given > 0)
             add(*own, -given);
+    }
+
+    double plain(const Area& area) const
+    {
+        if (plain_.empty())
+            return 1;
+        const std::int32_t k = area.piece >= 0 ? area.piece : areas_.first(axis_, area.face);
+        return k >= 0 ? plain_[k] : 1.0;
     }
 
     void find_shares(std::int32_t k, const Area& area)
@@ -195,6 +207,7 @@ private:
     const Complex<D>& complex_;
     const OpenAreas<D>& areas_;
     std::vector<std::int32_t>& first_row_;
+    const std::vector<double>& plain_;
     Inertia<D>& inertia_;
     std::array<std::vector<double>, D> centre_; ///< of cells along each axis, from Grid::low() on
     int axis_ = 0;                              ///< of the face that lends
@@ -205,9 +218,12 @@ private:
 
 /// Planes in slabs, first all even ones, then all odd ones: those of one time reach no common cell, and sums are the same for any number of threads.
 template <int D>
-void lend(const Grid<D>& grid, const Complex<D>& complex, Inertia<D>& inertia)
+void lend(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps, Inertia<D>& inertia)
 {
     const OpenAreas<D> areas(grid, complex);
+    std::vector<double> plain(gaps.empty() ? 0 : complex.pieces.size(), 1.0);
+    for (const GapArm<D>& gap : gaps)
+        plain[gap.piece] = 1 - gap.share;
     const int first = grid.low()[D - 1], n = grid.high()[D - 1] - first, slabs = std::max(1, n / (2 * parameters.slab) * 2);
     std::vector<std::vector<LentRow<D>>> rows(slabs);
     for (int odd = 0; odd < 2; ++odd) {
@@ -215,7 +231,7 @@ void lend(const Grid<D>& grid, const Complex<D>& complex, Inertia<D>& inertia)
         for_each_job((slabs + 1 - odd) / 2, [&](int k) {
             const int s = 2 * k + odd;
             rows[s] =
-                Lending<D>(grid, complex, areas, first_row, inertia).lend(first + n * s / slabs, first + n * (s + 1) / slabs);
+                Lending<D>(grid, complex, areas, first_row, plain, inertia).lend(first + n * s / slabs, first + n * (s + 1) / slabs);
         });
     }
     for_each_part(static_cast<long>(complex.pieces.size()), [&](long begin, long end) {
@@ -236,10 +252,69 @@ void lend(const Grid<D>& grid, const Complex<D>& complex, Inertia<D>& inertia)
     });
 }
 
+/// Replaces the energies of faces in gaps.
+template <int D>
+void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps, Inertia<D>& inertia)
+{
+    constexpr int T = twist_size<D>;
+    const auto add_row = [&](const PartOrCell& row, std::int32_t solid, const Twist<D>& flux) {
+        if (flux.isZero(0))
+            return;
+        if (row.is_part())
+            for (int k = complex.first_patch[row.number()]; k < complex.first_patch[row.number() + 1]; ++k)
+                if (complex.patches[k].solid == solid) {
+                    inertia.patch_flux[k] += flux;
+                    return;
+                }
+        inertia.flux.push_back({row, solid, flux});
+    };
+    for (const GapArm<D>& gap : gaps) {
+        const FacePiece<D>& piece = complex.pieces[gap.piece];
+        const Index<D> f = complex.index.index(piece.face);
+        const double delta = grid.spread(piece.axis, f[piece.axis]), a = delta / gap.resistance, change = a - piece.area;
+        inertia.piece_weight[gap.piece] += change;
+        if (complex.joins_main(piece))
+            inertia.main_weight[piece.axis][piece.face] += change;
+        const PairTwist<D> flux = -gap.flux / gap.resistance - change * gap.motion, cross = gap.moment - a * gap.flux;
+        for (int side = 0; side < 2; ++side) {
+            add_row(piece.low, gap.solid[side], flux.template segment<T>(side * T));
+            add_row(piece.high, gap.solid[side], -flux.template segment<T>(side * T));
+        }
+        inertia.pairs.push_back({gap.solid[0], gap.solid[1],
+                                 gap.mass - gap.flux * gap.flux.transpose() / gap.resistance -
+                                     change * delta * gap.motion * gap.motion.transpose() + cross * gap.motion.transpose() +
+                                     gap.motion * cross.transpose()});
+    }
+    // One of each two solids.
+    for (PairInertia<D>& pair : inertia.pairs)
+        if (pair.a > pair.b) {
+            std::swap(pair.a, pair.b);
+            PairMass<D> turned;
+            turned << pair.mass.template bottomRightCorner<T, T>(), pair.mass.template bottomLeftCorner<T, T>(),
+                pair.mass.template topRightCorner<T, T>(), pair.mass.template topLeftCorner<T, T>();
+            pair.mass = turned;
+        }
+    std::vector<std::size_t> order(inertia.pairs.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+        const PairInertia<D>&p = inertia.pairs[x], &q = inertia.pairs[y];
+        return std::tie(p.a, p.b, x) < std::tie(q.a, q.b, y);
+    });
+    std::vector<PairInertia<D>> sums;
+    for (const std::size_t k : order) {
+        const PairInertia<D>& pair = inertia.pairs[k];
+        if (sums.empty() || sums.back().a != pair.a || sums.back().b != pair.b)
+            sums.push_back(pair);
+        else
+            sums.back().mass += pair.mass;
+    }
+    inertia.pairs = std::move(sums);
+}
+
 } // namespace
 
 template <int D>
-Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex)
+Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps)
 {
     Inertia<D> inertia;
     inertia.main_weight = complex.main_area;
@@ -249,7 +324,8 @@ Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex)
         for (long k = begin; k < end; ++k)
             inertia.patch_flux[k] << complex.patches[k].area, complex.patches[k].moment;
     });
-    lend(grid, complex, inertia);
+    lend(grid, complex, gaps, inertia);
+    add_gaps(grid, complex, gaps, inertia);
     return inertia;
 }
 
@@ -257,7 +333,7 @@ template <int D>
 long Inertia<D>::bytes() const
 {
     const auto of = [](const auto& v) { return static_cast<long>(v.capacity() * sizeof(v[0])); };
-    long sum = of(piece_weight) + of(patch_flux) + of(flux);
+    long sum = of(piece_weight) + of(patch_flux) + of(flux) + of(pairs);
     for (const std::vector<double>& weight : main_weight)
         sum += of(weight);
     return sum;
@@ -265,7 +341,7 @@ long Inertia<D>::bytes() const
 
 template struct Inertia<2>;
 template struct Inertia<3>;
-template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&);
-template Inertia<3> find_inertia(const Grid<3>&, const Complex<3>&);
+template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&, std::span<const GapArm<2>>);
+template Inertia<3> find_inertia(const Grid<3>&, const Complex<3>&, std::span<const GapArm<3>>);
 
 } // namespace gapflow

@@ -6,7 +6,7 @@
 // stencil stays that of the grid.
 #pragma once
 
-#include "gapflow/complex/complex.hpp"
+#include "gapflow/complex/gap_arm.hpp"
 
 #include <array>
 #include <vector>
@@ -21,6 +21,13 @@ struct LentFlux {
     Twist<D> flux; ///< in cells
 };
 
+/// What gaps add to the mass of two solids, by their twists one after the other, in cells.
+template <int D>
+struct PairInertia {
+    std::int32_t a, b; ///< a < b
+    PairMass<D> mass;
+};
+
 template <int D>
 struct Inertia {
     /// a_f of the grid's own faces, as Complex::main_area; conductance is a_f over the distance of the cells' centres.
@@ -28,11 +35,13 @@ struct Inertia {
     std::vector<double> piece_weight; ///< of each piece
     std::vector<Twist<D>> patch_flux; ///< of each of Complex::patches, in cells: the walls' own and what is lent
     std::vector<LentFlux<D>> flux;    ///< of the rows beside; one may come more than once
+    std::vector<PairInertia<D>> pairs; ///< one of each two solids with a gap
 
     long bytes() const;
 };
 
+/// `gaps`: of the faces whose energy is that of a gap.
 template <int D>
-Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex);
+Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps = {});
 
 } // namespace gapflow

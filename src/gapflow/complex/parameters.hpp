@@ -32,6 +32,16 @@ struct ComplexParameters {
     double parallel = 1e-6;
     /// Below this covered length a link counts as infinite: it bounds conductances at 1e7 times those of the grid.
     double least_covered = 1e-7;
+    /// Thicknesses of a gap between which a face's energy goes over from that of the gap to a plain face's: a plain face is that of a gap of
+    /// constant thickness, and right for one of several cells.
+    double gap_start = 0.6, gap_end = 1.2;
+    /// Cosine of the least angle between a wall and the gap's normal: beyond, the walls do not face each other.
+    double least_facing = 0.3;
+    /// A gap's thickness changes by no more than this factor within an interval of three Gauss points: 1e-4 of the integral of 1/t.
+    double widening = 1.6;
+    /// Curvature, relative to 1/thickness, below which the closing of a gap flows along the gradient of the thickness (its square: in all
+    /// directions alike): small against one, large against the round-off of second differences.
+    double faint_curvature = 0.05;
     /// Planes of cells that a thread cuts at a time. An economy: no value depends on it.
     int slab = 8;
 };

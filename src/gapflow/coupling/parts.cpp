@@ -4,6 +4,8 @@
 #include "gapflow/coupling/grid_conductance.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 namespace gapflow {
@@ -141,6 +143,20 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
                 coupling.normal_inertia.push_back({static_cast<int>(s), static_cast<int>(s), row, Twist<D>::Zero(), mass_of});
             }
     limit_deficits(coupling);
+    // What gaps add, as sums of squares of rows of twists.
+    for (const PairInertia<D>& pair : inertia.pairs) {
+        constexpr int T = twist_size<D>;
+        PairMass<D> block = density * std::pow(grid.dx(), D) * pair.mass;
+        for (int side = 0; side < 2; ++side) {
+            block.template middleRows<spin_size<D>>(side * T + D) *= grid.dx();
+            block.template middleCols<spin_size<D>>(side * T + D) *= grid.dx();
+        }
+        const Eigen::SelfAdjointEigenSolver<PairMass<D>> modes(block);
+        for (int k = 0; k < 2 * T; ++k)
+            if (const double m = modes.eigenvalues()[k]; m != 0)
+                coupling.normal_inertia.push_back({pair.a, pair.b, modes.eigenvectors().col(k).template head<T>(),
+                                                   modes.eigenvectors().col(k).template tail<T>(), m});
+    }
     system.response = BodyResponse(system.mass, {}, {});
     find_components(coupling);
     return coupling;

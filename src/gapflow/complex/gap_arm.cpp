@@ -1,0 +1,371 @@
+#include "gapflow/complex/gap_arm.hpp"
+
+#include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/placed.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace gapflow {
+namespace {
+
+/// n . v of a solid's twist at x.
+template <int D>
+Twist<D> speed_along(const Vec<D>& n, const Vec<D>& x, const Vec<D>& reference)
+{
+    Twist<D> row;
+    const Vec<D> r = x - reference;
+    if constexpr (D == 2)
+        row << n, r[0] * n[1] - r[1] * n[0];
+    else
+        row << n, r.cross(n);
+    return row;
+}
+
+/// A gap along the line through x along n.
+template <int D>
+struct GapSection {
+    double thickness;
+    Vec<D> middle;
+    std::array<Vec<D>, 2> normal; ///< out of the walls
+    PairTwist<D> opening;         ///< rate of the thickness
+    Vec<D> slope;                 ///< rate of the thickness where both walls move with the velocity U: slope . U
+};
+
+/// Two walls that face each other. Places in cells.
+template <int D>
+class GapWalls {
+public:
+    std::array<PlacedShape<D>, 2> shape;
+    std::array<Vec<D>, 2> reference;
+    const GridPlanes<D>* planes;
+
+    /// Nothing where a wall ends, or where the walls overlap.
+    std::optional<GapSection<D>> across(Vec<D> x, const Vec<D>& n) const
+    {
+        GapSection<D> section;
+        for (int pass = 0; pass < 2; ++pass) { // the second one from the middle
+            std::array<double, 2> way, cosine;
+            for (int side = 0; side < 2; ++side) {
+                const SurfacePoint<D> at = shape[side].closest(planes->in_world(x));
+                cosine[side] = (side == 0 ? 1 : -1) * n.dot(at.normal);
+                if (at.feature != Feature::face || cosine[side] < parameters.least_facing)
+                    return {};
+                way[side] = at.distance / planes->dx / cosine[side];
+                section.normal[side] = at.normal;
+                section.opening.template segment<twist_size<D>>(side * twist_size<D>) =
+                    speed_along<D>(-at.normal / cosine[side], planes->in_cells(at.x), reference[side]);
+            }
+            section.thickness = way[0] + way[1];
+            if (!(section.thickness > 0))
+                return {};
+            x += 0.5 * (way[1] - way[0]) * n;
+            section.slope = -section.normal[0] / cosine[0] - section.normal[1] / cosine[1];
+        }
+        section.middle = x;
+        return section;
+    }
+};
+
+/// Share of the closing that flows in each direction of the gap's plane, of trace 1.
+Mat<2> closing_shares(const GapWalls<2>&, const Vec<2>&, const Vec<2>& n, double)
+{
+    return Mat<2>::Identity() - n * n.transpose();
+}
+Mat<3> closing_shares(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n, double thickness)
+{
+    const Vec<3> u = n.unitOrthogonal(), v = n.cross(u);
+    double t[3][3];
+    const double h = 0.5;
+    for (int i = -1; i <= 1; ++i)
+        for (int j = -1; j <= 1; ++j) {
+            const std::optional<GapSection<3>> section = walls.across(x + h * (i * u + j * v), n);
+            if (!section)
+                return 0.5 * (Mat<3>::Identity() - n * n.transpose());
+            t[i + 1][j + 1] = section->thickness;
+        }
+    Mat<2> hess;
+    hess(0, 0) = (t[2][1] - 2 * t[1][1] + t[0][1]) / (h * h);
+    hess(1, 1) = (t[1][2] - 2 * t[1][1] + t[1][0]) / (h * h);
+    hess(0, 1) = hess(1, 0) = (t[2][2] - t[2][0] - t[0][2] + t[0][0]) / (4 * h * h);
+    const Vec<2> gradient((t[2][1] - t[0][1]) / (2 * h), (t[1][2] - t[1][0]) / (2 * h));
+    const Eigen::SelfAdjointEigenSolver<Mat<2>> modes(hess);
+    const double e = parameters.faint_curvature;
+    Mat<2> shares = modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() * modes.eigenvectors().transpose() +
+                    e / thickness * gradient * gradient.transpose() + e * e * thickness * Mat<2>::Identity();
+    shares /= shares.trace();
+    Eigen::Matrix<double, 3, 2> plane;
+    plane << u, v;
+    return plane * shares * plane.transpose();
+}
+
+/// Rows and thickness along a gap, and their integrals over pieces of it.
+template <int D>
+class GapWay {
+public:
+    struct Point {
+        double weight, thickness;
+        PairTwist<D> flux; ///< D
+    };
+
+    GapWay(const GapWalls<D>& walls, const Vec<D>& start, const Vec<D>& way, const Vec<D>& n, double thickness,
+           const Eigen::Matrix<double, D, 2 * twist_size<D>>& frame)
+        : walls_(walls), start_(start), way_(way), n_(n), thickness_(thickness), frame_(frame)
+    {
+    }
+
+    /// Quadrature of the stretch from .. to of the way.
+    std::vector<Point> points(double from, double to, double sigma)
+    {
+        std::array<double, 3> ends{from, 0.0, to}; // in any order
+        std::sort(ends.begin(), ends.end());
+        breaks_.assign(1, ends[0]);
+        for (const double end : ends)
+            if (end > breaks_.back())
+                refine(breaks_.back(), thickness_at(breaks_.back()), end, thickness_at(end), halvings);
+        std::vector<Point> result;
+        PairTwist<D> here = PairTwist<D>::Zero(), at_face = here;
+        for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
+            const double length = breaks_[k + 1] - breaks_[k];
+            std::array<PairTwist<D>, 3> rate;
+            std::array<double, 3> t;
+            for (int g = 0; g < 3; ++g)
+                std::tie(rate[g], t[g]) = at(breaks_[k] + node[g] * length);
+            if (breaks_[k] == 0)
+                at_face = here;
+            if (breaks_[k] >= from && breaks_[k] < to)
+                for (int g = 0; g < 3; ++g) {
+                    Point point{weight[g] * length, t[g], here};
+                    for (int h = 0; h < 3; ++h)
+                        point.flux -= sigma * length * collocation[g][h] * rate[h];
+                    result.push_back(point);
+                }
+            for (int h = 0; h < 3; ++h)
+                here -= sigma * length * weight[h] * rate[h];
+        }
+        if (breaks_.back() == 0)
+            at_face = here;
+        for (Point& point : result)
+            point.flux -= at_face;
+        return result;
+    }
+
+private:
+    // Gauss points of 0 .. 1, and the weights of integrals from 0 to each of them.
+    static constexpr double root = 3.872983346207417; // of 15
+    static constexpr std::array<double, 3> node{0.5 - root / 10, 0.5, 0.5 + root / 10}, weight{5.0 / 18, 4.0 / 9, 5.0 / 18};
+    static constexpr std::array<std::array<double, 3>, 3> collocation{
+        {{5.0 / 36, 2.0 / 9 - root / 15, 5.0 / 36 - root / 30},
+         {5.0 / 36 + root / 24, 2.0 / 9, 5.0 / 36 - root / 24},
+         {5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36}}};
+    static constexpr int halvings = 30; ///< to the digits of a double
+
+    std::optional<GapSection<D>> section(double s) const { return walls_.across(start_ + s * way_, n_); }
+    double thickness_at(double s) const
+    {
+        const auto found = section(s);
+        return found ? found->thickness : thickness_;
+    }
+    /// Opening in the frame of the walls' mean motion, and thickness; where a wall has ended as at the face, at rest.
+    std::pair<PairTwist<D>, double> at(double s) const
+    {
+        const auto found = section(s);
+        if (!found)
+            return {PairTwist<D>::Zero(), thickness_};
+        return {found->opening - frame_.transpose() * found->slope, found->thickness};
+    }
+    void refine(double from, double t_from, double to, double t_to, int depth)
+    {
+        const double middle = 0.5 * (from + to), t_middle = thickness_at(middle);
+        const auto [least, most] = std::minmax({t_from, t_middle, t_to});
+        if (depth > 0 && most > parameters.widening * least) {
+            refine(from, t_from, middle, t_middle, depth - 1);
+            refine(middle, t_middle, to, t_to, depth - 1);
+        } else
+            breaks_.push_back(to);
+    }
+
+    const GapWalls<D>& walls_;
+    const Vec<D>&start_, &way_, &n_;
+    double thickness_;
+    const Eigen::Matrix<double, D, 2 * twist_size<D>>& frame_;
+    std::vector<double> breaks_;
+};
+
+template <int D>
+class GapFinder {
+public:
+    GapFinder(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
+        : grid_(grid), planes_(grid), complex_(complex)
+    {
+        Vec<D> period = Vec<D>::Zero(), low, high;
+        for (int axis = 0; axis < D; ++axis) {
+            if (grid.periodic(axis))
+                period[axis] = grid.size()[axis];
+            low[axis] = planes_.place[axis].front();
+            high[axis] = planes_.place[axis].back();
+        }
+        images_ = images(solids, planes_.in_world(low), planes_.in_world(high), period, grid.dx());
+        first_.assign(solids.size() + 1, 0);
+        for (const Image<D>& image : images_) {
+            ++first_[image.solid + 1];
+            reference_.push_back(planes_.in_cells(solids[image.solid].centre + image.shift));
+        }
+        for (std::size_t s = 0; s < solids.size(); ++s) {
+            first_[s + 1] += first_[s];
+            if (solids[s].wall)
+                sides_.push_back(static_cast<std::int32_t>(s));
+        }
+        image_of_.resize(images_.size());
+        std::vector<int> next = first_;
+        for (std::size_t i = 0; i < images_.size(); ++i)
+            image_of_[next[images_[i].solid]++] = static_cast<int>(i);
+    }
+
+    std::optional<GapArm<D>> arm_at(std::size_t number)
+    {
+        const FacePiece<D>& piece = complex_.pieces[number];
+        if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
+            return {};
+        find_walls(piece);
+        if (near_.size() < 2)
+            return {};
+        const auto [a, b] = facing(piece.centroid);
+        if (b < 0)
+            return {};
+        const GapWalls<D> walls{{images_[a].shape, images_[b].shape}, {reference_[a], reference_[b]}, &planes_};
+        const Vec<D> n = (normal_[0] - normal_[1]).normalized();
+        const std::optional<GapSection<D>> here = walls.across(piece.centroid, n);
+        if (!here || here->thickness > parameters.gap_end)
+            return {};
+        const bool sides[2] = {is_side(images_[a].solid), is_side(images_[b].solid)};
+        GapArm<D> arm{static_cast<std::int32_t>(number), {images_[a].solid, images_[b].solid}, 0, 0, {}, {}, {}, {}};
+        integrate(piece, walls, n, *here, arm);
+        for (int side = 0; side < 2; ++side)
+            if (sides[side]) { // never moves
+                constexpr int T = twist_size<D>;
+                for (PairTwist<D>* row : {&arm.flux, &arm.motion, &arm.moment})
+                    row->template segment<T>(side * T).setZero();
+                arm.mass.template middleRows<T>(side * T).setZero();
+                arm.mass.template middleCols<T>(side * T).setZero();
+            }
+        return arm;
+    }
+
+private:
+    bool is_side(std::int32_t solid) const { return std::find(sides_.begin(), sides_.end(), solid) != sides_.end(); }
+
+    /// Solids beside a piece: of its parts' walls, and closed sides of the domain.
+    void find_walls(const FacePiece<D>& piece)
+    {
+        near_ = sides_;
+        for (const PartOrCell& side : {piece.low, piece.high})
+            if (side.is_part())
+                for (const WallPatch<D>& patch : complex_.patches_of(side.number()))
+                    if (std::find(near_.begin(), near_.end(), patch.solid) == near_.end())
+                        near_.push_back(patch.solid);
+    }
+
+    /// The image nearest to x, and the nearest one of those that face it; -1: none.
+    std::pair<int, int> facing(const Vec<D>& x)
+    {
+        std::pair<int, int> found{-1, -1};
+        for (int side = 0; side < 2; ++side) {
+            double least = parameters.gap_end * planes_.dx;
+            for (const std::int32_t s : near_)
+                for (int k = first_[s]; k < first_[s + 1]; ++k) {
+                    const int i = image_of_[k];
+                    if (side == 1 && i == found.first)
+                        continue;
+                    const SurfacePoint<D> at = images_[i].shape.closest(planes_.in_world(x));
+                    if (!(at.distance < least) || (side == 1 && at.normal.dot(normal_[0]) > -parameters.least_facing))
+                        continue;
+                    least = at.distance;
+                    (side == 0 ? found.first : found.second) = i;
+                    normal_[side] = at.normal;
+                }
+            if (found.first < 0)
+                break;
+        }
+        return found;
+    }
+
+    void integrate(const FacePiece<D>& piece, const GapWalls<D>& walls, const Vec<D>& n, const GapSection<D>& here,
+                   GapArm<D>& arm) const
+    {
+        const Index<D> f = complex_.index.index(piece.face);
+        const double delta = grid_.spread(piece.axis, f[piece.axis]), t0 = here.thickness, A = piece.area;
+        const Vec<D> axis = unit<D>(piece.axis), e = axis - n[piece.axis] * n, way = delta * e;
+        Vec<D> nodes = piece.centroid; // their middle
+        for (int t = 0; t < D; ++t)
+            if (t != piece.axis)
+                nodes[t] = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx();
+        nodes[piece.axis] =
+            (grid_.centre_place(piece.axis, f[piece.axis]) - grid_.anchor()[piece.axis]) / grid_.dx() - 0.5 * delta;
+        const double middle = way.dot(nodes - piece.centroid) / way.squaredNorm();
+
+        // The walls' mean motion: their translation, and what of their rotation moves them along their normals.
+        Eigen::Matrix<double, D, 2 * twist_size<D>> frame;
+        for (int side = 0; side < 2; ++side) {
+            const Vec<D>& m = here.normal[side];
+            const Twist<D> turning = speed_along<D>(m, here.middle, walls.reference[side]);
+            auto columns = frame.template middleCols<twist_size<D>>(side * twist_size<D>);
+            columns.template leftCols<D>() = 0.5 * Mat<D>::Identity();
+            columns.template rightCols<spin_size<D>>() = 0.5 * m * turning.template tail<spin_size<D>>().transpose();
+        }
+        arm.motion = frame.transpose() * axis;
+
+        arm.flux.setZero();
+        arm.moment.setZero();
+        arm.mass.setZero();
+        if (!(way.norm() > parameters.parallel)) { // the face lies along the gap
+            arm.resistance = delta / A;
+            return;
+        }
+        const double sigma = e.dot(closing_shares(walls, piece.centroid, n, t0) * way), scale = t0 / A;
+        GapWay<D> along(walls, piece.centroid, way, n, t0, frame);
+        for (const auto& point : along.points(middle - 0.5, middle + 0.5, sigma)) {
+            const double w = delta * point.weight / (scale * point.thickness);
+            arm.resistance += scale * scale * w;
+            arm.flux += scale * w * point.flux;
+            arm.mass += w * point.flux * point.flux.transpose();
+            arm.moment += delta * point.weight / scale * point.flux;
+        }
+        const double x = std::clamp((parameters.gap_end - t0) / (parameters.gap_end - parameters.gap_start), 0.0, 1.0);
+        arm.share = x * x * (3 - 2 * x);
+        arm.resistance = arm.share * arm.resistance + (1 - arm.share) * delta / A;
+        arm.flux *= arm.share;
+        arm.moment *= arm.share;
+        arm.mass *= arm.share;
+    }
+
+    const Grid<D>& grid_;
+    GridPlanes<D> planes_;
+    const Complex<D>& complex_;
+    std::vector<Image<D>> images_;
+    std::vector<Vec<D>> reference_;
+    std::vector<int> first_, image_of_; ///< of each solid
+    std::vector<std::int32_t> sides_, near_;
+    std::array<Vec<D>, 2> normal_;
+};
+
+} // namespace
+
+template <int D>
+std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
+{
+    GapFinder<D> finder(grid, solids, complex);
+    std::vector<GapArm<D>> arms;
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k)
+        if (auto arm = finder.arm_at(k))
+            arms.push_back(*arm);
+    return arms;
+}
+
+template std::vector<GapArm<2>> find_gap_arms(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&);
+template std::vector<GapArm<3>> find_gap_arms(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&);
+
+} // namespace gapflow

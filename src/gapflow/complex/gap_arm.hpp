@@ -1,0 +1,45 @@
+// Energy of the fluid in gaps that are narrower than a cell (theory, "Gaps").
+//
+// A piece of a face from which two walls that face each other are less than a cell apart is an arm of a gap. Along the way s from node to
+// node, in the plane of the gap, the flux changes by what the walls' closing takes. The velocity is taken as uniform across the gap and
+// across the piece:
+//
+//     T = 1/2 (A/t_0) Delta int [q t_0/A + D(s) V]^2 / t(s) ds = 1/2 (R q^2 + 2 q c V + V B V),
+//     D(s) V = - sigma int_0^s dt/dt ds,     sigma = e Sigma nu
+//
+// q is the flux relative to the mean motion of the walls, t the thickness along the mean normal n, e and nu the face's normal and the way
+// between the nodes without their parts along n. Sigma is the share of the closing that flows in each direction. In a gap whose thickness
+// is quadratic the flux is w grad t / tr Hess t, with the closing speed w: Sigma follows from the Hessian; where t is constant or linear
+// from its gradient, or it is the same in all directions.
+#pragma once
+
+#include "gapflow/complex/complex.hpp"
+
+#include <span>
+#include <vector>
+
+namespace gapflow {
+
+template <int D>
+using PairTwist = Eigen::Matrix<double, 2 * twist_size<D>, 1>;
+template <int D>
+using PairMass = Eigen::Matrix<double, 2 * twist_size<D>, 2 * twist_size<D>>;
+
+/// Lengths in cells, density 1. Of the twists of two solids, one after the other.
+template <int D>
+struct GapArm {
+    std::int32_t piece;
+    std::array<std::int32_t, 2> solid;
+    double share; ///< of the gap's energy in that of the face, 0 .. 1; the rest is that of a plain face
+    double resistance;
+    PairTwist<D> flux;   ///< c
+    PairTwist<D> motion; ///< the walls' mean velocity along the face's axis
+    PairTwist<D> moment; ///< mean over the way of the flux by closing: its product with the mean motion is energy
+    PairMass<D> mass;    ///< B
+};
+
+/// Of all pieces of the complex that lie in gaps, in their order.
+template <int D>
+std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
+
+} // namespace gapflow

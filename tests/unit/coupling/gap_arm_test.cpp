@@ -1,0 +1,155 @@
+// Gaps narrower than a cell between curved walls: added mass against the exact solution, uniform motion, turning.
+#include "world.hpp"
+
+#include "gapflow/coupling/parts.hpp"
+#include "gapflow/solver/assemble.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace gapflow {
+namespace {
+
+/// A cylinder of radius 1/2 in a container of radius 1, the gap at an angle to the grid.
+Scene container(int n, double gap, double angle, const Vec<2>& shift, bool moves)
+{
+    Scene scene;
+    scene.dimension = 2;
+    scene.parts = true;
+    scene.density = 1;
+    const double size = 2.24, dx = size / n;
+    scene.size = {size, size, 0};
+    scene.cells = {n, n, 1};
+    BodyScene outer, inner;
+    outer.name = "outer";
+    outer.shape = inner.shape = BodyScene::ShapeKind::ball;
+    outer.radius = 1;
+    outer.inside_out = true;
+    outer.motion = moves ? Motion::free : Motion::fixed;
+    outer.density = moves ? 10 : 1;
+    const double x = size / 2 + shift[0] * dx, y = size / 2 + shift[1] * dx;
+    outer.position = {x, y, 0};
+    inner.name = "inner";
+    inner.radius = 0.5;
+    inner.position = {x + (0.5 - gap) * std::cos(angle), y + (0.5 - gap) * std::sin(angle), 0};
+    scene.bodies = {outer, inner};
+    return scene;
+}
+
+double exact(double gap)
+{
+    const double a = 0.5, b = 1, e = b - a - gap, d = b * b - a * a - e * e, c = std::sqrt(d * d - 4 * e * e * a * a) / (2 * e);
+    const double t1 = std::asinh(c / a), t2 = std::asinh(c / b);
+    double sum = 0;
+    for (int n = 1; n < 60 / t1 + 10; ++n)
+        sum += n * std::exp(-2 * n * t1) / std::tanh(n * (t1 - t2));
+    return 4 * M_PI * c * c * sum;
+}
+
+/// K^T L^-1 K + D of all solids but walls, by their twists.
+Eigen::MatrixXd added_mass(const Scene& scene, bool gaps, std::vector<GapArm<2>>* arms = nullptr)
+{
+    const World<2> world(scene);
+    const std::vector<Solid<2>> solids = world.model.solids(world.bodies);
+    std::vector<TwistMatrix<2>> mass = world.mass;
+    mass.resize(solids.size(), TwistMatrix<2>::Identity());
+    const Complex<2> complex = build_complex<2>(world.grid, solids);
+    std::vector<GapArm<2>> found;
+    if (gaps)
+        found = find_gap_arms<2>(world.grid, solids, complex);
+    const Coupling<2> coupling =
+        couple_parts<2>(world.grid, solids, mass, 1.0, complex, find_inertia<2>(world.grid, complex, found));
+    if (arms)
+        *arms = found;
+    CoupledSystem<2> still = coupling.system;
+    still.bodies = 0;
+    still.cell_flux.clear();
+    still.node_flux.clear();
+    still.mass.resize(0, 0);
+    still.response = {};
+    const Eigen::MatrixXd L = assemble_dense(still);
+    const Numbering<2> number = number_unknowns(still);
+    const int bodies = static_cast<int>(scene.bodies.size());
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(L.rows(), 3 * bodies), D = Eigen::MatrixXd::Zero(3 * bodies, 3 * bodies);
+    for (const auto& e : coupling.cell_flux)
+        K.row(number.cell(e.row)).segment<3>(3 * e.body) += e.flux.transpose();
+    for (const auto& e : coupling.node_flux)
+        K.row(e.row).segment<3>(3 * e.body) += e.flux.transpose();
+    for (const NormalInertia<2>& i : coupling.normal_inertia) {
+        Eigen::VectorXd row = Eigen::VectorXd::Zero(3 * bodies);
+        if (i.master < bodies)
+            row.segment<3>(3 * i.master) += i.row_master;
+        if (i.other < bodies)
+            row.segment<3>(3 * i.other) += i.row_other;
+        D += i.mass * row * row.transpose();
+    }
+    return D + K.transpose() * (L + Eigen::MatrixXd::Ones(L.rows(), L.cols())).llt().solve(K);
+}
+
+struct Errors {
+    double normal = 0, along = 0;
+};
+Errors worst(double gap, bool gaps)
+{
+    Errors most;
+    for (const double degrees : {0.0, 17.0, 45.0, 62.0})
+        for (const Vec<2>& shift : {Vec<2>(0, 0), Vec<2>(0.31, 0.17)}) {
+            const double angle = degrees * M_PI / 180;
+            const Eigen::Matrix2d M = added_mass(container(33, gap, angle, shift, false), gaps).block<2, 2>(3, 3);
+            const Vec<2> n(std::cos(angle), std::sin(angle)), t(-n[1], n[0]);
+            most.normal = std::max(most.normal, std::abs(n.dot(M * n) / exact(gap) - 1));
+            most.along = std::max(most.along, std::abs(t.dot(M * t) / exact(gap) - 1));
+        }
+    return most;
+}
+
+TEST(GapArms, CylinderInAContainer)
+{
+    for (const double gap : {1e-2, 1e-3, 1e-5, 1e-7}) {
+        const Errors errors = worst(gap, true), plain = worst(gap, false);
+        EXPECT_LT(errors.normal, 0.009) << gap;
+        EXPECT_LT(errors.along, 0.006) << gap;
+        if (gap < 1e-4) {
+            EXPECT_GT(plain.normal, 0.03) << "plain parts, " << gap;
+        }
+        RecordProperty("gap_" + std::to_string(static_cast<int>(-std::log10(gap) + 0.5)) + "_percent",
+                       std::to_string(100 * errors.normal) + " " + std::to_string(100 * errors.along) + ", plain " +
+                           std::to_string(100 * plain.normal) + " " + std::to_string(100 * plain.along));
+    }
+}
+
+TEST(GapArms, WhatMovesTogetherMovesItsFluid)
+{
+    const Eigen::MatrixXd M = added_mass(container(24, 1e-3, 0.4, {0.2, 0.1}, true), true);
+    const double fluid = M_PI * (1 - 0.25);
+    for (int d = 0; d < 2; ++d) {
+        Eigen::VectorXd V = Eigen::VectorXd::Zero(6);
+        V[d] = V[3 + d] = 1;
+        EXPECT_NEAR(V.dot(M * V), fluid, 1e-10);
+    }
+    EXPECT_LT((M - M.transpose()).norm(), 1e-9 * M.norm());
+}
+
+TEST(GapArms, RoundWallsThatTurnMoveNothing)
+{
+    const Eigen::MatrixXd M = added_mass(container(24, 1e-3, 0.4, {0.2, 0.1}, true), true);
+    for (const int spin : {2, 5})
+        EXPECT_LT(M.col(spin).norm(), 1e-9);
+}
+
+TEST(GapArms, ClosingAddsMass)
+{
+    std::vector<GapArm<2>> arms;
+    added_mass(container(24, 1e-3, 0.4, {0.2, 0.1}, true), true, &arms);
+    ASSERT_FALSE(arms.empty());
+    for (const GapArm<2>& arm : arms) {
+        const PairMass<2> rest = arm.mass - arm.flux * arm.flux.transpose() / arm.resistance;
+        EXPECT_GT(Eigen::SelfAdjointEigenSolver<PairMass<2>>(rest).eigenvalues()[0], -1e-12 * (1 + arm.mass.norm()));
+    }
+}
+
+} // namespace
+} // namespace gapflow
