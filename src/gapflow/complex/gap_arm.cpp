@@ -157,10 +157,9 @@ private:
     // Gauss points of 0 .. 1, and the weights of integrals from 0 to each of them.
     static constexpr double root = 3.872983346207417; // of 15
     static constexpr std::array<double, 3> node{0.5 - root / 10, 0.5, 0.5 + root / 10}, weight{5.0 / 18, 4.0 / 9, 5.0 / 18};
-    static constexpr std::array<std::array<double, 3>, 3> collocation{
-        {{5.0 / 36, 2.0 / 9 - root / 15, 5.0 / 36 - root / 30},
-         {5.0 / 36 + root / 24, 2.0 / 9, 5.0 / 36 - root / 24},
-         {5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36}}};
+    static constexpr std::array<std::array<double, 3>, 3> collocation{{{5.0 / 36, 2.0 / 9 - root / 15, 5.0 / 36 - root / 30},
+                                                                       {5.0 / 36 + root / 24, 2.0 / 9, 5.0 / 36 - root / 24},
+                                                                       {5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36}}};
     static constexpr int halvings = 30; ///< to the digits of a double
 
     std::optional<GapSection<D>> section(double s) const { return walls_.across(start_ + s * way_, n_); }

@@ -230,8 +230,8 @@ void lend(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm
         std::vector<std::int32_t> first_row(complex.index.count, -1);
         for_each_job((slabs + 1 - odd) / 2, [&](int k) {
             const int s = 2 * k + odd;
-            rows[s] =
-                Lending<D>(grid, complex, areas, first_row, plain, inertia).lend(first + n * s / slabs, first + n * (s + 1) / slabs);
+            rows[s] = Lending<D>(grid, complex, areas, first_row, plain, inertia)
+                          .lend(first + n * s / slabs, first + n * (s + 1) / slabs);
         });
     }
     for_each_part(static_cast<long>(complex.pieces.size()), [&](long begin, long end) {

@@ -32,9 +32,9 @@ template <int D>
 struct Inertia {
     /// a_f of the grid's own faces, as Complex::main_area; conductance is a_f over the distance of the cells' centres.
     std::array<std::vector<double>, D> main_weight;
-    std::vector<double> piece_weight; ///< of each piece
-    std::vector<Twist<D>> patch_flux; ///< of each of Complex::patches, in cells: the walls' own and what is lent
-    std::vector<LentFlux<D>> flux;    ///< of the rows beside; one may come more than once
+    std::vector<double> piece_weight;  ///< of each piece
+    std::vector<Twist<D>> patch_flux;  ///< of each of Complex::patches, in cells: the walls' own and what is lent
+    std::vector<LentFlux<D>> flux;     ///< of the rows beside; one may come more than once
     std::vector<PairInertia<D>> pairs; ///< one of each two solids with a gap
 
     long bytes() const;
