@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -108,15 +109,22 @@ CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Ve
 
 namespace {
 
-/// Open and covered area of an edge's bisector plane.
-std::pair<double, double> bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low,
-                                         const Vec<3>& high)
+/// An edge's bisector plane in a cell: the convex polygons outward of the edge and behind it.
+struct BisectorPolygons {
+    Vec<3> origin, along, outward; ///< coordinates of the plane: from the middle of the edge's part in the cell
+    std::vector<Vec<2>> open, covered;
+    Vec<3> from, to; ///< ends of the edge's part in the cell
+
+    Vec<3> place(const Vec<2>& x) const { return origin + x[0] * along + x[1] * outward; }
+};
+
+BisectorPolygons bisector_polygons(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low,
+                                   const Vec<3>& high)
 {
     const SharpEdge& edge = solid.edges[number];
     const SharpFacet &a = solid.facets[edge.a], &b = solid.facets[edge.b];
     double from, to;
     part_in_cell(edge, low, high, from, to);
-    // Coordinates along the edge and outward, from the middle of its part in the cell.
     const Vec<3> way = edge.to - edge.from, along = way.normalized(), outward = (a.normal + b.normal).normalized(),
                  p = edge.from + 0.5 * (from + to) * way;
     const double reach = 2 * (high - low).norm();
@@ -136,10 +144,61 @@ std::pair<double, double> bisector_areas(const SharpSolid& solid, const CellSect
     clip(behind, {0, -1}, 0);
     clip(behind, {1, 0}, (p - edge.from).dot(along));
     clip(behind, {-1, 0}, (edge.to - p).dot(along));
-    return {area(polygon), area(behind)};
+    return {p, along, outward, polygon, behind, edge.from + from * way, edge.from + to * way};
+}
+
+/// Open and covered area of an edge's bisector plane.
+std::pair<double, double> bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low,
+                                         const Vec<3>& high)
+{
+    const BisectorPolygons polygons = bisector_polygons(solid, sectors, number, low, high);
+    return {area(polygons.open), area(polygons.covered)};
+}
+
+/// The side of the cell on which both points lie: its outward normal; nothing where there is none.
+std::optional<Vec<3>> side_of(const Vec<3>& x, const Vec<3>& y, const Vec<3>& low, const Vec<3>& high)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool end : {false, true}) {
+            const double at = end ? high[axis] : low[axis];
+            if (std::abs(x[axis] - at) < parameters.least_stretch && std::abs(y[axis] - at) < parameters.least_stretch)
+                return Vec<3>((end ? 1 : -1) * Vec<3>::Unit(axis));
+        }
+    return {};
 }
 
 } // namespace
+
+BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int edge, const Vec<3>& low,
+                             const Vec<3>& high)
+{
+    const BisectorPolygons polygons = bisector_polygons(solid, sectors, edge, low, high);
+    return {area(polygons.open), area(polygons.covered)};
+}
+
+BisectorRates bisector_rates(const SharpSolid& solid, const CellSectors& sectors, int edge, const Vec<3>& low,
+                             const Vec<3>& high, const Vec<3>& reference)
+{
+    // As the solid carries it, a side of the cell with the normal n moves over the plane with the speed -w . n/|n_plane|. Borders inside the
+    // cell move with the solid.
+    const BisectorPolygons polygons = bisector_polygons(solid, sectors, edge, low, high);
+    const auto rate_of = [&](const std::vector<Vec<2>>& polygon) {
+        Twist<3> rate = Twist<3>::Zero();
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const Vec<2>&p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+            const Vec<3> x = polygons.place(p), y = polygons.place(q);
+            if (const auto n = side_of(x, y, low, high); n && p != q)
+                rate -= (q - p).norm() / std::hypot(n->dot(polygons.along), n->dot(polygons.outward)) *
+                        wrench<3>(*n, 0.5 * (x + y) - reference);
+        }
+        return rate;
+    };
+    BisectorRates rates{rate_of(polygons.open), rate_of(polygons.covered)};
+    for (const Vec<3>& end : {polygons.from, polygons.to})
+        if (const auto n = side_of(end, end, low, high))
+            rates.length -= wrench<3>(*n, end - reference) / std::abs(n->dot(polygons.along));
+    return rates;
+}
 
 EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int number, const Index<3>& cell,
                         const Vec<3>& low, const Vec<3>& high)
