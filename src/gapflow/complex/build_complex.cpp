@@ -525,14 +525,13 @@ private:
                 if (other.edge == pair.edge && solids_[other.image].solid == solids_[pair.image].solid)
                     all += other.open;
             const double open = pair.open / all * edge.open;
-            if (const SharpSolid& sharp = solids_[image].sharp; // a rim's chords: without
-                cut_.for_derivatives && pair.edge < static_cast<int>(sharp.edges.size()) &&
-                edge.covered / edge.length > parameters.least_covered) {
+            if (cut_.for_derivatives && edge.covered / edge.length > parameters.least_covered) {
                 const double conductance = corner_conductance(edge.angle, open, edge.covered / edge.length);
                 const auto add = [&](int solid, const Twist<3>& rate) {
                     result.link_rates.push_back({static_cast<std::int32_t>(result.links.size()), solid, conductance * rate});
                 };
-                const BisectorRates rates = bisector_rates(sharp, sectors, pair.edge, low, high, solids_[image].reference);
+                const EdgeRates rates =
+                    edge_rates(solids_[image].sharp, sectors, pair.edge, c, low, high, solids_[image].reference);
                 add(solids_[image].solid, rates.open / edge.open - rates.covered / edge.covered + rates.length / edge.length);
                 for (const Pair& other : pairs) // the share of the open area
                     if (other.edge == pair.edge && solids_[other.image].solid == solids_[pair.image].solid && pair.open < all)

@@ -167,33 +167,80 @@ std::optional<Vec<3>> side_of(const Vec<3>& x, const Vec<3>& y, const Vec<3>& lo
     return {};
 }
 
-} // namespace
-
-BisectorAreas bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int edge, const Vec<3>& low,
-                             const Vec<3>& high)
+/// Adds the rates of a bisector plane's areas. speed(n, x): velocity along n of the plane's point x, over the solid's twist. Of a side of the cell with
+/// the normal n the border moves over the plane with -speed/|n_plane|; borders inside the cell move with the plane.
+template <class Speed>
+void add_plane_rates(const BisectorPolygons& polygons, const Vec<3>& low, const Vec<3>& high, Speed&& speed, EdgeRates& rates)
 {
-    const BisectorPolygons polygons = bisector_polygons(solid, sectors, edge, low, high);
-    return {area(polygons.open), area(polygons.covered)};
-}
-
-BisectorRates bisector_rates(const SharpSolid& solid, const CellSectors& sectors, int edge, const Vec<3>& low,
-                             const Vec<3>& high, const Vec<3>& reference)
-{
-    // As the solid carries it, a side of the cell with the normal n moves over the plane with the speed -w . n/|n_plane|. Borders inside the
-    // cell move with the solid.
-    const BisectorPolygons polygons = bisector_polygons(solid, sectors, edge, low, high);
-    const auto rate_of = [&](const std::vector<Vec<2>>& polygon) {
-        Twist<3> rate = Twist<3>::Zero();
-        for (std::size_t k = 0; k < polygon.size(); ++k) {
-            const Vec<2>&p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    for (const auto& [polygon, rate] : {std::pair{&polygons.open, &rates.open}, {&polygons.covered, &rates.covered}})
+        for (std::size_t k = 0; k < polygon->size(); ++k) {
+            const Vec<2>&p = (*polygon)[k], &q = (*polygon)[(k + 1) % polygon->size()];
             const Vec<3> x = polygons.place(p), y = polygons.place(q);
             if (const auto n = side_of(x, y, low, high); n && p != q)
-                rate -= (q - p).norm() / std::hypot(n->dot(polygons.along), n->dot(polygons.outward)) *
-                        wrench<3>(*n, 0.5 * (x + y) - reference);
+                *rate -= (q - p).norm() / std::hypot(n->dot(polygons.along), n->dot(polygons.outward)) *
+                         speed(*n, Vec<3>(0.5 * (x + y)));
         }
+}
+
+/// A rim's piece as a straight edge.
+SharpSolid chord_of(const SharpRim& rim, const RimPiece& piece)
+{
+    return {{{rim.normal, rim.centre}, {piece.out, piece.from}}, {{0, 1, piece.from, piece.to, std::numbers::pi / 2}}, {}, {}};
+}
+CellSectors both_facets()
+{
+    CellSectors sectors;
+    sectors.facets.push_back(0);
+    sectors.facets.push_back(1);
+    return sectors;
+}
+
+/// The ends of the piece slide along the rim, in the sides of the cell; its chord turns about the rim's axis with the mean of the two, and moves along `out`.
+void add_chord_rates(const SharpRim& rim, const RimPiece& piece, const Vec<3>& low, const Vec<3>& high, const Vec<3>& reference,
+                     EdgeRates& rates)
+{
+    const auto slide = [&](const Vec<3>& end) { // by angle
+        Twist<3> rate = Twist<3>::Zero();
+        if (const auto n = side_of(end, end, low, high))
+            rate = -wrench<3>(*n, end - reference) / n->dot(rim.normal.cross(end - rim.centre));
         return rate;
     };
-    BisectorRates rates{rate_of(polygons.open), rate_of(polygons.covered)};
+    const Twist<3> from = slide(piece.from), to = slide(piece.to), turn = 0.5 * (from + to), spread = 0.5 * (to - from);
+    const double half_length = 0.5 * (piece.to - piece.from).norm(), height = piece.out.dot(piece.from - rim.centre);
+    const BisectorPolygons polygons = bisector_polygons(chord_of(rim, piece), both_facets(), 0, low, high);
+    add_plane_rates(
+        polygons, low, high,
+        [&](const Vec<3>& n, const Vec<3>& x) {
+            return Twist<3>(wrench<3>(n, x - reference) + n.dot(rim.normal.cross(x - rim.centre)) * turn -
+                            n.dot(piece.out) * half_length * spread);
+        },
+        rates);
+    for (std::size_t k = 0; k < polygons.covered.size(); ++k) { // borders at the chord's ends
+        const Vec<2>&p = polygons.covered[k], &q = polygons.covered[(k + 1) % polygons.covered.size()];
+        const double off = std::max(std::abs(std::abs(p[0]) - half_length), std::abs(std::abs(q[0]) - half_length));
+        const Vec<3> x = polygons.place(p), y = polygons.place(q);
+        if (p[0] * q[0] > 0 && off < parameters.joint_distance && !side_of(x, y, low, high))
+            rates.covered += (q - p).norm() * height * spread;
+    }
+    rates.length += 2 * height * spread;
+}
+
+} // namespace
+
+EdgeRates edge_rates(const SharpSolid& solid, const CellSectors& sectors, int number, const Index<3>& cell, const Vec<3>& low,
+                     const Vec<3>& high, const Vec<3>& reference)
+{
+    EdgeRates rates;
+    const int edges = static_cast<int>(solid.edges.size());
+    if (number >= edges) {
+        for (const RimPiece& piece : solid.pieces_in(cell))
+            if (piece.rim == number - edges)
+                add_chord_rates(solid.rims[piece.rim], piece, low, high, reference, rates);
+        return rates;
+    }
+    const BisectorPolygons polygons = bisector_polygons(solid, sectors, number, low, high);
+    add_plane_rates(
+        polygons, low, high, [&](const Vec<3>& n, const Vec<3>& x) { return wrench<3>(n, x - reference); }, rates);
     for (const Vec<3>& end : {polygons.from, polygons.to})
         if (const auto n = side_of(end, end, low, high))
             rates.length -= wrench<3>(*n, end - reference) / std::abs(n->dot(polygons.along));
@@ -212,15 +259,10 @@ EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int
     }
     const SharpRim& rim = solid.rims[number - edges];
     EdgeInCell sum{std::numbers::pi / 2, 0, 0, 0, Vec<3>::Zero()};
-    CellSectors own;
-    own.facets.push_back(0);
-    own.facets.push_back(1);
     for (const RimPiece& piece : solid.pieces_in(cell)) {
         if (piece.rim != number - edges)
             continue;
-        const SharpSolid chord{
-            {{rim.normal, rim.centre}, {piece.out, piece.from}}, {{0, 1, piece.from, piece.to, std::numbers::pi / 2}}, {}, {}};
-        const auto [open, covered] = bisector_areas(chord, own, 0, low, high);
+        const auto [open, covered] = bisector_areas(chord_of(rim, piece), both_facets(), 0, low, high);
         sum.open += open;
         sum.covered += covered;
         sum.length += (piece.to - piece.from).norm();

@@ -75,12 +75,12 @@ struct EdgeInCell {
 EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int edge, const Index<3>& cell, const Vec<3>& low,
                         const Vec<3>& high);
 
-/// Derivatives by the solid's twist (rotation about `reference`) of both and of the edge's length in the cell.
-struct BisectorRates {
+/// By the twist of the solid about its reference point.
+struct EdgeRates {
     Twist<3> open = Twist<3>::Zero(), covered = Twist<3>::Zero(), length = Twist<3>::Zero();
 };
-BisectorRates bisector_rates(const SharpSolid& solid, const CellSectors& sectors, int edge, const Vec<3>& low,
-                             const Vec<3>& high, const Vec<3>& reference);
+EdgeRates edge_rates(const SharpSolid& solid, const CellSectors& sectors, int edge, const Index<3>& cell, const Vec<3>& low,
+                     const Vec<3>& high, const Vec<3>& reference);
 
 /// Where the border of two sectors cuts a face of the cell: from `from` on outward of the edge, to - from > 0 along `direction`.
 struct SectorLine {
