@@ -9,6 +9,9 @@
 // over the faces of a part, r the solid's reference point; where walls meet, from the motion of the curve in which they do (PatchRate).
 // One pass over the pieces collects dE by the areas and moments, a second one multiplies by their derivatives. At fixed impulses
 // P = dT/dV the derivative of T is that at fixed twists with the opposite sign.
+//
+// D is that of Complex::seen_excess: the limit of a light body's (coupling/pressure_gauge) is not in it. Where an edge or a rim begins or ends to divide a cell, or
+// another area bears what is lent, T may jump; the derivative is that of one side.
 #pragma once
 
 #include "gapflow/complex/area_derivative.hpp"
