@@ -321,7 +321,7 @@ private:
                 meshes = meshes || std::holds_alternative<FacetKind<3>>(solid.kind);
                 others = others || solid.inverse;
             }
-        for_each_junction(hull, [&](int, const Junction<3>& j) {
+        for_each_junction(hull, [&](int, const Junction<3>& j, const PointRates<3>&) {
             if (j.edge >= 0)
                 return;
             met.push_back(solids_[j.from].solid);
@@ -371,7 +371,7 @@ private:
     {
         const int d = face / 2, inward = face % 2 ? -1 : 1;
         Vec<3> sum = Vec<3>::Zero();
-        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+        for_each_junction(hull, [&](int q, const Junction<3>& j, const PointRates<3>&) {
             if (q != face || j.edge >= 0)
                 return;
             Vec<3> x = j.at;
@@ -846,6 +846,7 @@ public:
                 link.b += part_offset_[s];
                 complex.links.push_back(link);
             }
+        }
         for_each_job(D, [&](int d) { complex.main_area[d].assign(index_.count, 0); });
     }
 
