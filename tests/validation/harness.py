@@ -98,12 +98,13 @@ def run(scene, ranks=1, look=None):
         return result
 
 
-def unit_figures(program, test):
-    """{name: text} that a unit test recorded, and whether it passed."""
+def unit_figures(program, test, **environment):
+    """{name: text} that a unit test recorded, and whether it passed; `environment`: further variables that it reads."""
     executable = Path(COMMAND).parents[1] / "tests" / program
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "result.json"
-        subprocess.run([executable, f"--gtest_filter={test}", f"--gtest_output=json:{file}"], capture_output=True, timeout=1800, env=single_process())
+        subprocess.run([executable, f"--gtest_filter={test}", f"--gtest_output=json:{file}"], capture_output=True, timeout=1800,
+                       env={**single_process(), **environment})
         found = json.loads(file.read_text())["testsuites"]
     tests = [entry for suite in found for entry in suite["testsuite"]]
     if len(tests) != 1:

@@ -22,6 +22,7 @@ LIGHT = "Parts: light bodies"
 CROWD = "Parts: crowd of 48 balls"
 SHIFTS = "Parts: added mass over 200 small shifts"
 MESHES = "Parts: meshes"
+FORCE = "Parts: derivative of the energy by places and angles"
 
 
 def parts(scene, **more):
@@ -652,5 +653,16 @@ def crowd(quick):
                   f"{rms[0]:.2f}; {rms[1]:.2f} % (at most {iterations} iterations)", rms[0] <= targets[0] and rms[1] <= targets[1])
 
 
-ALL = [round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
+def energy_derivative(quick):
+    """dT/dx in closed form against central differences of T, all components of all bodies: random poses of single bodies of every kind, of pairs that overlap and of pairs with gaps of 0.05 to
+    0.2 cells; good: all components within 1e-5 of the largest one."""
+    for dimension, kinds, all_poses in ((2, 11, 1000), (3, 13, 500)):
+        poses = -(-(30 if quick else all_poses) // kinds)
+        found, _ = harness.unit_figures("unit_coupling", f"EnergyDerivative.IsThatOfDifferences{dimension}D", GAPFLOW_POSES=str(poses))
+        count, good, jump = int(found["poses"]), int(found["good"]), float(found["jump"])
+        yield Row(FORCE, f"{dimension}D, {count} random poses: share of them within 1e-5; largest jump of T over a difference among the others", "≥ 99 %; ≤ 1e-3 of T",
+                  f"{100 * good / count:.1f} %; {jump:.1e}", good >= 0.99 * count and jump <= 1e-3)
+
+
+ALL = [energy_derivative, round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
        over_shifts, ellipsoids, boxes_as_meshes]

@@ -1,5 +1,6 @@
 #include "gapflow/complex/area_derivative.hpp"
 
+#include "gapflow/complex/surface_rate.hpp"
 #include "gapflow/core/threads.hpp"
 
 #include <algorithm>
@@ -67,95 +68,11 @@ SegmentIntegrals integrate(const ArcSegment& segment, const Vec<2>& origin, cons
     return sum;
 }
 
-/// Normal of a facet, out of the solid.
-template <int D>
-Vec<D> facet_normal(const FacetKind<D>& kind, int facet)
-{
-    const auto& element = kind.surface->elements[facet];
-    const Vec<D> a = kind.vertices[element[1]] - kind.vertices[element[0]];
-    if constexpr (D == 2)
-        return Vec<2>(a[1], -a[0]).normalized();
-    else
-        return Vec<3>(a.cross(kind.vertices[element[2]] - kind.vertices[element[0]])).normalized();
-}
-
-/// Slope of a placed solid's surface along a segment; its normal out of what is solid.
-Slope slope_of(const PlacedSolid<3>& solid, int d, double at, const ArcSegment& segment)
-{
-    if (segment.surface == -1)
-        return {};
-    if (segment.surface < -1) { // the bisector of two facets, which moves with the solid; its normal at the segment's left
-        const SharpEdge& edge = solid.sharp.edges[surface_of_fin(segment.surface)];
-        Vec<3> normal = (solid.sharp.facets[edge.a].normal - solid.sharp.facets[edge.b].normal).normalized();
-        const Vec<2> way = segment.to - segment.from;
-        if (normal[(d + 2) % 3] * way[0] - normal[(d + 1) % 3] * way[1] < 0)
-            normal = -normal;
-        return flat_slope(normal, d);
-    }
-    return std::visit(
-        [&](const auto& kind) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<3>>)
-                return flat_slope(facet_normal(kind, segment.surface), d);
-            else {
-                Slope slope = kind.slope(d, at, segment.surface, Vec<2>(0.5 * (segment.from + segment.to)));
-                if (solid.inverse)
-                    slope.constant = -slope.constant;
-                return slope;
-            }
-        },
-        solid.kind);
-}
-
-/// Velocity, normal to a rim's chord in a face, of one of its ends over the solid's twist: where the cone crosses an edge of the grid, or at the rim
-/// itself.
-Twist<3> chord_end_speed(const SharpRim& rim, const Vec<3>& reference, int d, double at, const Vec<2>& end, int edge,
-                         const Vec<3>& normal)
-{
-    Vec<3> x;
-    x[d] = at;
-    x[u_axis<3>(d)] = end[0];
-    x[v_axis<3>(d)] = end[1];
-    const Vec<3> r = x - rim.centre, radial = (r - r.dot(rim.normal) * rim.normal).normalized();
-    if (edge >= 0) { // along the edge
-        const int along = edge_axis<3>(d, edge);
-        const Vec<3> cone = rim.normal - radial;
-        return wrench<3>(cone * (normal[along] / cone[along]), x - reference);
-    }
-    const Vec<3> tangent = rim.normal.cross(radial); // with the rim, less what leaves the plane along it
-    return wrench<3>(normal - normal.dot(tangent) / tangent[d] * Vec<3>::Unit(d), x - reference);
-}
-
 /// A chord of a rim's cone moves with its two ends.
-void add_rim_chord(const FacePlane& face, const Vec<2>& low, const Vec<2>& high, const SharpRim& rim, const Vec<3>& reference,
-                   const ArcSegment& segment, PieceRate<3>& rate)
+void add_rim_chord(const FacePlane& face, const ArcSegment& segment, const RimSpeeds& speeds, PieceRate<3>& rate)
 {
-    const Vec<2> way = segment.to - segment.from;
-    const double length = way.norm();
-    double least = std::numeric_limits<double>::infinity();
-    RimLine chord;
-    for (const RimLine& line : rim_lines(rim, face.d, face.at, low, high)) {
-        const Vec<2> along = (line.to - line.from).normalized();
-        double off = 0;
-        for (const Vec<2>& x : {segment.from, segment.to})
-            off += std::abs((x - line.from)[0] * along[1] - (x - line.from)[1] * along[0]);
-        if (off < least) {
-            least = off;
-            chord = line;
-        }
-    }
-    if (!(least < length) || !(length > 0))
-        return;
-    Vec<3> normal = Vec<3>::Zero();
-    normal[u_axis<3>(face.d)] = -way[1] / length;
-    normal[v_axis<3>(face.d)] = way[0] / length;
-    const Twist<3> from = chord_end_speed(rim, reference, face.d, face.at, chord.from, chord.from_edge, normal),
-                   to = chord_end_speed(rim, reference, face.d, face.at, chord.to, chord.to_edge, normal);
-    const Vec<2> whole = chord.to - chord.from;
-    const auto speed = [&](const Vec<2>& x) {
-        const double t = (x - chord.from).dot(whole) / whole.squaredNorm();
-        return Twist<3>((1 - t) * from + t * to);
-    };
-    const Twist<3> a = speed(segment.from), b = speed(segment.to);
+    const double length = (segment.to - segment.from).norm();
+    const auto& [a, b] = speeds;
     const Vec<2> A = segment.from - face.centre, B = segment.to - face.centre;
     rate.area -= 0.5 * length * (a + b);
     for (const auto& [j, row] : {std::pair{0, u_axis<3>(face.d)}, {1, v_axis<3>(face.d)}})
@@ -163,12 +80,12 @@ void add_rim_chord(const FacePlane& face, const Vec<2>& low, const Vec<2>& high,
 }
 
 template <int D>
-PieceRate<D>& rate_of(std::vector<PieceRate<D>>& rates, std::size_t begin, int solid)
+PieceRate<D>& rate_of(std::vector<PieceRate<D>>& rates, std::size_t begin, const PlacedSolid<D>& image)
 {
     for (std::size_t k = begin; k < rates.size(); ++k)
-        if (rates[k].solid == solid)
+        if (rates[k].solid == image.solid && rates[k].reference == image.reference)
             return rates[k];
-    rates.push_back({solid});
+    rates.push_back({image.solid, image.reference});
     return rates.back();
 }
 
@@ -201,13 +118,15 @@ SlabRates slab_rates(const CutFaces<3>& cut, const GridPlanes<3>& planes, const 
                 if (arc.piece != p)
                     continue;
                 const PlacedSolid<3>& solid = solids[arc.solid];
-                PieceRate<3>& rate = rate_of(result.rates, begin, solid.solid);
+                PieceRate<3>& rate = rate_of(result.rates, begin, solid);
                 const int edges = static_cast<int>(solid.sharp.edges.size());
                 for (const ArcSegment& segment : arc.segments)
                     if (const int edge = surface_of_fin(segment.surface); segment.surface < -1 && edge >= edges)
-                        add_rim_chord(plane, {planes.place[u][f[u]], planes.place[v][f[v]]},
-                                      {planes.place[u][f[u] + 1], planes.place[v][f[v] + 1]}, solid.sharp.rims[edge - edges],
-                                      solid.reference, segment, rate);
+                        add_rim_chord(plane, segment,
+                                      rim_speeds(solid.sharp.rims[edge - edges], solid.reference, d, plane.at,
+                                                 {planes.place[u][f[u]], planes.place[v][f[v]]},
+                                                 {planes.place[u][f[u] + 1], planes.place[v][f[v] + 1]}, segment),
+                                      rate);
                     else
                         add_segment(plane, solid.reference, segment, slope_of(solid, d, plane.at, segment), rate);
             }
@@ -218,62 +137,75 @@ SlabRates slab_rates(const CutFaces<3>& cut, const GridPlanes<3>& planes, const 
     return result;
 }
 
-/// Of an open stretch of an edge: from the solids that bound it.
-void add_stretch(const GridPlanes<2>& planes, const DenseIndex<2>& index, const std::vector<PlacedSolid<2>>& solids,
-                 const Slab<2>& slab, const PieceSource& source, std::vector<PieceRate<2>>& rates)
+/// The solid that ends an open stretch of an edge of a 2D grid.
+struct StretchEnd {
+    double at;    ///< along the edge
+    double least; ///< how far off the nearest solid's crossing lies
+    const PlacedSolid<2>* solid = nullptr;
+    Vec<2> place, normal; ///< in the axes of its rectangle
+};
+
+/// Looks among the solids of one rectangle.
+void find_end(const GridPlanes<2>& planes, const DenseIndex<2>& index, const std::vector<PlacedSolid<2>>& solids,
+              const Slab<2>& slab, int number, int edge, StretchEnd& end)
 {
-    const std::size_t begin = rates.size();
-    const CutFace<2>& face = slab.faces[source.face];
-    const int axis = edge_axis<2>(0, source.edge);
-    const Index<2> start = edge_start<2>(0, index.index(face.id), source.edge);
-    const double low = planes.place[axis][start[axis]], high = planes.place[axis][start[axis] + 1];
-    const Vec<2> x(planes.place[0][start[0]], planes.place[1][start[1]]);
+    const CutFace<2>& face = slab.faces[number];
+    const int axis = edge_axis<2>(0, edge);
+    const Index<2> start = edge_start<2>(0, index.index(face.id), edge);
+    const double low = planes.place[axis][start[axis]];
+    Vec<2> x(planes.place[0][start[0]], planes.place[1][start[1]]);
+    x[axis] = end.at;
     const std::span<const int> images =
         face.detail >= 0 ? std::span<const int>(slab.details[face.detail].images) : std::span<const int>(&face.image, 1);
+    for (const int image : images) {
+        const auto offer = [&](double place, auto&& normal_there) {
+            if (std::abs(end.at - place) < end.least)
+                end = {end.at, std::abs(end.at - place), &solids[image], x, normal_there()};
+        };
+        // A line by which a corner divides the rectangle ends there, too.
+        for (const SharpCorner& corner : solids[image].corners)
+            if (const double rise = corner.outward[1 - axis]; rise != 0)
+                offer(corner.at[axis] + (x[1 - axis] - corner.at[1 - axis]) / rise * corner.outward[axis],
+                      [&] { return Vec<2>(corner.outward[1], -corner.outward[0]); });
+        std::visit(
+            [&](const auto& kind) {
+                if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<2>>) {
+                    const FaceChains chains = slab.facets[image]->face(2, index.index(face.id));
+                    for (int k = 0; k < chains.size(); ++k) {
+                        const FacetChain chain = chains[k];
+                        if (chain.first_edge == edge)
+                            offer(low + chain.points.front()[axis], [&] { return facet_normal(kind, chain.facets.front()); });
+                        if (chain.last_edge == edge)
+                            offer(low + chain.points.back()[axis], [&] { return facet_normal(kind, chain.facets.back()); });
+                    }
+                } else {
+                    const Stretch line = kind.line(axis, x);
+                    for (const double place : {line.from, line.to})
+                        offer(place, [&] { return kind.normal_at(x); });
+                }
+            },
+            solids[image].kind);
+    }
+}
+
+/// Of an open stretch of an edge: from the solids that bound it.
+void add_stretch(const GridPlanes<2>& planes, const DenseIndex<2>& index, const std::vector<PlacedSolid<2>>& solids,
+                 const std::vector<Slab<2>>& slabs, const PieceSource& source, std::vector<PieceRate<2>>& rates)
+{
+    const std::size_t begin = rates.size();
+    const int axis = edge_axis<2>(0, source.edge);
+    const int cell = index.index(slabs[source.slab].faces[source.face].id)[axis];
+    const double low = planes.place[axis][cell], high = planes.place[axis][cell + 1];
     for (const auto& [at, sign] : {std::pair{source.from, -1.0}, {source.to, 1.0}}) {
         if (at <= low || at >= high)
             continue;
-        Vec<2> end = x;
-        end[axis] = at;
-        // The solid of which this is a crossing.
-        double least = std::numeric_limits<double>::infinity();
-        const PlacedSolid<2>* nearest = nullptr;
-        Vec<2> normal;
-        for (const int image : images) {
-            // A line by which a corner divides the cell ends there, too.
-            const auto offer = [&](double place, auto&& normal_there) {
-                if (std::abs(at - place) < least) {
-                    least = std::abs(at - place);
-                    nearest = &solids[image];
-                    normal = normal_there();
-                }
-            };
-            for (const SharpCorner& corner : solids[image].corners)
-                if (const double rise = corner.outward[1 - axis]; rise != 0)
-                    offer(corner.at[axis] + (x[1 - axis] - corner.at[1 - axis]) / rise * corner.outward[axis],
-                          [&] { return Vec<2>(corner.outward[1], -corner.outward[0]); });
-            std::visit(
-                [&](const auto& kind) {
-                    if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<2>>) {
-                        const FaceChains chains = slab.facets[image]->face(2, index.index(face.id));
-                        for (int k = 0; k < chains.size(); ++k) {
-                            const FacetChain chain = chains[k];
-                            if (chain.first_edge == source.edge)
-                                offer(low + chain.points.front()[axis],
-                                      [&] { return facet_normal(kind, chain.facets.front()); });
-                            if (chain.last_edge == source.edge)
-                                offer(low + chain.points.back()[axis], [&] { return facet_normal(kind, chain.facets.back()); });
-                        }
-                    } else {
-                        const Stretch line = kind.line(axis, x);
-                        for (const double place : {line.from, line.to})
-                            offer(place, [&] { return kind.normal_at(end); });
-                    }
-                },
-                solids[image].kind);
-        }
-        if (nearest)
-            add_end(axis, sign, end, 0.5 * (low + high), nearest->reference, normal, rate_of(rates, begin, nearest->solid));
+        StretchEnd end{at, std::numeric_limits<double>::infinity(), nullptr, Vec<2>::Zero(), Vec<2>::Zero()};
+        find_end(planes, index, solids, slabs[source.slab], source.face, source.edge, end);
+        if (source.other_slab >= 0)
+            find_end(planes, index, solids, slabs[source.other_slab], source.other_face, source.other_edge, end);
+        if (end.solid)
+            add_end(axis, sign, end.place, 0.5 * (low + high), end.solid->reference, end.normal,
+                    rate_of(rates, begin, *end.solid));
     }
 }
 
@@ -315,11 +247,9 @@ void add_end(int axis, double sign, const Vec<2>& x, double centre, const Vec<2>
 }
 
 template <int D>
-FaceDerivatives<D> face_derivatives(const GridPlanes<D>& planes, const DenseIndex<D>& index,
-                                    const std::vector<PlacedSolid<D>>& solids, const CutFaces<D>& cut,
-                                    std::span<const PieceSource> sources)
+void face_derivatives(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
+                      const CutFaces<D>& cut, std::span<const PieceSource> sources, FaceDerivatives<D>& result)
 {
-    FaceDerivatives<D> result;
     result.first.reserve(sources.size() + 1);
     if constexpr (D == 3) {
         std::vector<SlabRates> slabs(cut.slabs.size());
@@ -336,15 +266,14 @@ FaceDerivatives<D> face_derivatives(const GridPlanes<D>& planes, const DenseInde
     } else
         for (const PieceSource& source : sources) {
             if (source.slab >= 0)
-                add_stretch(planes, index, solids, cut.slabs[source.slab], source, result.rates);
+                add_stretch(planes, index, solids, cut.slabs, source, result.rates);
             result.first.push_back(static_cast<std::int32_t>(result.rates.size()));
         }
-    return result;
 }
 
-template FaceDerivatives<2> face_derivatives(const GridPlanes<2>&, const DenseIndex<2>&, const std::vector<PlacedSolid<2>>&,
-                                             const CutFaces<2>&, std::span<const PieceSource>);
-template FaceDerivatives<3> face_derivatives(const GridPlanes<3>&, const DenseIndex<3>&, const std::vector<PlacedSolid<3>>&,
-                                             const CutFaces<3>&, std::span<const PieceSource>);
+template void face_derivatives(const GridPlanes<2>&, const DenseIndex<2>&, const std::vector<PlacedSolid<2>>&,
+                               const CutFaces<2>&, std::span<const PieceSource>, FaceDerivatives<2>&);
+template void face_derivatives(const GridPlanes<3>&, const DenseIndex<3>&, const std::vector<PlacedSolid<3>>&,
+                               const CutFaces<3>&, std::span<const PieceSource>, FaceDerivatives<3>&);
 
 } // namespace gapflow

@@ -25,16 +25,43 @@ namespace gapflow {
 template <int D>
 struct PieceRate {
     std::int32_t solid;
+    Vec<D> reference = Vec<D>::Zero(); ///< of its twist: of the image of the solid that bounds the piece
     Twist<D> area = Twist<D>::Zero(); ///< of the open area, in cells^(D-1) a cell
     /// Of the integral of x - centre of the face over the open piece; along the face's normal zero.
     Eigen::Matrix<double, D, twist_size<D>> moment = Eigen::Matrix<double, D, twist_size<D>>::Zero();
+};
+
+/// Of the area vector and moment of a wall (Complex::patches), by the twist of a solid, as far as they follow from the motion of the curve in which it meets another
+/// wall. All other changes follow from the pieces' by closure: -sum (dA o, (dm + dA (x_f - reference)) x o) over the part's faces, for a solid's own twist.
+template <int D>
+struct PatchRate {
+    std::int32_t patch, solid;
+    TwistMatrix<D> flux; ///< [area vector and moment][twist]
+};
+
+/// Of a link's conductance (Complex::links).
+template <int D>
+struct LinkRate {
+    std::int32_t link, solid;
+    Twist<D> conductance;
+};
+
+/// Of a solid's Complex::seen_excess: by its own twist, and by the area vectors S of its walls as sum by_walls (counts (x - reference)) . dS, x the middle
+/// of the wall's cell.
+template <int D>
+struct SeenRate {
+    Eigen::Matrix<double, D, twist_size<D>> rate = Eigen::Matrix<double, D, twist_size<D>>::Zero();
+    Vec<D> by_walls = Vec<D>::Zero(), counts = Vec<D>::Zero(), reference = Vec<D>::Zero();
 };
 
 /// Of each of Complex::pieces, in their order; all other faces are wholly open or wholly covered.
 template <int D>
 struct FaceDerivatives {
     std::vector<std::int32_t> first{0}; ///< of each piece in `rates`, and the end
-    std::vector<PieceRate<D>> rates;    ///< one for each solid that bounds the piece
+    std::vector<PieceRate<D>> rates;    ///< one for each solid (of a periodic domain: image) that bounds the piece
+    std::vector<PatchRate<D>> patches;  ///< of walls that meet others
+    std::vector<LinkRate<D>> links;
+    std::vector<SeenRate<D>> seen; ///< of each solid
 
     std::span<const PieceRate<D>> of(std::size_t piece) const
     {
@@ -48,13 +75,14 @@ struct PieceSource {
     std::int32_t piece = 0;            ///< 3D: of its slab
     std::int32_t edge = 0;             ///< 2D: of the rectangle `face`
     double from = 0, to = 0;           ///< 2D: along the edge
+    // 2D: the rectangle on the edge's other side. A line that divides one of the two ends the stretch.
+    std::int32_t other_slab = -1, other_face = -1, other_edge = 0;
 };
 
-/// `sources`: of Complex::pieces; `cut` with its facets kept. build_complex calls it.
+/// Fills the pieces' rates. `sources`: of Complex::pieces; `cut` with its facets kept. build_complex calls it.
 template <int D>
-FaceDerivatives<D> face_derivatives(const GridPlanes<D>& planes, const DenseIndex<D>& index,
-                                    const std::vector<PlacedSolid<D>>& solids, const CutFaces<D>& cut,
-                                    std::span<const PieceSource> sources);
+void face_derivatives(const GridPlanes<D>& planes, const DenseIndex<D>& index, const std::vector<PlacedSolid<D>>& solids,
+                      const CutFaces<D>& cut, std::span<const PieceSource> sources, FaceDerivatives<D>& result);
 
 /// A face of a 3D grid.
 struct FacePlane {

@@ -3,6 +3,7 @@
 #include "gapflow/complex/cut_faces.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/complex/seen_volume.hpp"
+#include "gapflow/complex/surface_rate.hpp"
 #include "gapflow/complex/wall_joins.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/field.hpp"
@@ -27,6 +28,9 @@ struct CellSlab {
     std::vector<double> part_area;
     std::vector<WallPatch<D>> patches;
     std::vector<CornerLink<D>> links; ///< 3D
+    // Where derivatives are wanted.
+    std::vector<PatchRate<D>> patch_rates;
+    std::vector<LinkRate<D>> link_rates; ///< 3D
     /// Wholly open faces that lead to another part than their cell's largest.
     struct Astray {
         std::int8_t axis, side; ///< 1: the part lies on the face's high side
@@ -35,16 +39,18 @@ struct CellSlab {
     std::vector<Astray> astray;
 };
 
+/// Returns its number.
 template <int D>
-void add_patch(std::vector<WallPatch<D>>& patches, std::size_t begin, int solid, const Vec<D>& area, const Spin<D>& moment)
+int add_patch(std::vector<WallPatch<D>>& patches, std::size_t begin, int solid, const Vec<D>& area, const Spin<D>& moment)
 {
     for (std::size_t k = begin; k < patches.size(); ++k)
         if (patches[k].solid == solid) {
             patches[k].area += area;
             patches[k].moment += moment;
-            return;
+            return static_cast<int>(k);
         }
     patches.push_back({solid, area, moment});
+    return static_cast<int>(patches.size()) - 1;
 }
 
 /// Straight piece of a border from P to Q in the terms of BorderArc, about a reference point.
@@ -52,6 +58,15 @@ std::pair<Vec<3>, Vec<3>> chord(const Vec<3>& P, const Vec<3>& Q, const Vec<3>& 
 {
     const Vec<3> p = P - reference, q = Q - reference;
     return {0.5 * p.cross(q), -0.5 * (p.squaredNorm() + p.dot(q) + q.squaredNorm()) / 3 * (Q - P)};
+}
+
+/// How what a straight way from P to Q contributes to area vector and moment changes as its ends move with the given velocities. The sum over ways that close a solid's curve
+/// with its arcs, whose ends at P move as well.
+std::pair<Vec<3>, Vec<3>> swept(const Vec<3>& P, const Vec<3>& Q, const Vec<3>& speed_P, const Vec<3>& speed_Q,
+                                const Vec<3>& reference)
+{
+    const Vec<3> x = P - reference, way = Q - P, y = speed_P.cross(way), more = (speed_Q - speed_P).cross(way);
+    return {y + 0.5 * more, x.cross(y) + 0.5 * (x.cross(more) + way.cross(y)) + way.cross(more) / 3};
 }
 
 /// One cell's side: its face, or what is known without one.
@@ -86,6 +101,10 @@ struct HullFace {
             return {};
         const FaceDetail& detail = slab->details[face->detail];
         return {slab->divisions.data() + detail.division, static_cast<std::size_t>(detail.divisions)};
+    }
+    std::span<const DivisionRate<3>> rates_of_division(std::size_t k) const
+    {
+        return slab->rates_of_division(slab->details[face->detail].division + static_cast<int>(k));
     }
     double area(int piece, double whole) const { return face ? slab->pieces[face->piece + piece].area : whole; }
 };
@@ -302,7 +321,7 @@ private:
                 meshes = meshes || std::holds_alternative<FacetKind<3>>(solid.kind);
                 others = others || solid.inverse;
             }
-        for_each_junction(hull, [&](int, const Junction<3>& j) {
+        for_each_junction(hull, [&](int, const Junction<3>& j, const PointRates<3>&) {
             if (j.edge >= 0)
                 return;
             met.push_back(solids_[j.from].solid);
@@ -352,7 +371,7 @@ private:
     {
         const int d = face / 2, inward = face % 2 ? -1 : 1;
         Vec<3> sum = Vec<3>::Zero();
-        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+        for_each_junction(hull, [&](int q, const Junction<3>& j, const PointRates<3>&) {
             if (q != face || j.edge >= 0)
                 return;
             Vec<3> x = j.at;
@@ -456,10 +475,12 @@ private:
         struct Pair {
             int image, edge, a, b;
             double open;
+            std::vector<DivisionRate<3>> rates; ///< of the open length
         };
         InlineVector<Pair, 4> pairs;
         for (int q = 0; q < 6; ++q)
-            for (const auto& division : hull[q].divisions()) {
+            for (std::size_t k = 0; k < hull[q].divisions().size(); ++k) {
+                const CornerDivision<3>& division = hull[q].divisions()[k];
                 if (!(division.sides & (q % 2 ? 1 : 2)))
                     continue;
                 int a = label[find(first[q] + division.a)], b = label[find(first[q] + division.b)];
@@ -468,14 +489,18 @@ private:
                 if (a > b)
                     std::swap(a, b);
                 // Of a periodic domain's last cell the faces on its far side see another image.
-                const auto known = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) {
+                auto known = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) {
                     return solids_[p.image].solid == solids_[division.image].solid && p.edge == division.edge && p.a == a &&
                            p.b == b;
                 });
-                if (known != pairs.end())
-                    known->open += division.open;
-                else
-                    pairs.push_back({division.image, division.edge, a, b, division.open});
+                if (known == pairs.end()) {
+                    pairs.push_back({division.image, division.edge, a, b, 0, {}});
+                    known = pairs.end() - 1;
+                }
+                known->open += division.open;
+                if (cut_.for_derivatives)
+                    for (const DivisionRate<3>& rate : hull[q].rates_of_division(k))
+                        known->rates.push_back(rate);
             }
         Vec<3> low, high;
         for (int axis = 0; axis < 3; ++axis) {
@@ -500,6 +525,19 @@ private:
                 if (other.edge == pair.edge && solids_[other.image].solid == solids_[pair.image].solid)
                     all += other.open;
             const double open = pair.open / all * edge.open;
+            if (cut_.for_derivatives && edge.covered / edge.length > parameters.least_covered) {
+                const double conductance = corner_conductance(edge.angle, open, edge.covered / edge.length);
+                const auto add = [&](int solid, const Twist<3>& rate) {
+                    result.link_rates.push_back({static_cast<std::int32_t>(result.links.size()), solid, conductance * rate});
+                };
+                const EdgeRates rates =
+                    edge_rates(solids_[image].sharp, sectors, pair.edge, c, low, high, solids_[image].reference);
+                add(solids_[image].solid, rates.open / edge.open - rates.covered / edge.covered + rates.length / edge.length);
+                for (const Pair& other : pairs) // the share of the open area
+                    if (other.edge == pair.edge && solids_[other.image].solid == solids_[pair.image].solid && pair.open < all)
+                        for (const DivisionRate<3>& rate : other.rates)
+                            add(solids_[rate.image].solid, (&other == &pair ? 1 / pair.open : 0.0) * rate.rate - rate.rate / all);
+            }
             result.links.push_back({part + pair.a, part + pair.b, solids_[image].solid,
                                     corner_conductance(edge.angle, open, edge.covered / edge.length), open, edge.covered,
                                     edge.at});
@@ -519,11 +557,13 @@ private:
         struct Plane {
             int solid, edge, count;
             Vec<3> middle;
+            PointRates<3> rates;
         };
         InlineVector<Plane, 2> planes;
         int count = 0;
         bool apart = true, crossed = false; ///< crossed: planes of two solids meet
         Vec<3> middle = Vec<3>::Zero();
+        PointRates<3> rates; ///< of the middle
 
         const Plane* find(const Junction<3>& j) const
         {
@@ -543,7 +583,10 @@ private:
             for (int k = 0; k < detail.junctions; ++k) {
                 Junction<3> junction = hull[q].slab->junctions[detail.junction + k];
                 junction.at[q / 2] += hull[q].shift;
-                visit(q, junction);
+                if (hull[q].slab->junction_rates.empty())
+                    visit(q, junction, PointRates<3>{});
+                else
+                    visit(q, junction, hull[q].slab->junction_rates[detail.junction + k]);
             }
         }
     }
@@ -559,11 +602,12 @@ private:
         InlineVector<Balance, 4> balances;
         Meetings meetings;
         bool plain = false;
-        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+        for_each_junction(hull, [&](int q, const Junction<3>& j, const PointRates<3>& rates) {
             const int part = label[find(first[q] + j.piece)];
             if (part < 0 || !divides(j, q))
                 return;
             meetings.middle += j.at;
+            add_rates(meetings.rates, rates, 1);
             ++meetings.count;
             if (j.lines != 1) {
                 plain = true;
@@ -573,9 +617,10 @@ private:
             const auto* known = meetings.find(j);
             const int plane = static_cast<int>(known - meetings.planes.begin());
             if (known == meetings.planes.end())
-                meetings.planes.push_back({j.solid, j.edge, 0, Vec<3>::Zero()});
+                meetings.planes.push_back({j.solid, j.edge, 0, Vec<3>::Zero(), {}});
             ++meetings.planes[plane].count;
             meetings.planes[plane].middle += j.at;
+            add_rates(meetings.planes[plane].rates, rates, 1);
             auto balance = std::find_if(balances.begin(), balances.end(),
                                         [&](const Balance& b) { return b.plane == plane && b.part == part; });
             if (balance == balances.end()) {
@@ -584,10 +629,14 @@ private:
             }
             balance->sum += (q % 2 ? -1 : 1) * (j.from < j.to ? 1 : -1);
         });
-        for (auto& plane : meetings.planes)
+        for (auto& plane : meetings.planes) {
             plane.middle /= plane.count;
-        if (meetings.count)
+            scale_rates(plane.rates, 1.0 / plane.count);
+        }
+        if (meetings.count) {
             meetings.middle /= meetings.count;
+            scale_rates(meetings.rates, 1.0 / meetings.count);
+        }
         meetings.apart = !plain;
         for (const Balance& balance : balances)
             meetings.apart = meetings.apart && balance.sum == 0;
@@ -611,31 +660,53 @@ private:
                     add_patch<3>(result.patches, begin, solids_[arc.image].solid, sign * arc.area, sign * arc.moment);
             }
         }
-        Vec<3> middle = Vec<3>::Zero();
-        int junctions = 0;
-        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+        Meetings own; // of this part alone
+        for_each_junction(hull, [&](int q, const Junction<3>& j, const PointRates<3>& rates) {
             if (label[find(first[q] + j.piece)] == p) {
-                middle += j.at;
-                ++junctions;
+                own.middle += j.at;
+                add_rates(own.rates, rates, 1);
+                ++own.count;
             }
         });
-        if (junctions)
-            middle /= junctions;
-        for_each_junction(hull, [&](int q, const Junction<3>& j) {
+        if (own.count) {
+            own.middle /= own.count;
+            scale_rates(own.rates, 1.0 / own.count);
+        }
+        for_each_junction(hull, [&](int q, const Junction<3>& j, const PointRates<3>& rates) {
             if (label[find(first[q] + j.piece)] != p || !divides(j, q))
                 return; // of a line that divides the cell on the face's other side both sides belong to the part
-            const Vec<3>& over = meetings.planes.empty() && !meetings.crossed ? middle
-                                 : meetings.apart                             ? meetings.find(j)->middle
-                                                                              : meetings.middle;
+            const bool alone = meetings.planes.empty() && !meetings.crossed;
+            const auto* plane = !alone && meetings.apart ? meetings.find(j) : nullptr;
+            const Meetings& all = alone ? own : meetings;
+            const Vec<3>& over = plane ? plane->middle : all.middle;
+            const PointRates<3>& over_rates = plane ? plane->rates : all.rates;
             const double sign = q % 2 ? -1 : 1;
             for (const auto& [image, turn] : {std::pair{j.from, 1.0}, {j.to, -1.0}}) {
                 Vec<3> reference = solids_[image].reference;
                 reference[q / 2] += hull[q].shift;
                 const auto [area, moment] = chord(j.at, over, reference);
-                add_patch<3>(result.patches, begin, solids_[image].solid, sign * turn * area, sign * turn * moment);
+                const int patch =
+                    add_patch<3>(result.patches, begin, solids_[image].solid, sign * turn * area, sign * turn * moment);
+                add_patch_rates(patch, sign * turn, j.at, over, rates, over_rates, reference, result);
             }
         });
         result.patches_of_part.push_back(static_cast<std::int32_t>(result.patches.size() - begin));
+    }
+
+    /// Of the way from a junction over the middle, which both move.
+    void add_patch_rates(int patch, double factor, const Vec<3>& at, const Vec<3>& over, const PointRates<3>& at_rates,
+                         const PointRates<3>& over_rates, const Vec<3>& reference, CellSlab<3>& result) const
+    {
+        for (const bool end : {false, true})
+            for (const PointRate<3>& r : end ? over_rates : at_rates) {
+                PatchRate<3> rate{patch, solids_[r.solid].solid, TwistMatrix<3>::Zero()};
+                for (int k = 0; k < 6; ++k) {
+                    const Vec<3> speed = r.rate.col(k), still = Vec<3>::Zero();
+                    const auto [area, moment] = swept(at, over, end ? still : speed, end ? speed : still, reference);
+                    rate.flux.col(k) << factor * area, factor * moment;
+                }
+                result.patch_rates.push_back(rate);
+            }
     }
 
     const Grid<3>& grid_;
@@ -658,6 +729,28 @@ bool is_part(const Slab<2>& slab, const CutFace<2>& face, int p)
     const FaceDetail& detail = slab.details[face.detail];
     return std::any_of(slab.stretches.begin() + detail.stretch[0], slab.stretches.begin() + detail.stretch[4],
                        [&](const OpenStretch& stretch) { return stretch.piece == p; });
+}
+
+/// 2D: a wall's area vector and moment follow from the ends of its arcs; those where solids meet move.
+template <class IsIn>
+void add_junction_rates(const Slab<2>& slab, const FaceDetail& detail, IsIn&& is_in, const std::vector<PlacedSolid<2>>& solids,
+                        std::size_t begin, CellSlab<2>& result)
+{
+    for (int k = detail.junction; k < detail.junction + detail.junctions; ++k) {
+        const Junction<2>& j = slab.junctions[k];
+        if (!is_in(j.piece))
+            continue;
+        for (const auto& [image, turn] : {std::pair{j.from, 1.0}, {j.to, -1.0}}) {
+            const int patch = add_patch<2>(result.patches, begin, solids[image].solid, Vec<2>::Zero(), Spin<2>::Zero());
+            for (const PointRate<2>& r : slab.junction_rates[k]) {
+                PatchRate<2> rate{patch, solids[r.solid].solid, TwistMatrix<2>::Zero()};
+                rate.flux.row(0) = turn * r.rate.row(1);
+                rate.flux.row(1) = -turn * r.rate.row(0);
+                rate.flux.row(2) = -turn * (j.at - solids[image].reference).transpose() * r.rate;
+                result.patch_rates.push_back(rate);
+            }
+        }
+    }
 }
 
 /// Cells of a slab in 2D: the pieces of their rectangles are the parts.
@@ -701,6 +794,9 @@ CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, con
                 if (label[arc.piece] == l)
                     add_patch<2>(result.patches, begin, solids[arc.image].solid, arc.area, arc.moment);
             }
+            if (!slab.junction_rates.empty() && face.detail >= 0)
+                add_junction_rates(slab, slab.details[face.detail], [&](int piece) { return label[piece] == l; }, solids, begin,
+                                   result);
             result.part_cell.push_back(static_cast<std::int32_t>(result.cut_cell.size()));
             result.patches_of_part.push_back(static_cast<std::int32_t>(result.patches.size() - begin));
         }
@@ -717,9 +813,10 @@ template <int D>
 class Joining {
 public:
     Joining(const Grid<D>& grid, const GridPlanes<D>& planes, const std::vector<PlacedSolid<D>>& solids, const CutFaces<D>& cut,
-            const std::vector<CellSlab<D>>& slabs, const std::vector<PartsBeside>& beside, Complex<D>& complex)
+            const std::vector<CellSlab<D>>& slabs, const std::vector<PartsBeside>& beside, Complex<D>& complex,
+            FaceDerivatives<D>* derivatives)
         : grid_(grid), planes_(planes), solids_(solids), cut_(cut), slabs_(slabs), beside_(beside), complex_(complex),
-          index_(complex.index)
+          index_(complex.index), derivatives_(derivatives)
     {
         for (const CellSlab<D>& slab : slabs) {
             part_offset_.push_back(part_offset_.back() + static_cast<int>(slab.part_cell.size()));
@@ -733,12 +830,23 @@ public:
         complex.first_patch.resize(part_offset_.back() + 1);
         complex.patches.resize(patch_offset_.back());
         for_each_job(static_cast<int>(slabs.size()), [&](int s) { copy_slab(s); });
-        for (std::size_t s = 0; s < slabs.size(); ++s)
+        for (std::size_t s = 0; s < slabs.size(); ++s) {
+            if (derivatives) {
+                for (PatchRate<D> rate : slabs[s].patch_rates) {
+                    rate.patch += patch_offset_[s];
+                    derivatives->patches.push_back(rate);
+                }
+                for (LinkRate<D> rate : slabs[s].link_rates) {
+                    rate.link += static_cast<int>(complex.links.size());
+                    derivatives->links.push_back(rate);
+                }
+            }
             for (CornerLink<D> link : slabs[s].links) {
                 link.a += part_offset_[s];
                 link.b += part_offset_[s];
                 complex.links.push_back(link);
             }
+        }
         for_each_job(D, [&](int d) { complex.main_area[d].assign(index_.count, 0); });
     }
 
@@ -848,6 +956,7 @@ private:
     Complex<D>& complex_;
     const DenseIndex<D>& index_;
     std::vector<int> cell_offset_{0}, part_offset_{0}, patch_offset_{0}; ///< first one of each slab
+    FaceDerivatives<D>* derivatives_; ///< null: not wanted
 };
 
 template <int D>
@@ -975,11 +1084,17 @@ void Joining<D>::join_faces() requires(D == 2)
                     Vec<2> centroid;
                     centroid[d] = planes_.place[d][f[d]];
                     centroid[along] = 0.5 * (begin + end);
-                    const Behinds& known = is_cut(grid_.wrapped(below)) ? low : high;
-                    const int e = &known == &low ? e_low : e_high;
-                    const Index<2> w = grid_.wrapped(&known == &low ? below : f);
-                    add_piece(d, f, low[i].part, high[j].part, end - begin, centroid,
-                              {cut_.slab_of[w[1] - index_.low[1]], cut_.face[0][index_(w)], 0, e, begin, end}, pieces[0]);
+                    PieceSource source;
+                    source.from = begin;
+                    source.to = end;
+                    for (const auto& [c, e] : {std::pair{below, e_low}, {f, e_high}})
+                        if (const Index<2> w = grid_.wrapped(c); is_cut(w)) {
+                            const bool first = source.slab < 0;
+                            (first ? source.slab : source.other_slab) = cut_.slab_of[w[1] - index_.low[1]];
+                            (first ? source.face : source.other_face) = cut_.face[0][index_(w)];
+                            (first ? source.edge : source.other_edge) = e;
+                        }
+                    add_piece(d, f, low[i].part, high[j].part, end - begin, centroid, source, pieces[0]);
                 }
                 const bool next_low = low[i].to <= high[j].to, next_high = high[j].to <= low[i].to;
                 i += next_low;
@@ -995,9 +1110,14 @@ void Joining<D>::join_faces() requires(D == 2)
             for (int k = detail.division; k < detail.division + detail.divisions; ++k) {
                 const CornerDivision<2>& division = cut_.slabs[s].divisions[k];
                 const PartOrCell a = part_at(s, face.piece + division.a, 0, s), b = part_at(s, face.piece + division.b, 0, s);
-                if (a.exists() && b.exists())
-                    complex_.links.push_back({a.number(), b.number(), solids_[division.image].solid, division.conductance,
-                                              division.open, division.covered, division.at});
+                if (!a.exists() || !b.exists())
+                    continue;
+                if (derivatives_)
+                    for (const DivisionRate<2>& rate : cut_.slabs[s].rates_of_division(k))
+                        derivatives_->links.push_back(
+                            {static_cast<std::int32_t>(complex_.links.size()), solids_[rate.image].solid, rate.rate});
+                complex_.links.push_back({a.number(), b.number(), solids_[division.image].solid, division.conductance,
+                                          division.open, division.covered, division.at});
             }
         }
 }
@@ -1008,6 +1128,8 @@ template <int D>
 Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives)
 {
     Complex<D> complex;
+    if (derivatives)
+        *derivatives = {};
     complex.index = DenseIndex<D>(grid.low(), grid.high());
     const GridPlanes<D> planes(grid);
     Vec<D> low, high;
@@ -1035,13 +1157,14 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
         else
             slabs[s] = build_cells2(cut, complex.index, placed, s, beside[s], complex.cell);
     });
-    Joining<D> joining(grid, planes, placed, cut, slabs, beside, complex);
+    Joining<D> joining(grid, planes, placed, cut, slabs, beside, complex, derivatives);
     std::vector<PieceSource> sources;
     joining.sources = derivatives ? &sources : nullptr;
     joining.join_faces();
-    if (derivatives)
-        *derivatives = face_derivatives<D>(planes, complex.index, placed, cut, sources);
-    complex.seen_excess = seen_excess<D>(grid, planes, solids, placed, complex);
+    if (derivatives) {
+        face_derivatives<D>(planes, complex.index, placed, cut, sources, *derivatives);
+    }
+    complex.seen_excess = seen_excess<D>(grid, planes, solids, placed, complex, derivatives);
     return complex;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -108,15 +109,22 @@ CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Ve
 
 namespace {
 
-/// Open and covered area of an edge's bisector plane.
-std::pair<double, double> bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low,
-                                         const Vec<3>& high)
+/// An edge's bisector plane in a cell: the convex polygons outward of the edge and behind it.
+struct BisectorPolygons {
+    Vec<3> origin, along, outward; ///< coordinates of the plane: from the middle of the edge's part in the cell
+    std::vector<Vec<2>> open, covered;
+    Vec<3> from, to; ///< ends of the edge's part in the cell
+
+    Vec<3> place(const Vec<2>& x) const { return origin + x[0] * along + x[1] * outward; }
+};
+
+BisectorPolygons bisector_polygons(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low,
+                                   const Vec<3>& high)
 {
     const SharpEdge& edge = solid.edges[number];
     const SharpFacet &a = solid.facets[edge.a], &b = solid.facets[edge.b];
     double from, to;
     part_in_cell(edge, low, high, from, to);
-    // Coordinates along the edge and outward, from the middle of its part in the cell.
     const Vec<3> way = edge.to - edge.from, along = way.normalized(), outward = (a.normal + b.normal).normalized(),
                  p = edge.from + 0.5 * (from + to) * way;
     const double reach = 2 * (high - low).norm();
@@ -136,10 +144,108 @@ std::pair<double, double> bisector_areas(const SharpSolid& solid, const CellSect
     clip(behind, {0, -1}, 0);
     clip(behind, {1, 0}, (p - edge.from).dot(along));
     clip(behind, {-1, 0}, (edge.to - p).dot(along));
-    return {area(polygon), area(behind)};
+    return {p, along, outward, polygon, behind, edge.from + from * way, edge.from + to * way};
+}
+
+/// Open and covered area of an edge's bisector plane.
+std::pair<double, double> bisector_areas(const SharpSolid& solid, const CellSectors& sectors, int number, const Vec<3>& low,
+                                         const Vec<3>& high)
+{
+    const BisectorPolygons polygons = bisector_polygons(solid, sectors, number, low, high);
+    return {area(polygons.open), area(polygons.covered)};
+}
+
+/// The side of the cell on which both points lie: its outward normal; nothing where there is none.
+std::optional<Vec<3>> side_of(const Vec<3>& x, const Vec<3>& y, const Vec<3>& low, const Vec<3>& high)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool end : {false, true}) {
+            const double at = end ? high[axis] : low[axis];
+            if (std::abs(x[axis] - at) < parameters.least_stretch && std::abs(y[axis] - at) < parameters.least_stretch)
+                return Vec<3>((end ? 1 : -1) * Vec<3>::Unit(axis));
+        }
+    return {};
+}
+
+/// Adds the rates of a bisector plane's areas. speed(n, x): velocity along n of the plane's point x, over the solid's twist. Of a side of the cell with
+/// the normal n the border moves over the plane with -speed/|n_plane|; borders inside the cell move with the plane.
+template <class Speed>
+void add_plane_rates(const BisectorPolygons& polygons, const Vec<3>& low, const Vec<3>& high, Speed&& speed, EdgeRates& rates)
+{
+    for (const auto& [polygon, rate] : {std::pair{&polygons.open, &rates.open}, {&polygons.covered, &rates.covered}})
+        for (std::size_t k = 0; k < polygon->size(); ++k) {
+            const Vec<2>&p = (*polygon)[k], &q = (*polygon)[(k + 1) % polygon->size()];
+            const Vec<3> x = polygons.place(p), y = polygons.place(q);
+            if (const auto n = side_of(x, y, low, high); n && p != q)
+                *rate -= (q - p).norm() / std::hypot(n->dot(polygons.along), n->dot(polygons.outward)) *
+                         speed(*n, Vec<3>(0.5 * (x + y)));
+        }
+}
+
+/// A rim's piece as a straight edge.
+SharpSolid chord_of(const SharpRim& rim, const RimPiece& piece)
+{
+    return {{{rim.normal, rim.centre}, {piece.out, piece.from}}, {{0, 1, piece.from, piece.to, std::numbers::pi / 2}}, {}, {}};
+}
+CellSectors both_facets()
+{
+    CellSectors sectors;
+    sectors.facets.push_back(0);
+    sectors.facets.push_back(1);
+    return sectors;
+}
+
+/// The ends of the piece slide along the rim, in the sides of the cell; its chord turns about the rim's axis with the mean of the two, and moves along `out`.
+void add_chord_rates(const SharpRim& rim, const RimPiece& piece, const Vec<3>& low, const Vec<3>& high, const Vec<3>& reference,
+                     EdgeRates& rates)
+{
+    const auto slide = [&](const Vec<3>& end) { // by angle
+        Twist<3> rate = Twist<3>::Zero();
+        if (const auto n = side_of(end, end, low, high))
+            rate = -wrench<3>(*n, end - reference) / n->dot(rim.normal.cross(end - rim.centre));
+        return rate;
+    };
+    const Twist<3> from = slide(piece.from), to = slide(piece.to), turn = 0.5 * (from + to), spread = 0.5 * (to - from);
+    const double half_length = 0.5 * (piece.to - piece.from).norm(), height = piece.out.dot(piece.from - rim.centre);
+    const BisectorPolygons polygons = bisector_polygons(chord_of(rim, piece), both_facets(), 0, low, high);
+    add_plane_rates(
+        polygons, low, high,
+        [&](const Vec<3>& n, const Vec<3>& x) {
+            return Twist<3>(wrench<3>(n, x - reference) + n.dot(rim.normal.cross(x - rim.centre)) * turn -
+                            n.dot(piece.out) * half_length * spread);
+        },
+        rates);
+    for (std::size_t k = 0; k < polygons.covered.size(); ++k) { // borders at the chord's ends
+        const Vec<2>&p = polygons.covered[k], &q = polygons.covered[(k + 1) % polygons.covered.size()];
+        const double off = std::max(std::abs(std::abs(p[0]) - half_length), std::abs(std::abs(q[0]) - half_length));
+        const Vec<3> x = polygons.place(p), y = polygons.place(q);
+        if (p[0] * q[0] > 0 && off < parameters.joint_distance && !side_of(x, y, low, high))
+            rates.covered += (q - p).norm() * height * spread;
+    }
+    rates.length += 2 * height * spread;
 }
 
 } // namespace
+
+EdgeRates edge_rates(const SharpSolid& solid, const CellSectors& sectors, int number, const Index<3>& cell, const Vec<3>& low,
+                     const Vec<3>& high, const Vec<3>& reference)
+{
+    EdgeRates rates;
+    const int edges = static_cast<int>(solid.edges.size());
+    if (number >= edges) {
+        for (const RimPiece& piece : solid.pieces_in(cell))
+            if (piece.rim == number - edges)
+                add_chord_rates(solid.rims[piece.rim], piece, low, high, reference, rates);
+        return rates;
+    }
+    const BisectorPolygons polygons = bisector_polygons(solid, sectors, number, low, high);
+    add_plane_rates(
+        polygons, low, high, [&](const Vec<3>& n, const Vec<3>& x) { return wrench<3>(n, x - reference); }, rates);
+    for (const Vec<3>& end : {polygons.from, polygons.to})
+        if (const auto n = side_of(end, end, low, high))
+            rates.length -= wrench<3>(*n, end - reference) / std::abs(n->dot(polygons.along));
+    return rates;
+}
 
 EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int number, const Index<3>& cell,
                         const Vec<3>& low, const Vec<3>& high)
@@ -153,15 +259,10 @@ EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int
     }
     const SharpRim& rim = solid.rims[number - edges];
     EdgeInCell sum{std::numbers::pi / 2, 0, 0, 0, Vec<3>::Zero()};
-    CellSectors own;
-    own.facets.push_back(0);
-    own.facets.push_back(1);
     for (const RimPiece& piece : solid.pieces_in(cell)) {
         if (piece.rim != number - edges)
             continue;
-        const SharpSolid chord{
-            {{rim.normal, rim.centre}, {piece.out, piece.from}}, {{0, 1, piece.from, piece.to, std::numbers::pi / 2}}, {}, {}};
-        const auto [open, covered] = bisector_areas(chord, own, 0, low, high);
+        const auto [open, covered] = bisector_areas(chord_of(rim, piece), both_facets(), 0, low, high);
         sum.open += open;
         sum.covered += covered;
         sum.length += (piece.to - piece.from).norm();

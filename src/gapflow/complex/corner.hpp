@@ -75,6 +75,13 @@ struct EdgeInCell {
 EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int edge, const Index<3>& cell, const Vec<3>& low,
                         const Vec<3>& high);
 
+/// By the twist of the solid about its reference point.
+struct EdgeRates {
+    Twist<3> open = Twist<3>::Zero(), covered = Twist<3>::Zero(), length = Twist<3>::Zero();
+};
+EdgeRates edge_rates(const SharpSolid& solid, const CellSectors& sectors, int edge, const Index<3>& cell, const Vec<3>& low,
+                     const Vec<3>& high, const Vec<3>& reference);
+
 /// Where the border of two sectors cuts a face of the cell: from `from` on outward of the edge, to - from > 0 along `direction`.
 struct SectorLine {
     enum class End { corner, border, junction };

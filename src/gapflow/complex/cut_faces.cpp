@@ -1,6 +1,7 @@
 #include "gapflow/complex/cut_faces.hpp"
 
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/surface_rate.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/field.hpp"
 
@@ -830,6 +831,175 @@ void add_facets(std::vector<ArcFacet>& facets, std::int32_t number, const Square
             facets.push_back({number, last = segment.surface});
 }
 
+/// From the corner back along its line to the rectangle's border: how far, and across which axis.
+std::pair<double, int> covered_way(const SharpCorner& corner, const Square& square)
+{
+    double covered = std::numeric_limits<double>::infinity();
+    int across = 0;
+    for (int axis = 0; axis < 2; ++axis)
+        if (const double slope = corner.outward[axis]; slope != 0)
+            if (const double way = (corner.at[axis] - (slope > 0 ? square.low[axis] : square.high[axis])) / slope; way < covered) {
+                covered = way;
+                across = axis;
+            }
+    return {covered, across};
+}
+
+/// Rates of what one face's solids and lines define.
+template <int D>
+class FaceRates {
+public:
+    FaceRates(const GeneralCut<D>& general, const Square& square, const std::vector<int>& images, int d, double at,
+              const std::vector<PlacedSolid<D>>& solids, Slab<D>& slab)
+        : general_(general), square_(square), images_(images), d_(d), at_(at), solids_(solids), slab_(slab)
+    {
+    }
+
+    /// How the junctions move, and how long the dividing lines are; in 2D the conductances of its links. Before the face's own are added to the slab.
+    void add()
+    {
+        for (const SquareJunction& j : square_.junctions)
+            slab_.junction_rates.push_back(junction(j));
+        for (std::size_t k = 0; k < square_.links.size(); ++k) {
+            number_ = static_cast<int>(slab_.divisions.size() + k);
+            if constexpr (D == 2)
+                add_conductance(square_.links[k]);
+            else
+                add_open(square_.links[k], 1);
+        }
+    }
+
+private:
+    static bool close(const Vec<2>& x, const Vec<2>& y) { return (x - y).norm() < parameters.joint_distance; }
+    /// Segments that only join ends equal to round-off have no direction.
+    static bool has_direction(const ArcSegment& segment) { return segment.surface != -1 || segment.fin >= 0; }
+
+    MovingLine<D> line(const SquareArc& arc, ArcSegment segment, bool end) const
+    {
+        if constexpr (D == 3)
+            if (segment.fin >= 0) {
+                const int image = images_[arc.solid], edge = general_.line(segment.fin).edge;
+                const PlacedSolid<3>& solid = solids_[image];
+                segment.surface = surface_of_fin(edge);
+                if (const int rim = edge - static_cast<int>(solid.sharp.edges.size()); rim >= 0) {
+                    const RimSpeeds speeds =
+                        rim_speeds(solid.sharp.rims[rim], solid.reference, d_, at_, square_.low, square_.high, segment);
+                    const Vec<2> way = segment.to - segment.from;
+                    return {Vec<2>(-way[1], way[0]).normalized(), end ? speeds.to : speeds.from, image};
+                }
+            }
+        return moving_line<D>(solids_, images_[arc.solid], d_, at_, segment, end);
+    }
+    MovingLine<D> line_at_end(const SquareArc& arc) const
+    {
+        for (std::size_t k = arc.segments.size(); k-- > 0;)
+            if (has_direction(arc.segments[k]))
+                return line(arc, arc.segments[k], true);
+        return {};
+    }
+    MovingLine<D> line_at_start(const SquareArc& arc) const
+    {
+        for (const ArcSegment& segment : arc.segments)
+            if (has_direction(segment))
+                return line(arc, segment, false);
+        return {};
+    }
+
+    PointRates<D> junction(const SquareJunction& j) const
+    {
+        const auto find = [&](int solid, bool end) {
+            return std::find_if(square_.arcs.begin(), square_.arcs.end(), [&](const SquareArc& arc) {
+                return arc.piece == j.piece && arc.solid == solid && close(end ? arc.to : arc.from, j.at);
+            });
+        };
+        const auto before = find(j.from, true), after = find(j.to, false);
+        if (before == square_.arcs.end() || after == square_.arcs.end())
+            return {};
+        return meeting_rates<D>(d_, line_at_end(*before), line_at_start(*after));
+    }
+
+    void add_rate(int image, const Twist<D>& rate) { slab_.division_rates.push_back({number_, image, rate}); }
+
+    /// Factor times the rate of the length over which a dividing line parts two pieces: its ends lie where it meets other lines.
+    void add_open(const SquareLink& link, double factor)
+    {
+        for (const SquareArc& out : square_.arcs)
+            for (const ArcSegment& a : out.segments) {
+                if (a.fin != link.fin || out.piece != link.a)
+                    continue;
+                const Vec<2> direction = (a.to - a.from).normalized();
+                for (const SquareArc& back : square_.arcs)
+                    for (const ArcSegment& b : back.segments) {
+                        if (b.fin != link.fin || back.piece != link.b || (b.to - b.from).dot(direction) > 0)
+                            continue;
+                        const bool later = (b.to - a.from).dot(direction) > 0, sooner = (b.from - a.to).dot(direction) < 0;
+                        const Vec<2>&from = later ? b.to : a.from, &to = sooner ? b.from : a.to;
+                        if (std::abs((to - from).dot(direction) - link.open) > parameters.joint_distance)
+                            continue;
+                        ArcSegment between = a; // a line that turns is faster at one end
+                        between.from = from;
+                        between.to = to;
+                        add_end(line(out, between, true), to, direction, factor);
+                        add_end(line(out, between, false), from, direction, -factor);
+                        return;
+                    }
+            }
+    }
+    void add_end(const MovingLine<D>& own, const Vec<2>& x, const Vec<2>& direction, double factor)
+    {
+        MovingLine<D> across;
+        double most = 0; // of what meets there, the one most across
+        const auto offer = [&](const MovingLine<D>& other) {
+            if (const double slant = std::abs(other.normal.dot(direction)); slant > most) {
+                most = slant;
+                across = other;
+            }
+        };
+        for (const SquareArc& arc : square_.arcs)
+            for (const ArcSegment& segment : arc.segments)
+                if (has_direction(segment))
+                    for (const bool end : {false, true})
+                        if (close(end ? segment.to : segment.from, x))
+                            offer(line(arc, segment, end));
+        if (most < parameters.parallel) // on the rectangle's border
+            for (int axis = 0; axis < 2; ++axis)
+                if (std::min(std::abs(x[axis] - square_.low[axis]), std::abs(x[axis] - square_.high[axis])) <
+                    parameters.joint_distance)
+                    offer({unit<2>(axis), Twist<D>::Zero(), -1});
+        Vec<D> way = Vec<D>::Zero();
+        way[u_axis<D>(d_)] = direction[0];
+        way[v_axis<D>(d_)] = direction[1];
+        for (const PointRate<D>& r : meeting_rates<D>(d_, own, across))
+            add_rate(r.solid, factor * r.rate.transpose() * way);
+    }
+
+    /// g = c open/covered.
+    void add_conductance(const SquareLink& link) requires(D == 2)
+    {
+        const SharpCorner& corner = general_.corner(link.fin);
+        const int image = images_[square_.corners[link.fin].solid];
+        const auto [covered, axis] = covered_way(corner, square_);
+        if (!(covered > parameters.least_covered))
+            return;
+        const double by_open = corner_conductance(corner.angle, 1, covered);
+        add_open(link, by_open);
+        // Back from the corner, to the rectangle's border.
+        const Vec<2> n = corner.outward, x = corner.at - covered * n, normal(-n[1], n[0]), arm = solids_[image].reference;
+        const MovingLine<2> own{normal, wrench<2>(normal, x - arm), image};
+        for (const PointRate<2>& r : meeting_rates<2>(d_, own, {unit<2>(axis), Twist<2>::Zero(), -1}))
+            add_rate(image, by_open * link.open / covered * (r.rate.transpose() * n - wrench<2>(n, corner.at - arm)));
+    }
+
+    const GeneralCut<D>& general_;
+    const Square& square_;
+    const std::vector<int>& images_;
+    int d_;
+    double at_;
+    const std::vector<PlacedSolid<D>>& solids_;
+    Slab<D>& slab_;
+    int number_ = 0; ///< of the division
+};
+
 template <int D>
 void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const DenseIndex<D>& index,
                  const std::vector<PlacedSolid<D>>& solids, Slab<D>& slab)
@@ -842,6 +1012,8 @@ void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const Dens
         const int d = face.axis;
         const double at = plane_of(planes, d, index.index(face.id));
         const Square& square = general.cut(face, detail, slab.facets);
+        if (cut.for_derivatives)
+            FaceRates<D>(general, square, detail.images, d, at, solids, slab).add();
         face.piece = static_cast<std::int32_t>(slab.pieces.size());
         face.arc = static_cast<std::int32_t>(slab.arcs.size());
         face.pieces = static_cast<std::int32_t>(square.pieces.size());
@@ -882,10 +1054,7 @@ void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const Dens
                 continue;
             }
             const SharpCorner& corner = general.corner(link.fin);
-            double covered = std::numeric_limits<double>::infinity();
-            for (int axis = 0; axis < 2; ++axis)
-                if (const double slope = corner.outward[axis]; slope != 0)
-                    covered = std::min(covered, (corner.at[axis] - (slope > 0 ? square.low[axis] : square.high[axis])) / slope);
+            const double covered = covered_way(corner, square).first;
             slab.divisions.push_back({detail.images[square.corners[link.fin].solid], link.a, link.b,
                                       corner_conductance(corner.angle, link.open, covered), link.open, covered,
                                       in_space<D>(d, at, corner.at)});
@@ -981,7 +1150,7 @@ template class FaceArcs<3>;
 
 template <int D>
 CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index,
-                      const std::vector<PlacedSolid<D>>& solids, bool keep_facets)
+                      const std::vector<PlacedSolid<D>>& solids, bool for_derivatives)
 {
     CutFaces<D> cut;
     for (auto& face : cut.face)
@@ -996,6 +1165,7 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
     }
     cut.slab_of.push_back(static_cast<int>(cut.slabs.size()) - 1);
     cut.grid = &grid;
+    cut.for_derivatives = for_derivatives;
     for_each_job(static_cast<int>(cut.slabs.size()), [&](int s) {
         Slab<D>& slab = cut.slabs[s];
         slab.facets.resize(solids.size());
@@ -1011,7 +1181,7 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                 },
                 solids[k].kind);
         cut_general(cut, planes, index, solids, slab);
-        if (!keep_facets)
+        if (!for_derivatives)
             slab.facets = {};
     });
     return cut;

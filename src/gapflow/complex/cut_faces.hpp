@@ -9,8 +9,10 @@
 #include "gapflow/complex/placed.hpp"
 #include "gapflow/complex/square.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace gapflow {
 
@@ -95,6 +97,22 @@ struct ArcFacet {
     std::int32_t arc, facet;
 };
 
+/// How a point that solids' borders define moves: by the twists of one or two placed solids (cells, radians; rotation about the reference point).
+template <int D>
+struct PointRate {
+    std::int32_t solid; ///< of its own number, or that of an image
+    Eigen::Matrix<double, D, twist_size<D>> rate;
+};
+template <int D>
+using PointRates = InlineVector<PointRate<D>, 2>;
+
+/// Of a CornerDivision by the twist of a placed solid.
+template <int D>
+struct DivisionRate {
+    std::int32_t division, image;
+    Twist<D> rate; ///< of its conductance; 3D: of its open length
+};
+
 /// Of a general face.
 struct FaceDetail {
     std::vector<int> images;
@@ -116,11 +134,23 @@ struct Slab {
     std::vector<std::optional<FacetCut<D>>> facets; ///< of images with facets that meet the slab, where they are kept
     std::vector<double> crossings;                  ///< 2D: where solids cross the edges of simple cells, along the edge's axis
     std::vector<CornerDivision<D>> divisions;
+    // Where derivatives are wanted.
+    std::vector<PointRates<D>> junction_rates; ///< of each junction, by images
+    std::vector<DivisionRate<D>> division_rates; ///< in the order of the divisions
+
+    std::span<const DivisionRate<D>> rates_of_division(int division) const
+    {
+        const auto before = [](const DivisionRate<D>& r, int d) { return r.division < d; };
+        const auto first = std::lower_bound(division_rates.begin(), division_rates.end(), division, before),
+                   last = std::lower_bound(first, division_rates.end(), division + 1, before);
+        return {first, last};
+    }
 };
 
 template <int D>
 struct CutFaces {
     const Grid<D>* grid = nullptr;
+    bool for_derivatives = false;
     std::array<std::vector<std::int32_t>, face_kinds<D>> face; ///< number in its slab's faces, Complex::open or Complex::solid
     std::vector<Slab<D>> slabs;
     std::vector<int> slab_of; ///< plane of cells, from DenseIndex::low; of the faces on the last side the last slab
@@ -159,9 +189,9 @@ private:
     std::vector<std::unique_ptr<Section>> sections_;
 };
 
-/// `keep_facets`: for FaceArcs.
+/// `for_derivatives`: keeps facets for FaceArcs, and finds rates.
 template <int D>
 CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index,
-                      const std::vector<PlacedSolid<D>>& solids, bool keep_facets);
+                      const std::vector<PlacedSolid<D>>& solids, bool for_derivatives);
 
 } // namespace gapflow

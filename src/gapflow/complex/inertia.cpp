@@ -1,6 +1,6 @@
 #include "gapflow/complex/inertia.hpp"
 
-#include "gapflow/complex/open_areas.hpp"
+#include "gapflow/complex/lending.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/field.hpp"
@@ -31,11 +31,9 @@ public:
     /// `first_row`: workspace, of each cell; so far -1. `plain`: of each piece the share of its energy that is not a gap's; empty: all of it.
     Lending(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas, std::vector<std::int32_t>& first_row,
             const std::vector<double>& plain, Inertia<D>& inertia)
-        : grid_(grid), complex_(complex), areas_(areas), first_row_(first_row), plain_(plain), inertia_(inertia)
+        : grid_(grid), complex_(complex), areas_(areas), first_row_(first_row), plain_(plain), inertia_(inertia),
+          loans_(grid, complex, areas)
     {
-        for (int axis = 0; axis < D; ++axis)
-            for (int i = grid.low()[axis]; i < grid.high()[axis]; ++i)
-                centre_[axis].push_back((grid.centre_place(axis, i) - grid.anchor()[axis]) / grid.dx());
     }
 
     /// To the weights and to the fluxes of Complex::patches; returns the rows beside these.
@@ -62,89 +60,29 @@ public:
     }
 
 private:
-    /// What of a solid's motion lent area carries: of its velocity along the axis, and of its spin.
-    struct Share {
-        std::int32_t solid;
-        double size; ///< of the area vectors of its walls on both sides; in the end over the sum of all
-        Vec<D> area;
-        Spin<D> moment; ///< in the end flux of the spin
-    };
-
     void lend_from(std::int32_t k, const Index<D>& f)
     {
-        const FacePiece<D>& piece = complex_.pieces[k];
-        if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
-            return;
-        const std::optional<Area> own = areas_.led_by(k);
-        if (!own)
-            return;
-        find_shares(k, *own);
-        if (shares_.empty())
-            return;
         double given = 0;
-        for (int t = 0; t < D; ++t) {
-            if (t == axis_)
-                continue;
-            const double offset = own->centroid[t] - centre_[t][f[t] - grid_.low()[t]];
-            const int towards = offset > 0 ? 1 : -1;
-            const Area next = areas_.beside(axis_, *own, f, t, towards);
-            if (next.face < 0 || !(next.area > 0))
-                continue;
-            const double lent =
-                0.5 * plain(*own) * plain(next) * std::min(1.0, next.area / own->area) * own->area * std::abs(offset);
-            const Area after = areas_.beside(axis_, *own, f, t, 2 * towards);
-            const double more =
-                after.face >= 0 && after.area > 0 ? 0.5 * plain(after) * lent * std::min(1.0, after.area / own->area) : 0.0;
-            given += lent + more;
-            add(next, lent + 2 * more);
-            if (more > 0)
-                add(after, -more);
-        }
+        Area own;
+        loans_.from(k, f, [&](Loan<D> loan) {
+            loan.size *= plain(loan.own) * plain(loan.next);
+            loan.more *= plain(loan.own) * plain(loan.next) * plain(loan.after);
+            own = loan.own;
+            given += loan.given();
+            add(loan.next, loan.of_next());
+            if (loan.more > 0)
+                add(loan.after, loan.of_after());
+        });
         if (given > 0)
-            add(*own, -given);
+            add(own, -given);
     }
 
     double plain(const Area& area) const
     {
-        if (plain_.empty())
+        if (plain_.empty() || area.face < 0)
             return 1;
         const std::int32_t k = area.piece >= 0 ? area.piece : areas_.first(axis_, area.face);
         return k >= 0 ? plain_[k] : 1.0;
-    }
-
-    void find_shares(std::int32_t k, const Area& area)
-    {
-        shares_.clear();
-        if (area.piece < 0)
-            add_walls(complex_.pieces[k]);
-        else
-            areas_.for_each(area, [&](std::int32_t piece) { add_walls(complex_.pieces[piece]); });
-        double sum = 0;
-        for (const Share& share : shares_)
-            sum += share.size;
-        // A wall that turns moves with its speed along its normal: one that turns in itself lends nothing.
-        for (Share& share : shares_) {
-            share.size /= sum > 0 ? sum : 1;
-            const double square = share.area.squaredNorm();
-            share.moment *= square > 0 ? share.size * share.area[axis_] / square : 0.0;
-        }
-    }
-
-    void add_walls(const FacePiece<D>& piece)
-    {
-        for (const PartOrCell& side : {piece.low, piece.high})
-            if (side.is_part())
-                for (const WallPatch<D>& patch : complex_.patches_of(side.number())) {
-                    const double size = patch.area.norm();
-                    const auto known = std::find_if(shares_.begin(), shares_.end(),
-                                                    [&](const Share& share) { return share.solid == patch.solid; });
-                    if (known != shares_.end()) {
-                        known->size += size;
-                        known->area += patch.area;
-                        known->moment += patch.moment;
-                    } else
-                        shares_.push_back({patch.solid, size, patch.area, patch.moment});
-                }
     }
 
     void add(const Area& to, double area)
@@ -169,7 +107,7 @@ private:
 
     void add_to_row(std::int32_t part, int cell, double area)
     {
-        for (const Share& share : shares_) {
+        for (const WallShare<D>& share : loans_.shares()) {
             std::int32_t* at = &first_row_[cell];
             while (*at >= 0 && (rows_[*at].solid != share.solid || rows_[*at].part != part))
                 at = &rows_[*at].next;
@@ -182,7 +120,7 @@ private:
             }
             Twist<D>& flux = rows_[*at].flux;
             flux[axis_] += area * share.size;
-            flux.template tail<spin_size<D>>() += area * share.moment;
+            flux.template tail<spin_size<D>>() += area * share.spin;
         }
     }
 
@@ -209,10 +147,9 @@ private:
     std::vector<std::int32_t>& first_row_;
     const std::vector<double>& plain_;
     Inertia<D>& inertia_;
-    std::array<std::vector<double>, D> centre_; ///< of cells along each axis, from Grid::low() on
-    int axis_ = 0;                              ///< of the face that lends
-    int below_ = 0;                             ///< number of the cell below it less that of the one above it
-    std::vector<Share> shares_;
+    Loans<D> loans_;
+    int axis_ = 0;  ///< of the face that lends
+    int below_ = 0; ///< number of the cell below it less that of the one above it
     std::vector<LentRow<D>> rows_;
 };
 

@@ -5,8 +5,10 @@
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/threads.hpp"
 
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace gapflow {
 
@@ -79,7 +81,8 @@ public:
                 f(k);
     }
 
-    /// The one of the face `steps` beyond f, that of the given area, along t whose centroid is nearest to its own but for t.
+    /// The one of the face `steps` beyond f, that of the given area, along t whose centroid is nearest to its own across t; in 2D, where none
+    /// lies across, along t.
     Area beside(int axis, const Area& from, const Index<D>& f, int t, int steps) const
     {
         const int cells = grid_.cells()[t];
@@ -95,13 +98,14 @@ public:
             return {-1, open > 0 ? face : -1, open, Vec<D>::Zero()};
         }
         Area best;
-        double least = std::numeric_limits<double>::infinity();
+        std::pair least{std::numeric_limits<double>::infinity(), 0.0}; // across: the same side of a thin solid; then along
         for (std::int32_t k = first(axis, face); k >= 0; k = next_[k])
             if (const std::optional<Area> area = led_by(k)) {
                 Vec<D> way = area->centroid - from.centroid;
-                way[t] = 0; // across: the same side of a thin solid
-                if (way.norm() < least) {
-                    least = way.norm();
+                const double along = std::abs(way[t]);
+                way[t] = way[axis] = 0;
+                if (const std::pair far{way.norm(), along}; far < least) {
+                    least = far;
                     best = *area;
                 }
             }

@@ -31,9 +31,9 @@ Square::Hit Square::joint_at(int solid, const Vec<2>& x, const Vec<2>& direction
             const double t = std::atan2(cross(w, y), w.dot(y));
             return t < 0 ? t + 2 * std::numbers::pi : t;
         };
-        double all = angle(v);
-        if (all < parameters.least_stretch)
-            all = 2 * std::numbers::pi; // a fin's end
+        // At a fin's end the two are one direction but for round-off.
+        const bool tip = in.fin >= 0 && in.fin == out.fin && (in.to - in.from).dot(out.to - out.from) < 0;
+        const double all = tip ? 2 * std::numbers::pi : angle(v);
         const double here = angle(direction), inside = std::min(here, all - here);
         if (inside > best) {
             best = inside;

@@ -9,6 +9,28 @@
 #include <cmath>
 
 namespace gapflow {
+namespace {
+
+/// Parts that are not the largest of their cell, in their order; but slivers between lines from sharp corners without a way out. Others: -1.
+template <int D>
+std::vector<int> nodes_of_parts(const Complex<D>& complex, int& count)
+{
+    std::vector<char> leads_on(complex.parts(), 0);
+    for (const FacePiece<D>& piece : complex.pieces)
+        for (const PartOrCell& side : {piece.low, piece.high})
+            if (side.is_part() && piece.area > 0)
+                leads_on[side.number()] = 1;
+    for (const CornerLink<D>& link : complex.links)
+        if (link.conductance > 0)
+            leads_on[link.a] = leads_on[link.b] = 1;
+    std::vector<int> node(complex.parts(), -1);
+    for (int p = 0; p < complex.parts(); ++p)
+        if (!complex.is_main(p) && leads_on[p])
+            node[p] = count++;
+    return node;
+}
+
+} // namespace
 
 template <int D>
 Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
@@ -23,20 +45,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     for (const Solid<D>& solid : coupling.solids)
         coupling.free_body.push_back(solid.motion == Motion::free ? system.bodies++ : -1);
 
-    // Nodes: parts that are not the largest of their cell, in their order; but slivers between lines from sharp corners without a way out.
-    std::vector<char> leads_on(complex.parts(), 0);
-    for (const FacePiece<D>& piece : complex.pieces)
-        for (const PartOrCell& side : {piece.low, piece.high})
-            if (side.is_part() && piece.area > 0)
-                leads_on[side.number()] = 1;
-    for (const CornerLink<D>& link : complex.links)
-        if (link.conductance > 0)
-            leads_on[link.a] = leads_on[link.b] = 1;
-    std::vector<int> node(complex.parts(), -1);
-    for (int p = 0; p < complex.parts(); ++p)
-        if (!complex.is_main(p) && leads_on[p])
-            node[p] = system.nodes++;
-
+    const std::vector<int> node = nodes_of_parts(complex, system.nodes);
     coupling.open = FaceField<D>(grid, 0.0);
     coupling.kind = CellField<D, std::int8_t>(grid, static_cast<std::int8_t>(CellKind::solid));
     for_each_row_on_threads<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
@@ -162,6 +171,37 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     return coupling;
 }
 
+template <int D>
+std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex,
+                                        const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
+                                        const std::vector<Twist<D>>& twists)
+{
+    const double dx = coupling.grid->dx(), in_cells = -1 / (coupling.density * dx * dx);
+    Potentials<D> potentials{std::vector<double>(complex.parts(), 0), std::vector<double>(complex.index.count, 0)};
+    int nodes = 0;
+    const std::vector<int> node = nodes_of_parts(complex, nodes);
+    for (int part = 0; part < complex.parts(); ++part)
+        potentials.part[part] = node[part] >= 0          ? in_cells * p.nodes[node[part]]
+                                : complex.is_main(part) ? in_cells * p.cells(complex.cell_of_part(part))
+                                                        : 0.0;
+    for_each_index<D>(coupling.grid->low(), coupling.grid->high(),
+                      [&](const Index<D>& c) { potentials.cell[complex.index(c)] = in_cells * p.cells(c); });
+    std::vector<Twist<D>> V = twists;
+    for (Twist<D>& twist : V)
+        twist.template head<D>() /= dx;
+    std::vector<Twist<D>> result =
+        energy_derivative<D>(*coupling.grid, complex, derivatives, potentials, std::span<const Twist<D>>(V));
+    for (Twist<D>& of : result) {
+        of *= coupling.density * std::pow(dx, D + 2);
+        of.template head<D>() /= dx;
+    }
+    return result;
+}
+
+template std::vector<Twist<2>> energy_derivative(const Coupling<2>&, const Complex<2>&, const FaceDerivatives<2>&,
+                                                 const UnknownVector<2>&, const std::vector<Twist<2>>&);
+template std::vector<Twist<3>> energy_derivative(const Coupling<3>&, const Complex<3>&, const FaceDerivatives<3>&,
+                                                 const UnknownVector<3>&, const std::vector<Twist<3>>&);
 template Coupling<2> couple_parts(const Grid<2>&, std::vector<Solid<2>>, const std::vector<TwistMatrix<2>>&, double,
                                   const Complex<2>&, const Inertia<2>&);
 template Coupling<3> couple_parts(const Grid<3>&, std::vector<Solid<3>>, const std::vector<TwistMatrix<3>>&, double,

@@ -2,6 +2,7 @@
 // unknown, every other part takes a node; face pieces between two largest parts are the grid's conductance, all others are sparse.
 #pragma once
 
+#include "gapflow/complex/energy_derivative.hpp"
 #include "gapflow/complex/inertia.hpp"
 #include "gapflow/coupling/coupling.hpp"
 
@@ -12,5 +13,12 @@ namespace gapflow {
 template <int D>
 Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
                          double density, const Complex<D>& complex, const Inertia<D>& inertia);
+
+/// dT of the fluid at fixed twists by each solid's place, and by its rotation about its reference point (energy_derivative.hpp). p: the impulse
+/// that sets the fluid at rest moving with these twists, L p = -K V.
+template <int D>
+std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex,
+                                        const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
+                                        const std::vector<Twist<D>>& twists);
 
 } // namespace gapflow

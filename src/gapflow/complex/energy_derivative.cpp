@@ -1,0 +1,292 @@
+#include "gapflow/complex/energy_derivative.hpp"
+
+#include "gapflow/complex/lending.hpp"
+#include "gapflow/complex/seen_volume.hpp"
+#include "gapflow/grid/far_field.hpp"
+
+namespace gapflow {
+namespace {
+
+/// n x o of a moment n and an area o along an axis, and its transpose: the moment's factors in (n x o) . s.
+template <int D>
+Vec<D> turned(const Spin<D>& s, int axis)
+{
+    if constexpr (D == 2)
+        return axis == 0 ? Vec<2>(0, -s[0]) : Vec<2>(s[0], 0);
+    else
+        return unit<3>(axis).cross(s);
+}
+
+template <int D>
+class EnergyDerivative {
+public:
+    using Area = typename OpenAreas<D>::Area;
+
+    EnergyDerivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
+                     const Potentials<D>& potentials, std::span<const Twist<D>> twists)
+        : grid_(grid), complex_(complex), derivatives_(derivatives), p_(potentials), twists_(twists), areas_(grid, complex),
+          by_area_(complex.pieces.size(), 0), by_moment_(complex.pieces.size(), Vec<D>::Zero()),
+          by_patch_(complex.patches.size(), Twist<D>::Zero()), result_(twists.size(), Twist<D>::Zero())
+    {
+    }
+
+    std::vector<Twist<D>> find()
+    {
+        add_flow();
+        add_walls();
+        add_seen_volume();
+        add_loans();
+        by_motion_of_pieces();
+        by_motion_of_walls();
+        by_motion_of_links();
+        return std::move(result_);
+    }
+
+private:
+    /// -1/2 A/spread (p_high - p_low)^2 of every piece.
+    void add_flow()
+    {
+        const FarField<D> far = far_field(grid_);
+        for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
+            const FacePiece<D>& piece = complex_.pieces[k];
+            const double difference = p_.of(piece.high) - p_.of(piece.low);
+            const Index<D> f = complex_.index.index(piece.face);
+            double over = grid_.spread(piece.axis, f[piece.axis]);
+            if (!piece.low.exists() || !piece.high.exists()) { // a side of the domain
+                const SideKind side = grid_.side(piece.axis, piece.low.exists());
+                if (!is_open(side))
+                    continue;
+                over *= side == SideKind::far ? 0.5 * far_distance(grid_, far, piece.axis, f) : 0.5;
+            }
+            by_area_[k] -= 0.5 * difference * difference / over;
+        }
+    }
+
+    /// p . K V of the walls themselves.
+    void add_walls()
+    {
+        for (int part = 0; part < complex_.parts(); ++part)
+            for (int k = complex_.first_patch[part]; k < complex_.first_patch[part + 1]; ++k)
+                by_patch_[k] += p_.part[part] * twists_[complex_.patches[k].solid];
+    }
+
+    /// Of a lent area of one on a piece or an open face: flux between its two sides relative to a wall with the speed U.
+    struct Side {
+        double difference, over;
+        double energy(double U) const { return difference * U - 0.5 * difference * difference / over; }
+    };
+    Side side_of(std::int32_t piece) const
+    {
+        const FacePiece<D>& p = complex_.pieces[piece];
+        return {p_.of(p.high) - p_.of(p.low), grid_.spread(p.axis, complex_.index.index(p.face)[p.axis])};
+    }
+    Side side_of(int axis, std::int32_t face) const
+    {
+        const Index<D> f = complex_.index.index(face);
+        const auto at = [&](const Index<D>& c) { return p_.of(complex_.main_of(complex_.index(grid_.wrapped(c)))); };
+        return {at(f) - at(f - step<D>(axis)), grid_.spread(axis, f[axis])};
+    }
+
+    /// What E gains by a lent area on another one, per unit of it, and by the speed U. The rest of `weight` E depends on how it is shared among the pieces.
+    double add_lent(const Area& to, double weight, double U, double& by_speed)
+    {
+        if (to.piece < 0) {
+            const Side side = side_of(axis_, to.face);
+            by_speed += weight * side.difference;
+            return side.energy(U);
+        }
+        double sum = 0;
+        areas_.for_each(to, [&](std::int32_t k) { sum += complex_.pieces[k].area / to.area * side_of(k).energy(U); });
+        areas_.for_each(to, [&](std::int32_t k) {
+            const Side side = side_of(k);
+            by_speed += weight * complex_.pieces[k].area / to.area * side.difference;
+            by_area_[k] += weight / to.area * (side.energy(U) - sum);
+        });
+        return sum;
+    }
+
+    /// Calls f(piece) for the pieces of an area; a face that nothing cuts has none.
+    template <class F>
+    void for_each_piece(const Area& area, F&& f) const
+    {
+        if (area.piece >= 0)
+            areas_.for_each(area, f);
+        else if (const std::int32_t k = areas_.first(axis_, area.face); k >= 0)
+            f(k);
+    }
+    /// Calls f(patch) for the walls beside an area; those that lie beside several of its pieces as often.
+    template <class F>
+    void for_each_wall_beside(const Area& area, F&& f) const
+    {
+        for_each_piece(area, [&](std::int32_t piece) {
+            for (const PartOrCell& side : {complex_.pieces[piece].low, complex_.pieces[piece].high})
+                if (side.is_part())
+                    for (int k = complex_.first_patch[side.number()]; k < complex_.first_patch[side.number() + 1]; ++k)
+                        f(k);
+        });
+    }
+
+    static double bearing(const Area& own, const Area& other) { return std::min(1.0, other.area / own.area); }
+    /// min(1, other/own), by both areas.
+    void add_bearing(const Area& own, const Area& other, double factor)
+    {
+        if (other.area >= own.area)
+            return;
+        for_each_piece(other, [&](std::int32_t k) { by_area_[k] += factor / own.area; });
+        for_each_piece(own, [&](std::int32_t k) { by_area_[k] -= factor * other.area / (own.area * own.area); });
+    }
+
+    void add_loans()
+    {
+        Loans<D> loans(grid_, complex_, areas_);
+        for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
+            axis_ = complex_.pieces[k].axis;
+            loans.from(static_cast<std::int32_t>(k), complex_.index.index(complex_.pieces[k].face),
+                       [&](const Loan<D>& loan) { add_loan(loan, loans.shares()); });
+        }
+    }
+
+    void add_loan(const Loan<D>& loan, const std::vector<WallShare<D>>& shares)
+    {
+        double U = 0;
+        for (const WallShare<D>& share : shares)
+            U += share.speed(axis_, twists_[share.solid]);
+        double by_speed = 0;
+        const double own = add_lent(loan.own, -loan.given(), U, by_speed),
+                     next = add_lent(loan.next, loan.of_next(), U, by_speed),
+                     after = loan.more > 0 ? add_lent(loan.after, loan.of_after(), U, by_speed) : 0.0;
+        const double by_more = loan.more > 0 ? -own + 2 * next - after : 0.0,
+                     by_size = next - own + (loan.more > 0 ? 0.5 * bearing(loan.own, loan.after) * by_more : 0.0);
+        add_bearing(loan.own, loan.next, 0.5 * loan.own.area * std::abs(loan.offset) * by_size);
+        if (loan.more > 0)
+            add_bearing(loan.own, loan.after, 0.5 * loan.size * by_more);
+        for_each_piece(loan.own, [&](std::int32_t k) {
+            by_moment_[k][loan.along] += 0.5 * bearing(loan.own, loan.next) * (loan.offset > 0 ? 1 : -1) * by_size;
+        });
+        add_shares(loan.own, shares, U, by_speed);
+    }
+
+    /// U depends on the walls beside the lending area.
+    void add_shares(const Area& own, const std::vector<WallShare<D>>& shares, double U, double by_speed)
+    {
+        double all = 0;
+        for_each_wall_beside(own, [&](int k) { all += complex_.patches[k].area.norm(); });
+        if (!(all > 0))
+            return;
+        for_each_wall_beside(own, [&](int k) {
+            const WallPatch<D>& patch = complex_.patches[k];
+            const WallShare<D>& share =
+                *std::find_if(shares.begin(), shares.end(), [&](const auto& s) { return s.solid == patch.solid; });
+            const Twist<D>& V = twists_[patch.solid];
+            const Spin<D> spin = V.template tail<spin_size<D>>();
+            const double square = share.area.squaredNorm(), turn = share.moment.dot(spin);
+            auto by_area = by_patch_[k].template head<D>();
+            if (const double size = patch.area.norm(); size > 0) {
+                const double speed = V[axis_] + (square > 0 ? share.area[axis_] / square * turn : 0.0);
+                by_area += by_speed * (speed - U) / (all * size) * patch.area;
+            }
+            if (square > 0) { // n_d/|S| Theta . omega
+                const double factor = by_speed * share.size / square;
+                by_area += factor * turn * (unit<D>(axis_) - 2 * share.area[axis_] / square * share.area);
+                by_patch_[k].template tail<spin_size<D>>() += factor * share.area[axis_] * spin;
+            }
+        });
+    }
+
+    /// All that depends on areas and first moments, and the walls' by closure.
+    void by_motion_of_pieces()
+    {
+        for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
+            const FacePiece<D>& piece = complex_.pieces[k];
+            const Vec<D> centre =
+                (grid_.face_centre(piece.axis, complex_.index.index(piece.face)) - grid_.anchor()) / grid_.dx();
+            for (const PieceRate<D>& rate : derivatives_.of(k)) {
+                double by_area = by_area_[k];
+                Vec<D> by_moment = by_moment_[k];
+                for (const auto& [side, out] : {std::pair{piece.low, 1.0}, {piece.high, -1.0}})
+                    if (const int patch = patch_of(side, rate.solid); patch >= 0) {
+                        const Vec<D> turn = out * turned<D>(by_patch_[patch].template tail<spin_size<D>>(), piece.axis);
+                        by_area -= out * by_patch_[patch][piece.axis] + turn.dot(centre - rate.reference);
+                        by_moment -= turn;
+                    }
+                result_[rate.solid] += by_area * rate.area + rate.moment.transpose() * by_moment;
+            }
+        }
+    }
+
+    int patch_of(const PartOrCell& side, int solid) const
+    {
+        if (side.is_part())
+            for (int k = complex_.first_patch[side.number()]; k < complex_.first_patch[side.number() + 1]; ++k)
+                if (complex_.patches[k].solid == solid)
+                    return k;
+        return -1;
+    }
+
+    /// Their reference points, and the curves in which they meet.
+    void by_motion_of_walls()
+    {
+        for (std::size_t k = 0; k < complex_.patches.size(); ++k) {
+            const WallPatch<D>& patch = complex_.patches[k];
+            const Spin<D> by_turn = by_patch_[k].template tail<spin_size<D>>();
+            for (int axis = 0; axis < D; ++axis)
+                result_[patch.solid][axis] -= moment<D>(unit<D>(axis), patch.area).dot(by_turn);
+        }
+        for (const PatchRate<D>& rate : derivatives_.patches)
+            result_[rate.solid] += rate.flux.transpose() * by_patch_[rate.patch];
+    }
+
+    void by_motion_of_links()
+    {
+        for (const LinkRate<D>& rate : derivatives_.links) {
+            const CornerLink<D>& link = complex_.links[rate.link];
+            const double difference = p_.part[link.a] - p_.part[link.b];
+            result_[rate.solid] -= 0.5 * difference * difference * rate.conductance;
+        }
+    }
+
+    void add_seen_volume()
+    {
+        const GridPlanes<D> planes(grid_);
+        for (std::size_t s = 0; s < result_.size(); ++s)
+            result_[s] += derivatives_.seen[s].rate.transpose() * half_square(static_cast<int>(s));
+        for (int part = 0; part < complex_.parts(); ++part)
+            for (int k = complex_.first_patch[part]; k < complex_.first_patch[part + 1]; ++k) {
+                const int solid = complex_.patches[k].solid;
+                const SeenRate<D>& seen = derivatives_.seen[solid];
+                by_patch_[k].template head<D>() +=
+                    seen.by_walls.dot(half_square(solid)) *
+                    seen.counts.cwiseProduct(way_from<D>(grid_, planes, seen.reference, complex_.cell_of_part(part)));
+            }
+    }
+    Vec<D> half_square(int solid) const { return 0.5 * twists_[solid].template head<D>().cwiseAbs2(); }
+
+    const Grid<D>& grid_;
+    const Complex<D>& complex_;
+    const FaceDerivatives<D>& derivatives_;
+    const Potentials<D>& p_;
+    std::span<const Twist<D>> twists_;
+    OpenAreas<D> areas_;
+    int axis_ = 0; ///< of the face that lends
+    // dE by areas, first moments and walls.
+    std::vector<double> by_area_;
+    std::vector<Vec<D>> by_moment_;
+    std::vector<Twist<D>> by_patch_;
+    std::vector<Twist<D>> result_;
+};
+
+} // namespace
+
+template <int D>
+std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
+                                        const Potentials<D>& potentials, std::span<const Twist<D>> twists)
+{
+    return EnergyDerivative<D>(grid, complex, derivatives, potentials, twists).find();
+}
+
+template std::vector<Twist<2>> energy_derivative(const Grid<2>&, const Complex<2>&, const FaceDerivatives<2>&,
+                                                 const Potentials<2>&, std::span<const Twist<2>>);
+template std::vector<Twist<3>> energy_derivative(const Grid<3>&, const Complex<3>&, const FaceDerivatives<3>&,
+                                                 const Potentials<3>&, std::span<const Twist<3>>);
+
+} // namespace gapflow

@@ -1,0 +1,43 @@
+// The derivative of the kinetic energy T of potential flow by the places and angles of the solids, in closed form (theory, "Derivatives").
+//
+// With potentials p and twists V, E = p . K V - 1/2 p . L p + 1/2 V . D V is stationary in p where L p = K V, and E = T there. At fixed twists dT/dx is
+// therefore the change of E at fixed p: of L by the areas a, of K by the walls' area vectors and moments and by what is lent, of the links, and of D. Each
+// is linear in the derivatives of the pieces' areas and first moments. The walls' follow by closure:
+//
+//     dS = -sum dA o,   dTheta = -sum (dm + dA (x_f - r)) x o - dr x S,
+//
+// over the faces of a part, r the solid's reference point; where walls meet, from the motion of the curve in which they do (PatchRate).
+// One pass over the pieces collects dE by the areas and moments, a second one multiplies by their derivatives. At fixed impulses
+// P = dT/dV the derivative of T is that at fixed twists with the opposite sign.
+//
+// D is that of Complex::seen_excess: the limit of a light body's (coupling/pressure_gauge) is not in it. Where an edge or a rim begins or ends to divide a cell, or
+// another area bears what is lent, T may jump; the derivative is that of one side.
+#pragma once
+
+#include "gapflow/complex/area_derivative.hpp"
+#include "gapflow/complex/complex.hpp"
+
+#include <span>
+#include <vector>
+
+namespace gapflow {
+
+/// p in cells^2 a unit of time, velocities are grad p: L p = K V. Parts and cells without an unknown: 0.
+template <int D>
+struct Potentials {
+    std::vector<double> part; ///< of each
+    std::vector<double> cell; ///< of each number in Complex::index; used where the cell is whole
+
+    double of(const PartOrCell& side) const
+    {
+        return side.is_part() ? part[side.number()] : side.is_cell() ? cell[side.number()] : 0.0;
+    }
+};
+
+/// dT by each solid's place (cells) and by its rotation (radians) about its reference point, at fixed twists (cells and radians a unit of time); T over the
+/// fluid's density, in cells^(D + 2) a unit of time squared. Without the solids' own masses.
+template <int D>
+std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
+                                        const Potentials<D>& potentials, std::span<const Twist<D>> twists);
+
+} // namespace gapflow
