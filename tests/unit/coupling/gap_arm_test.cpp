@@ -28,7 +28,7 @@ Scene container(int n, double gap, double angle, const Vec<2>& shift, bool moves
     outer.shape = inner.shape = BodyScene::ShapeKind::ball;
     outer.radius = 1;
     outer.inside_out = true;
-    outer.motion = moves ? Motion::free : Motion::fixed;
+    outer.motion = moves ? BodyScene::Motion::free : BodyScene::Motion::fixed;
     outer.density = moves ? 10 : 1;
     const double x = size / 2 + shift[0] * dx, y = size / 2 + shift[1] * dx;
     outer.position = {x, y, 0};

@@ -168,10 +168,12 @@ TEST(PressureGauge, FirstAccelerationsAtAnyDensity)
         const Eigen::VectorXd& a = found.acceleration[0];
         EXPECT_NEAR(a[0], -0.3 * a[1], 1e-6 * a.norm() + 1e-12) << density;
         EXPECT_LE(found.iterations, 20) << density;
-        if (density == 1.0)
+        if (density == 1.0) {
             EXPECT_LT(a.norm(), 1e-9);
-        if (density == 1e-3)
+        }
+        if (density == 1e-3) {
             EXPECT_GT(a[1], 0.7);
+        }
     }
 }
 
