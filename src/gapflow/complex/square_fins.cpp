@@ -31,9 +31,9 @@ Square::Hit Square::joint_at(int solid, const Vec<2>& x, const Vec<2>& direction
             const double t = std::atan2(cross(w, y), w.dot(y));
             return t < 0 ? t + 2 * std::numbers::pi : t;
         };
-        // At a fin's end the two are one direction but for round-off.
+        // At a fin's end the two are one direction but for round-off; a segment of no length has none.
         const bool tip = in.fin >= 0 && in.fin == out.fin && (in.to - in.from).dot(out.to - out.from) < 0;
-        const double all = tip ? 2 * std::numbers::pi : angle(v);
+        const double all = tip || w == Vec<2>::Zero() || v == Vec<2>::Zero() ? 2 * std::numbers::pi : angle(v);
         const double here = angle(direction), inside = std::min(here, all - here);
         if (inside > best) {
             best = inside;
