@@ -103,8 +103,10 @@ private:
         Eigen::VectorXd x = factors.solve(flux);
         x += factors.solve(Eigen::VectorXd(flux - matrix * x));
         energy = 0.5 * x.dot(flux);
-        for (const NormalInertia<D>& inertia : coupling.normal_inertia)
-            energy += 0.5 * inertia.mass * std::pow(inertia.row_master.dot(twists[inertia.master]), 2);
+        // Not as the coupling limits it.
+        for (std::size_t s = 0; s < twists.size(); ++s)
+            energy += 0.5 * coupling.density * std::pow(grid.dx(), D) *
+                      complex.seen_excess[s].dot(twists[s].template head<D>().cwiseAbs2());
         for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { p.cells(c) = -x[complex.index(c)]; });
         p.nodes = -x.tail(system.nodes);
     }
