@@ -32,6 +32,8 @@ Vec<2> ArcSegment::at(double t) const
 {
     if (!curve)
         return from + t * (to - from);
+    if (!whole && from == to)
+        return from;
     const Vec<2> a = curve->scaled(from), b = curve->scaled(to), chord = curve->axes(Vec<2>(to - from));
     if (const double half = 0.5 * chord.norm(); !whole && half < 0.5 && a.dot(b) > 0 && (cross(a, chord) <= 0) != backwards) {
         // A small angle: between the ends, so that the centre of a long ellipse costs no digits.
@@ -53,10 +55,11 @@ Vec<2> ArcSegment::at(double t) const
 
 double ArcSegment::nearest(const Vec<2>& x) const
 {
+    if (!whole && from == to)
+        return 0;
     if (!curve) {
         const Vec<2> way = to - from;
-        const double length2 = way.squaredNorm();
-        return length2 > 0 ? std::clamp((x - from).dot(way) / length2, 0.0, 1.0) : 0.0;
+        return std::clamp((x - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
     }
     const Vec<2> a = curve->scaled(from), b = curve->scaled(to), s = curve->scaled(x);
     if (const Vec<2> chord = curve->axes(Vec<2>(to - from));
