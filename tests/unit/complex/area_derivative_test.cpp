@@ -523,17 +523,28 @@ TEST(AreaDerivative, OfCylindersAlmostAlongTheGrid)
             scene.add("bar", flat ? make_cylinder(0.23, 0.55) : make_capsule<3>(0.23, 0.3), pose);
             return WithDerivatives<3>(grid, scene.solids);
         };
-        const auto straight = at(0);
+        // Of whole faces: the line of a rim divides some of them at an angle only, and some that nothing else cuts.
+        const auto of_faces = [](const WithDerivatives<3>& made) {
+            std::map<std::pair<int, int>, PieceRate<3>> sums;
+            for (std::size_t p = 0; p < made.complex.pieces.size(); ++p)
+                for (const PieceRate<3>& rate : made.derivatives.of(p)) {
+                    PieceRate<3>& sum = sums[{made.complex.pieces[p].axis, made.complex.pieces[p].face}];
+                    sum.area += rate.area;
+                    sum.moment += rate.moment;
+                }
+            return sums;
+        };
+        const auto straight = of_faces(at(0));
         for (int k = 2; k <= 12; ++k) {
             const double angle = std::pow(10, -k);
-            const auto turned = at(angle);
-            ASSERT_EQ(turned.derivatives.rates.size(), straight.derivatives.rates.size());
+            const auto turned = of_faces(at(angle));
+            ASSERT_GE(turned.size(), straight.size());
             double worst = 0;
-            for (std::size_t r = 0; r < turned.derivatives.rates.size(); ++r) {
-                const PieceRate<3>&a = turned.derivatives.rates[r], &b = straight.derivatives.rates[r];
+            for (const auto& [face, a] : turned) {
+                const auto found = straight.find(face);
+                const PieceRate<3> b = found == straight.end() ? PieceRate<3>{} : found->second; // a line's two sides
                 worst = std::max({worst, (a.area - b.area).norm(), (a.moment - b.moment).norm()});
             }
-            std::printf("%s %.0e: %.1e\n", flat ? "cylinder" : "capsule", angle, worst);
             EXPECT_LE(worst, 100 * angle + 1e-7);
         }
     }
