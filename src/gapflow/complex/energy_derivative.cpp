@@ -182,10 +182,10 @@ private:
             const double square = share.area.squaredNorm(), turn = share.moment.dot(spin);
             auto by_area = by_patch_[k].template head<D>();
             if (const double size = patch.area.norm(); size > 0) {
-                const double speed = V[axis_] + (square > 0 ? share.area[axis_] / square * turn : 0.0);
+                const double speed = V[axis_] + (share.faces() ? share.area[axis_] / square * turn : 0.0);
                 by_area += by_speed * (speed - U) / (all * size) * patch.area;
             }
-            if (square > 0) { // n_d/|S| Theta . omega
+            if (share.faces()) { // n_d/|S| Theta . omega
                 const double factor = by_speed * share.size / square;
                 by_area += factor * turn * (unit<D>(axis_) - 2 * share.area[axis_] / square * share.area);
                 by_patch_[k].template tail<spin_size<D>>() += factor * share.area[axis_] * spin;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/complex/open_areas.hpp"
+#include "gapflow/complex/parameters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,8 @@ struct WallShare {
     Spin<D> moment;              ///< of these walls
     Spin<D> spin = Spin<D>::Zero(); ///< flux of the spin
 
+    /// Not the two sides of a dividing plane alone, which cancel but for round-off.
+    bool faces() const { return area.norm() > parameters.least_area; }
     double speed(int axis, const Twist<D>& V) const { return size * V[axis] + spin.dot(V.template tail<spin_size<D>>()); }
 };
 
@@ -94,8 +97,7 @@ private:
         // A wall that turns moves with its speed along its normal: one that turns in itself lends nothing.
         for (WallShare<D>& share : shares_) {
             share.size /= sum > 0 ? sum : 1;
-            const double square = share.area.squaredNorm();
-            share.spin = (square > 0 ? share.size * share.area[axis] / square : 0.0) * share.moment;
+            share.spin = (share.faces() ? share.size * share.area[axis] / share.area.squaredNorm() : 0.0) * share.moment;
         }
     }
 
