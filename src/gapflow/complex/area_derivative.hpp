@@ -26,7 +26,7 @@ template <int D>
 struct PieceRate {
     std::int32_t solid;
     Vec<D> reference = Vec<D>::Zero(); ///< of its twist: of the image of the solid that bounds the piece
-    Twist<D> area = Twist<D>::Zero(); ///< of the open area, in cells^(D-1) a cell
+    Twist<D> area = Twist<D>::Zero();  ///< of the open area, in cells^(D-1) a cell
     /// Of the integral of x - centre of the face over the open piece; along the face's normal zero.
     Eigen::Matrix<double, D, twist_size<D>> moment = Eigen::Matrix<double, D, twist_size<D>>::Zero();
 };

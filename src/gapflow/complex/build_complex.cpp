@@ -131,8 +131,7 @@ public:
     CellBuilder3(const Grid<3>& grid, const GridPlanes<3>& planes, const DenseIndex<3>& index,
                  const std::vector<PlacedSolid<3>>& solids, const CutFaces<3>& cut, const FacetsInCells& facets,
                  std::vector<PartsBeside>& beside, std::vector<std::int32_t>& cell)
-        : grid_(grid), planes_(planes), index_(index), solids_(solids), cut_(cut), facets_(facets), beside_(beside),
-          cell_(cell)
+        : grid_(grid), planes_(planes), index_(index), solids_(solids), cut_(cut), facets_(facets), beside_(beside), cell_(cell)
     {
     }
 
@@ -536,7 +535,8 @@ private:
                 for (const Pair& other : pairs) // the share of the open area
                     if (other.edge == pair.edge && solids_[other.image].solid == solids_[pair.image].solid && pair.open < all)
                         for (const DivisionRate<3>& rate : other.rates)
-                            add(solids_[rate.image].solid, (&other == &pair ? 1 / pair.open : 0.0) * rate.rate - rate.rate / all);
+                            add(solids_[rate.image].solid,
+                                (&other == &pair ? 1 / pair.open : 0.0) * rate.rate - rate.rate / all);
             }
             result.links.push_back({part + pair.a, part + pair.b, solids_[image].solid,
                                     corner_conductance(edge.angle, open, edge.covered / edge.length), open, edge.covered,
@@ -795,8 +795,8 @@ CellSlab<2> build_cells2(const CutFaces<2>& cut, const DenseIndex<2>& index, con
                     add_patch<2>(result.patches, begin, solids[arc.image].solid, arc.area, arc.moment);
             }
             if (!slab.junction_rates.empty() && face.detail >= 0)
-                add_junction_rates(slab, slab.details[face.detail], [&](int piece) { return label[piece] == l; }, solids, begin,
-                                   result);
+                add_junction_rates(
+                    slab, slab.details[face.detail], [&](int piece) { return label[piece] == l; }, solids, begin, result);
             result.part_cell.push_back(static_cast<std::int32_t>(result.cut_cell.size()));
             result.patches_of_part.push_back(static_cast<std::int32_t>(result.patches.size() - begin));
         }
@@ -956,7 +956,7 @@ private:
     Complex<D>& complex_;
     const DenseIndex<D>& index_;
     std::vector<int> cell_offset_{0}, part_offset_{0}, patch_offset_{0}; ///< first one of each slab
-    FaceDerivatives<D>* derivatives_; ///< null: not wanted
+    FaceDerivatives<D>* derivatives_;                                    ///< null: not wanted
 };
 
 template <int D>

@@ -838,7 +838,8 @@ std::pair<double, int> covered_way(const SharpCorner& corner, const Square& squa
     int across = 0;
     for (int axis = 0; axis < 2; ++axis)
         if (const double slope = corner.outward[axis]; slope != 0)
-            if (const double way = (corner.at[axis] - (slope > 0 ? square.low[axis] : square.high[axis])) / slope; way < covered) {
+            if (const double way = (corner.at[axis] - (slope > 0 ? square.low[axis] : square.high[axis])) / slope;
+                way < covered) {
                 covered = way;
                 across = axis;
             }

@@ -135,7 +135,7 @@ struct Slab {
     std::vector<double> crossings;                  ///< 2D: where solids cross the edges of simple cells, along the edge's axis
     std::vector<CornerDivision<D>> divisions;
     // Where derivatives are wanted.
-    std::vector<PointRates<D>> junction_rates; ///< of each junction, by images
+    std::vector<PointRates<D>> junction_rates;   ///< of each junction, by images
     std::vector<DivisionRate<D>> division_rates; ///< in the order of the divisions
 
     std::span<const DivisionRate<D>> rates_of_division(int division) const

@@ -15,9 +15,9 @@ namespace gapflow {
 template <int D>
 struct WallShare {
     std::int32_t solid;
-    double size;                 ///< of the area vectors of its walls on both sides; in the end over the sum of all
-    Vec<D> area;                 ///< of these walls
-    Spin<D> moment;              ///< of these walls
+    double size;                    ///< of the area vectors of its walls on both sides; in the end over the sum of all
+    Vec<D> area;                    ///< of these walls
+    Spin<D> moment;                 ///< of these walls
     Spin<D> spin = Spin<D>::Zero(); ///< flux of the spin
 
     /// Not the two sides of a dividing plane alone, which cancel but for round-off.

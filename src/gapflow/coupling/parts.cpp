@@ -181,7 +181,7 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
     int nodes = 0;
     const std::vector<int> node = nodes_of_parts(complex, nodes);
     for (int part = 0; part < complex.parts(); ++part)
-        potentials.part[part] = node[part] >= 0          ? in_cells * p.nodes[node[part]]
+        potentials.part[part] = node[part] >= 0         ? in_cells * p.nodes[node[part]]
                                 : complex.is_main(part) ? in_cells * p.cells(complex.cell_of_part(part))
                                                         : 0.0;
     for_each_index<D>(coupling.grid->low(), coupling.grid->high(),

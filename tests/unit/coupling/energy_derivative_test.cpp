@@ -141,7 +141,8 @@ Count check(const std::string& name, const Make<D>& make, int poses, SideKind si
         std::snprintf(text, sizeof text, " %d:%d/%d %.1e %.1e", seed, found.solid, found.component, found.error, found.jump);
         rest += text;
     }
-    std::printf("%-28s %4d of %4d; largest jump %.1e%s\n", name.c_str(), count.good, count.all, count.largest_jump, rest.c_str());
+    std::printf("%-28s %4d of %4d; largest jump %.1e%s\n", name.c_str(), count.good, count.all, count.largest_jump,
+                rest.c_str());
     return count;
 }
 

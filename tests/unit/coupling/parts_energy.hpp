@@ -28,8 +28,8 @@ struct PartsEnergy {
     PartsEnergy(const Grid<D>& grid, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists_,
                 bool with_derivatives)
         : complex(build_complex<D>(grid, solids, with_derivatives ? &derivatives : nullptr)),
-          coupling(couple_parts<D>(grid, solids, {}, 1.3, complex, find_inertia<D>(grid, complex))), twists(twists_),
-          p{CellField<D>(grid), Eigen::VectorXd::Zero(coupling.system.nodes)}
+          coupling(couple_parts<D>(grid, solids, {}, 1.3, complex, find_inertia<D>(grid, complex))),
+          twists(twists_), p{CellField<D>(grid), Eigen::VectorXd::Zero(coupling.system.nodes)}
     {
         solve(grid);
     }
@@ -141,8 +141,8 @@ Solid<D> moved(Solid<D> solid, int component, double step, double dx)
 
 /// What a pose's derivative is, against differences.
 struct PoseError {
-    double error = 0;      ///< largest of a component, over the largest derivative
-    double jump = 0;       ///< of T between the two sides of the worst component's difference, over T
+    double error = 0; ///< largest of a component, over the largest derivative
+    double jump = 0;  ///< of T between the two sides of the worst component's difference, over T
     int solid = -1, component = -1;
     bool crushed = false;
 };
