@@ -872,8 +872,11 @@ public:
 
 private:
     static bool close(const Vec<2>& x, const Vec<2>& y) { return (x - y).norm() < parameters.joint_distance; }
-    /// Segments that only join ends equal to round-off have no direction.
-    static bool has_direction(const ArcSegment& segment) { return segment.surface != -1 || segment.fin >= 0; }
+    /// Segments of no length, or that only join ends equal to round-off, have no direction.
+    static bool has_direction(const ArcSegment& segment)
+    {
+        return (segment.surface != -1 || segment.fin >= 0) && (segment.whole || segment.from != segment.to);
+    }
 
     MovingLine<D> line(const SquareArc& arc, ArcSegment segment, bool end) const
     {

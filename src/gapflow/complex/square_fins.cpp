@@ -113,18 +113,23 @@ int Square::split_arc(int a, int segment, double t, const Vec<2>& x)
     SquareArc rest = arc;
     rest.segments.clear();
     InlineVector<ArcSegment, 3> head;
-    for (int k = 0; k < static_cast<int>(arc.segments.size()); ++k) {
+    const int n = static_cast<int>(arc.segments.size());
+    for (int k = 0; k < n; ++k) {
         const ArcSegment& s = arc.segments[k];
+        ArcSegment end = s; // of no length: an end of a dividing line's side stays one
+        end.from = end.to = x;
         if (k < segment || (k == segment && t > 0)) {
             head.push_back(k < segment ? s : s.part(0, t));
             if (k == segment)
                 head[head.size() - 1].to = x;
-        }
+        } else if (k == segment && s.fin >= 0 && k == 0)
+            head.push_back(end);
         if (k > segment || (k == segment && t < 1)) {
             rest.segments.push_back(k > segment ? s : s.part(t, 1));
             if (k == segment)
                 rest.segments[rest.segments.size() - 1].from = x;
-        }
+        } else if (k == segment && s.fin >= 0 && k + 1 == n)
+            rest.segments.push_back(end);
     }
     const bool loop = arc.start.edge < 0 && arc.end.edge < 0 && (arc.joins == -1 || arc.joins == a);
     if (loop) {
