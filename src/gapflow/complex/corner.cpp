@@ -87,9 +87,6 @@ std::span<const RimPiece> SharpSolid::pieces_in(const Index<3>& cell) const
 CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Vec<3>& low, const Vec<3>& high)
 {
     CellSectors sectors;
-    for (const auto& [from, to] : solid.overlapping)
-        if ((from.array() <= high.array()).all() && (to.array() >= low.array()).all())
-            return sectors;
     for (const RimPiece& piece : solid.pieces_in(cell))
         if (sectors.rims.empty() || sectors.rims[sectors.rims.size() - 1] != piece.rim)
             sectors.rims.push_back(piece.rim);

@@ -8,7 +8,6 @@
 #include "gapflow/grid/inline_vector.hpp"
 
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace gapflow {
@@ -51,7 +50,6 @@ struct SharpSolid {
     std::vector<SharpEdge> edges;
     std::vector<SharpRim> rims;   ///< the number of a rim as an edge: from edges.size() on
     std::vector<RimPiece> pieces; ///< sorted by cell and rim
-    std::vector<std::pair<Vec<3>, Vec<3>>> overlapping{}; ///< boxes around solids that overlap this one: cells that meet one are not divided
 
     bool empty() const { return edges.empty() && pieces.empty(); }
     std::span<const RimPiece> pieces_in(const Index<3>& cell) const;

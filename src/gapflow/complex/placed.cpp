@@ -1,7 +1,6 @@
 #include "gapflow/complex/placed.hpp"
 
 #include "gapflow/complex/facet_cut.hpp"
-#include "gapflow/complex/overlaps.hpp"
 #include "gapflow/complex/sharp_features.hpp"
 
 #include <algorithm>
@@ -114,8 +113,6 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
         }
         result.push_back(std::move(placed));
     }
-    if constexpr (D == 3)
-        find_overlaps(result);
     return result;
 }
 

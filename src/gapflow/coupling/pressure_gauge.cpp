@@ -158,15 +158,15 @@ TwistMatrix<D> layer_inertia(const FluidRows<D>& L, std::vector<Entry<D>>& K)
     return 0.5 * (sum + sum.transpose());
 }
 
-/// Least energy w^T A w of twists with w_d = 1.
+/// Least energy w^T A w of twists with w_d = 1. Spins of round solids, which move nothing but for round-off, do not count: lengths in `unit`.
 template <int D>
-double least_inertia(const TwistMatrix<D>& A, int d)
+double least_inertia(const TwistMatrix<D>& A, int d, double unit)
 {
     if (!(A(d, d) > 0))
         return 0;
     std::vector<int> rows{d};
     for (int i = 0; i < twist_size<D>; ++i)
-        if (i != d && A(i, i) > 0)
+        if (i != d && A(i, i) > (i < D ? 0.0 : mass_round_off * unit * unit * A(d, d)))
             rows.push_back(i);
     const long n = static_cast<long>(rows.size());
     Eigen::MatrixXd scaled(n, n);
@@ -245,7 +245,7 @@ void limit_deficits(Coupling<D>& coupling)
                     int d = 0;
                     inertia->row_master.cwiseAbs().maxCoeff(&d);
                     if (negative)
-                        inertia->mass = std::max(inertia->mass, -least_inertia<D>(layer, d));
+                        inertia->mass = std::max(inertia->mass, -least_inertia<D>(layer, d, coupling.grid->dx()));
                     layer(d, d) += inertia->mass;
                 }
     });
