@@ -312,8 +312,7 @@ TEST(Scene, Bodies2D)
 {
     const Scene s = flat();
     ASSERT_EQ(s.bodies.size(), 5u);
-    const BodyScene &box = s.bodies[0], &ball = s.bodies[1], &arm = s.bodies[2], &foil = s.bodies[3],
-                    &ramp = s.bodies[4];
+    const BodyScene &box = s.bodies[0], &ball = s.bodies[1], &arm = s.bodies[2], &foil = s.bodies[3], &ramp = s.bodies[4];
     EXPECT_EQ(foil.shape, BodyScene::ShapeKind::sheet);
     EXPECT_EQ(foil.points.size(), 3u);
     EXPECT_EQ(foil.points[2], (Triple{0.5, 0.3, 0}));
