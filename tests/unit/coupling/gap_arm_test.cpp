@@ -110,10 +110,10 @@ TEST(GapArms, CylinderInAContainer)
 {
     for (const double gap : {1e-2, 1e-3, 1e-5, 1e-7}) {
         const Errors errors = worst(gap, true), plain = worst(gap, false);
-        EXPECT_LT(errors.normal, 0.009) << gap;
-        EXPECT_LT(errors.along, 0.006) << gap;
+        EXPECT_LT(errors.normal, 0.006) << gap;
+        EXPECT_LT(errors.along, 0.004) << gap;
         if (gap < 1e-4) {
-            EXPECT_GT(plain.normal, 0.03) << "plain parts, " << gap;
+            EXPECT_GT(plain.normal, 0.02) << "plain parts, " << gap;
         }
         RecordProperty("gap_" + std::to_string(static_cast<int>(-std::log10(gap) + 0.5)) + "_percent",
                        std::to_string(100 * errors.normal) + " " + std::to_string(100 * errors.along) + ", plain " +
@@ -137,7 +137,7 @@ TEST(GapArms, RoundWallsThatTurnMoveNothing)
 {
     const Eigen::MatrixXd M = added_mass(container(24, 1e-3, 0.4, {0.2, 0.1}, true), true);
     for (const int spin : {2, 5})
-        EXPECT_LT(M.col(spin).norm(), 1e-9);
+        EXPECT_LT(M.col(spin).norm(), 1e-7); // round-off of places over the gap
 }
 
 TEST(GapArms, ClosingAddsMass)
