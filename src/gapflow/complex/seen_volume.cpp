@@ -56,8 +56,6 @@ double sum_of_sections(const FacetKind<D>& kind, int d, const Planes& planes)
             high = std::max(high, kind.vertices[i][d]);
         }
         for (double at = planes.from(low); at < high && at <= planes.last; ++at) { // a vertex in the plane lies below it
-            if (low >= at)
-                continue;
             std::array<Vec<D>, 2> up_down; // where the facet's border goes up through the plane and where down
             for (int k = 0; k < D; ++k) {
                 const Vec<D>&a = kind.vertices[element[k]], &b = kind.vertices[element[(k + 1) % D]];
@@ -145,7 +143,7 @@ Twist<D> rate_of_facets(const FacetKind<D>& kind, const PlacedSolid<D>& solid, i
         const auto [low, high] = std::minmax_element(place.begin(), place.end());
         const Vec<D> normal = facet_normal(kind, static_cast<int>(facet));
         for_each_plane(*low, *high, planes, [&](double at) {
-            if (*low >= at || *high <= at)
+            if (*low > at || *high <= at) // a vertex in the plane lies below it
                 return;
             InlineVector<Vec<D>, 2> cut;
             for (int k = 0; k < (D == 2 ? 1 : D); ++k) {

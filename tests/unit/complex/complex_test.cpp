@@ -38,6 +38,21 @@ TEST(Complex, BallIsClosed3D)
     EXPECT_NEAR(covered, exact, 1e-9);
 }
 
+/// Edges of a mesh that lie in a plane of the grid belong to what lies below it, and what lies above is seen too.
+TEST(Complex, SeenVolumeOfAMeshWithEdgesInAPlane)
+{
+    const Grid<3> grid = unit_grid<3>(12);
+    const auto seen = [&](double shift) {
+        Scene<3> scene(grid);
+        Pose<3> at = pose<3>(Vec<3>(0.5, 0.5, 0.5 + shift));
+        at.rotation = Rotation<3>(Eigen::AngleAxisd(std::numbers::pi / 4, Vec<3>::UnitX()));
+        scene.add("mesh", make_mesh<3>(make_box<3>(Vec<3>(0.5, 0.5, 0.5))->display_mesh(0), "box"), at);
+        return build_complex<3>(grid, scene.solids).seen_excess[0];
+    };
+    // Two edges lie in the plane through the middle, where the section is largest.
+    EXPECT_LE((seen(0) - seen(1e-7)).norm(), 1e-3);
+}
+
 TEST(Complex, CapsuleAlongTheGrid3D)
 {
     const Grid<3> grid = unit_grid<3>(16);
