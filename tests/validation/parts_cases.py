@@ -580,7 +580,7 @@ def lamb(a, b):
 
 
 def ellipsoids(quick):
-    """Prolate spheroids as fine meshes (32768 facets, scaled to the exact volume) between far sides, two lengths by four widths, turned."""
+    """Prolate spheroids as fine meshes (32768 facets, scaled to the exact volume) between far sides, two lengths by eight widths."""
     if quick:
         return
     vertices, facets = sphere_mesh(6)
@@ -594,7 +594,7 @@ def ellipsoids(quick):
             for cells, target in ((8, 2.0), (16, 0.7)):
                 r = cells / 2
                 file = write_mesh(folder, f"e{ratio}{cells}", [(scale * ratio * r * x, scale * r * y, scale * r * z) for x, y, z in vertices], facets)
-                size = [4 * ratio * r, 8 * r, 8 * r]
+                size = [4 * ratio * r, 16 * r, 16 * r]
                 errors = ([], [])
                 for shift in ((0.0, 0.0, 0.0), (0.31, 0.17, 0.43)):
                     result = parts(dict(domain=domain(size, [round(s) for s in size], sides=all_sides),
