@@ -14,8 +14,6 @@
 #include <unordered_map>
 
 namespace gapflow {
-namespace {
-
 template <int D>
 double extent(const SurfaceMesh<D>& mesh)
 {
@@ -26,6 +24,8 @@ double extent(const SurfaceMesh<D>& mesh)
     }
     return (high - low).norm();
 }
+
+namespace {
 
 template <int D>
 struct Cell {
@@ -324,6 +324,8 @@ template ClosedSurface<2> closed_surface<2>(SurfaceMesh<2>, const std::string&, 
 template ClosedSurface<3> closed_surface<3>(SurfaceMesh<3>, const std::string&, const std::vector<int>&);
 template SurfaceMesh<2> welded(const SurfaceMesh<2>&, double, std::vector<int>&);
 template SurfaceMesh<3> welded(const SurfaceMesh<3>&, double, std::vector<int>&);
+template double extent(const SurfaceMesh<2>&);
+template double extent(const SurfaceMesh<3>&);
 template double winding_number<2>(const SurfaceMesh<2>&, const Vec<2>&);
 template double winding_number<3>(const SurfaceMesh<3>&, const Vec<3>&);
 

@@ -29,6 +29,10 @@ struct ClosedSurface {
 template <int D>
 ClosedSurface<D> closed_surface(SurfaceMesh<D> mesh, const std::string& name, const std::vector<int>& lines = {});
 
+/// Diagonal of the box around a mesh that has vertices.
+template <int D>
+double extent(const SurfaceMesh<D>& mesh);
+
 /// Merges vertices no further apart than `tolerance` (each with the first such vertex), drops unused vertices and facets
 /// with fewer than D different vertices, also from `source`.
 template <int D>

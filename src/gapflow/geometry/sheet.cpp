@@ -50,17 +50,6 @@ std::string number(double x)
     throw SheetError(true, problem, remedy);
 }
 
-template <int D>
-double size_of(const SurfaceMesh<D>& mesh)
-{
-    Vec<D> low = mesh.vertices.front(), high = low;
-    for (const Vec<D>& x : mesh.vertices) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-    }
-    return (high - low).norm();
-}
-
 /// A facet's side: in 3D the edge from vertex k to the next one, in 2D vertex k.
 struct Side {
     std::array<int, 2> key; ///< sorted vertices; 2D: the vertex twice
@@ -255,7 +244,7 @@ private:
 template <int D>
 void require_apart(const SurfaceMesh<D>& middle, const FacetNames& name)
 {
-    const Crossings<D> crossings = find_crossings(middle, weld_distance * size_of(middle));
+    const Crossings<D> crossings = find_crossings(middle, weld_distance * extent(middle));
     for (const auto* list : {&crossings.through, &crossings.flat})
         if (!list->empty()) {
             const Crossing<D>& first = list->front();
@@ -329,7 +318,7 @@ SurfaceMesh<D> sheet_surface(SurfaceMesh<D> middle, double thickness, const std:
 {
     if (!(thickness > 0) || !std::isfinite(thickness))
         refuse_thickness("a sheet needs a thickness", "give a length > 0");
-    const double size = middle.vertices.empty() ? 0 : size_of(middle);
+    const double size = middle.vertices.empty() ? 0 : extent(middle);
     std::vector<int> source(middle.elements.size());
     std::iota(source.begin(), source.end(), 0);
     if (size > 0)

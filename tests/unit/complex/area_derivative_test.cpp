@@ -23,34 +23,6 @@ struct WithDerivatives {
     }
 };
 
-/// The solid moved by a small twist about its reference point (lengths in cells).
-template <int D>
-Solid<D> moved(Solid<D> solid, int component, double step, double dx)
-{
-    const Mat<D> rotation = solid.shape.rotation();
-    Vec<D> position = solid.shape.to_world(Vec<D>::Zero());
-    Rotation<D> turn = Rotation<D>::Identity();
-    if (component < D) {
-        position[component] += step * dx;
-        solid.centre[component] += step * dx;
-    } else {
-        if constexpr (D == 2)
-            turn = Rotation<2>(step);
-        else
-            turn = Rotation<3>(Eigen::AngleAxisd(step, unit<3>(component - 3)));
-        position = solid.centre + turn * (position - solid.centre);
-    }
-    Pose<D> pose;
-    pose.position = position;
-    if constexpr (D == 2) {
-        pose.rotation = Rotation<2>(std::atan2(rotation(1, 0), rotation(0, 0)));
-        pose.rotation = turn * pose.rotation;
-    } else
-        pose.rotation = turn * Rotation<3>(rotation);
-    solid.shape = PlacedShape<D>(solid.shape.shape(), pose);
-    return solid;
-}
-
 template <int D>
 Vec<D> centre_in_cells(const Grid<D>& grid, const Complex<D>& complex, const FacePiece<D>& piece)
 {

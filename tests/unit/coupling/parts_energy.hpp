@@ -112,33 +112,6 @@ private:
     }
 };
 
-/// The solid moved by a small twist about its reference point (lengths in cells).
-template <int D>
-Solid<D> moved(Solid<D> solid, int component, double step, double dx)
-{
-    const Mat<D> rotation = solid.shape.rotation();
-    Vec<D> position = solid.shape.to_world(Vec<D>::Zero());
-    Rotation<D> turn = Rotation<D>::Identity();
-    if (component < D) {
-        position[component] += step * dx;
-        solid.centre[component] += step * dx;
-    } else {
-        if constexpr (D == 2)
-            turn = Rotation<2>(step);
-        else
-            turn = Rotation<3>(Eigen::AngleAxisd(step, unit<3>(component - 3)));
-        position = solid.centre + turn * (position - solid.centre);
-    }
-    Pose<D> pose;
-    pose.position = position;
-    if constexpr (D == 2)
-        pose.rotation = turn * Rotation<2>(std::atan2(rotation(1, 0), rotation(0, 0)));
-    else
-        pose.rotation = turn * Rotation<3>(rotation);
-    solid.shape = PlacedShape<D>(solid.shape.shape(), pose);
-    return solid;
-}
-
 /// What a pose's derivative is, against differences.
 struct PoseError {
     double error = 0; ///< largest of a component, over the largest derivative
