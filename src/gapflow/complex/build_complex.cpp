@@ -178,7 +178,7 @@ public:
     }
 
 private:
-    int next(int axis, int i) const { return grid_.periodic(axis) && i + 1 == grid_.cells()[axis] ? 0 : i + 1; }
+    int next(int axis, int i) const { return index_.wraps[axis] && i + 1 == index_.high()[axis] ? index_.low[axis] : i + 1; }
 
     void add_cell(const Index<3>& c, int number, const std::array<std::int32_t, 6>& numbers, CellSlab<3>& result) const
     {
@@ -853,10 +853,8 @@ public:
     /// The largest part of a cell, or the cell where it is whole.
     PartOrCell main_of(const Index<D>& c) const
     {
-        const Index<D> w = grid_.wrapped(c);
-        if (!grid_.in_domain(w))
-            return {};
-        return complex_.main_of(index_(w));
+        const Index<D> w = index_.wrapped(c);
+        return index_.holds(w) ? complex_.main_of(index_(w)) : PartOrCell{};
     }
 
     /// Pieces of one slab.
@@ -869,7 +867,7 @@ public:
                    const PieceSource& source, Pieces& to)
     {
         const auto lies = [&](const PartOrCell& side, const Index<D>& c) {
-            return side.exists() || !grid_.in_domain(grid_.wrapped(c));
+            return side.exists() || !index_.holds(index_.wrapped(c));
         };
         if (!lies(low, f - step<D>(d)) || !lies(high, f) || (!low.exists() && !high.exists()))
             return; // a part too small to be one
@@ -964,16 +962,16 @@ void Joining<D>::join_faces() requires(D == 3)
 {
     // Wholly open faces; a side that is none lies beyond the domain, or is a part too small to be one.
     for (int d = 0; d < 3; ++d)
-        for_each_row_on_threads<3>(index_.low, owned_faces_end(grid_, d), [&](const Index<3>& row) {
-            const int end = owned_faces_end(grid_, d)[0] - row[0], first = index_(row);
-            Index<3> below = row - step<3>(d);
-            const bool side = below[d] < 0 && !grid_.periodic(d), beyond = d > 0 && row[d] == grid_.cells()[d];
-            const int back = side ? 0 : index_(grid_.wrapped(below)) - first;
+        for_each_row_on_threads<3>(index_.low, index_.faces_end(d), [&](const Index<3>& row) {
+            const int end = index_.faces_end(d)[0] - row[0], first = index_(row), last_cell = index_.high()[0] - row[0] - 1;
+            const Index<3> below = index_.wrapped(row - step<3>(d));
+            const bool side = below[d] < index_.low[d], beyond = d > 0 && row[d] == index_.high()[d];
+            const int back = side ? 0 : index_(below) - first;
             for (int i = 0; i < end; ++i) {
                 const int at = first + i;
                 if (cut_.face[d][at] != Complex<3>::open)
                     continue;
-                const bool last = beyond || (d == 0 && row[0] + i == grid_.cells()[0]);
+                const bool last = beyond || i > last_cell;
                 // Along the rows themselves only the first face has another cell before it.
                 const int other = d == 0 && i > 0 ? at - 1 : at + back;
                 const bool high = !last && complex_.cell[at] != Complex<3>::solid;
@@ -1007,7 +1005,7 @@ void Joining<D>::join_faces() requires(D == 3)
                 continue;
             const Index<3> f = index_.index(face.id);
             const int d = face.axis, u = u_axis<3>(d), v = v_axis<3>(d);
-            const int plane = grid_.wrapped(f - step<3>(d))[2] - index_.low[2]; // of the cell below
+            const int plane = index_.wrapped(f - step<3>(d))[2] - index_.low[2]; // of the cell below
             const int below = plane < 0 ? s : cut_.slab_of[plane];
             for (int p = 0; p < face.pieces; ++p) {
                 const int number = face.piece + p;
@@ -1034,13 +1032,13 @@ void Joining<D>::join_faces() requires(D == 2)
         PartOrCell part;
     };
     using Behinds = InlineVector<Behind, 4>;
-    const auto is_cut = [&](const Index<2>& w) { return grid_.in_domain(w) && cut_.face[0][index_(w)] >= 0; };
+    const auto is_cut = [&](const Index<2>& w) { return index_.holds(w) && cut_.face[0][index_(w)] >= 0; };
     const auto stretches_of = [&](const Index<2>& c, int e, double from, double to, Behinds& list) {
-        const Index<2> w = grid_.wrapped(c);
+        const Index<2> w = index_.wrapped(c);
         list.clear();
         if (!is_cut(w)) {
             const PartOrCell main = main_of(c);
-            if (main.exists() || !grid_.in_domain(w))
+            if (main.exists() || !index_.holds(w))
                 list.push_back({from, to, main});
             return;
         }
@@ -1067,13 +1065,13 @@ void Joining<D>::join_faces() requires(D == 2)
     std::vector<Pieces> pieces(1);
     Behinds low, high;
     for (int d = 0; d < 2; ++d)
-        for_each_index<2>(index_.low, owned_faces_end(grid_, d), [&](const Index<2>& f) {
+        for_each_index<2>(index_.low, index_.faces_end(d), [&](const Index<2>& f) {
             const int along = 1 - d, e_low = d == 0 ? 1 : 2, e_high = d == 0 ? 3 : 0; // as edges of the cells below and above
             const Index<2> below = f - step<2>(d);
             const double from = planes_.place[along][f[along]], to = planes_.place[along][f[along] + 1];
             stretches_of(below, e_low, from, to, low);
             stretches_of(f, e_high, from, to, high);
-            if (!is_cut(grid_.wrapped(below)) && !is_cut(grid_.wrapped(f))) {
+            if (!is_cut(index_.wrapped(below)) && !is_cut(index_.wrapped(f))) {
                 if (!low.empty() && !high.empty() && (low[0].part.exists() || high[0].part.exists()))
                     complex_.main_area[d][index_(f)] = to - from;
                 return;
@@ -1088,7 +1086,7 @@ void Joining<D>::join_faces() requires(D == 2)
                     source.from = begin;
                     source.to = end;
                     for (const auto& [c, e] : {std::pair{below, e_low}, {f, e_high}})
-                        if (const Index<2> w = grid_.wrapped(c); is_cut(w)) {
+                        if (const Index<2> w = index_.wrapped(c); is_cut(w)) {
                             const bool first = source.slab < 0;
                             (first ? source.slab : source.other_slab) = cut_.slab_of[w[1] - index_.low[1]];
                             (first ? source.face : source.other_face) = cut_.face[0][index_(w)];
@@ -1125,17 +1123,33 @@ void Joining<D>::join_faces() requires(D == 2)
 } // namespace
 
 template <int D>
+DenseIndex<D>::DenseIndex(const Grid<D>& grid)
+{
+    Index<D> from = grid.low(), to = grid.high();
+    std::array<bool, D> around{};
+    for (int axis = 0; axis < D; ++axis) {
+        const int cells = grid.cells()[axis];
+        around[axis] = grid.periodic(axis) && to[axis] - from[axis] == cells;
+        const bool on = grid.periodic(axis) && !around[axis];
+        from[axis] = on ? from[axis] - shared_layers : std::max(0, from[axis] - shared_layers);
+        to[axis] = on ? to[axis] + shared_layers : std::min(cells, to[axis] + shared_layers);
+    }
+    *this = DenseIndex(from, to);
+    wraps = around;
+}
+
+template <int D>
 Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives)
 {
     Complex<D> complex;
     if (derivatives)
         *derivatives = {};
-    complex.index = DenseIndex<D>(grid.low(), grid.high());
+    complex.index = DenseIndex<D>(grid);
     const GridPlanes<D> planes(grid);
     Vec<D> low, high;
     for (int axis = 0; axis < D; ++axis) {
-        low[axis] = planes.place[axis][grid.low()[axis]];
-        high[axis] = planes.place[axis][grid.high()[axis]];
+        low[axis] = planes.place[axis][complex.index.low[axis]];
+        high[axis] = planes.place[axis][complex.index.high()[axis]];
     }
     if constexpr (D == 3) { // edges divide faces of the cells beside theirs
         low -= Vec<D>::Ones();
@@ -1182,6 +1196,8 @@ long Complex<D>::bytes() const
            of(pieces) + of(links);
 }
 
+template DenseIndex<2>::DenseIndex(const Grid<2>&);
+template DenseIndex<3>::DenseIndex(const Grid<3>&);
 template struct Complex<2>;
 template struct Complex<3>;
 

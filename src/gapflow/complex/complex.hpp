@@ -1,6 +1,6 @@
 // One complex of fluid parts: every connected part of the fluid in a cell is a cell of it, whatever its thickness (theory, "The complex").
 //
-// Built from the solids' poses and const from then on. Lengths are in cells (dx), counted from Grid::anchor(): in the core grid plane i lies at i.
+// Built from the solids' poses and const from then on. A rank builds that of its own cells and of some layers around them; all ranks find the same of what they share. Lengths are in cells (dx), counted from Grid::anchor(): in the core grid plane i lies at i.
 // Coordinates of solids are rounded to 2^-36 of a cell, so that a shift by whole periods is exact: what lies on two sides of a periodic domain is
 // the same to the last bit.
 #pragma once
@@ -8,6 +8,7 @@
 #include "gapflow/geometry/solid.hpp"
 #include "gapflow/grid/grid.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -15,11 +16,16 @@
 
 namespace gapflow {
 
-/// Numbers of cells and faces in a dense array over this rank's cells and one layer beyond on each high side.
+/// Numbers of cells and faces in a dense array over a block of cells and one layer beyond on each high side. The block of a rank: its own cells, and
+/// `shared_layers` of others' around them. Across a periodic side of which other ranks own the other one cells are numbered on.
 template <int D>
 struct DenseIndex {
-    Index<D> low, size; ///< cells: low <= c < low + size - 1
+    /// Rows of K take what is lent two faces beyond their cell, and who lends looks at two faces further.
+    static constexpr int shared_layers = 4;
+
+    Index<D> low, size; ///< cells: low <= c < high()
     Index<D> stride;
+    std::array<bool, D> wraps{}; ///< axes along which the last cell lies before the first
     long count = 0;
 
     DenseIndex() = default;
@@ -31,7 +37,22 @@ struct DenseIndex {
             count *= size[axis];
         }
     }
+    explicit DenseIndex(const Grid<D>& grid);
+    Index<D> high() const { return low + size - Index<D>::Ones(); }
+    /// One past the last faces normal to an axis.
+    Index<D> faces_end(int axis) const { return wraps[axis] ? high() : Index<D>(high() + step<D>(axis)); }
     int operator()(const Index<D>& c) const { return (c - low).dot(stride); }
+    Index<D> wrapped(Index<D> c) const
+    {
+        for (int axis = 0; axis < D; ++axis)
+            if (wraps[axis])
+                c[axis] += c[axis] < low[axis] ? size[axis] - 1 : c[axis] >= low[axis] + size[axis] - 1 ? 1 - size[axis] : 0;
+        return c;
+    }
+    bool holds(const Index<D>& cell) const
+    {
+        return (cell.array() >= low.array()).all() && (cell.array() < low.array() + size.array() - 1).all();
+    }
     Index<D> index(int number) const
     {
         Index<D> c;
@@ -93,7 +114,7 @@ struct Complex {
     DenseIndex<D> index;
     std::vector<std::int32_t> cell; ///< number of the cut cell, or open, or solid
     /// Open area of the face on the low side of each cell along each axis, in cells^(D-1), as far as it joins the largest parts of two cells; on
-    /// sides of the domain that of the largest part beside it. Faces on the far side of a periodic axis: those of its first cell.
+    /// sides of the domain that of the largest part beside it. Faces on the far side of an axis that wraps: those of its first cell.
     std::array<std::vector<double>, D> main_area;
     // Cut cells. Their parts: the first one is the largest.
     std::vector<std::int32_t> cut_cell; ///< number in `index`

@@ -118,8 +118,8 @@ void for_each_cell_of(const GridPlanes<3>& planes, const SharpEdge& edge, Visit&
             return;
         }
         const double a = edge.from[axis] + from * way[axis], b = edge.from[axis] + to * way[axis];
-        const int first = std::max(planes.cell_of(axis, std::min(a, b)) - 1, -1),
-                  last = std::min(planes.cell_of(axis, std::max(a, b)) + 1, static_cast<int>(planes.place[axis].size()) - 1);
+        const int first = std::max(planes.cell_of(axis, std::min(a, b)) - 1, planes.place[axis].first() - 1),
+                  last = std::min(planes.cell_of(axis, std::max(a, b)) + 1, planes.place[axis].last());
         for (cell[axis] = first; cell[axis] <= last; ++cell[axis]) {
             double t0 = from, t1 = to;
             const double lo = planes.place_of(axis, cell[axis]), hi = planes.place_of(axis, cell[axis] + 1);
@@ -234,8 +234,8 @@ private:
             const bool own_last = slab_.end == index_.low[2] + index_.size[2] - 1;
             if (d == 2)
                 high[2] = std::min(high_[2], slab_.end - 1 + own_last);
-            if (grid_.periodic(d))
-                high[d] = std::min(high[d], grid_.cells()[d] - 1);
+            if (index_.wraps[d])
+                high[d] = std::min(high[d], index_.high()[d] - 1);
             if (high[d] < low[d])
                 return;
             ++high[d];
@@ -344,8 +344,7 @@ private:
                 for (int axis = 0; axis < 3; ++axis) {
                     const int from = axis == 2 ? slab_.begin : index_.low[axis],
                               to = axis == 2 ? slab_.end : index_.low[axis] + index_.size[axis] - 1;
-                    const bool last = axis == d && to == index_.low[axis] + index_.size[axis] - 1 &&
-                                      !(grid_.periodic(axis) && to == grid_.cells()[axis]);
+                    const bool last = axis == d && to == index_.high()[axis] && !index_.wraps[axis];
                     own = own && f[axis] >= from && f[axis] < to + last;
                 }
                 if (!own)
@@ -440,9 +439,9 @@ private:
 template <int D>
 class FacetMarking {
 public:
-    FacetMarking(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
+    FacetMarking(const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
                  const FacetKind<D>& kind, int image, CutFaces<D>& cut, Slab<D>& slab)
-        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
+        : planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
     {
     }
 
@@ -463,7 +462,8 @@ public:
                 low_[axis] = std::clamp(planes_.cell_of(axis, solid_.low[axis]) - 1, from, to - 1);
                 high_[axis] = std::clamp(planes_.cell_of(axis, solid_.high[axis]) + 2, low_[axis] + 1, to);
             }
-            places[axis].assign(p.begin() + low_[axis], p.begin() + high_[axis] + 1);
+            for (int i = low_[axis]; i <= high_[axis]; ++i)
+                places[axis].push_back(p[i]);
         }
         std::optional<FacetCut<D>> facets(std::in_place, kind_.vertices, kind_.surface->elements, *kind_.links, places, low_);
         for (int d = 0; d < face_kinds<D>; ++d) {
@@ -473,8 +473,8 @@ public:
                 const bool own_last = slab_.end == index_.low[2] + index_.size[2] - 1;
                 if (d == 2)
                     end[2] = std::min(end[2], slab_.end + own_last);
-                if (grid_.periodic(d))
-                    end[d] = std::min(end[d], grid_.cells()[d]);
+                if (index_.wraps[d])
+                    end[d] = std::min(end[d], index_.high()[d]);
             }
             auto& face = cut_.face[d];
             DenseIndex<D> local(low_, end);
@@ -508,7 +508,6 @@ public:
     }
 
 private:
-    const Grid<D>& grid_;
     const GridPlanes<D>& planes_;
     const DenseIndex<D>& index_;
     const PlacedSolid<D>& solid_;
@@ -1114,9 +1113,9 @@ void FaceArcs<D>::find_simple(const PlacedSolid<D>& placed, const Kind& kind, co
         image_ = face.image;
         axis_ = d;
         sections_.clear();
-        sections_.resize(D == 3 ? planes_.place[d].size() : 1);
+        sections_.resize(D == 3 ? index_.size[d] : 1);
     }
-    std::unique_ptr<Section>& section = sections_[D == 3 ? f[d] : 0];
+    std::unique_ptr<Section>& section = sections_[D == 3 ? f[d] - index_.low[d] : 0];
     if (!section)
         section = std::make_unique<Section>(kind.section(d, plane_of(planes_, d, f)));
     const auto on_edge = [&](int e) {
@@ -1181,7 +1180,7 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                         Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                     else
                         slab.facets[k] =
-                            FacetMarking<D>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
+                            FacetMarking<D>(planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                 },
                 solids[k].kind);
         cut_general(cut, planes, index, solids, slab);

@@ -24,7 +24,7 @@ public:
 
     EnergyDerivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                      const Potentials<D>& potentials, std::span<const Twist<D>> twists)
-        : grid_(grid), complex_(complex), derivatives_(derivatives), p_(potentials), twists_(twists), areas_(grid, complex),
+        : grid_(grid), complex_(complex), derivatives_(derivatives), p_(potentials), twists_(twists), areas_(complex),
           by_area_(complex.pieces.size(), 0), by_moment_(complex.pieces.size(), Vec<D>::Zero()),
           by_patch_(complex.patches.size(), Twist<D>::Zero()), result_(twists.size(), Twist<D>::Zero())
     {
@@ -83,7 +83,7 @@ private:
     Side side_of(int axis, std::int32_t face) const
     {
         const Index<D> f = complex_.index.index(face);
-        const auto at = [&](const Index<D>& c) { return p_.of(complex_.main_of(complex_.index(grid_.wrapped(c)))); };
+        const auto at = [&](const Index<D>& c) { return p_.of(complex_.main_of(complex_.index(complex_.index.wrapped(c)))); };
         return {at(f) - at(f - step<D>(axis)), grid_.spread(axis, f[axis])};
     }
 

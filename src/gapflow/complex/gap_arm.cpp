@@ -204,8 +204,8 @@ public:
         for (int axis = 0; axis < D; ++axis) {
             if (grid.periodic(axis))
                 period[axis] = grid.size()[axis];
-            low[axis] = planes_.place[axis].front();
-            high[axis] = planes_.place[axis].back();
+            low[axis] = planes_.place[axis][complex.index.low[axis]];
+            high[axis] = planes_.place[axis][complex.index.high()[axis]];
         }
         images_ = images(solids, planes_.in_world(low), planes_.in_world(high), period, grid.dx());
         first_.assign(solids.size() + 1, 0);

@@ -31,23 +31,31 @@ public:
     /// `first_row`: workspace, of each cell; so far -1. `plain`: of each piece the share of its energy that is not a gap's; empty: all of it.
     Lending(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas, std::vector<std::int32_t>& first_row,
             const std::vector<double>& plain, Inertia<D>& inertia)
-        : grid_(grid), complex_(complex), areas_(areas), first_row_(first_row), plain_(plain), inertia_(inertia),
-          loans_(grid, complex, areas)
+        : lenders_(lenders(grid, complex.index)), complex_(complex), areas_(areas), first_row_(first_row), plain_(plain),
+          inertia_(inertia), loans_(grid, complex, areas)
     {
+    }
+
+    /// Faces that lend to faces beside a rank's own cells.
+    static Block<D> lenders(const Grid<D>& grid, const DenseIndex<D>& index)
+    {
+        const Index<D> reach = Index<D>::Constant(2);
+        return {(grid.low() - reach).cwiseMax(index.low), (grid.high() + reach).cwiseMin(index.high())};
     }
 
     /// To the weights and to the fluxes of Complex::patches; returns the rows beside these.
     std::vector<LentRow<D>> lend(int begin, int end)
     {
-        Index<D> low = grid_.low(), high = grid_.high();
+        const DenseIndex<D>& index = complex_.index;
+        Index<D> low = lenders_.low, high = lenders_.high;
         low[D - 1] = begin;
         high[D - 1] = end;
         for_each_row<D>(low, high, [&](const Index<D>& row) {
             for (axis_ = 0; axis_ < D; ++axis_) {
                 const int i = row[axis_];
-                below_ = (grid_.periodic(axis_) && i == 0 ? grid_.cells()[axis_] - 1 : -1) * complex_.index.stride[axis_];
+                below_ = (index.wraps[axis_] && i == index.low[axis_] ? index.size[axis_] - 2 : -1) * index.stride[axis_];
                 Index<D> f = row;
-                for (int face = complex_.index(row); f[0] < high[0]; ++f[0], ++face) {
+                for (int face = index(row); f[0] < high[0]; ++f[0], ++face) {
                     for (std::int32_t k = areas_.first(axis_, face); k >= 0; k = areas_.next(k))
                         lend_from(k, f);
                     if (axis_ == 0)
@@ -141,7 +149,7 @@ private:
         rows_.resize(left);
     }
 
-    const Grid<D>& grid_;
+    const Block<D> lenders_;
     const Complex<D>& complex_;
     const OpenAreas<D>& areas_;
     std::vector<std::int32_t>& first_row_;
@@ -157,11 +165,12 @@ private:
 template <int D>
 void lend(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps, Inertia<D>& inertia)
 {
-    const OpenAreas<D> areas(grid, complex);
+    const OpenAreas<D> areas(complex);
     std::vector<double> plain(gaps.empty() ? 0 : complex.pieces.size(), 1.0);
     for (const GapArm<D>& gap : gaps)
         plain[gap.piece] = 1 - gap.share;
-    const int first = grid.low()[D - 1], n = grid.high()[D - 1] - first, slabs = std::max(1, n / (2 * parameters.slab) * 2);
+    const Block<D> lenders = Lending<D>::lenders(grid, complex.index);
+    const int first = lenders.low[D - 1], n = lenders.high[D - 1] - first, slabs = std::max(1, n / (2 * parameters.slab) * 2);
     std::vector<std::vector<LentRow<D>>> rows(slabs);
     for (int odd = 0; odd < 2; ++odd) {
         std::vector<std::int32_t> first_row(complex.index.count, -1);
@@ -217,6 +226,8 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
             add_row(piece.low, gap.solid[side], flux.template segment<T>(side * T));
             add_row(piece.high, gap.solid[side], -flux.template segment<T>(side * T));
         }
+        if (!owns_face(grid, piece.axis, f)) // its mass is another rank's
+            continue;
         inertia.pairs.push_back({gap.solid[0], gap.solid[1],
                                  gap.mass - gap.flux * gap.flux.transpose() / gap.resistance -
                                      change * delta * gap.motion * gap.motion.transpose() + cross * gap.motion.transpose() +

@@ -45,10 +45,10 @@ public:
     using Area = typename OpenAreas<D>::Area;
 
     Loans(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas)
-        : grid_(grid), complex_(complex), areas_(areas)
+        : complex_(complex), areas_(areas)
     {
         for (int axis = 0; axis < D; ++axis)
-            for (int i = grid.low()[axis]; i < grid.high()[axis]; ++i)
+            for (int i = complex.index.low[axis]; i < complex.index.high()[axis]; ++i)
                 centre_[axis].push_back((grid.centre_place(axis, i) - grid.anchor()[axis]) / grid.dx());
     }
 
@@ -69,7 +69,7 @@ public:
         for (int t = 0; t < D; ++t) {
             if (t == piece.axis)
                 continue;
-            const double offset = own->centroid[t] - centre_[t][face[t] - grid_.low()[t]];
+            const double offset = own->centroid[t] - centre_[t][face[t] - complex_.index.low[t]];
             const int towards = offset > 0 ? 1 : -1;
             const Area next = areas_.beside(piece.axis, *own, face, t, towards);
             if (next.face < 0 || !(next.area > 0))
@@ -118,10 +118,9 @@ private:
                 }
     }
 
-    const Grid<D>& grid_;
     const Complex<D>& complex_;
     const OpenAreas<D>& areas_;
-    std::array<std::vector<double>, D> centre_; ///< of cells along each axis, from Grid::low() on
+    std::array<std::vector<double>, D> centre_; ///< of cells along each axis, from the block's first one on
     std::vector<WallShare<D>> shares_;
 };
 

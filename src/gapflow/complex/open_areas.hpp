@@ -24,7 +24,7 @@ public:
         Vec<D> centroid = Vec<D>::Zero();
     };
 
-    OpenAreas(const Grid<D>& grid, const Complex<D>& complex) : grid_(grid), complex_(complex), next_(complex.pieces.size())
+    explicit OpenAreas(const Complex<D>& complex) : complex_(complex), next_(complex.pieces.size())
     {
         for_each_job(D, [&](int d) {
             std::vector<std::int32_t>& first = first_[d];
@@ -85,14 +85,15 @@ public:
     /// lies across, along t.
     Area beside(int axis, const Area& from, const Index<D>& f, int t, int steps) const
     {
-        const int cells = grid_.cells()[t];
+        const DenseIndex<D>& index = complex_.index;
+        const int low = index.low[t], cells = index.size[t] - 1;
         int at = f[t] + steps;
-        if (at < 0 || at >= cells) {
-            if (!grid_.periodic(t))
+        if (at < low || at >= low + cells) {
+            if (!index.wraps[t])
                 return {};
-            at += at < 0 ? cells : -cells;
+            at += at < low ? cells : -cells;
         }
-        const std::int32_t face = from.face + (at - f[t]) * complex_.index.stride[t];
+        const std::int32_t face = from.face + (at - f[t]) * index.stride[t];
         if (plain(axis, face)) {
             const double open = complex_.main_area[axis][face];
             return {-1, open > 0 ? face : -1, open, Vec<D>::Zero()};
@@ -123,7 +124,6 @@ private:
                           whole(complex_.pieces[a].high) == whole(complex_.pieces[b].high));
     }
 
-    const Grid<D>& grid_;
     const Complex<D>& complex_;
     std::array<std::vector<std::int32_t>, D> first_; ///< piece of each face; -2 less it where the face is not plain
     std::vector<std::int32_t> next_;

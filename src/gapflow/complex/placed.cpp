@@ -1,5 +1,6 @@
 #include "gapflow/complex/placed.hpp"
 
+#include "gapflow/complex/complex.hpp"
 #include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/sharp_features.hpp"
 
@@ -16,18 +17,16 @@ double rounded(double x)
 template <int D>
 GridPlanes<D>::GridPlanes(const Grid<D>& grid) : anchor(grid.anchor()), dx(grid.dx())
 {
-    for (int axis = 0; axis < D; ++axis)
-        for (int i = 0; i <= grid.cells()[axis]; ++i)
-            place[axis].push_back(i >= grid.core_low()[axis] && i <= grid.core_high()[axis]
-                                      ? i
-                                      : rounded((grid.face_place(axis, i) - anchor[axis]) / dx));
-}
-
-template <int D>
-int GridPlanes<D>::cell_of(int axis, double x) const
-{
-    const std::vector<double>& p = place[axis];
-    return static_cast<int>(std::upper_bound(p.begin(), p.end(), x) - p.begin()) - 1;
+    const DenseIndex<D> block(grid);
+    for (int axis = 0; axis < D; ++axis) {
+        const int cells = grid.cells()[axis], first = std::min(0, block.low[axis]), last = std::max(cells, block.high()[axis]);
+        std::vector<double> places;
+        for (int i = first; i <= last; ++i) // beyond the domain, where it is periodic: the core is all of it
+            places.push_back(i < 0 || i > cells || (i >= grid.core_low()[axis] && i <= grid.core_high()[axis])
+                                 ? i
+                                 : rounded((grid.face_place(axis, i) - anchor[axis]) / dx));
+        place[axis] = PlanePlaces(cells, first, std::move(places));
+    }
 }
 
 template <int D>

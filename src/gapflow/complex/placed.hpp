@@ -6,27 +6,54 @@
 #include "gapflow/geometry/solid.hpp"
 #include "gapflow/grid/grid.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 #include <variant>
 
 namespace gapflow {
 
+/// Places of the planes normal to an axis, by their numbers: those of the domain, and those beyond that the rank's block has (DenseIndex).
+class PlanePlaces {
+public:
+    PlanePlaces() = default;
+    /// `cells` of the domain; the first of the places is that of the plane `first`.
+    PlanePlaces(int cells, int first, std::vector<double> places) : cells_(cells), first_(first), place_(std::move(places)) {}
+
+    const double& operator[](int plane) const { return place_[plane - first_]; }
+    int cells() const { return cells_; }
+    int first() const { return first_; }
+    int last() const { return first_ + static_cast<int>(place_.size()) - 1; }
+    /// Of the domain's sides.
+    double front() const { return (*this)[0]; }
+    double back() const { return (*this)[cells_]; }
+    double period() const { return back() - front(); }
+    /// The last plane that is not above x, one before the first where there is none; and the last one below it.
+    int at_or_below(double x) const { return first_ - 1 + static_cast<int>(std::ranges::upper_bound(place_, x) - place_.begin()); }
+    int below(double x) const { return first_ - 1 + static_cast<int>(std::ranges::lower_bound(place_, x) - place_.begin()); }
+
+private:
+    int cells_ = 0, first_ = 0;
+    std::vector<double> place_;
+};
+
 /// Places of the grid's planes, in cells.
 template <int D>
 struct GridPlanes {
-    std::array<std::vector<double>, D> place; ///< of planes 0 .. cells
+    std::array<PlanePlaces, D> place;
     Vec<D> anchor;
     double dx;
 
     explicit GridPlanes(const Grid<D>& grid);
-    /// Cell along an axis that holds x; not clipped to the domain where the grid is uniform.
-    int cell_of(int axis, double x) const;
-    /// Of a plane, in a periodic domain also of one beyond its sides (a cell beyond at most).
+    /// Cell along an axis that holds x; one before the first or the last plane beyond them.
+    int cell_of(int axis, double x) const { return place[axis].at_or_below(x); }
+    /// Of a plane, in a periodic domain also of one beyond those that are stored.
     double place_of(int axis, int plane) const
     {
-        const auto& p = place[axis];
-        const int n = static_cast<int>(p.size()) - 1;
-        return plane < 0 ? p[n + plane] - p[n] + p[0] : plane > n ? p[plane - n] - p[0] + p[n] : p[plane];
+        const PlanePlaces& p = place[axis];
+        return plane < p.first()  ? p[plane + p.cells()] - p.period()
+               : plane > p.last() ? p[plane - p.cells()] + p.period()
+                                  : p[plane];
     }
     Vec<D> in_cells(const Vec<D>& x) const { return (x - anchor) / dx; }
     Vec<D> in_world(const Vec<D>& x) const { return anchor + dx * x; }

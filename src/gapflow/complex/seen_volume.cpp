@@ -215,10 +215,14 @@ std::vector<WallSums<D>> wall_sums(const Grid<D>& grid, const GridPlanes<D>& pla
     std::vector<WallSums<D>> sums(reference.size());
     for (int p = 0; p < complex.parts(); ++p)
         for (const WallPatch<D>& patch : complex.patches_of(p)) {
+            if (!grid.owns(complex.cell_of_part(p)))
+                break;
             sums[patch.solid].area += patch.area;
             sums[patch.solid].moment +=
                 patch.area.cwiseProduct(way_from<D>(grid, planes, reference[patch.solid], complex.cell_of_part(p)));
         }
+    if (!sums.empty())
+        grid.comm().sum(std::span<double>(sums.data()->area.data(), 2 * D * sums.size()));
     return sums;
 }
 
@@ -285,6 +289,20 @@ SeenRate<D> rate_of(const PlacedSolid<D>& solid, const Seen<D>& seen, double vol
     return result;
 }
 
+/// Which of the items that are not null on this rank are null on all lower ones.
+template <class T>
+std::vector<char> held_first(const Communicator& comm, const std::vector<const T*>& items)
+{
+    std::vector<double> rank;
+    for (const T* item : items)
+        rank.push_back(item ? -comm.rank() : -comm.size());
+    comm.max(rank);
+    std::vector<char> own;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        own.push_back(items[i] && rank[i] == -comm.rank());
+    return own;
+}
+
 } // namespace
 
 template <int D>
@@ -318,18 +336,21 @@ std::vector<Vec<D>> seen_excess(const Grid<D>& grid, const GridPlanes<D>& planes
             reference[image.solid] = image.reference;
         }
     const std::vector<WallSums<D>> walls = wall_sums<D>(grid, planes, reference, complex);
+    const std::vector<char> own = held_first(grid.comm(), first);
     std::vector<Vec<D>> excess(solids.size(), Vec<D>::Zero());
     if (derivatives)
         derivatives->seen.resize(solids.size());
     for (std::size_t s = 0; s < solids.size(); ++s) {
         const double volume = solids[s].shape.shape().mass_properties().volume / std::pow(planes.dx, D);
-        if (!first[s] || !std::isfinite(volume))
+        if (!own[s] || !std::isfinite(volume))
             continue;
         const Seen<D> seen = seen_of(*first[s], grid, planes, walls[s]);
         excess[s] = (first[s]->inverse ? -1 : 1) * seen.share() * (seen.volume - Vec<D>::Constant(volume));
         if (derivatives)
             derivatives->seen[s] = rate_of(*first[s], seen, volume, grid, planes, walls[s]);
     }
+    if (!excess.empty())
+        grid.comm().sum(std::span<double>(excess.data()->data(), D * excess.size()));
     return excess;
 }
 

@@ -81,7 +81,7 @@ void add_pieces(SharpSolid& solid, int number, const GridPlanes<3>& planes)
     std::vector<double> angles;
     for (int axis = 0; axis < 3; ++axis) {
         const double reach = rim.radius * std::hypot(e1[axis], e2[axis]), middle = std::atan2(e2[axis], e1[axis]);
-        for (int k = -1; k <= static_cast<int>(planes.place[axis].size()); ++k)
+        for (int k = planes.place[axis].first() - 1; k <= planes.place[axis].last() + 1; ++k)
             if (const double c = (planes.place_of(axis, k) - rim.centre[axis]) / reach; std::abs(c) < 1)
                 for (const double angle : {middle - std::acos(c), middle + std::acos(c)})
                     angles.push_back(std::remainder(angle, 2 * std::numbers::pi));

@@ -13,8 +13,7 @@ FacetsInCells::FacetsInCells(const GridPlanes<3>& planes, const DenseIndex<3>& i
     const auto cell_of = [&](const Vec<3>& x) -> std::int32_t {
         Index<3> c;
         for (int axis = 0; axis < 3; ++axis) {
-            const std::vector<double>& p = planes.place[axis];
-            c[axis] = static_cast<int>(std::lower_bound(p.begin(), p.end(), x[axis]) - p.begin()) - 1;
+            c[axis] = planes.place[axis].below(x[axis]);
             if (c[axis] < index.low[axis] || c[axis] >= index.low[axis] + index.size[axis] - 1)
                 return -1;
         }

@@ -45,18 +45,27 @@ void exchange_items(const Communicator& comm, std::size_t n, IsMine&& is_mine, W
     }
 }
 
-/// The values of all ranks, none of which owns memory, in the order of the ranks. Collective.
+/// The values of each rank, none of which owns memory. Collective.
 template <class T>
-std::vector<T> all_values(const Communicator& comm, const std::vector<T>& mine)
+std::vector<std::vector<T>> values_by_rank(const Communicator& comm, const std::vector<T>& mine)
 {
     ByteWriter writer;
     writer(mine);
-    std::vector<T> all, part;
+    std::vector<std::vector<T>> all;
     for (const Bytes& bytes : gather(comm, writer.take())) {
         ByteReader reader(bytes);
-        reader(part);
-        all.insert(all.end(), part.begin(), part.end());
+        reader(all.emplace_back());
     }
+    return all;
+}
+
+/// The values of all ranks, in the order of the ranks. Collective.
+template <class T>
+std::vector<T> all_values(const Communicator& comm, const std::vector<T>& mine)
+{
+    std::vector<T> all;
+    for (const std::vector<T>& part : values_by_rank(comm, mine))
+        all.insert(all.end(), part.begin(), part.end());
     return all;
 }
 

@@ -164,6 +164,19 @@ std::set<std::pair<int, int>> pairs_of_links(const Coupling<D>& coupling, const 
     return pairs;
 }
 
+// Pairs of nodes that the film matrices of all ranks join.
+template <int D>
+std::vector<std::array<int, 2>> edges_of_parts(const Coupling<D>& coupling)
+{
+    std::vector<std::array<int, 2>> own;
+    for (int node = 0; node < coupling.system.film.outerSize(); ++node)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(coupling.system.film, node); entry; ++entry)
+            if (entry.row() < node && entry.value() != 0)
+                own.push_back({static_cast<int>(entry.row()), node});
+    const Communicator& comm = coupling.grid->comm();
+    return comm.size() == 1 ? own : all_values(comm, own);
+}
+
 // Joins film nodes by the films' elements and by links between films; nodes count after all cells' labels.
 template <int D>
 void join_nodes(const Coupling<D>& coupling, const std::vector<char>& shut, int labels, DisjointSets& sets)
@@ -175,10 +188,8 @@ void join_nodes(const Coupling<D>& coupling, const std::vector<char>& shut, int 
                  ++i)
                 sets.join(labels + film.first_node + e.nodes[0], labels + film.first_node + e.nodes[i]);
     if (coupling.network.films.empty()) // parts
-        for (int node = 0; node < coupling.system.film.outerSize(); ++node)
-            for (Eigen::SparseMatrix<double>::InnerIterator entry(coupling.system.film, node); entry; ++entry)
-                if (entry.row() < node && entry.value() != 0)
-                    sets.join(labels + static_cast<int>(entry.row()), labels + node);
+        for (const auto& [a, b] : edges_of_parts(coupling))
+            sets.join(labels + a, labels + b);
     for (const Link& link : coupling.system.links)
         for (std::size_t i = 1; i < link.nodes.size() && leads_on(link, shut); ++i)
             sets.join(labels + link.nodes[0].first, labels + link.nodes[i].first);
@@ -278,17 +289,23 @@ void number_parts(const Coupling<D>& coupling, const std::vector<char>& shut, co
         parts.node_component[node] = numbering.component[numbering.labels + node];
         ++facts[2 * parts.node_component[node]];
     }
-    if (coupling.network.films.empty())
-        for (int node = 0; node < system.film.outerSize(); ++node) { // parts on open sides
+    const bool of_parts = coupling.network.films.empty();
+    if (of_parts) {
+        std::vector<double> ways(numbering.components, 0.0); // to open sides, of this rank's nodes
+        for (int node = 0; node < system.film.outerSize(); ++node) {
             double sum = 0, size = 0;
             for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, node); entry; ++entry) {
                 sum += entry.value();
                 size += std::abs(entry.value());
             }
-            facts[2 * parts.node_component[node] + 1] += sum > 1e-9 * size;
+            ways[parts.node_component[node]] += sum > 1e-9 * size;
         }
+        grid.comm().sum(ways);
+        for (int k = 0; k < numbering.components; ++k)
+            facts[2 * k + 1] += ways[k];
+    }
     for (const Link& link : system.links)
-        if (link.cells.empty() && leads_on(link, shut) && link.nodes.size() == D - 1) // mouth to an open side
+        if (!of_parts && link.cells.empty() && leads_on(link, shut) && link.nodes.size() == D - 1) // mouth to an open side
             ++facts[2 * parts.node_component[link.nodes.front().first] + 1];
     for (int k = 0; k < numbering.components; ++k) {
         parts.components[k].grid_parts = numbering.grid_parts[k];

@@ -1,19 +1,23 @@
 #include "gapflow/coupling/parts.hpp"
 
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/coupling/film_rows.hpp"
 #include "gapflow/coupling/grid_conductance.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gapflow {
 namespace {
 
-/// Parts that are not the largest of their cell, in their order; but slivers between lines from sharp corners without a way out. Others: -1.
+/// Numbers of the nodes of parts: those that are not the largest of their cell, but slivers between lines from sharp corners without a way out.
+/// In the order of the ranks that own their cells, and on a rank in that of its parts. -1: none.
 template <int D>
-std::vector<int> nodes_of_parts(const Complex<D>& complex, int& count)
+std::vector<int> nodes_of_parts(const Grid<D>& grid, const Complex<D>& complex, CoupledSystem<D>& system)
 {
     std::vector<char> leads_on(complex.parts(), 0);
     for (const FacePiece<D>& piece : complex.pieces)
@@ -23,11 +27,62 @@ std::vector<int> nodes_of_parts(const Complex<D>& complex, int& count)
     for (const CornerLink<D>& link : complex.links)
         if (link.conductance > 0)
             leads_on[link.a] = leads_on[link.b] = 1;
+    // A node's place, the same on all ranks: its cell, and which of its parts.
+    using Place = std::array<long, 2>;
+    const auto place_of = [&](int p) {
+        return Place{grid.key(grid.wrapped(complex.cell_of_part(p))), p - complex.first_part[complex.part_cell[p]]};
+    };
     std::vector<int> node(complex.parts(), -1);
+    std::vector<Place> own;
     for (int p = 0; p < complex.parts(); ++p)
-        if (!complex.is_main(p) && leads_on[p])
-            node[p] = count++;
+        if (!complex.is_main(p) && leads_on[p] && grid.owns(complex.cell_of_part(p))) {
+            node[p] = static_cast<int>(own.size());
+            own.push_back(place_of(p));
+        }
+    system.nodes = static_cast<int>(own.size());
+    if (grid.comm().size() == 1)
+        return node;
+    const std::vector<std::vector<Place>> all = values_by_rank(grid.comm(), own);
+    std::vector<std::pair<Place, int>> others;
+    int first = 0;
+    system.nodes = 0;
+    for (int rank = 0; rank < grid.comm().size(); ++rank) {
+        if (rank == grid.comm().rank())
+            first = system.nodes;
+        for (const Place& place : all[rank])
+            others.emplace_back(place, system.nodes++);
+    }
+    std::sort(others.begin(), others.end());
+    system.own_node.assign(system.nodes, 0);
+    for (int p = 0; p < complex.parts(); ++p)
+        if (node[p] >= 0) {
+            node[p] += first;
+            system.own_node[node[p]] = 1;
+        } else if (!complex.is_main(p) && !grid.owns(complex.cell_of_part(p))) {
+            const Place place = place_of(p);
+            const auto other = std::lower_bound(others.begin(), others.end(), std::pair(place, 0));
+            if (other != others.end() && other->first == place)
+                node[p] = other->second;
+        }
     return node;
+}
+
+/// A link between two nodes, or a node and a cell.
+struct PartLink {
+    double conductance;
+    int node, other; ///< other: -1 where there is a cell
+    long cell;
+};
+
+/// Of all ranks: parts of the system beside a rank's own film rows.
+void add_links(const Communicator& comm, const std::vector<PartLink>& own, std::vector<Link>& links)
+{
+    for (const PartLink& link : comm.size() == 1 ? own : all_values(comm, own)) {
+        if (link.other >= 0)
+            links.push_back({link.conductance, {{link.node, 1.0}, {link.other, -1.0}}, {}});
+        else
+            links.push_back({link.conductance, {{link.node, 1.0}}, {{link.cell, -1.0}}});
+    }
 }
 
 } // namespace
@@ -45,7 +100,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     for (const Solid<D>& solid : coupling.solids)
         coupling.free_body.push_back(solid.motion == Motion::free ? system.bodies++ : -1);
 
-    const std::vector<int> node = nodes_of_parts(complex, system.nodes);
+    const std::vector<int> node = nodes_of_parts(grid, complex, system);
     coupling.open = FaceField<D>(grid, 0.0);
     coupling.kind = CellField<D, std::int8_t>(grid, static_cast<std::int8_t>(CellKind::solid));
     for_each_row_on_threads<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
@@ -55,50 +110,56 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
             if (cell[i] != Complex<D>::solid)
                 kind[i] = static_cast<std::int8_t>(CellKind::bulk);
     });
-    for (int axis = 0; axis < D; ++axis) {
-        const Index<D> end = owned_faces_end(grid, axis);
+    for (int axis = 0; axis < D; ++axis) { // the faces on both sides of this rank's cells
+        const bool wraps = complex.index.wraps[axis]; // the last face is the first one
+        const Index<D> end = grid.high() + (wraps ? Index<D>(Index<D>::Zero()) : step<D>(axis));
         for_each_row_on_threads<D>(grid.low(), end, [&](const Index<D>& row) {
             const double* weight = &inertia.main_weight[axis][complex.index(row)];
             std::copy(weight, weight + (end[0] - row[0]), &coupling.open(axis, row));
         });
-        if (grid.periodic(axis)) { // the last face is the first one
+        if (wraps) {
             Index<D> low = grid.low(), high = grid.high();
             low[axis] = high[axis];
             high[axis] = low[axis] + 1;
             for_each_index<D>(low, high, [&](const Index<D>& f) {
-                coupling.open(axis, f) = inertia.main_weight[axis][complex.index(grid.wrapped(f))];
+                coupling.open(axis, f) = inertia.main_weight[axis][complex.index(complex.index.wrapped(f))];
             });
         }
     }
     fill_conductance(coupling);
 
     const double unit = std::pow(grid.dx(), D - 2) / density;
-    std::vector<Eigen::Triplet<double>> film;
+    std::vector<Eigen::Triplet<double>> film; ///< between own nodes
+    std::vector<PartLink> links;
     const auto node_of = [&](const PartOrCell& side) { return side.is_part() ? node[side.number()] : -1; };
     // Between two parts or cells, not both their cell's largest.
     const auto join = [&](const PartOrCell& a, const PartOrCell& b, double g) {
         const int i = node_of(a), j = node_of(b);
-        if (i >= 0 && j >= 0) {
+        if (i >= 0 && j >= 0 && system.owns(i) && system.owns(j)) {
             if (i == j)
                 return;
             film.emplace_back(i, i, g);
             film.emplace_back(j, j, g);
             film.emplace_back(i, j, -g);
             film.emplace_back(j, i, -g);
-        } else {
+        } else if (i >= 0 && j >= 0)
+            links.push_back({g, i, j, -1});
+        else {
             const PartOrCell& cell = i >= 0 ? b : a;
-            system.links.push_back(
-                {g, {{std::max(i, j), 1.0}}, {{grid.key(complex.index.index(complex.cell_of(cell))), -1.0}}});
+            links.push_back(
+                {g, std::max(i, j), -1, grid.key(grid.wrapped(complex.index.index(complex.cell_of(cell))))});
         }
     };
     for (const CornerLink<D>& link : complex.links)
-        if (link.conductance > 0)
+        if (link.conductance > 0 && grid.owns(complex.cell_of_part(link.a)))
             join(PartOrCell::part(link.a), PartOrCell::part(link.b), unit * link.conductance);
     for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
         const FacePiece<D>& piece = complex.pieces[k];
         if (complex.joins_main(piece) || !(piece.area > 0))
             continue;
         const Index<D> f = complex.index.index(piece.face);
+        if (!owns_face(grid, piece.axis, f))
+            continue;
         const double g = unit * inertia.piece_weight[k] / grid.spread(piece.axis, f[piece.axis]);
         const int low = node_of(piece.low), high = node_of(piece.high);
         if (!piece.low.exists() || !piece.high.exists()) { // a side of the domain
@@ -110,6 +171,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     }
     system.film.resize(system.nodes, system.nodes);
     system.film.setFromTriplets(film.begin(), film.end());
+    add_links(grid.comm(), links, system.links);
 
     const double area = std::pow(grid.dx(), D - 1);
     const auto in_world = [&](const Twist<D>& flux) {
@@ -122,6 +184,8 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
         [&](long c, FluxEntries<D, Index<D>>& cells) {
             const int p = complex.first_part[c];
             const Index<D> row = complex.index.index(complex.cut_cell[c]);
+            if (!grid.owns(row))
+                return;
             for (int k = complex.first_patch[p]; k < complex.first_patch[p + 1]; ++k)
                 cells.add(coupling, row, complex.patches[k].solid, in_world(inertia.patch_flux[k]));
         },
@@ -130,16 +194,18 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
         static_cast<long>(inertia.flux.size()),
         [&](long i, FluxEntries<D, Index<D>>& cells) {
             const LentFlux<D>& lent = inertia.flux[i];
-            if (complex.is_main(lent.row))
-                cells.add(coupling, complex.index.index(complex.cell_of(lent.row)), lent.solid, in_world(lent.flux));
+            const Index<D> row = complex.index.index(complex.cell_of(lent.row));
+            if (complex.is_main(lent.row) && grid.owns(row))
+                cells.add(coupling, row, lent.solid, in_world(lent.flux));
         },
         coupling.cell_flux, system.cell_flux);
     FluxEntries<D, int> nodes;
+    const auto has_row = [&](int p) { return node[p] >= 0 && system.owns(node[p]); };
     for (int p = 0; p < complex.parts(); ++p)
-        for (int k = complex.first_patch[p]; node[p] >= 0 && k < complex.first_patch[p + 1]; ++k)
+        for (int k = complex.first_patch[p]; has_row(p) && k < complex.first_patch[p + 1]; ++k)
             nodes.add(coupling, node[p], complex.patches[k].solid, in_world(inertia.patch_flux[k]));
     for (const LentFlux<D>& lent : inertia.flux)
-        if (lent.row.is_part() && node[lent.row.number()] >= 0)
+        if (lent.row.is_part() && has_row(lent.row.number()))
             nodes.add(coupling, node[lent.row.number()], lent.solid, in_world(lent.flux));
     coupling.node_flux = std::move(nodes.all);
     system.node_flux = std::move(nodes.free);
@@ -178,8 +244,8 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
 {
     const double dx = coupling.grid->dx(), in_cells = -1 / (coupling.density * dx * dx);
     Potentials<D> potentials{std::vector<double>(complex.parts(), 0), std::vector<double>(complex.index.count, 0)};
-    int nodes = 0;
-    const std::vector<int> node = nodes_of_parts(complex, nodes);
+    CoupledSystem<D> unused;
+    const std::vector<int> node = nodes_of_parts(*coupling.grid, complex, unused);
     for (int part = 0; part < complex.parts(); ++part)
         potentials.part[part] = node[part] >= 0         ? in_cells * p.nodes[node[part]]
                                 : complex.is_main(part) ? in_cells * p.cells(complex.cell_of_part(part))

@@ -157,6 +157,13 @@ Index<D> owned_faces_end(const Grid<D>& grid, int axis)
     return end;
 }
 
+/// Whether a face normal to `axis` is this rank's.
+template <int D>
+bool owns_face(const Grid<D>& grid, int axis, const Index<D>& face)
+{
+    return (face.array() >= grid.low().array()).all() && (face.array() < owned_faces_end(grid, axis).array()).all();
+}
+
 /// Calls f(first, n, above, below) for rows of n faces normal to `axis`, from the face grid.low() to before `end` (owned_faces_end() or one plane
 /// more), rows inside the domain on threads. above, below: 1 where a cell lies on that side of the faces, 0 beyond a side of the domain.
 template <int D, class F>

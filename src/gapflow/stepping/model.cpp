@@ -141,8 +141,6 @@ Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, std::vector<T
     const bool moves = !mass.empty();
     mass.resize(at.size() + walls.solids.size(), TwistMatrix<D>::Identity());
     if (scene.parts) {
-        if (grid.comm().size() > 1)
-            throw InputError(scene.file + ": gap.model: \"parts\" are computed on one rank; start one process");
         const std::vector<Solid<D>> all = solids(at);
         const Complex<D> complex = build_complex<D>(grid, all);
         Coupling<D> coupling = couple_parts<D>(grid, all, mass, scene.density, complex, find_inertia<D>(grid, complex));

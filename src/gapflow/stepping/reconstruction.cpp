@@ -17,13 +17,6 @@ namespace {
 // Layers of faces that velocities are extrapolated into solids and films.
 constexpr int extrapolated_layers = 4;
 
-// Whether the face is one of this rank's.
-template <int D>
-bool owns_face(const Grid<D>& grid, int axis, const Index<D>& f)
-{
-    return (f.array() >= grid.low().array()).all() && (f.array() < owned_faces_end(grid, axis).array()).all();
-}
-
 // u at a face centre, ghosts filled.
 template <int D>
 Vec<D> velocity_at_face(const FaceField<D>& u, int axis, const Index<D>& f)
