@@ -17,6 +17,7 @@
 
 #include "gapflow/complex/cut_faces.hpp"
 
+#include <array>
 #include <span>
 
 namespace gapflow {
@@ -46,12 +47,44 @@ struct LinkRate {
     Twist<D> conductance;
 };
 
-/// Of a solid's Complex::seen_excess: by its own twist, and by the area vectors S of its walls as sum by_walls (counts (x - reference)) . dS, x the middle
-/// of the wall's cell.
+/// Sum of a solid's sections with the planes normal to an axis, in the grid of the core continued without end; of one that is inside out that of
+/// its cavity.
+template <int D>
+struct SeenVolume {
+    double volume = 0;
+    Vec<D> moment = Vec<D>::Zero(); ///< about the solid's reference point; along the axis 0
+
+    SeenVolume operator-() const { return {-volume, -moment}; }
+};
+
+/// Its derivative by the solid's twist.
+template <int D>
+struct SeenVolumeRate {
+    Twist<D> volume = Twist<D>::Zero();
+    Eigen::Matrix<double, D, twist_size<D>> moment = Eigen::Matrix<double, D, twist_size<D>>::Zero();
+};
+
+/// What D of a solid is made of (seen_volume.hpp).
+template <int D>
+struct SeenSolid {
+    std::array<SeenVolume<D>, D> along;
+    double volume = 0;                ///< its own
+    Vec<D> centroid = Vec<D>::Zero(); ///< its own, from the reference point
+    double sign = 1;                  ///< -1: the solid is inside out
+    /// Of the solid that is in the fluid, inside the domain and not within another solid: the volume that the planes see through the walls of
+    /// the complex, over that of the whole solid, `all`.
+    double share = 1, all = 0;
+    Vec<D> counts = Vec<D>::Zero(); ///< 0: of an axis along which the walls of two images are not told apart
+};
+
+/// Derivatives of Complex::seen_mass by the solid's own twist; of the share also by the area vectors S of its walls as
+/// sum share_by_walls . (x - reference) dS, x the middle of the wall's cell.
 template <int D>
 struct SeenRate {
-    Eigen::Matrix<double, D, twist_size<D>> rate = Eigen::Matrix<double, D, twist_size<D>>::Zero();
-    Vec<D> by_walls = Vec<D>::Zero(), counts = Vec<D>::Zero(), reference = Vec<D>::Zero();
+    SeenSolid<D> seen;
+    std::array<SeenVolumeRate<D>, D> along;
+    Twist<D> share = Twist<D>::Zero();
+    Vec<D> share_by_walls = Vec<D>::Zero(), reference = Vec<D>::Zero();
 };
 
 /// Of each of Complex::pieces, in their order; all other faces are wholly open or wholly covered.

@@ -1178,7 +1178,7 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     if (derivatives) {
         face_derivatives<D>(planes, complex.index, placed, cut, sources, *derivatives);
     }
-    complex.seen_excess = seen_excess<D>(grid, planes, solids, placed, complex, derivatives);
+    complex.seen_mass = seen_masses<D>(grid, planes, solids, placed, complex, derivatives);
     return complex;
 }
 

@@ -140,9 +140,8 @@ struct Complex {
     /// The cell beside a piece, number in `index`.
     int cell_of(const PartOrCell& side) const { return side.is_part() ? cut_cell[part_cell[side.number()]] : side.number(); }
 
-    /// Of each solid: volume that the grid's planes normal to each axis see, less its volume; in cells^D, negative of a cavity. The fluid's
-    /// momentum in uniform motion is exact with it.
-    std::vector<Vec<D>> seen_excess;
+    /// D of each solid, by its twist, in cells: what the grid's planes see of it less its volume (seen_volume.hpp). Uniform motion is exact with it.
+    std::vector<TwistMatrix<D>> seen_mass;
 
     int parts() const { return static_cast<int>(part_cell.size()); }
     int cut_cells() const { return static_cast<int>(cut_cell.size()); }

@@ -248,18 +248,19 @@ private:
     void add_seen_volume()
     {
         const GridPlanes<D> planes(grid_);
-        for (std::size_t s = 0; s < result_.size(); ++s)
-            result_[s] += derivatives_.seen[s].rate.transpose() * half_square(static_cast<int>(s));
+        std::vector<Vec<D>> by_walls;
+        for (std::size_t s = 0; s < result_.size(); ++s) {
+            const SeenEnergyRate<D> rate = half_square_rate<D>(derivatives_.seen[s], twists_[s]);
+            result_[s] += rate.by_place;
+            by_walls.push_back(rate.by_walls);
+        }
         for (int part = 0; part < complex_.parts(); ++part)
             for (int k = complex_.first_patch[part]; k < complex_.first_patch[part + 1]; ++k) {
                 const int solid = complex_.patches[k].solid;
-                const SeenRate<D>& seen = derivatives_.seen[solid];
-                by_patch_[k].template head<D>() +=
-                    seen.by_walls.dot(half_square(solid)) *
-                    seen.counts.cwiseProduct(way_from<D>(grid_, planes, seen.reference, complex_.cell_of_part(part)));
+                by_patch_[k].template head<D>() += by_walls[solid].cwiseProduct(
+                    way_from<D>(grid_, planes, derivatives_.seen[solid].reference, complex_.cell_of_part(part)));
             }
     }
-    Vec<D> half_square(int solid) const { return 0.5 * twists_[solid].template head<D>().cwiseAbs2(); }
 
     const Grid<D>& grid_;
     const Complex<D>& complex_;

@@ -210,13 +210,10 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     coupling.node_flux = std::move(nodes.all);
     system.node_flux = std::move(nodes.free);
     fill_mass(coupling, mass); // the bodies' own: D follows with add_seen_mass()
-    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
-        for (int d = 0; d < D; ++d)
-            if (const double mass_of = density * std::pow(grid.dx(), D) * complex.seen_excess[s][d]; mass_of != 0) {
-                Twist<D> row = Twist<D>::Zero();
-                row[d] = 1;
-                coupling.normal_inertia.push_back({static_cast<int>(s), static_cast<int>(s), row, Twist<D>::Zero(), mass_of});
-            }
+    Twist<D> lengths = Twist<D>::Constant(std::sqrt(density * std::pow(grid.dx(), D)));
+    lengths.template tail<spin_size<D>>() *= grid.dx();
+    for (const TwistMatrix<D>& seen : complex.seen_mass)
+        coupling.seen_mass.push_back(lengths.asDiagonal() * seen * lengths.asDiagonal());
     limit_deficits(coupling);
     // What gaps add, as sums of squares of rows of twists.
     for (const PairInertia<D>& pair : inertia.pairs) {

@@ -2,7 +2,8 @@
 
 #include "gapflow/core/threads.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace {
 
 // A body's own mass over what D takes from it, below which the gauge changes. Above it M is positive; the choice moves no result.
 constexpr double heavy = 2;
-constexpr double mass_round_off = 1e-13;
 
 /// Of K and of Y. Rows: cells by their keys, nodes after them.
 template <int D>
@@ -158,23 +158,39 @@ TwistMatrix<D> layer_inertia(const FluidRows<D>& L, std::vector<Entry<D>>& K)
     return 0.5 * (sum + sum.transpose());
 }
 
-/// Least energy w^T A w of twists with w_d = 1. Spins of round solids, which move nothing but for round-off, do not count: lengths in `unit`.
+/// Inertia of the fluid that a solid displaces.
 template <int D>
-double least_inertia(const TwistMatrix<D>& A, int d, double unit)
+TwistMatrix<D> displaced_mass(const Solid<D>& solid, double density)
 {
-    if (!(A(d, d) > 0))
-        return 0;
-    std::vector<int> rows{d};
-    for (int i = 0; i < twist_size<D>; ++i)
-        if (i != d && A(i, i) > (i < D ? 0.0 : mass_round_off * unit * unit * A(d, d)))
-            rows.push_back(i);
-    const long n = static_cast<long>(rows.size());
-    Eigen::MatrixXd scaled(n, n);
-    for (long i = 0; i < n; ++i)
-        for (long j = 0; j < n; ++j)
-            scaled(i, j) = A(rows[i], rows[j]) / std::sqrt(A(rows[i], rows[i]) * A(rows[j], rows[j]));
-    scaled.diagonal().array() += mass_round_off;
-    return std::max(0.0, A(d, d) / scaled.inverse()(0, 0) - mass_round_off * A(d, d));
+    const MassProperties<D> own = solid.shape.shape().mass_properties();
+    const Vec<D> arm = solid.shape.to_world(own.centre) - solid.centre;
+    TwistMatrix<D> mass = TwistMatrix<D>::Zero();
+    auto spins = mass.template bottomRightCorner<spin_size<D>, spin_size<D>>();
+    if constexpr (D == 2)
+        spins = density * own.inertia;
+    else
+        spins = density * solid.shape.rotation() * own.inertia * solid.shape.rotation().transpose();
+    for (int d = 0; d < D; ++d) {
+        const Twist<D> row = wrench<D>(unit<D>(d), arm);
+        mass += density * own.volume * row * row.transpose();
+    }
+    return mass;
+}
+
+/// A without its negative part, in the axes in which G is the identity.
+template <int D>
+TwistMatrix<D> positive_part(const TwistMatrix<D>& A, const TwistMatrix<D>& G)
+{
+    const Eigen::LLT<TwistMatrix<D>> root(G);
+    const TwistMatrix<D> scaled = root.matrixL().solve(root.matrixL().solve(A).transpose());
+    const Eigen::SelfAdjointEigenSolver<TwistMatrix<D>> modes(0.5 * (scaled + scaled.transpose()));
+    TwistMatrix<D> positive = A;
+    for (int k = 0; k < twist_size<D>; ++k)
+        if (const double value = modes.eigenvalues()[k]; value < 0) {
+            const Twist<D> mode = root.matrixL() * modes.eigenvectors().col(k);
+            positive -= value * mode * mode.transpose();
+        }
+    return positive;
 }
 
 template <int D>
@@ -222,32 +238,18 @@ void change_gauge(Coupling<D>& coupling, const std::vector<char>& light)
 template <int D>
 void limit_deficits(Coupling<D>& coupling)
 {
-    const bool any = std::any_of(coupling.normal_inertia.begin(), coupling.normal_inertia.end(),
-                                 [](const NormalInertia<D>& inertia) { return inertia.mass < 0; });
-    if (!any)
-        return;
     const FluidRows<D> L(coupling);
     std::vector<std::vector<Entry<D>>> K(coupling.solids.size());
     for (const auto& entry : coupling.cell_flux)
         K[entry.body].push_back({L.row(entry.row), entry.body, entry.flux});
     for (const auto& entry : coupling.node_flux)
         K[entry.body].push_back({L.row(entry.row), entry.body, entry.flux});
-    std::vector<std::vector<NormalInertia<D>*>> seen(coupling.solids.size());
-    for (NormalInertia<D>& inertia : coupling.normal_inertia)
-        seen[inertia.master].push_back(&inertia);
-    for_each_job(static_cast<int>(seen.size()), [&](int s) {
-        if (std::none_of(seen[s].begin(), seen[s].end(), [](const NormalInertia<D>* i) { return i->mass < 0; }))
+    for_each_job(static_cast<int>(K.size()), [&](int s) {
+        TwistMatrix<D>& seen = coupling.seen_mass[s];
+        if (seen.isZero(0))
             return;
-        TwistMatrix<D> layer = layer_inertia(L, K[s]);
-        for (const bool negative : {false, true})
-            for (NormalInertia<D>* inertia : seen[s])
-                if ((inertia->mass < 0) == negative) {
-                    int d = 0;
-                    inertia->row_master.cwiseAbs().maxCoeff(&d);
-                    if (negative)
-                        inertia->mass = std::max(inertia->mass, -least_inertia<D>(layer, d, coupling.grid->dx()));
-                    layer(d, d) += inertia->mass;
-                }
+        const TwistMatrix<D> layer = layer_inertia(L, K[s]);
+        seen = positive_part<D>(seen + layer, displaced_mass(coupling.solids[s], coupling.density)) - layer;
     });
 }
 
@@ -258,20 +260,21 @@ void add_seen_mass(Coupling<D>& coupling)
     CoupledSystem<D>& system = coupling.system;
     std::vector<char> light(system.bodies, 0);
     std::vector<Eigen::Triplet<double>> entries;
-    bool any = false;
-    for (const NormalInertia<D>& inertia : coupling.normal_inertia) {
-        const int b = coupling.free_body[inertia.master];
-        if (b < 0)
-            continue;
-        const Twist<D> row = coupling.solids[inertia.master].admissible * inertia.row_master;
-        const double own = row.dot(system.mass.block(n * b, n * b, n, n) * row);
-        light[b] = light[b] || own + heavy * inertia.mass * row.dot(row) * row.dot(row) < 0;
-        any = any || light[b];
+    const auto add = [&](int a, int b, const TwistMatrix<D>& mass) {
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-                if (row[i] * row[j] != 0)
-                    entries.emplace_back(n * b + i, n * b + j, inertia.mass * row[i] * row[j]);
-    }
+                if (mass(i, j) != 0)
+                    entries.emplace_back(n * a + i, n * b + j, mass(i, j));
+    };
+    bool any = false;
+    for (std::size_t s = 0; s < coupling.solids.size(); ++s)
+        if (const int b = coupling.free_body[s]; b >= 0) {
+            const TwistMatrix<D>& P = coupling.solids[s].admissible;
+            const TwistMatrix<D> seen = P * coupling.seen_mass[s] * P, own = system.mass.block(n * b, n * b, n, n);
+            add(b, b, seen);
+            light[b] = Eigen::LLT<TwistMatrix<D>>(own + heavy * seen).info() != Eigen::Success;
+            any = any || light[b];
+        }
     Eigen::SparseMatrix<double> seen(system.mass.rows(), system.mass.cols());
     seen.setFromTriplets(entries.begin(), entries.end());
     system.mass += seen;

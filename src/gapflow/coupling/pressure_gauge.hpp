@@ -13,8 +13,8 @@
 
 namespace gapflow {
 
-/// Limits what D takes from each solid, axis by axis, to what Y^T (2 diag(L) - L) Y gives: only a solid that is thinner than a cell has less. Then M' >= M_s,
-/// and the added mass is positive. One rank.
+/// Limits coupling.seen_mass: of D + Y^T (2 diag(L) - L) Y the positive part counts, in the axes in which the fluid that the solid displaces has the mass one. Only
+/// of a solid that is thinner than a cell there is a negative one. Then M' >= M_s, and the added mass is positive. One rank.
 template <int D>
 void limit_deficits(Coupling<D>& coupling);
 

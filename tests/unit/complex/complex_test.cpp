@@ -47,7 +47,7 @@ TEST(Complex, SeenVolumeOfAMeshWithEdgesInAPlane)
         Pose<3> at = pose<3>(Vec<3>(0.5, 0.5, 0.5 + shift));
         at.rotation = Rotation<3>(Eigen::AngleAxisd(std::numbers::pi / 4, Vec<3>::UnitX()));
         scene.add("mesh", make_mesh<3>(make_box<3>(Vec<3>(0.5, 0.5, 0.5))->display_mesh(0), "box"), at);
-        return build_complex<3>(grid, scene.solids).seen_excess[0];
+        return build_complex<3>(grid, scene.solids).seen_mass[0];
     };
     // Two edges lie in the plane through the middle, where the section is largest.
     EXPECT_LE((seen(0) - seen(1e-7)).norm(), 1e-3);
@@ -111,6 +111,51 @@ std::unique_ptr<Shape<D>> random_shape(std::mt19937& random, double size)
             return make_cylinder(0.7 * size * number(random) + 0.003, size * (0.05 + 2 * number(random)));
         else
             return make_ball<D>(size);
+    }
+}
+
+/// In a fluid that moves uniformly along d the pressure is linear, and K^T x_d + D e_d = -V w_d(c): the impulse of what the solid displaces acts at its
+/// centroid, whatever its pose and reference point.
+template <int D>
+void check_uniform_motion(int seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> number(-0.1, 0.1);
+    const int n = D == 2 ? 24 : 12;
+    const Grid<D> grid = unit_grid<D>(n);
+    Scene<D> scene(grid);
+    Vec<D> place = Vec<D>::Constant(0.5);
+    if (seed % 3)
+        for (int axis = 0; axis < D; ++axis)
+            place[axis] += number(random);
+    const int k = scene.add("solid", random_shape<D>(random, 0.11), pose<D>(place, 10 * number(random)));
+    Solid<D>& solid = scene.solids[k];
+    for (int axis = 0; axis < D; ++axis)
+        solid.centre[axis] += seed % 2 * number(random);
+    const Complex<D> complex = build_complex<D>(grid, scene.solids);
+    const MassProperties<D> own = solid.shape.shape().mass_properties();
+    const double volume = own.volume * std::pow(n, D);
+    const Vec<D> centroid = n * (solid.shape.to_world(own.centre) - solid.centre);
+    for (int d = 0; d < D; ++d) {
+        Twist<D> impulse = complex.seen_mass[k].col(d) + volume * wrench<D>(unit<D>(d), centroid);
+        double size = volume;
+        for (int p = 0; p < complex.parts(); ++p)
+            for (const WallPatch<D>& patch : complex.patches_of(p)) {
+                Twist<D> wall;
+                wall << patch.area, patch.moment;
+                impulse += (complex.cell_of_part(p)[d] - 0.5 * n) * wall;
+                size += wall.norm();
+            }
+        EXPECT_LE(impulse.norm(), 1e-11 * size) << "seed " << seed << ", axis " << d;
+    }
+    EXPECT_LE((complex.seen_mass[k] - complex.seen_mass[k].transpose()).norm(), 1e-14 * volume);
+}
+
+TEST(Complex, UniformMotionHasTheImpulseOfWhatIsDisplaced)
+{
+    for (int seed = 0; seed < 200; ++seed) {
+        check_uniform_motion<2>(seed);
+        check_uniform_motion<3>(seed);
     }
 }
 

@@ -86,6 +86,8 @@ Eigen::MatrixXd added_mass(const Scene& scene, bool gaps, std::vector<GapArm<2>>
             row.segment<3>(3 * i.other) += i.row_other;
         D += i.mass * row * row.transpose();
     }
+    for (int b = 0; b < bodies; ++b)
+        D.block<3, 3>(3 * b, 3 * b) += coupling.seen_mass[b];
     return D + K.transpose() * (L + Eigen::MatrixXd::Ones(L.rows(), L.cols())).llt().solve(K);
 }
 

@@ -105,8 +105,11 @@ private:
         energy = 0.5 * x.dot(flux);
         // Not as the coupling limits it.
         for (std::size_t s = 0; s < twists.size(); ++s)
-            energy += 0.5 * coupling.density * std::pow(grid.dx(), D) *
-                      complex.seen_excess[s].dot(twists[s].template head<D>().cwiseAbs2());
+        {
+            Twist<D> V = twists[s]; // in cells
+            V.template head<D>() /= grid.dx();
+            energy += 0.5 * coupling.density * std::pow(grid.dx(), D + 2) * V.dot(complex.seen_mass[s] * V);
+        }
         for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { p.cells(c) = -x[complex.index(c)]; });
         p.nodes = -x.tail(system.nodes);
     }
