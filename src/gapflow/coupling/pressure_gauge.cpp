@@ -1,13 +1,12 @@
 #include "gapflow/coupling/pressure_gauge.hpp"
 
-#include "gapflow/core/threads.hpp"
+#include "gapflow/coupling/fluid_rows.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace gapflow {
 
@@ -16,117 +15,13 @@ namespace {
 // A body's own mass over what D takes from it, below which the gauge changes. Above it M is positive; the choice moves no result.
 constexpr double heavy = 2;
 
-/// Of K and of Y. Rows: cells by their keys, nodes after them.
-template <int D>
-struct Entry {
-    long row;
-    int body;
-    Twist<D> flux;
-};
-
-/// L, row by row.
-template <int D>
-class FluidRows {
-public:
-    explicit FluidRows(const Coupling<D>& coupling)
-        : grid_(*coupling.grid), system_(coupling.system), cells_(grid_.cells().template cast<long>().prod())
-    {
-        for (std::size_t k = 0; k < system_.links.size(); ++k)
-            for (const auto& [row, weight] : members(system_.links[k]))
-                links_.emplace_back(row, k);
-        std::sort(links_.begin(), links_.end());
-        links_.erase(std::unique(links_.begin(), links_.end()), links_.end());
-    }
-
-    long row(const Index<D>& c) const { return grid_.key(c); }
-    long row(int node) const { return cells_ + node; }
-    bool is_cell(long row) const { return row < cells_; }
-    Index<D> cell(long row) const { return grid_.cell_of_key(row); }
-    int node(long row) const { return static_cast<int>(row - cells_); }
-
-    /// Calls f(other, coefficient) for the entries of a row, several for one other row perhaps.
-    template <class F>
-    void for_each(long row, F&& f) const
-    {
-        if (is_cell(row))
-            for_each_face(row, f);
-        else
-            for (Eigen::SparseMatrix<double>::InnerIterator entry(system_.film, node(row)); entry; ++entry)
-                f(this->row(static_cast<int>(entry.row())), entry.value());
-        for (auto k = std::lower_bound(links_.begin(), links_.end(), std::pair(row, std::size_t{0}));
-             k != links_.end() && k->first == row; ++k) {
-            const Link& link = system_.links[k->second];
-            const auto all = members(link);
-            double own = 0;
-            for (const auto& [other, weight] : all)
-                own += other == row ? weight : 0.0;
-            for (const auto& [other, weight] : all)
-                f(other, link.conductance * own * weight);
-        }
-    }
-
-    double diagonal(long row) const
-    {
-        double sum = 0;
-        for_each(row, [&](long other, double value) { sum += other == row ? value : 0.0; });
-        return sum;
-    }
-
-private:
-    template <class F>
-    void for_each_face(long row, F&& f) const
-    {
-        const Index<D> c = cell(row);
-        for (int axis = 0; axis < D; ++axis)
-            for (int end = 0; end < 2; ++end) {
-                const double g = system_.conductance(axis, end ? Index<D>(c + step<D>(axis)) : c);
-                if (!(g > 0))
-                    continue;
-                f(row, g);
-                const Index<D> beside = grid_.wrapped(end ? Index<D>(c + step<D>(axis)) : Index<D>(c - step<D>(axis)));
-                if (grid_.in_domain(beside))
-                    f(this->row(beside), -g);
-            }
-    }
-
-    std::vector<std::pair<long, double>> members(const Link& link) const
-    {
-        std::vector<std::pair<long, double>> rows;
-        for (const auto& [node, weight] : link.nodes)
-            rows.emplace_back(row(node), weight);
-        for (const auto& [key, weight] : link.cells)
-            rows.emplace_back(row(grid_.cell_of_key(key)), weight);
-        return rows;
-    }
-
-    const Grid<D>& grid_;
-    const CoupledSystem<D>& system_;
-    long cells_;
-    std::vector<std::pair<long, std::size_t>> links_; ///< row, number of a link in it; by rows
-};
-
-/// One entry a row and body, in their order.
-template <int D>
-void merge(std::vector<Entry<D>>& entries)
-{
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry<D>& a, const Entry<D>& b) { return std::tie(a.row, a.body) < std::tie(b.row, b.body); });
-    std::size_t count = 0;
-    for (const Entry<D>& entry : entries)
-        if (count > 0 && entries[count - 1].row == entry.row && entries[count - 1].body == entry.body)
-            entries[count - 1].flux += entry.flux;
-        else
-            entries[count++] = entry;
-    entries.resize(count);
-}
-
 /// A^T B of entries by row.
 template <int D>
-void add_product(const std::vector<Entry<D>>& A, const std::vector<Entry<D>>& B, std::vector<Eigen::Triplet<double>>& sum)
+void add_product(const std::vector<RowEntry<D>>& A, const std::vector<RowEntry<D>>& B, std::vector<Eigen::Triplet<double>>& sum)
 {
     constexpr int n = twist_size<D>;
     auto b = B.begin();
-    for (const Entry<D>& a : A) {
+    for (const RowEntry<D>& a : A) {
         while (b != B.end() && b->row < a.row)
             ++b;
         for (auto other = b; other != B.end() && other->row == a.row; ++other)
@@ -137,25 +32,87 @@ void add_product(const std::vector<Entry<D>>& A, const std::vector<Entry<D>>& B,
     }
 }
 
-/// Y^T (2 diag(L) - L) Y of one solid, from its entries by row.
+/// Y^T (2 diag(L) - L) Y of every solid: diag(L) of its rows, and the conductance between every two of them. Collective.
 template <int D>
-TwistMatrix<D> layer_inertia(const FluidRows<D>& L, std::vector<Entry<D>>& K)
+std::vector<TwistMatrix<D>> layer_inertias(const Coupling<D>& coupling)
 {
-    merge(K);
-    std::vector<Entry<D>> Y;
-    TwistMatrix<D> sum = TwistMatrix<D>::Zero();
-    for (const Entry<D>& k : K)
-        if (const double diagonal = L.diagonal(k.row); diagonal > 0) {
-            Y.push_back({k.row, k.body, k.flux / diagonal});
-            sum += 2 / diagonal * k.flux * k.flux.transpose();
+    const Grid<D>& grid = *coupling.grid;
+    const CoupledSystem<D>& system = coupling.system;
+    const FluidRows<D> L(coupling);
+    BodyRows<D> Y(L, coupling.cell_flux, coupling.node_flux);
+    struct Place {
+        long row;
+        double diagonal;
+        Twist<D> flux;
+    };
+    std::vector<std::vector<Place>> places(coupling.solids.size());
+    std::vector<RowEntry<D>> seen; // by other ranks
+    const auto add_row = [&](long row) {
+        const auto entries = Y.of(L.local(row));
+        const double diagonal = entries.empty() ? 0.0 : L.diagonal(row);
+        for (auto& entry : entries) {
+            entry.flux *= diagonal > 0 ? 1 / diagonal : 0.0;
+            places[entry.body].push_back({row, diagonal, entry.flux});
+            if (grid.comm().size() > 1 && L.seen_from_below(row))
+                seen.push_back({row, entry.body, entry.flux});
         }
-    for (const Entry<D>& y : Y)
-        L.for_each(y.row, [&](long row, double value) {
-            const auto other = std::lower_bound(Y.begin(), Y.end(), row, [](const Entry<D>& e, long r) { return e.row < r; });
-            if (other != Y.end() && other->row == row)
-                sum -= value * y.flux * other->flux.transpose();
-        });
-    return 0.5 * (sum + sum.transpose());
+    };
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { add_row(L.row(c)); });
+    for (int node = 0; node < system.nodes; ++node)
+        if (system.owns(node))
+            add_row(L.row(node));
+    if (grid.comm().size() > 1) {
+        seen = all_values(grid.comm(), seen);
+        std::sort(seen.begin(), seen.end(), comes_before<D>);
+    }
+    std::vector<TwistMatrix<D>> layers(places.size(), TwistMatrix<D>::Zero());
+    for_each_job(static_cast<int>(places.size()), [&](int s) {
+        TwistMatrix<D> sum = TwistMatrix<D>::Zero(); // half of it, but for its transpose
+        for (const Place& place : places[s]) {
+            sum += 0.5 * place.diagonal * place.flux * place.flux.transpose();
+            const auto add_own = [&](long local, double conductance) {
+                for (const auto& entry : Y.of(local))
+                    if (entry.body == s)
+                        sum += conductance * place.flux * entry.flux.transpose();
+            };
+            const auto add = [&](long row, double conductance) {
+                if (L.owns(row))
+                    add_own(L.local(row), conductance);
+                else if (const auto other =
+                               std::lower_bound(seen.begin(), seen.end(), RowEntry<D>{row, s, {}}, comes_before<D>);
+                           other != seen.end() && other->row == row && other->body == s)
+                    sum += conductance * place.flux * other->flux.transpose();
+            };
+            if (L.is_cell(place.row)) {
+                const Index<D> c = L.cell(place.row);
+                for (int axis = 0; axis < D; ++axis) {
+                    const Index<D> beside = grid.wrapped(c + step<D>(axis));
+                    const double g = system.conductance(axis, Index<D>(c + step<D>(axis)));
+                    if (g > 0 && grid.owns(beside))
+                        add_own(L.local(beside), g);
+                    else if (g > 0 && grid.in_domain(beside))
+                        add(L.row(beside), g);
+                }
+            } else {
+                const int node = L.node(place.row);
+                for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, node); entry; ++entry)
+                    if (entry.row() > node)
+                        add(L.row(static_cast<int>(entry.row())), -entry.value());
+            }
+            L.for_each_link(place.row, [&](const Link& link, const auto& all) {
+                double own = 0;
+                for (const auto& [row, weight] : all) { // those behind it
+                    if (own != 0)
+                        add(row, -link.conductance * own * weight);
+                    own = row == place.row ? weight : own;
+                }
+            });
+        }
+        layers[s] = sum + sum.transpose();
+    });
+    if (!layers.empty())
+        grid.comm().sum(std::span<double>(layers.data()->data(), layers.size() * layers.data()->size()));
+    return layers;
 }
 
 /// Inertia of the fluid that a solid displaces.
@@ -193,40 +150,61 @@ TwistMatrix<D> positive_part(const TwistMatrix<D>& A, const TwistMatrix<D>& G)
     return positive;
 }
 
+/// The same bits on all ranks.
+Eigen::SparseMatrix<double> sum_of_ranks(const Communicator& comm, const Eigen::SparseMatrix<double>& own)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int column = 0; column < own.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(own, column); entry; ++entry)
+            entries.emplace_back(static_cast<int>(entry.row()), column, entry.value());
+    entries = all_values(comm, entries);
+    Eigen::SparseMatrix<double> sum(own.rows(), own.cols());
+    sum.setFromTriplets(entries.begin(), entries.end());
+    return sum;
+}
+
 template <int D>
 void change_gauge(Coupling<D>& coupling, const std::vector<char>& light)
 {
     CoupledSystem<D>& system = coupling.system;
     const FluidRows<D> L(coupling);
-    std::vector<Entry<D>> K, Y;
+    std::vector<RowEntry<D>> K, Y;
     for (const auto& entry : system.cell_flux)
         K.push_back({L.row(entry.row), entry.body, entry.flux});
     for (const auto& entry : system.node_flux)
         K.push_back({L.row(entry.row), entry.body, entry.flux});
-    merge(K);
-    for (const Entry<D>& entry : K)
+    merge_entries(K);
+    for (const RowEntry<D>& entry : K)
         if (const double diagonal = light[entry.body] ? L.diagonal(entry.row) : 0.0; diagonal > 0)
             Y.push_back({entry.row, entry.body, entry.flux / diagonal});
-    std::vector<Entry<D>> changed = K;
-    for (const Entry<D>& y : Y)
-        L.for_each(y.row, [&](long row, double value) { changed.push_back({row, y.body, -value * y.flux}); });
-    merge(changed);
+    std::vector<RowEntry<D>> changed = K, others;
+    for (const RowEntry<D>& y : Y)
+        L.for_each(y.row, [&](long row, double value) {
+            (L.owns(row) ? changed : others).push_back({row, y.body, -value * y.flux});
+        });
+    if (L.grid().comm().size() > 1)
+        for (const RowEntry<D>& entry : all_values(L.grid().comm(), others))
+            if (L.owns(entry.row))
+                changed.push_back(entry);
+    merge_entries(changed);
 
     std::vector<Eigen::Triplet<double>> added; // Y^T K + K'^T Y
     add_product(Y, K, added);
     add_product(changed, Y, added);
     Eigen::SparseMatrix<double> mass(system.mass.rows(), system.mass.cols());
     mass.setFromTriplets(added.begin(), added.end());
+    if (L.grid().comm().size() > 1)
+        mass = sum_of_ranks(L.grid().comm(), mass);
     system.mass += 0.5 * (mass + Eigen::SparseMatrix<double>(mass.transpose()));
 
     system.cell_flux.clear();
     system.node_flux.clear();
-    for (const Entry<D>& entry : changed)
+    for (const RowEntry<D>& entry : changed)
         if (L.is_cell(entry.row))
             system.cell_flux.push_back({L.cell(entry.row), entry.body, entry.flux});
         else
             system.node_flux.push_back({L.node(entry.row), entry.body, entry.flux});
-    for (const Entry<D>& entry : Y)
+    for (const RowEntry<D>& entry : Y)
         if (L.is_cell(entry.row))
             coupling.gauge_cells.push_back({L.cell(entry.row), entry.body, entry.flux});
         else
@@ -238,18 +216,11 @@ void change_gauge(Coupling<D>& coupling, const std::vector<char>& light)
 template <int D>
 void limit_deficits(Coupling<D>& coupling)
 {
-    const FluidRows<D> L(coupling);
-    std::vector<std::vector<Entry<D>>> K(coupling.solids.size());
-    for (const auto& entry : coupling.cell_flux)
-        K[entry.body].push_back({L.row(entry.row), entry.body, entry.flux});
-    for (const auto& entry : coupling.node_flux)
-        K[entry.body].push_back({L.row(entry.row), entry.body, entry.flux});
-    for_each_job(static_cast<int>(K.size()), [&](int s) {
+    const std::vector<TwistMatrix<D>> layers = layer_inertias(coupling);
+    for_each_job(static_cast<int>(layers.size()), [&](int s) {
         TwistMatrix<D>& seen = coupling.seen_mass[s];
-        if (seen.isZero(0))
-            return;
-        const TwistMatrix<D> layer = layer_inertia(L, K[s]);
-        seen = positive_part<D>(seen + layer, displaced_mass(coupling.solids[s], coupling.density)) - layer;
+        if (!seen.isZero(0))
+            seen = positive_part<D>(seen + layers[s], displaced_mass(coupling.solids[s], coupling.density)) - layers[s];
     });
 }
 

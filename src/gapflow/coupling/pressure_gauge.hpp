@@ -14,12 +14,12 @@
 namespace gapflow {
 
 /// Limits coupling.seen_mass: of D + Y^T (2 diag(L) - L) Y the positive part counts, in the axes in which the fluid that the solid displaces has the mass one. Only
-/// of a solid that is thinner than a cell there is a negative one. Then M' >= M_s, and the added mass is positive. One rank.
+/// of a solid that is thinner than a cell there is a negative one. Then M' >= M_s, and the added mass is positive. Collective.
 template <int D>
 void limit_deficits(Coupling<D>& coupling);
 
 /// To be called once, with the bodies' own masses in coupling.system: adds D, and changes the gauge of bodies that are lighter than twice what D
-/// takes from them. Fills coupling.gauge_cells and gauge_nodes. One rank.
+/// takes from them. Fills coupling.gauge_cells and gauge_nodes. Collective.
 template <int D>
 void add_seen_mass(Coupling<D>& coupling);
 

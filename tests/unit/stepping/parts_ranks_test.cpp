@@ -89,7 +89,7 @@ density = 0.5
 
 void expect_one_result(const std::string& text)
 {
-    const Scene scene = parse_scene(text, "scene.toml");
+    const Scene scene = parse_scene(text, "scene.toml", {}, Purpose::added_mass);
     const Communicator one(MPI_COMM_SELF), all;
     const AddedMass mass = added_mass(scene, all), alone = added_mass(scene, one);
     ASSERT_EQ(mass.matrix.rows(), alone.matrix.rows());
