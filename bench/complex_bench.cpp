@@ -69,8 +69,9 @@ int bench(int argc, char** argv)
         if (k < 6 || !comm.root())
             continue;
         const double cells = static_cast<double>(grid.owned_cells());
-        std::printf("%zu solids, %d cut cells, %d parts, %zu pieces, %zu rows lent on this rank; %d ranks of %d threads\n", solids.size(),
-                    complex.cut_cells(), complex.parts(), complex.pieces.size(), inertia.flux.size(), comm.size(), thread_count());
+        std::printf("%zu solids, %d cut cells, %d parts, %zu pieces, %zu rows lent on this rank; %d ranks of %d threads\n",
+                    solids.size(), complex.cut_cells(), complex.parts(), complex.pieces.size(), inertia.flux.size(),
+                    comm.size(), thread_count());
         std::printf("ms: complex %.1f, weights %.1f, K and L %.1f, all %.1f\n", 1e3 * best[0], 1e3 * best[1], 1e3 * best[2],
                     1e3 * (best[0] + best[1] + best[2]));
         std::printf("bytes a cell: complex %.0f, weights %.0f\n", double(complex.bytes()) / cells,

@@ -965,7 +965,7 @@ void Joining<D>::join_faces() requires(D == 3)
         for_each_row_on_threads<3>(index_.low, index_.faces_end(d), [&](const Index<3>& row) {
             const int end = index_.faces_end(d)[0] - row[0], first = index_(row), last_cell = index_.high()[0] - row[0] - 1;
             const Index<3> below = index_.wrapped(row - step<3>(d));
-            const bool side = below[d] < index_.low[d], beyond = d > 0 && row[d] == index_.high()[d];
+            const bool side = below[d]<index_.low[d], beyond = d> 0 && row[d] == index_.high()[d];
             const int back = side ? 0 : index_(below) - first;
             for (int i = 0; i < end; ++i) {
                 const int at = first + i;

@@ -439,8 +439,8 @@ private:
 template <int D>
 class FacetMarking {
 public:
-    FacetMarking(const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
-                 const FacetKind<D>& kind, int image, CutFaces<D>& cut, Slab<D>& slab)
+    FacetMarking(const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid, const FacetKind<D>& kind,
+                 int image, CutFaces<D>& cut, Slab<D>& slab)
         : planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
     {
     }
@@ -1179,8 +1179,7 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                     if constexpr (!std::is_same_v<Kind, FacetKind<D>>)
                         Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                     else
-                        slab.facets[k] =
-                            FacetMarking<D>(planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
+                        slab.facets[k] = FacetMarking<D>(planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                 },
                 solids[k].kind);
         cut_general(cut, planes, index, solids, slab);

@@ -44,8 +44,7 @@ class Loans {
 public:
     using Area = typename OpenAreas<D>::Area;
 
-    Loans(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas)
-        : complex_(complex), areas_(areas)
+    Loans(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas) : complex_(complex), areas_(areas)
     {
         for (int axis = 0; axis < D; ++axis)
             for (int i = complex.index.low[axis]; i < complex.index.high()[axis]; ++i)

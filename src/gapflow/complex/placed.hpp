@@ -29,7 +29,10 @@ public:
     double back() const { return (*this)[cells_]; }
     double period() const { return back() - front(); }
     /// The last plane that is not above x, one before the first where there is none; and the last one below it.
-    int at_or_below(double x) const { return first_ - 1 + static_cast<int>(std::ranges::upper_bound(place_, x) - place_.begin()); }
+    int at_or_below(double x) const
+    {
+        return first_ - 1 + static_cast<int>(std::ranges::upper_bound(place_, x) - place_.begin());
+    }
     int below(double x) const { return first_ - 1 + static_cast<int>(std::ranges::lower_bound(place_, x) - place_.begin()); }
 
 private:

@@ -184,8 +184,7 @@ void add_rates_of_facets(const FacetKind<D>& kind, const PlacedSolid<D>& solid, 
 template <int D>
 SeenVolume<D> sum_of_sections(const PlacedSolid<D>& solid, int d, const Planes& planes)
 {
-    const SeenVolume<D> sum =
-        std::visit([&](const auto& kind) { return sum_of_sections(kind, solid, d, planes); }, solid.kind);
+    const SeenVolume<D> sum = std::visit([&](const auto& kind) { return sum_of_sections(kind, solid, d, planes); }, solid.kind);
     return sum.volume < 0 ? -sum : sum; // facets of a surface that is inside out
 }
 

@@ -160,7 +160,8 @@ public:
         Twist<D> flux;
     };
 
-    BodyRows(const FluidRows<D>& rows, const std::vector<BodyFlux<D, Index<D>>>& cells, const std::vector<BodyFlux<D, int>>& nodes)
+    BodyRows(const FluidRows<D>& rows, const std::vector<BodyFlux<D, Index<D>>>& cells,
+             const std::vector<BodyFlux<D, int>>& nodes)
         : first_(rows.locals() + 1, 0)
     {
         const auto for_all = [&](auto&& f) {

@@ -110,7 +110,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
             if (cell[i] != Complex<D>::solid)
                 kind[i] = static_cast<std::int8_t>(CellKind::bulk);
     });
-    for (int axis = 0; axis < D; ++axis) { // the faces on both sides of this rank's cells
+    for (int axis = 0; axis < D; ++axis) {            // the faces on both sides of this rank's cells
         const bool wraps = complex.index.wraps[axis]; // the last face is the first one
         const Index<D> end = grid.high() + (wraps ? Index<D>(Index<D>::Zero()) : step<D>(axis));
         for_each_row_on_threads<D>(grid.low(), end, [&](const Index<D>& row) {
@@ -146,8 +146,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
             links.push_back({g, i, j, -1});
         else {
             const PartOrCell& cell = i >= 0 ? b : a;
-            links.push_back(
-                {g, std::max(i, j), -1, grid.key(grid.wrapped(complex.index.index(complex.cell_of(cell))))});
+            links.push_back({g, std::max(i, j), -1, grid.key(grid.wrapped(complex.index.index(complex.cell_of(cell))))});
         }
     };
     for (const CornerLink<D>& link : complex.links)

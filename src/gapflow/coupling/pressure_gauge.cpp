@@ -69,19 +69,19 @@ std::vector<TwistMatrix<D>> layer_inertias(const Coupling<D>& coupling)
     for_each_job(static_cast<int>(places.size()), [&](int s) {
         TwistMatrix<D> sum = TwistMatrix<D>::Zero(); // half of it, but for its transpose
         for (const Place& place : places[s]) {
-            sum += 0.5 * place.diagonal * place.flux * place.flux.transpose();
+            sum.noalias() += Twist<D>(0.5 * place.diagonal * place.flux) * place.flux.transpose();
             const auto add_own = [&](long local, double conductance) {
                 for (const auto& entry : Y.of(local))
                     if (entry.body == s)
-                        sum += conductance * place.flux * entry.flux.transpose();
+                        sum.noalias() += Twist<D>(conductance * place.flux) * entry.flux.transpose();
             };
             const auto add = [&](long row, double conductance) {
                 if (L.owns(row))
                     add_own(L.local(row), conductance);
                 else if (const auto other =
-                               std::lower_bound(seen.begin(), seen.end(), RowEntry<D>{row, s, {}}, comes_before<D>);
-                           other != seen.end() && other->row == row && other->body == s)
-                    sum += conductance * place.flux * other->flux.transpose();
+                             std::lower_bound(seen.begin(), seen.end(), RowEntry<D>{row, s, {}}, comes_before<D>);
+                         other != seen.end() && other->row == row && other->body == s)
+                    sum.noalias() += Twist<D>(conductance * place.flux) * other->flux.transpose();
             };
             if (L.is_cell(place.row)) {
                 const Index<D> c = L.cell(place.row);

@@ -354,7 +354,14 @@ void apply(const CoupledSystem<D>& system, UnknownVector<D>& p, UnknownVector<D>
 template <int D>
 Eigen::VectorXd wrenches(const CoupledSystem<D>& system, const UnknownVector<D>& p)
 {
-    return CoupledOperator<D>(system).transpose_flux(p);
+    Eigen::VectorXd wrench = Eigen::VectorXd::Zero(twist_size<D> * system.bodies);
+    add_wrenches<D>(
+        system.cell_flux, [&](const Index<D>& c) { return p.cells(c); }, wrench);
+    if (!system.own_node.empty() || system.grid->comm().root()) // each rank has its nodes' rows, or every rank has all
+        add_wrenches<D>(
+            system.node_flux, [&](int node) { return p.nodes[node]; }, wrench);
+    system.grid->comm().sum(std::span<double>(wrench.data(), wrench.size()));
+    return wrench;
 }
 
 template class CoupledOperator<2>;

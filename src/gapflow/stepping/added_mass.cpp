@@ -62,7 +62,7 @@ Response<D> response(const Coupling<D>& coupling, const CoupledSolver<D>& solver
         impulse[inertia.master] += inertia.mass * speed * inertia.row_master;
         impulse[inertia.other] += inertia.mass * speed * inertia.row_other;
     }
-    for (std::size_t s = 0; s < coupling.seen_mass.size(); ++s) // on one rank
+    for (std::size_t s = 0; s < coupling.seen_mass.size() && grid.comm().root(); ++s)
         impulse[s] += coupling.seen_mass[s] * twists[s];
     grid.comm().sum(std::span<double>(impulse.data()->data(), impulse.size() * twist_size<D>));
     return {std::move(impulse), solve};

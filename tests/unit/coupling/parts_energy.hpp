@@ -104,8 +104,7 @@ private:
         x += factors.solve(Eigen::VectorXd(flux - matrix * x));
         energy = 0.5 * x.dot(flux);
         // Not as the coupling limits it.
-        for (std::size_t s = 0; s < twists.size(); ++s)
-        {
+        for (std::size_t s = 0; s < twists.size(); ++s) {
             Twist<D> V = twists[s]; // in cells
             V.template head<D>() /= grid.dx();
             energy += 0.5 * coupling.density * std::pow(grid.dx(), D + 2) * V.dot(complex.seen_mass[s] * V);

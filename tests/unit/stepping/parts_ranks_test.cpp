@@ -1,4 +1,4 @@
-// Added masses and first accelerations by the complex of fluid parts on several ranks: those of one. Run on several ranks (ctest -L mpi).
+// Added masses and first accelerations by the complex of fluid parts, and by films, on several ranks: those of one. Run on several ranks (ctest -L mpi).
 #include "gapflow/scene/parse_scene.hpp"
 #include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/stepping/first_acceleration.hpp"
@@ -127,6 +127,30 @@ TEST(PartsRanks, WallsOfABox)
 TEST(PartsRanks, PeriodicBox)
 {
     expect_one_result(scene_of(space_domain + sides(3, "periodic"), space_bodies));
+}
+
+TEST(PartsRanks, Films)
+{
+    expect_one_result(R"(
+gravity = [0, -9.81]
+[domain]
+size = [1, 1]
+cells = [32, 32]
+[solver]
+tolerance = 1e-12
+[[body]]
+name = "upper"
+shape = "box"
+size = [0.3, 0.2]
+position = [0.5, 0.5]
+density = 2
+[[body]]
+name = "lower"
+shape = "box"
+size = [0.3, 0.2]
+position = [0.5, 0.29]
+density = 3
+)");
 }
 
 } // namespace
