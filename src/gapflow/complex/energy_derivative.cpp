@@ -22,19 +22,21 @@ class EnergyDerivative {
 public:
     using Area = typename OpenAreas<D>::Area;
 
+    /// Of q . K V - 1/2 p . L p - next . diag(L) p with q = p + next.
     EnergyDerivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                     const Potentials<D>& potentials, std::span<const Twist<D>> twists)
-        : grid_(grid), complex_(complex), derivatives_(derivatives), p_(potentials), twists_(twists), areas_(complex),
+                     const Potentials<D>& p, const Potentials<D>& next, std::span<const Twist<D>> twists)
+        : grid_(grid), complex_(complex), derivatives_(derivatives), p_(p), next_(next), twists_(twists), areas_(complex),
           by_area_(complex.pieces.size(), 0), by_moment_(complex.pieces.size(), Vec<D>::Zero()),
           by_patch_(complex.patches.size(), Twist<D>::Zero()), result_(twists.size(), Twist<D>::Zero())
     {
     }
 
-    std::vector<Twist<D>> find()
+    std::vector<Twist<D>> find(std::span<const std::vector<WeightedTwist<D>>> seen)
     {
         add_flow();
         add_walls();
-        add_seen_volume();
+        if (!seen.empty())
+            add_seen_volume(seen);
         add_loans();
         by_motion_of_pieces();
         by_motion_of_walls();
@@ -43,13 +45,20 @@ public:
     }
 
 private:
-    /// -1/2 A/spread (p_high - p_low)^2 of every piece.
+    double q_of(const PartOrCell& side) const { return p_.of(side) + next_.of(side); }
+    /// What a conductance of one between two sides takes from E.
+    double loss(const PartOrCell& low, const PartOrCell& high) const
+    {
+        const double difference = p_.of(high) - p_.of(low);
+        return 0.5 * difference * difference + next_.of(low) * p_.of(low) + next_.of(high) * p_.of(high);
+    }
+
+    /// -A/spread (1/2 (p_high - p_low)^2 + ..) of every piece.
     void add_flow()
     {
         const FarField<D> far = far_field(grid_);
         for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
             const FacePiece<D>& piece = complex_.pieces[k];
-            const double difference = p_.of(piece.high) - p_.of(piece.low);
             const Index<D> f = complex_.index.index(piece.face);
             double over = grid_.spread(piece.axis, f[piece.axis]);
             if (!piece.low.exists() || !piece.high.exists()) { // a side of the domain
@@ -58,33 +67,37 @@ private:
                     continue;
                 over *= side == SideKind::far ? 0.5 * far_distance(grid_, far, piece.axis, f) : 0.5;
             }
-            by_area_[k] -= 0.5 * difference * difference / over;
+            by_area_[k] -= loss(piece.low, piece.high) / over;
         }
     }
 
-    /// p . K V of the walls themselves.
+    /// q . K V of the walls themselves.
     void add_walls()
     {
         for (int part = 0; part < complex_.parts(); ++part)
             for (int k = complex_.first_patch[part]; k < complex_.first_patch[part + 1]; ++k)
-                by_patch_[k] += p_.part[part] * twists_[complex_.patches[k].solid];
+                by_patch_[k] += q_of(PartOrCell::part(part)) * twists_[complex_.patches[k].solid];
     }
 
     /// Of a lent area of one on a piece or an open face: flux between its two sides relative to a wall with the speed U.
     struct Side {
-        double difference, over;
-        double energy(double U) const { return difference * U - 0.5 * difference * difference / over; }
+        double difference, loss;
+        double energy(double U) const { return difference * U - loss; }
     };
+    Side side_of(int axis, const Index<D>& f, const PartOrCell& low, const PartOrCell& high) const
+    {
+        return {q_of(high) - q_of(low), loss(low, high) / grid_.spread(axis, f[axis])};
+    }
     Side side_of(std::int32_t piece) const
     {
         const FacePiece<D>& p = complex_.pieces[piece];
-        return {p_.of(p.high) - p_.of(p.low), grid_.spread(p.axis, complex_.index.index(p.face)[p.axis])};
+        return side_of(p.axis, complex_.index.index(p.face), p.low, p.high);
     }
     Side side_of(int axis, std::int32_t face) const
     {
         const Index<D> f = complex_.index.index(face);
-        const auto at = [&](const Index<D>& c) { return p_.of(complex_.main_of(complex_.index(complex_.index.wrapped(c)))); };
-        return {at(f) - at(f - step<D>(axis)), grid_.spread(axis, f[axis])};
+        const auto at = [&](const Index<D>& c) { return complex_.main_of(complex_.index(complex_.index.wrapped(c))); };
+        return side_of(axis, f, at(f - step<D>(axis)), at(f));
     }
 
     /// What E gains by a lent area on another one, per unit of it, and by the speed U. The rest of `weight` E depends on how it is shared among the pieces.
@@ -240,20 +253,20 @@ private:
     {
         for (const LinkRate<D>& rate : derivatives_.links) {
             const CornerLink<D>& link = complex_.links[rate.link];
-            const double difference = p_.part[link.a] - p_.part[link.b];
-            result_[rate.solid] -= 0.5 * difference * difference * rate.conductance;
+            result_[rate.solid] -= loss(PartOrCell::part(link.a), PartOrCell::part(link.b)) * rate.conductance;
         }
     }
 
-    void add_seen_volume()
+    void add_seen_volume(std::span<const std::vector<WeightedTwist<D>>> seen)
     {
         const GridPlanes<D> planes(grid_);
-        std::vector<Vec<D>> by_walls;
-        for (std::size_t s = 0; s < result_.size(); ++s) {
-            const SeenEnergyRate<D> rate = half_square_rate<D>(derivatives_.seen[s], twists_[s]);
-            result_[s] += rate.by_place;
-            by_walls.push_back(rate.by_walls);
-        }
+        std::vector<Vec<D>> by_walls(result_.size(), Vec<D>::Zero());
+        for (std::size_t s = 0; s < result_.size(); ++s)
+            for (const WeightedTwist<D>& of : seen[s]) {
+                const SeenEnergyRate<D> rate = half_square_rate<D>(derivatives_.seen[s], of.z);
+                result_[s] += of.weight * rate.by_place;
+                by_walls[s] += of.weight * rate.by_walls;
+            }
         for (int part = 0; part < complex_.parts(); ++part)
             for (int k = complex_.first_patch[part]; k < complex_.first_patch[part + 1]; ++k) {
                 const int solid = complex_.patches[k].solid;
@@ -265,7 +278,7 @@ private:
     const Grid<D>& grid_;
     const Complex<D>& complex_;
     const FaceDerivatives<D>& derivatives_;
-    const Potentials<D>& p_;
+    const Potentials<D>&p_, &next_;
     std::span<const Twist<D>> twists_;
     OpenAreas<D> areas_;
     int axis_ = 0; ///< of the face that lends
@@ -280,14 +293,30 @@ private:
 
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                                        const Potentials<D>& potentials, std::span<const Twist<D>> twists)
+                                        const Potentials<D>& potentials, std::span<const Twist<D>> twists,
+                                        std::span<const std::vector<WeightedTwist<D>>> seen)
 {
-    return EnergyDerivative<D>(grid, complex, derivatives, potentials, twists).find();
+    const Potentials<D> none{std::vector<double>(complex.parts(), 0), std::vector<double>(complex.index.count, 0)};
+    return EnergyDerivative<D>(grid, complex, derivatives, potentials, none, twists).find(seen);
 }
 
-template std::vector<Twist<2>> energy_derivative(const Grid<2>&, const Complex<2>&, const FaceDerivatives<2>&,
-                                                 const Potentials<2>&, std::span<const Twist<2>>);
-template std::vector<Twist<3>> energy_derivative(const Grid<3>&, const Complex<3>&, const FaceDerivatives<3>&,
-                                                 const Potentials<3>&, std::span<const Twist<3>>);
+template <int D>
+std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
+                                       const Potentials<D>& step, const Potentials<D>& next, int solid, const Twist<D>& z)
+{
+    std::vector<Twist<D>> twists(complex.seen_mass.size(), Twist<D>::Zero());
+    twists[solid] = z;
+    return EnergyDerivative<D>(grid, complex, derivatives, step, next, twists).find({});
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template std::vector<Twist<D>> energy_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,             \
+                                                     const Potentials<D>&, std::span<const Twist<D>>,                          \
+                                                     std::span<const std::vector<WeightedTwist<D>>>);                          \
+    template std::vector<Twist<D>> layer_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,              \
+                                                    const Potentials<D>&, const Potentials<D>&, int, const Twist<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
 
 } // namespace gapflow

@@ -10,7 +10,12 @@
 // One pass over the pieces collects dE by the areas and moments, a second one multiplies by their derivatives. At fixed impulses
 // P = dT/dV the derivative of T is that at fixed twists with the opposite sign.
 //
-// D is that of Complex::seen_excess: the limit of a light body's (coupling/pressure_gauge) is not in it. Where an edge or a rim begins or ends to divide a cell, or
+// Where D is limited (coupling/pressure_gauge), 1/2 V . D' V is a function of D and of the layer's inertia W = Y^T (2 diag L - L) Y, Y = K/diag L. In the
+// same way, with y = Y z and its next Jacobi step y' = (K z - L y)/diag L,
+//
+//     1/2 d(z . W z) = (y + y') . dK z - 1/2 y . dL y - y' . d(diag L) y.
+//
+// Where an edge or a rim begins or ends to divide a cell, or
 // another area bears what is lent, T may jump; the derivative is that of one side.
 #pragma once
 
@@ -34,10 +39,24 @@ struct Potentials {
     }
 };
 
+/// 1/2 sum_k weight_k z_k . D z_k.
+template <int D>
+struct WeightedTwist {
+    double weight;
+    Twist<D> z;
+};
+
 /// dT by each solid's place (cells) and by its rotation (radians) about its reference point, at fixed twists (cells and radians a unit of time); T over the
-/// fluid's density, in cells^(D + 2) a unit of time squared. Without the solids' own masses.
+/// fluid's density, in cells^(D + 2) a unit of time squared. Without the solids' own masses. `seen`: of each solid, what of D counts; with its
+/// whole D its twist with the weight 1.
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                                        const Potentials<D>& potentials, std::span<const Twist<D>> twists);
+                                        const Potentials<D>& potentials, std::span<const Twist<D>> twists,
+                                        std::span<const std::vector<WeightedTwist<D>>> seen);
+
+/// 1/2 d(z . W z) of one solid's twist z, by each solid's place; y and y' in `step` and `next`.
+template <int D>
+std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
+                                       const Potentials<D>& step, const Potentials<D>& next, int solid, const Twist<D>& z);
 
 } // namespace gapflow

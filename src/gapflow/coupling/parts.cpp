@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace gapflow {
 namespace {
@@ -83,6 +84,16 @@ void add_links(const Communicator& comm, const std::vector<PartLink>& own, std::
         else
             links.push_back({link.conductance, {{link.node, 1.0}}, {{link.cell, -1.0}}});
     }
+}
+
+/// A mass in cells.
+template <int D>
+TwistMatrix<D> mass_in_world(const Coupling<D>& coupling, const TwistMatrix<D>& mass)
+{
+    const double dx = coupling.grid->dx();
+    Twist<D> lengths = Twist<D>::Constant(std::sqrt(coupling.density * std::pow(dx, D)));
+    lengths.template tail<spin_size<D>>() *= dx;
+    return lengths.asDiagonal() * mass * lengths.asDiagonal();
 }
 
 } // namespace
@@ -209,10 +220,8 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     coupling.node_flux = std::move(nodes.all);
     system.node_flux = std::move(nodes.free);
     fill_mass(coupling, mass); // the bodies' own: D follows with add_seen_mass()
-    Twist<D> lengths = Twist<D>::Constant(std::sqrt(density * std::pow(grid.dx(), D)));
-    lengths.template tail<spin_size<D>>() *= grid.dx();
     for (const TwistMatrix<D>& seen : complex.seen_mass)
-        coupling.seen_mass.push_back(lengths.asDiagonal() * seen * lengths.asDiagonal());
+        coupling.seen_mass.push_back(mass_in_world(coupling, seen));
     limit_deficits(coupling);
     // What gaps add, as sums of squares of rows of twists.
     for (const PairInertia<D>& pair : inertia.pairs) {
@@ -238,26 +247,57 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
                                         const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
                                         const std::vector<Twist<D>>& twists)
 {
-    const double dx = coupling.grid->dx(), in_cells = -1 / (coupling.density * dx * dx);
-    Potentials<D> potentials{std::vector<double>(complex.parts(), 0), std::vector<double>(complex.index.count, 0)};
+    const double dx = coupling.grid->dx(), unit = coupling.density * dx * dx;
     CoupledSystem<D> unused;
     const std::vector<int> node = nodes_of_parts(*coupling.grid, complex, unused);
-    for (int part = 0; part < complex.parts(); ++part)
-        potentials.part[part] = node[part] >= 0         ? in_cells * p.nodes[node[part]]
-                                : complex.is_main(part) ? in_cells * p.cells(complex.cell_of_part(part))
-                                                        : 0.0;
-    for_each_index<D>(coupling.grid->low(), coupling.grid->high(),
-                      [&](const Index<D>& c) { potentials.cell[complex.index(c)] = in_cells * p.cells(c); });
-    std::vector<Twist<D>> V = twists;
-    for (Twist<D>& twist : V)
+    std::vector<TwistMatrix<D>> layers; // where a limit asks for them
+    const auto in_cells = [&](const UnknownVector<D>& x, double factor) {
+        Potentials<D> p{std::vector<double>(complex.parts(), 0), std::vector<double>(complex.index.count, 0)};
+        for (int part = 0; part < complex.parts(); ++part)
+            p.part[part] = node[part] >= 0         ? factor * x.nodes[node[part]]
+                           : complex.is_main(part) ? factor * x.cells(complex.cell_of_part(part))
+                                                   : 0.0;
+        for_each_index<D>(coupling.grid->low(), coupling.grid->high(),
+                          [&](const Index<D>& c) { p.cell[complex.index(c)] = factor * x.cells(c); });
+        return p;
+    };
+    const auto twist_in_cells = [&](Twist<D> twist) {
         twist.template head<D>() /= dx;
-    std::vector<Twist<D>> result =
-        energy_derivative<D>(*coupling.grid, complex, derivatives, potentials, std::span<const Twist<D>>(V));
-    for (Twist<D>& of : result) {
-        of *= coupling.density * std::pow(dx, D + 2);
-        of.template head<D>() /= dx;
+        return twist;
+    };
+    std::vector<Twist<D>> V, sum(twists.size(), Twist<D>::Zero());
+    std::vector<std::vector<WeightedTwist<D>>> seen;
+    for (std::size_t s = 0; s < twists.size(); ++s) {
+        V.push_back(twist_in_cells(twists[s]));
+        const TwistMatrix<D> whole = mass_in_world(coupling, complex.seen_mass[s]);
+        if ((coupling.seen_mass[s] - whole).norm() <= std::sqrt(std::numeric_limits<double>::epsilon()) * whole.norm()) {
+            seen.push_back({{1.0, V.back()}});
+            continue;
+        }
+        if (layers.empty())
+            layers = layer_inertias(coupling);
+        LimitRate<D> limit = limit_rate<D>(coupling.solids[s], coupling.density, whole, layers[s], twists[s]);
+        sum[s].template tail<spin_size<D>>() += limit.turn / (unit * std::pow(dx, D));
+        for (WeightedTwist<D>& of : limit.seen)
+            of.z = twist_in_cells(of.z);
+        seen.push_back(std::move(limit.seen));
+        for (const WeightedTwist<D>& of : limit.layer) {
+            const JacobiSteps<D> steps = jacobi_steps(coupling, static_cast<int>(s), of.z);
+            const std::vector<Twist<D>> rate =
+                layer_derivative<D>(*coupling.grid, complex, derivatives, in_cells(steps.first, 1 / unit),
+                                    in_cells(steps.next, 1 / unit), static_cast<int>(s), twist_in_cells(of.z));
+            for (std::size_t k = 0; k < rate.size(); ++k)
+                sum[k] += of.weight * rate[k];
+        }
     }
-    return result;
+    const std::vector<Twist<D>> flow =
+        energy_derivative<D>(*coupling.grid, complex, derivatives, in_cells(p, -1 / unit), std::span<const Twist<D>>(V),
+                             std::span<const std::vector<WeightedTwist<D>>>(seen));
+    for (std::size_t s = 0; s < sum.size(); ++s) {
+        sum[s] = unit * std::pow(dx, D) * (sum[s] + flow[s]);
+        sum[s].template head<D>() /= dx;
+    }
+    return sum;
 }
 
 template std::vector<Twist<2>> energy_derivative(const Coupling<2>&, const Complex<2>&, const FaceDerivatives<2>&,

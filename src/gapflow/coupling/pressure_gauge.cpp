@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gapflow {
 
@@ -32,7 +33,132 @@ void add_product(const std::vector<RowEntry<D>>& A, const std::vector<RowEntry<D
     }
 }
 
-/// Y^T (2 diag(L) - L) Y of every solid: diag(L) of its rows, and the conductance between every two of them. Collective.
+/// Inertia of the fluid that a solid displaces.
+template <int D>
+TwistMatrix<D> displaced_mass(const Solid<D>& solid, double density)
+{
+    const MassProperties<D> own = solid.shape.shape().mass_properties();
+    const Vec<D> arm = solid.shape.to_world(own.centre) - solid.centre;
+    TwistMatrix<D> mass = TwistMatrix<D>::Zero();
+    auto spins = mass.template bottomRightCorner<spin_size<D>, spin_size<D>>();
+    if constexpr (D == 2)
+        spins = density * own.inertia;
+    else
+        spins = density * solid.shape.rotation() * own.inertia * solid.shape.rotation().transpose();
+    for (int d = 0; d < D; ++d) {
+        const Twist<D> row = wrench<D>(unit<D>(d), arm);
+        mass += density * own.volume * row * row.transpose();
+    }
+    return mass;
+}
+
+/// A symmetric matrix in the axes in which G = R R^T is the identity.
+template <int D>
+struct ScaledModes {
+    Eigen::LLT<TwistMatrix<D>> root;
+    Eigen::SelfAdjointEigenSolver<TwistMatrix<D>> modes;
+
+    ScaledModes(const TwistMatrix<D>& A, const TwistMatrix<D>& G) : root(G)
+    {
+        const TwistMatrix<D> scaled = root.matrixL().solve(root.matrixL().solve(A).transpose());
+        modes.compute(0.5 * (scaled + scaled.transpose()));
+    }
+    /// A without its negative part.
+    TwistMatrix<D> positive_part(const TwistMatrix<D>& A) const
+    {
+        TwistMatrix<D> positive = A;
+        for (int k = 0; k < twist_size<D>; ++k)
+            if (const double value = modes.eigenvalues()[k]; value < 0) {
+                const Twist<D> mode = root.matrixL() * modes.eigenvectors().col(k);
+                positive -= value * mode * mode.transpose();
+            }
+        return positive;
+    }
+    /// Derivative of the positive part by the matrix: divided differences of max(0, x).
+    double slope(int i, int j) const
+    {
+        const double a = modes.eigenvalues()[std::max(i, j)], b = modes.eigenvalues()[std::min(i, j)]; // a >= b
+        return b >= 0 ? 1.0 : a <= 0 ? 0.0 : a / (a - b);
+    }
+};
+
+/// K of one solid.
+template <int D>
+std::vector<RowEntry<D>> fluxes_of(const Coupling<D>& coupling, const FluidRows<D>& L, int solid)
+{
+    std::vector<RowEntry<D>> K;
+    for (const auto& entry : coupling.cell_flux)
+        if (entry.body == solid)
+            K.push_back({L.row(entry.row), solid, entry.flux});
+    for (const auto& entry : coupling.node_flux)
+        if (entry.body == solid)
+            K.push_back({L.row(entry.row), solid, entry.flux});
+    return K;
+}
+
+/// The same bits on all ranks.
+Eigen::SparseMatrix<double> sum_of_ranks(const Communicator& comm, const Eigen::SparseMatrix<double>& own)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int column = 0; column < own.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(own, column); entry; ++entry)
+            entries.emplace_back(static_cast<int>(entry.row()), column, entry.value());
+    entries = all_values(comm, entries);
+    Eigen::SparseMatrix<double> sum(own.rows(), own.cols());
+    sum.setFromTriplets(entries.begin(), entries.end());
+    return sum;
+}
+
+template <int D>
+void change_gauge(Coupling<D>& coupling, const std::vector<char>& light)
+{
+    CoupledSystem<D>& system = coupling.system;
+    const FluidRows<D> L(coupling);
+    std::vector<RowEntry<D>> K, Y;
+    for (const auto& entry : system.cell_flux)
+        K.push_back({L.row(entry.row), entry.body, entry.flux});
+    for (const auto& entry : system.node_flux)
+        K.push_back({L.row(entry.row), entry.body, entry.flux});
+    merge_entries(K);
+    for (const RowEntry<D>& entry : K)
+        if (const double diagonal = light[entry.body] ? L.diagonal(entry.row) : 0.0; diagonal > 0)
+            Y.push_back({entry.row, entry.body, entry.flux / diagonal});
+    std::vector<RowEntry<D>> changed = K, others;
+    for (const RowEntry<D>& y : Y)
+        L.for_each(y.row, [&](long row, double value) {
+            (L.owns(row) ? changed : others).push_back({row, y.body, -value * y.flux});
+        });
+    if (L.grid().comm().size() > 1)
+        for (const RowEntry<D>& entry : all_values(L.grid().comm(), others))
+            if (L.owns(entry.row))
+                changed.push_back(entry);
+    merge_entries(changed);
+
+    std::vector<Eigen::Triplet<double>> added; // Y^T K + K'^T Y
+    add_product(Y, K, added);
+    add_product(changed, Y, added);
+    Eigen::SparseMatrix<double> mass(system.mass.rows(), system.mass.cols());
+    mass.setFromTriplets(added.begin(), added.end());
+    if (L.grid().comm().size() > 1)
+        mass = sum_of_ranks(L.grid().comm(), mass);
+    system.mass += 0.5 * (mass + Eigen::SparseMatrix<double>(mass.transpose()));
+
+    system.cell_flux.clear();
+    system.node_flux.clear();
+    for (const RowEntry<D>& entry : changed)
+        if (L.is_cell(entry.row))
+            system.cell_flux.push_back({L.cell(entry.row), entry.body, entry.flux});
+        else
+            system.node_flux.push_back({L.node(entry.row), entry.body, entry.flux});
+    for (const RowEntry<D>& entry : Y)
+        if (L.is_cell(entry.row))
+            coupling.gauge_cells.push_back({L.cell(entry.row), entry.body, entry.flux});
+        else
+            coupling.gauge_nodes.push_back({L.node(entry.row), entry.body, entry.flux});
+}
+
+} // namespace
+
 template <int D>
 std::vector<TwistMatrix<D>> layer_inertias(const Coupling<D>& coupling)
 {
@@ -115,113 +241,80 @@ std::vector<TwistMatrix<D>> layer_inertias(const Coupling<D>& coupling)
     return layers;
 }
 
-/// Inertia of the fluid that a solid displaces.
-template <int D>
-TwistMatrix<D> displaced_mass(const Solid<D>& solid, double density)
-{
-    const MassProperties<D> own = solid.shape.shape().mass_properties();
-    const Vec<D> arm = solid.shape.to_world(own.centre) - solid.centre;
-    TwistMatrix<D> mass = TwistMatrix<D>::Zero();
-    auto spins = mass.template bottomRightCorner<spin_size<D>, spin_size<D>>();
-    if constexpr (D == 2)
-        spins = density * own.inertia;
-    else
-        spins = density * solid.shape.rotation() * own.inertia * solid.shape.rotation().transpose();
-    for (int d = 0; d < D; ++d) {
-        const Twist<D> row = wrench<D>(unit<D>(d), arm);
-        mass += density * own.volume * row * row.transpose();
-    }
-    return mass;
-}
-
-/// A without its negative part, in the axes in which G is the identity.
-template <int D>
-TwistMatrix<D> positive_part(const TwistMatrix<D>& A, const TwistMatrix<D>& G)
-{
-    const Eigen::LLT<TwistMatrix<D>> root(G);
-    const TwistMatrix<D> scaled = root.matrixL().solve(root.matrixL().solve(A).transpose());
-    const Eigen::SelfAdjointEigenSolver<TwistMatrix<D>> modes(0.5 * (scaled + scaled.transpose()));
-    TwistMatrix<D> positive = A;
-    for (int k = 0; k < twist_size<D>; ++k)
-        if (const double value = modes.eigenvalues()[k]; value < 0) {
-            const Twist<D> mode = root.matrixL() * modes.eigenvectors().col(k);
-            positive -= value * mode * mode.transpose();
-        }
-    return positive;
-}
-
-/// The same bits on all ranks.
-Eigen::SparseMatrix<double> sum_of_ranks(const Communicator& comm, const Eigen::SparseMatrix<double>& own)
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int column = 0; column < own.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(own, column); entry; ++entry)
-            entries.emplace_back(static_cast<int>(entry.row()), column, entry.value());
-    entries = all_values(comm, entries);
-    Eigen::SparseMatrix<double> sum(own.rows(), own.cols());
-    sum.setFromTriplets(entries.begin(), entries.end());
-    return sum;
-}
-
-template <int D>
-void change_gauge(Coupling<D>& coupling, const std::vector<char>& light)
-{
-    CoupledSystem<D>& system = coupling.system;
-    const FluidRows<D> L(coupling);
-    std::vector<RowEntry<D>> K, Y;
-    for (const auto& entry : system.cell_flux)
-        K.push_back({L.row(entry.row), entry.body, entry.flux});
-    for (const auto& entry : system.node_flux)
-        K.push_back({L.row(entry.row), entry.body, entry.flux});
-    merge_entries(K);
-    for (const RowEntry<D>& entry : K)
-        if (const double diagonal = light[entry.body] ? L.diagonal(entry.row) : 0.0; diagonal > 0)
-            Y.push_back({entry.row, entry.body, entry.flux / diagonal});
-    std::vector<RowEntry<D>> changed = K, others;
-    for (const RowEntry<D>& y : Y)
-        L.for_each(y.row, [&](long row, double value) {
-            (L.owns(row) ? changed : others).push_back({row, y.body, -value * y.flux});
-        });
-    if (L.grid().comm().size() > 1)
-        for (const RowEntry<D>& entry : all_values(L.grid().comm(), others))
-            if (L.owns(entry.row))
-                changed.push_back(entry);
-    merge_entries(changed);
-
-    std::vector<Eigen::Triplet<double>> added; // Y^T K + K'^T Y
-    add_product(Y, K, added);
-    add_product(changed, Y, added);
-    Eigen::SparseMatrix<double> mass(system.mass.rows(), system.mass.cols());
-    mass.setFromTriplets(added.begin(), added.end());
-    if (L.grid().comm().size() > 1)
-        mass = sum_of_ranks(L.grid().comm(), mass);
-    system.mass += 0.5 * (mass + Eigen::SparseMatrix<double>(mass.transpose()));
-
-    system.cell_flux.clear();
-    system.node_flux.clear();
-    for (const RowEntry<D>& entry : changed)
-        if (L.is_cell(entry.row))
-            system.cell_flux.push_back({L.cell(entry.row), entry.body, entry.flux});
-        else
-            system.node_flux.push_back({L.node(entry.row), entry.body, entry.flux});
-    for (const RowEntry<D>& entry : Y)
-        if (L.is_cell(entry.row))
-            coupling.gauge_cells.push_back({L.cell(entry.row), entry.body, entry.flux});
-        else
-            coupling.gauge_nodes.push_back({L.node(entry.row), entry.body, entry.flux});
-}
-
-} // namespace
-
 template <int D>
 void limit_deficits(Coupling<D>& coupling)
 {
     const std::vector<TwistMatrix<D>> layers = layer_inertias(coupling);
     for_each_job(static_cast<int>(layers.size()), [&](int s) {
         TwistMatrix<D>& seen = coupling.seen_mass[s];
-        if (!seen.isZero(0))
-            seen = positive_part<D>(seen + layers[s], displaced_mass(coupling.solids[s], coupling.density)) - layers[s];
+        if (seen.isZero(0))
+            return;
+        const TwistMatrix<D> sum = seen + layers[s];
+        seen = ScaledModes<D>(sum, displaced_mass(coupling.solids[s], coupling.density)).positive_part(sum) - layers[s];
     });
+}
+
+template <int D>
+LimitRate<D> limit_rate(const Solid<D>& solid, double density, const TwistMatrix<D>& seen, const TwistMatrix<D>& layer,
+                        const Twist<D>& V)
+{
+    constexpr int n = twist_size<D>;
+    const TwistMatrix<D> sum = seen + layer;
+    const ScaledModes<D> scaled(sum, displaced_mass(solid, density));
+    const TwistMatrix<D>& Q = scaled.modes.eigenvectors();
+    const Twist<D> own = scaled.root.matrixU() * V, a = Q.transpose() * own;
+    TwistMatrix<D> by_sum; // V . d(sum)_+ V = by_sum : d(sum)
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+            by_sum(i, j) = scaled.slope(i, j) * a[i] * a[j];
+    by_sum = Q * by_sum * Q.transpose();
+    LimitRate<D> rate;
+    const auto add_modes = [&](const TwistMatrix<D>& of, std::vector<WeightedTwist<D>>& to) {
+        const Eigen::SelfAdjointEigenSolver<TwistMatrix<D>> modes(of);
+        const double least = std::numeric_limits<double>::epsilon() * modes.eigenvalues().cwiseAbs().maxCoeff();
+        for (int k = 0; k < n; ++k)
+            if (std::abs(modes.eigenvalues()[k]) > least)
+                to.push_back({modes.eigenvalues()[k], scaled.root.matrixU().solve(modes.eigenvectors().col(k))});
+    };
+    add_modes(by_sum, rate.seen);
+    add_modes(by_sum - own * own.transpose(), rate.layer);
+    const TwistMatrix<D> in_world = scaled.root.matrixU().solve(scaled.root.matrixU().solve(by_sum).transpose()), // symmetric
+        turned = in_world * sum;
+    const Twist<D> impulse = scaled.positive_part(sum) * V;
+    for (int k = 0; k < spin_size<D>; ++k) {
+        TwistMatrix<D> turn = TwistMatrix<D>::Zero(); // of a twist's components
+        for (int axis = 0; axis < D; ++axis) {
+            turn.template topLeftCorner<D, D>().col(axis) = spin_velocity<D>(Spin<D>::Unit(k), unit<D>(axis));
+            if constexpr (D == 3)
+                turn.template bottomRightCorner<D, D>().col(axis) = spin_velocity<D>(Spin<D>::Unit(k), unit<D>(axis));
+        }
+        rate.turn[k] = (turn * turned).trace() + V.dot(turn * impulse);
+    }
+    return rate;
+}
+
+template <int D>
+JacobiSteps<D> jacobi_steps(const Coupling<D>& coupling, int solid, const Twist<D>& z)
+{
+    const FluidRows<D> L(coupling);
+    std::vector<RowEntry<D>> K = fluxes_of(coupling, L, solid);
+    merge_entries(K);
+    const UnknownVector<D> none{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
+    JacobiSteps<D> steps{none, none};
+    const auto at = [&](UnknownVector<D>& v, long row) -> double& {
+        return L.is_cell(row) ? v.cells(L.cell(row)) : v.nodes[L.node(row)];
+    };
+    std::vector<std::pair<long, double>> rest;
+    for (const RowEntry<D>& k : K)
+        if (const double diagonal = L.diagonal(k.row); diagonal > 0) {
+            const double flux = k.flux.dot(z), y = flux / diagonal;
+            at(steps.first, k.row) = y;
+            rest.emplace_back(k.row, flux);
+            L.for_each(k.row, [&](long row, double value) { rest.emplace_back(row, -value * y); });
+        }
+    for (const auto& [row, flux] : rest)
+        at(steps.next, row) += flux / L.diagonal(row);
+    return steps;
 }
 
 template <int D>
@@ -269,6 +362,10 @@ void leave_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twist
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void limit_deficits<D>(Coupling<D>&);                                                                             \
+    template std::vector<TwistMatrix<D>> layer_inertias<D>(const Coupling<D>&);                                               \
+    template LimitRate<D> limit_rate<D>(const Solid<D>&, double, const TwistMatrix<D>&, const TwistMatrix<D>&,                 \
+                                        const Twist<D>&);                                                                      \
+    template JacobiSteps<D> jacobi_steps<D>(const Coupling<D>&, int, const Twist<D>&);                                         \
     template void add_seen_mass<D>(Coupling<D>&);                                                                              \
     template void leave_gauge<D>(const Coupling<D>&, const std::vector<Twist<D>>&, UnknownVector<D>&);
 GAPFLOW_INSTANTIATE(2)

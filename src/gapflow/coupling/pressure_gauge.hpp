@@ -9,14 +9,39 @@
 // between P and Q adds g (Y_P + Y_Q)^2. K' reaches one row further than K.
 #pragma once
 
+#include "gapflow/complex/energy_derivative.hpp"
 #include "gapflow/coupling/coupling.hpp"
 
 namespace gapflow {
+
+/// Y^T (2 diag(L) - L) Y of every solid: diag(L) of its rows, and the conductance between every two of them. Collective.
+template <int D>
+std::vector<TwistMatrix<D>> layer_inertias(const Coupling<D>& coupling);
 
 /// Limits coupling.seen_mass: of D + Y^T (2 diag(L) - L) Y the positive part counts, in the axes in which the fluid that the solid displaces has the mass one. Only
 /// of a solid that is thinner than a cell there is a negative one. Then M' >= M_s, and the added mass is positive. Collective.
 template <int D>
 void limit_deficits(Coupling<D>& coupling);
+
+/// Derivative of 1/2 V . D' V at a fixed twist V, D' = (D + W)_+ - W the limited D of a solid and W = Y^T (2 diag(L) - L) Y: the sums of
+/// weight/2 z . dD z and of weight/2 z . dW z, and by its rotation, with which the axes of the positive part turn.
+template <int D>
+struct LimitRate {
+    std::vector<WeightedTwist<D>> seen, layer;
+    Spin<D> turn = Spin<D>::Zero();
+};
+/// `seen`: D as it is without its limit; `layer`: W.
+template <int D>
+LimitRate<D> limit_rate(const Solid<D>& solid, double density, const TwistMatrix<D>& seen, const TwistMatrix<D>& layer,
+                        const Twist<D>& V);
+
+/// y = Y z of one solid and its next Jacobi step y' = (K z - L y)/diag(L). One rank.
+template <int D>
+struct JacobiSteps {
+    UnknownVector<D> first, next;
+};
+template <int D>
+JacobiSteps<D> jacobi_steps(const Coupling<D>& coupling, int solid, const Twist<D>& z);
 
 /// To be called once, with the bodies' own masses in coupling.system: adds D, and changes the gauge of bodies that are lighter than twice what D
 /// takes from them. Fills coupling.gauge_cells and gauge_nodes. Collective.

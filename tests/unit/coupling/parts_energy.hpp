@@ -34,6 +34,14 @@ struct PartsEnergy {
         solve(grid);
     }
 
+    /// Whether D of a solid is less negative than the complex has it.
+    bool limited(std::size_t s) const
+    {
+        const double change = coupling.seen_mass[s].template topLeftCorner<D, D>().trace() /
+                                  (coupling.density * std::pow(coupling.grid->dx(), D)) -
+                              complex.seen_mass[s].template topLeftCorner<D, D>().trace();
+        return change > 1e-9 * complex.seen_mass[s].norm();
+    }
     std::vector<Twist<D>> derivative() const { return energy_derivative<D>(coupling, complex, derivatives, p, twists); }
 
 private:
@@ -103,12 +111,8 @@ private:
         Eigen::VectorXd x = factors.solve(flux);
         x += factors.solve(Eigen::VectorXd(flux - matrix * x));
         energy = 0.5 * x.dot(flux);
-        // Not as the coupling limits it.
-        for (std::size_t s = 0; s < twists.size(); ++s) {
-            Twist<D> V = twists[s]; // in cells
-            V.template head<D>() /= grid.dx();
-            energy += 0.5 * coupling.density * std::pow(grid.dx(), D + 2) * V.dot(complex.seen_mass[s] * V);
-        }
+        for (std::size_t s = 0; s < twists.size(); ++s)
+            energy += 0.5 * twists[s].dot(coupling.seen_mass[s] * twists[s]);
         for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { p.cells(c) = -x[complex.index(c)]; });
         p.nodes = -x.tail(system.nodes);
     }
@@ -120,6 +124,7 @@ struct PoseError {
     double jump = 0;  ///< of T between the two sides of the worst component's difference, over T
     int solid = -1, component = -1;
     bool crushed = false;
+    bool limited = false; ///< D of a solid is
 };
 
 /// All components of all solids but walls.
@@ -131,6 +136,8 @@ PoseError compare(const Grid<D>& grid, const std::vector<Solid<D>>& solids, cons
     result.crushed = here.crushed;
     if (here.crushed)
         return result;
+    for (std::size_t s = 0; s < solids.size(); ++s)
+        result.limited = result.limited || here.limited(s);
     const std::vector<Twist<D>> derivative = here.derivative();
     // In cells and radians; a flow whose T does not depend on the place has none to compare with.
     double largest = 1e-2 * here.energy;
@@ -141,18 +148,27 @@ PoseError compare(const Grid<D>& grid, const std::vector<Solid<D>>& solids, cons
         if (solids[s].wall)
             continue;
         for (int c = 0; c < twist_size<D>; ++c) {
-            // Places are rounded to 2^-36 of a cell: a translation's step is a multiple of it, a rotation's is larger.
-            const double step = c < D ? 0x1p-20 : 0x1p-17;
-            std::array<double, 2> T;
-            for (int side = 0; side < 2; ++side) {
-                std::vector<Solid<D>> at = solids;
-                at[s] = moved(solids[s], c, side ? step : -step, grid.dx());
-                T[side] = PartsEnergy<D>(grid, at, twists, false).energy;
+            const double own = derivative[s][c] * (c < D ? grid.dx() : 1.0);
+            double least = std::numeric_limits<double>::infinity(), jump = 0;
+            // Places are rounded to 2^-36 of a cell: a translation's step is a multiple of it, a rotation's is larger. T is known to some 1e-12 beside rims:
+            // where the small step does not do, a larger one decides.
+            for (const double step : {c < D ? 0x1p-20 : 0x1p-17, 0x1p-14}) {
+                if (least <= 1e-6)
+                    continue;
+                std::array<double, 2> T;
+                for (int side = 0; side < 2; ++side) {
+                    std::vector<Solid<D>> at = solids;
+                    at[s] = moved(solids[s], c, side ? step : -step, grid.dx());
+                    T[side] = PartsEnergy<D>(grid, at, twists, false).energy;
+                }
+                if (const double error = std::abs((T[1] - T[0]) / (2 * step) - own) / largest; error < least) {
+                    least = error;
+                    jump = std::abs(T[1] - T[0]) / here.energy;
+                }
             }
-            const double by_step = (T[1] - T[0]) / (2 * step), own = derivative[s][c] * (c < D ? grid.dx() : 1.0);
-            if (const double error = std::abs(by_step - own) / largest; error >= result.error) {
-                result.error = error;
-                result.jump = std::abs(T[1] - T[0]) / here.energy;
+            if (least >= result.error) {
+                result.error = least;
+                result.jump = jump;
                 result.solid = static_cast<int>(s);
                 result.component = c;
             }

@@ -105,6 +105,9 @@ void expect_one_solution(const Scene& scene)
         dense.own.template block<n, n>(n * coupling.free_body[s], n * coupling.free_body[s]) += world.mass[s];
     ASSERT_FALSE(coupling.gauge_cells.empty());
     EXPECT_GT(least(dense.mass), 0.0);
+    if (world.bodies.size() == 1) {
+        EXPECT_GE(least(dense.mass - Eigen::MatrixXd(world.mass[0])), -1e-13 * world.coupling.seen_mass[0].norm());
+    }
 
     const Eigen::VectorXd force = Eigen::VectorXd::LinSpaced(dense.mass.rows(), 1.0, 2.0);
     const Eigen::MatrixXd N = dense.own + dense.K.transpose() * dense.solve(dense.fluid, dense.K);
@@ -147,6 +150,16 @@ TEST(PressureGauge, ALightPlateBetweenTwoPlanesHasOneSolution)
 TEST(PressureGauge, LightBallsHaveOneSolution)
 {
     expect_one_solution<3>(parts_scene(3, 9, {ball("a", 1.5, {4.5, 4.5, 4.5}, 0.01)}));
+}
+
+TEST(PressureGauge, ALimitedBodyHasOneSolution)
+{
+    // No plane normal to y sees it, and no cell feels its motion along y.
+    const Scene scene = parts_scene(2, 16, {ball("a", 0.49, {8.45, 8.5, 0}, 1e-3)});
+    const World<2> world(scene);
+    EXPECT_LT(world.coupling.seen_mass[0](0, 0), 0);
+    EXPECT_NEAR(world.coupling.seen_mass[0](1, 1), 0, 1e-12);
+    expect_one_solution<2>(scene);
 }
 
 TEST(PressureGauge, HeavyBodiesNeedNone)
