@@ -1,6 +1,8 @@
 #include "commands.hpp"
 
+#include "gapflow/complex/part_borders.hpp"
 #include "gapflow/core/text.hpp"
+#include "gapflow/output/part_picture.hpp"
 #include "gapflow/scene/graded_widths.hpp"
 #include "gapflow/stepping/core_requirement.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
@@ -38,9 +40,19 @@ void print_grading(const Scene& scene, const Grid<D>& grid)
                 joined(counts, " x ").c_str(), scene.core->growth, grid.largest_width() * grid.dx(), grid.largest_aspect());
 }
 
-// The gap model at the scene's start: films with their pairs, enclosed fluid, bodies too thin for the grid.
 template <int D>
-void print_gaps(const Scene& scene, const Communicator& comm)
+void write_picture(const std::string& file, const Coupling<D>& coupling)
+{
+    PartBorders<D> borders;
+    const Complex<D> complex = build_complex<D>(*coupling.grid, coupling.solids, nullptr, &borders);
+    const PartCounts counts = write_parts<D>(file, *coupling.grid, coupling.solids, complex, borders);
+    std::printf("parts     %ld in %d cut cells, %ld of them thin: %s\n", counts.parts, complex.cut_cells(), counts.thin,
+                file.c_str());
+}
+
+// The gap model at the scene's start: films with their pairs, enclosed fluid, bodies too thin for the grid. Writes a picture of parts.
+template <int D>
+void print_gaps(const Scene& scene, const Communicator& comm, const std::string& parts_file)
 {
     const Model<D> model(scene, comm, scene.end > 0 ? Task::motion : Task::added_mass);
     const Grid<D>& grid = model.grid;
@@ -99,13 +111,21 @@ void print_gaps(const Scene& scene, const Communicator& comm)
         std::printf("closed    %s\n", note.c_str());
     for (const SealedPocket& pocket : coupling.sealed)
         std::printf("sealed    %s\n", sealed_text(pocket).c_str());
+    if (!parts_file.empty())
+        write_picture(parts_file, coupling);
 }
 
 } // namespace
 
-int check_command(const Scene& scene)
+int check_command(const Scene& scene, const std::string& parts_file)
 {
     const Communicator comm;
+    if (!parts_file.empty()) {
+        if (!scene.parts)
+            throw InputError("--parts " + parts_file + ": the scene's gap.model is not \"parts\"; add --set gap.model=parts");
+        if (!parts_file.ends_with(".vtu"))
+            throw InputError("--parts " + parts_file + ": not the name of a VTK file of polygons; write for example --parts parts.vtu");
+    }
     double cells = 1;
     for (int axis = 0; axis < scene.dimension; ++axis)
         cells *= scene.cells[axis];
@@ -127,9 +147,9 @@ int check_command(const Scene& scene)
             std::printf("time      time.end or time.max_step is missing: 'gapflow run' needs both\n");
     }
     if (scene.dimension == 2)
-        print_gaps<2>(scene, comm);
+        print_gaps<2>(scene, comm, parts_file);
     else
-        print_gaps<3>(scene, comm);
+        print_gaps<3>(scene, comm, parts_file);
     require_thickness(scene); // reported before all else, an error after it
     return 0;
 }

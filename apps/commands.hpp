@@ -52,8 +52,8 @@ struct SweepOptions {
 /// prints a summary. Runs that are done there already are kept. Not on several ranks.
 int sweep_command(const SceneReader& read, const SweepOptions& options);
 
-/// Prints a summary of a valid scene and its cost. Collective.
-int check_command(const Scene& scene);
+/// Prints a summary of a valid scene and its cost; writes a picture of the fluid's parts where a file for it (.vtu) is named. Collective.
+int check_command(const Scene& scene, const std::string& parts_file);
 
 /// Prints the added-mass matrix, as a table or as JSON. Collective.
 int added_mass_command(const Scene& scene, bool json, bool accelerations);

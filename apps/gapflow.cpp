@@ -22,7 +22,7 @@ namespace {
 constexpr int failed = 1, bad_input = 2;
 
 struct Arguments {
-    std::string scene, directory, resume, table, kind;
+    std::string scene, directory, resume, table, kind, parts_file;
     std::vector<std::string> sets;
     ConvergeOptions converge;
     SweepOptions sweep;
@@ -136,8 +136,18 @@ void add_run(const CommandLine& line)
 void add_check_and_added_mass(const CommandLine& line)
 {
     Arguments& arguments = line.arguments;
-    line.add_of_scene("check", "Validate a scene; print cells, unknowns and expected memory",
-                      [&arguments] { return check_command(scene_of(arguments, Purpose::check)); });
+    CLI::App* check =
+        line.add_of_scene("check", "Validate a scene; print cells, unknowns and expected memory",
+                          [&arguments] { return check_command(scene_of(arguments, Purpose::check), arguments.parts_file); });
+    check
+        ->add_option("--parts", arguments.parts_file,
+                     "With gap.model = \"parts\": write the fluid's parts as polygons (3D: polyhedra, of cut cells alone) with data")
+        ->type_name("FILE.vtu");
+    check->footer(
+        "Data of --parts: kind 0 whole cell, 1 cut, 2 thin: walls that face each other are less than a cell apart; part, its number "
+        "in the cell, 0 the largest; parts of the cell; open, the part's share of the cell; thickness of a thin part, its volume over "
+        "half of the area W - |sum of area vectors| of its walls, which is the area that faces another wall; walls, how many solids bound "
+        "it; first_wall and second_wall, the solids with the largest walls: bodies as in the scene from 0 on, then closed sides.");
 
     CLI::App* mass = line.add_of_scene(
         "added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses", [&arguments] {

@@ -2,6 +2,7 @@
 #include "gapflow/complex/complex.hpp"
 #include "gapflow/complex/cut_faces.hpp"
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/complex/part_borders.hpp"
 #include "gapflow/complex/seen_volume.hpp"
 #include "gapflow/complex/surface_rate.hpp"
 #include "gapflow/complex/wall_joins.hpp"
@@ -902,6 +903,22 @@ public:
         return part >= 0 ? PartOrCell::part(part + part_offset_[of_cell]) : PartOrCell{};
     }
 
+    /// Parts below and above each piece of each slab; in 2D the first is the piece's own.
+    std::vector<std::vector<std::array<PartOrCell, 2>>> parts_beside() const
+    {
+        std::vector<std::vector<std::array<PartOrCell, 2>>> result(slabs_.size());
+        for (std::size_t s = 0; s < slabs_.size(); ++s) {
+            result[s].resize(cut_.slabs[s].pieces.size());
+            for (const CutFace<D>& face : cut_.slabs[s].faces) {
+                const int plane = grid_.wrapped(index_.index(face.id) - step<D>(face.axis))[D - 1] - index_.low[D - 1];
+                const std::size_t below = D == 2 || plane < 0 ? s : static_cast<std::size_t>(cut_.slab_of[plane]);
+                for (int p = face.piece; face.state != CutFace<D>::State::dead && p < face.piece + face.pieces; ++p)
+                    result[s][p] = {part_at(s, p, 0, below), part_at(s, p, 1, s)};
+            }
+        }
+        return result;
+    }
+
     Vec<D> face_centre(int d, const Index<D>& f) const
     {
         Vec<D> centre;
@@ -1139,7 +1156,8 @@ DenseIndex<D>::DenseIndex(const Grid<D>& grid)
 }
 
 template <int D>
-Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives)
+Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives,
+                         std::vector<PartFace<D>>* borders)
 {
     Complex<D> complex;
     if (derivatives)
@@ -1156,7 +1174,7 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
         high += Vec<D>::Ones();
     }
     const std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
-    const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives != nullptr);
+    const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives || borders);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
     std::vector<CellSlab<D>> slabs(cut.slabs.size());
     std::vector<PartsBeside> beside(cut.slabs.size());
@@ -1178,12 +1196,14 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     if (derivatives) {
         face_derivatives<D>(planes, complex.index, placed, cut, sources, *derivatives);
     }
+    if (borders)
+        *borders = part_borders<D>(grid, planes, complex, placed, cut, joining.parts_beside());
     complex.seen_mass = seen_masses<D>(grid, planes, solids, placed, complex, derivatives);
     return complex;
 }
 
-template Complex<2> build_complex(const Grid<2>&, std::span<const Solid<2>>, FaceDerivatives<2>*);
-template Complex<3> build_complex(const Grid<3>&, std::span<const Solid<3>>, FaceDerivatives<3>*);
+template Complex<2> build_complex(const Grid<2>&, std::span<const Solid<2>>, FaceDerivatives<2>*, std::vector<PartFace<2>>*);
+template Complex<3> build_complex(const Grid<3>&, std::span<const Solid<3>>, FaceDerivatives<3>*, std::vector<PartFace<3>>*);
 
 template <int D>
 long Complex<D>::bytes() const

@@ -156,10 +156,13 @@ struct Complex {
 
 template <int D>
 struct FaceDerivatives;
+template <int D>
+struct PartFace;
 
 /// Of the solids at their poses; walls among them (closed sides of the domain) cut nothing and have no patches. `derivatives`: those of
-/// its pieces, where they are wanted (area_derivative.hpp).
+/// its pieces, where they are wanted (area_derivative.hpp); `borders`: those of its parts (part_borders.hpp).
 template <int D>
-Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives = nullptr);
+Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives = nullptr,
+                         std::vector<PartFace<D>>* borders = nullptr);
 
 } // namespace gapflow

@@ -656,10 +656,6 @@ OnEdge border_at(const Square& square, int edge, const Vec<2>& x)
     return {edge, std::clamp(x[edge % 2], square.low[edge % 2], square.high[edge % 2])};
 }
 
-/// The lines by which edges divide the cells below and above a face.
-struct FaceLine {
-    int image, edge, sides;
-};
 using DividedCells = std::array<std::vector<CellSectors>, 2>; ///< below and above a face, of each of its images
 
 void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int image, int k, const Section& section, int d,
@@ -758,9 +754,10 @@ class GeneralCut {
 public:
     /// `faces`: with its grid.
     GeneralCut(const CutFaces<D>& faces, const GridPlanes<D>& planes, const DenseIndex<D>& index,
-               const std::vector<PlacedSolid<D>>& solids)
+               const std::vector<PlacedSolid<D>>& solids, bool with_chords = false)
         : faces_(faces), planes_(planes), index_(index), solids_(solids), depth_(planes, solids)
     {
+        square_.with_chords = with_chords;
     }
 
     /// `facets`: of the face's slab. Valid until the next call.
@@ -1069,10 +1066,16 @@ void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const Dens
 
 template <int D>
 FaceArcs<D>::FaceArcs(const CutFaces<D>& cut, const GridPlanes<D>& planes, const DenseIndex<D>& index,
-                      const std::vector<PlacedSolid<D>>& solids)
-    : planes_(planes), index_(index), solids_(solids), general_(std::make_unique<GeneralCut<D>>(cut, planes, index, solids)),
-      arcs_(1)
+                      const std::vector<PlacedSolid<D>>& solids, bool with_chords)
+    : planes_(planes), index_(index), solids_(solids),
+      general_(std::make_unique<GeneralCut<D>>(cut, planes, index, solids, with_chords)), arcs_(1), with_chords_(with_chords)
 {
+}
+
+template <int D>
+const FaceLine& FaceArcs<D>::line(int fin) const
+{
+    return general_->line(fin);
 }
 
 template <int D>
@@ -1083,7 +1086,12 @@ std::span<const SquareArc> FaceArcs<D>::of(const Slab<D>& slab, const CutFace<D>
 {
     if (face.state == CutFace<D>::State::general) {
         const FaceDetail& detail = slab.details[face.detail];
-        std::vector<SquareArc>& arcs = general_->cut(face, detail, slab.facets).arcs;
+        Square& square = general_->cut(face, detail, slab.facets);
+        std::vector<SquareArc>& arcs = square.arcs;
+        chords_.assign(square.chords.begin(), square.chords.end());
+        for (BorderChord& chord : chords_)
+            if (chord.solid >= 0)
+                chord.solid = detail.images[chord.solid];
         for (SquareArc& arc : arcs) {
             arc.solid = detail.images[arc.solid];
             if constexpr (D == 3)
@@ -1146,6 +1154,20 @@ void FaceArcs<D>::find_simple(const PlacedSolid<D>& placed, const Kind& kind, co
         add_walk(arc, *section, arc.to, arc.from, false, true);
     else
         add_walk(arc, *section, arc.from, arc.to, false, false);
+    if (!with_chords_)
+        return;
+    chords_.clear();
+    Vec<2> here = arc.to;
+    const auto add = [&](const Vec<2>& to, int solid) {
+        chords_.push_back({0, here, to, solid, -1});
+        here = to;
+    };
+    for (int c = first; c <= last; ++c)
+        add(in_plane<D>(d, place_of(planes_, vertex_of_corner<D>(d, f, c & 3))), -1);
+    add(arc.from, -1);
+    for (const ArcSegment& segment : arc.segments)
+        for (int k = 1, n = segment.chords(); k <= n; ++k)
+            add(k < n ? segment.at(static_cast<double>(k) / n) : segment.to, face.image);
 }
 
 template class FaceArcs<2>;

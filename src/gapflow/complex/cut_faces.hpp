@@ -92,6 +92,11 @@ struct CornerDivision {
     int sides = 0;                     ///< 3D: which cells it divides: 1 that below the face, 2 that above it
 };
 
+/// A line by which an edge of a solid divides the cells below and above a face, 3D.
+struct FaceLine {
+    int image, edge, sides; ///< sides: which cells it divides: 1 that below the face, 2 that above it
+};
+
 /// A facet on an arc of a slab.
 struct ArcFacet {
     std::int32_t arc, facet;
@@ -170,10 +175,14 @@ template <int D>
 class FaceArcs {
 public:
     FaceArcs(const CutFaces<D>& cut, const GridPlanes<D>& planes, const DenseIndex<D>& index,
-             const std::vector<PlacedSolid<D>>& solids);
+             const std::vector<PlacedSolid<D>>& solids, bool with_chords = false);
     ~FaceArcs();
     /// Of a face of a slab that has pieces; their solids are images. Valid until the next call; cheap where faces come as in the slab.
     std::span<const SquareArc> of(const Slab<D>& slab, const CutFace<D>& face);
+    /// Borders of the pieces of the face of the last call, where they are wanted; solids are images.
+    std::span<const BorderChord> chords() const { return chords_; }
+    /// The dividing line of which a chord of that face is a side, 3D.
+    const FaceLine& line(int fin) const;
 
 private:
     template <class Kind>
@@ -184,6 +193,8 @@ private:
     const std::vector<PlacedSolid<D>>& solids_;
     std::unique_ptr<GeneralCut<D>> general_;
     std::vector<SquareArc> arcs_;
+    bool with_chords_;
+    std::vector<BorderChord> chords_;
     // Sections of one solid with planes normal to one axis.
     int image_ = -1, axis_ = -1;
     std::vector<std::unique_ptr<Section>> sections_;

@@ -88,10 +88,13 @@ public:
         const DenseIndex<D>& index = complex_.index;
         const int low = index.low[t], cells = index.size[t] - 1;
         int at = f[t] + steps;
+        double shift = 0; // of what lies across a periodic side
         if (at < low || at >= low + cells) {
             if (!index.wraps[t])
                 return {};
-            at += at < low ? cells : -cells;
+            const int around = at < low ? cells : -cells;
+            at += around;
+            shift = -around;
         }
         const std::int32_t face = from.face + (at - f[t]) * index.stride[t];
         if (plain(axis, face)) {
@@ -103,7 +106,7 @@ public:
         for (std::int32_t k = first(axis, face); k >= 0; k = next_[k])
             if (const std::optional<Area> area = led_by(k)) {
                 Vec<D> way = area->centroid - from.centroid;
-                const double along = std::abs(way[t]);
+                const double along = std::abs(way[t] + shift);
                 way[t] = way[axis] = 0;
                 if (const std::pair far{way.norm(), along}; far < least) {
                     least = far;

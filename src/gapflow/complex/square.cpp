@@ -219,6 +219,7 @@ void Square::add_border(int ring)
     const RingStretch& r = ring_[ring];
     const auto to = [&](const Vec<2>& x) {
         sum_ += triangle(start_, here_, x);
+        add_chord(x, -1, -1);
         here_ = x;
     };
     const double from = along_ring(r.start), end = from + ring_length(r);
@@ -227,9 +228,25 @@ void Square::add_border(int ring)
     to(point(r.end));
 }
 
+void Square::add_chord(const Vec<2>& to, int solid, int fin)
+{
+    if (with_chords)
+        chords.push_back({piece_, here_, to, solid, fin});
+}
+
 void Square::add_arc(int arc)
 {
     const SquareArc& a = arcs[arc];
+    if (with_chords) {
+        const Vec<2> here = here_;
+        for (const ArcSegment& segment : a.segments)
+            for (int k = 1, n = segment.chords(); k <= n; ++k) {
+                const Vec<2> to = k < n ? segment.at(static_cast<double>(k) / n) : segment.to;
+                add_chord(to, a.solid, segment.fin);
+                here_ = to;
+            }
+        here_ = here;
+    }
     sum_ += triangle(start_, here_, a.from); // nothing, but for what joins to round-off only
     sum_ += triangle(start_, a.from, a.to);
     sum_ += a.bulge();
@@ -292,11 +309,17 @@ void Square::walk()
         if (ring_[first].piece >= 0)
             continue;
         const int piece = static_cast<int>(pieces.size());
+        piece_ = piece;
         sum_ = {};
         if (ring_[first].after < 0) { // all of the border
             const Vec<2> size = high - low;
             sum_ = {size.prod(), size.prod() * 0.5 * (low + high)};
             ring_[first].piece = piece;
+            here_ = corner(0);
+            for (int c = 1; c <= 4; ++c) {
+                add_chord(corner(c % 4), -1, -1);
+                here_ = corner(c % 4);
+            }
         } else {
             start_ = here_ = point(ring_[first].start);
             int ring = static_cast<int>(first), last = -1;
@@ -343,6 +366,7 @@ void Square::walk()
             if (last >= 0 && here_ != start_) { // solids that overlap in a way that was not resolved: straight back
                 arcs[last].segments.push_back({here_, start_, nullptr, -1, false, false});
                 arcs[last].to = start_;
+                add_chord(start_, arcs[last].solid, -1);
             }
         }
         pieces.push_back({sum_.area, sum_.moment});
@@ -354,10 +378,13 @@ void Square::close_loops()
     struct Loop {
         Bulge sum;
         std::vector<int> arcs;
+        std::size_t chords, chords_end;
     };
     std::vector<Loop> holes;
-    const auto own = [&](const std::vector<int>& loop, int piece) {
-        for (const int k : loop) {
+    const auto own = [&](const Loop& loop, int piece) {
+        for (std::size_t k = loop.chords; k < loop.chords_end; ++k)
+            chords[k].piece = piece;
+        for (const int k : loop.arcs) {
             arcs[k].piece = piece;
             if (const int next = arcs[k].joins; next >= 0 && arcs[next].solid != arcs[k].solid)
                 junctions.push_back({piece, arcs[k].solid, arcs[next].solid, arcs[k].to, {fin_of(k), fin_of(next)}});
@@ -366,7 +393,7 @@ void Square::close_loops()
     for (std::size_t first = 0; first < arcs.size(); ++first) {
         if (arcs[first].piece >= 0 || arcs[first].start.edge >= 0)
             continue;
-        Loop loop;
+        Loop loop{{}, {}, chords.size(), 0};
         start_ = here_ = arcs[first].from;
         sum_ = {};
         int a = static_cast<int>(first);
@@ -382,15 +409,17 @@ void Square::close_loops()
         }
         for (const int k : loop.arcs)
             arcs[k].piece = -1;
-        if (!closed)
+        if (!closed) {
             for (const int k : loop.arcs)
                 arcs[k].start.edge = 4; // belongs to nothing
-        if (!closed)
+            chords.resize(loop.chords);
             continue;
+        }
+        loop.chords_end = chords.size();
         sum_ += triangle(start_, here_, start_);
         loop.sum = sum_;
         if (sum_.area > 0) {
-            own(loop.arcs, static_cast<int>(pieces.size()));
+            own(loop, static_cast<int>(pieces.size()));
             pieces.push_back({sum_.area, sum_.moment});
         } else
             holes.push_back(loop);
@@ -430,7 +459,7 @@ void Square::close_loops()
                     owner = static_cast<int>(p);
             }
         }
-        own(hole.arcs, owner);
+        own(hole, owner);
         pieces[owner].area += hole.sum.area;
         pieces[owner].centroid += hole.sum.moment;
     }
@@ -445,6 +474,7 @@ void Square::cut(const Depth* depth)
     pieces.clear();
     links.clear();
     junctions.clear();
+    chords.clear();
     find_open_stretches();
     find_arcs();
     if (depth && solids.size() > 1)

@@ -40,6 +40,8 @@ struct ArcSegment {
     double length() const;
     /// At t of its way, 0 .. 1.
     Vec<2> at(double t) const;
+    /// How many chords of equal angles stand for it in pictures.
+    int chords() const;
     /// Of its point nearest to x, which lies close to it.
     double nearest(const Vec<2>& x) const;
     /// The part between two of these.
@@ -112,6 +114,14 @@ struct OpenStretch {
     int piece;
 };
 
+/// A straight line of a piece's border, or a chord of a curve of it, with the piece at its left.
+struct BorderChord {
+    int piece;
+    Vec<2> from, to;
+    int solid; ///< -1: on the rectangle's border
+    int fin;   ///< of which dividing line it is a side (see SquareLink), or -1
+};
+
 /// The rectangle, and after cut() its pieces. Kept from call to call for its buffers.
 class Square {
 public:
@@ -133,6 +143,8 @@ public:
     std::vector<SquareArc> arcs; ///< those that bound a piece
     std::vector<SquareJunction> junctions;
     std::array<std::vector<OpenStretch>, 4> stretches; ///< of each edge, ascending
+    bool with_chords = false;
+    std::vector<BorderChord> chords; ///< where they are wanted: loop by loop, each in the order of its border
 
     /// `depth`: null where no two solids overlap.
     void cut(const Depth* depth);
@@ -184,6 +196,7 @@ private:
     void close_loops();
     void add_border(int ring);
     void add_arc(int arc);
+    void add_chord(const Vec<2>& to, int solid, int fin);
     static void join(SquareArc& arc, const SquareArc& next);
     int next_ring(SquareArc& arc);
 
@@ -192,6 +205,7 @@ private:
     // Of the piece that is being walked around.
     Bulge sum_;
     Vec<2> start_, here_;
+    int piece_ = -1;
 };
 
 } // namespace gapflow

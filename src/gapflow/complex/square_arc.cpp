@@ -28,6 +28,17 @@ double ArcSegment::length() const
                                        : ellipse_angle(*curve, from, to));
 }
 
+int ArcSegment::chords() const
+{
+    if (!curve || (!whole && from == to))
+        return 1;
+    constexpr double widest = std::numbers::pi / 32;
+    const double angle = whole       ? 2 * std::numbers::pi
+                         : backwards ? ellipse_angle(*curve, to, from)
+                                     : ellipse_angle(*curve, from, to);
+    return std::max(1, static_cast<int>(std::ceil(angle / widest)));
+}
+
 Vec<2> ArcSegment::at(double t) const
 {
     if (!curve)

@@ -301,11 +301,59 @@ void write_vtp(const std::filesystem::path& path, const VtkSurface<D>& surface, 
     file.commit();
 }
 
+template <int D>
+void write_vtu(const std::filesystem::path& path, const VtkCells<D>& cells, const VtkOptions& options)
+{
+    const std::size_t points = cells.points.size(), count = cells.cells.size();
+    std::vector<std::int64_t> connectivity, offsets, faces, face_offsets;
+    for (const auto& cell : cells.cells) {
+        const auto begin = static_cast<std::ptrdiff_t>(connectivity.size());
+        faces.push_back(static_cast<std::int64_t>(cell.size()));
+        for (const auto& face : cell) {
+            connectivity.insert(connectivity.end(), face.begin(), face.end());
+            faces.push_back(static_cast<std::int64_t>(face.size()));
+            faces.insert(faces.end(), face.begin(), face.end());
+        }
+        if (D == 3) { // each point once
+            std::sort(connectivity.begin() + begin, connectivity.end());
+            connectivity.erase(std::unique(connectivity.begin() + begin, connectivity.end()), connectivity.end());
+        }
+        offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+        face_offsets.push_back(static_cast<std::int64_t>(faces.size()));
+    }
+    VtkFile file(path, options.appended);
+    write_head(file, "UnstructuredGrid");
+    file.write("<UnstructuredGrid>\n");
+    write_time(file, options.time);
+    file.write("<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(count) + "\">\n");
+    write_data(file, "PointData", {}, points, options.precision);
+    write_data(file, "CellData", cells.cell_data, count, options.precision);
+    file.write("<Points>\n");
+    file.write_array<double>("Points", points, 3,
+                             [&](std::size_t point, int axis) { return axis < D ? cells.points[point][axis] : 0.0; });
+    file.write("</Points>\n<Cells>\n");
+    const auto write_list = [&](const std::string& name, const std::vector<std::int64_t>& list) {
+        file.write_array<std::int64_t>(name, list.size(), 1, [&list](std::size_t k, int) { return list[k]; });
+    };
+    constexpr std::int64_t polygon = 7, polyhedron = 42; // VTK's numbers
+    write_list("connectivity", connectivity);
+    write_list("offsets", offsets);
+    file.write_array<std::int64_t>("types", count, 1, [](std::size_t, int) { return D == 2 ? polygon : polyhedron; });
+    if (D == 3) {
+        write_list("faces", faces);
+        write_list("faceoffsets", face_offsets);
+    }
+    file.write("</Cells>\n</Piece>\n</UnstructuredGrid>\n");
+    file.commit();
+}
+
 template std::vector<double> gather_cells(const Grid<2>&, std::span<const double>, int);
 template std::vector<double> gather_cells(const Grid<3>&, std::span<const double>, int);
 template void write_cells(const std::filesystem::path&, const Grid<2>&, std::span<const VtkArray>, const VtkOptions&);
 template void write_cells(const std::filesystem::path&, const Grid<3>&, std::span<const VtkArray>, const VtkOptions&);
 template void write_vtp(const std::filesystem::path&, const VtkSurface<2>&, const VtkOptions&);
 template void write_vtp(const std::filesystem::path&, const VtkSurface<3>&, const VtkOptions&);
+template void write_vtu(const std::filesystem::path&, const VtkCells<2>&, const VtkOptions&);
+template void write_vtu(const std::filesystem::path&, const VtkCells<3>&, const VtkOptions&);
 
 } // namespace gapflow

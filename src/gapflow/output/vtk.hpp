@@ -1,4 +1,4 @@
-// Files that ParaView and VTK read: image data (.vti), rectilinear grids (.vtr) and surfaces (.vtp) as XML.
+// Files that ParaView and VTK read: image data (.vti), rectilinear grids (.vtr), surfaces (.vtp) and polygons or polyhedra (.vtu) as XML.
 //
 // Arrays are little endian with 64-bit lengths: inline base64, which every reader of VTK's files reads, or raw bytes behind the XML ("appended"),
 // a quarter smaller and faster to write and read. In 2D
@@ -9,6 +9,7 @@
 #include "gapflow/grid/field.hpp"
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -74,5 +75,18 @@ struct VtkSurface {
 /// Writes a surface. The folder must exist. Throws ComputationError. Not collective: call it on the root (on_root).
 template <int D>
 void write_vtp(const std::filesystem::path& path, const VtkSurface<D>& surface, const VtkOptions& options = {});
+
+/// Polygons (2D) or polyhedra (3D) with data.
+template <int D>
+struct VtkCells {
+    std::vector<Vec<D>> points;
+    /// Of each cell its faces as lists of points; of a polygon the only one is its outline.
+    std::vector<std::vector<std::vector<std::int64_t>>> cells;
+    std::vector<VtkArray> cell_data; ///< a tuple a cell
+};
+
+/// Writes an unstructured grid. The folder must exist. Throws ComputationError. Not collective: call it on the root (on_root).
+template <int D>
+void write_vtu(const std::filesystem::path& path, const VtkCells<D>& cells, const VtkOptions& options = {});
 
 } // namespace gapflow
