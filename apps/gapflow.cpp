@@ -146,7 +146,7 @@ void add_check_and_added_mass(const CommandLine& line)
     check->footer(
         "Data of --parts: kind 0 whole cell, 1 cut, 2 thin: walls that face each other are less than a cell apart; part, its number "
         "in the cell, 0 the largest; parts of the cell; open, the part's share of the cell; thickness of a thin part, its volume over "
-        "half of the area W - |sum of area vectors| of its walls, which is the area that faces another wall; walls, how many solids bound "
+        "the area with which walls face each other, half of sum |S| - |sum S|, S the area vector of each connected wall; walls, how many solids bound "
         "it; first_wall and second_wall, the solids with the largest walls: bodies as in the scene from 0 on, then closed sides.");
 
     CLI::App* mass = line.add_of_scene(

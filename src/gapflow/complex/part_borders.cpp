@@ -44,9 +44,33 @@ double PartFace<3>::volume(const Vec<3>& about) const
     return sum;
 }
 
+template <int D>
+std::vector<Vec<D>> with_holes(const std::vector<std::vector<Vec<D>>>& loops)
+{
+    std::vector<Vec<D>> outline = loops[0];
+    for (std::size_t h = 1; h < loops.size(); ++h) {
+        const std::vector<Vec<D>>& hole = loops[h];
+        std::size_t a = 0, b = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            for (std::size_t j = 0; j < hole.size(); ++j)
+                if (const double far = (outline[i] - hole[j]).squaredNorm(); far < least) {
+                    least = far;
+                    a = i;
+                    b = j;
+                }
+        std::vector<Vec<D>> way(hole);
+        std::rotate(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(b), way.end());
+        way.push_back(way.front());
+        way.push_back(outline[a]);
+        outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(a) + 1, way.begin(), way.end());
+    }
+    return outline;
+}
+
 namespace {
 
-/// Of each image: the number of its solid.
+/// As PartFace::solid.
 template <int D>
 std::int32_t kind_of(const BorderChord& chord, const std::vector<PlacedSolid<D>>& solids)
 {
@@ -59,29 +83,6 @@ struct WallChord {
     std::int32_t solid; ///< as PartFace::solid
     std::int32_t of, edge; ///< solid; edge of the dividing plane, or -1
 };
-
-/// One loop from an outer one and holes: cuts lead to and fro between nearest points.
-std::vector<Vec<3>> with_holes(std::vector<std::vector<Vec<3>>>& loops)
-{
-    std::vector<Vec<3>> outline = loops[0];
-    for (std::size_t h = 1; h < loops.size(); ++h) {
-        const std::vector<Vec<3>>& hole = loops[h];
-        std::size_t a = 0, b = 0;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < outline.size(); ++i)
-            for (std::size_t j = 0; j < hole.size(); ++j)
-                if (const double far = (outline[i] - hole[j]).squaredNorm(); far < least) {
-                    least = far;
-                    a = i;
-                    b = j;
-                }
-        std::vector<Vec<3>> way(hole.begin() + b, hole.end());
-        way.insert(way.end(), hole.begin(), hole.begin() + b + 1);
-        way.push_back(outline[a]);
-        outline.insert(outline.begin() + a + 1, way.begin(), way.end());
-    }
-    return outline;
-}
 
 /// Polygons of walls and dividing planes from their borders: loops, each divided where what borders it changes.
 void close_walls(std::vector<WallChord> chords, std::int32_t part, PartBorders<3>& result)
@@ -206,7 +207,7 @@ PartBorders<3> part_borders(const Grid<3>& grid, const GridPlanes<3>& planes, co
                     std::erase_if(loops, [](const auto& loop) { return loop.size() < 3; });
                     if (loops.empty())
                         continue;
-                    PartFace<3> polygon{part.number(), PartFace<3>::open, with_holes(loops)};
+                    PartFace<3> polygon{part.number(), PartFace<3>::open, with_holes<3>(loops)};
                     if (side == 1)
                         std::reverse(polygon.points.begin(), polygon.points.end());
                     of_part[part.number()].push_back(std::move(polygon));
@@ -246,6 +247,8 @@ PartBorders<3> part_borders(const Grid<3>& grid, const GridPlanes<3>& planes, co
     return result;
 }
 
+template std::vector<Vec<2>> with_holes(const std::vector<std::vector<Vec<2>>>&);
+template std::vector<Vec<3>> with_holes(const std::vector<std::vector<Vec<3>>>&);
 template struct PartFace<2>;
 template struct PartFace<3>;
 

@@ -28,6 +28,10 @@ struct PartFace {
 template <int D>
 using PartBorders = std::vector<PartFace<D>>;
 
+/// One loop of the first one, which goes around, and holes: straight cuts lead to and fro between nearest points.
+template <int D>
+std::vector<Vec<D>> with_holes(const std::vector<std::vector<Vec<D>>>& loops);
+
 /// `cut` with its facets kept; `parts_beside` of each piece of each slab: parts below and above it (2D: the first is the piece's part). build_complex calls it.
 template <int D>
 PartBorders<D> part_borders(const Grid<D>& grid, const GridPlanes<D>& planes, const Complex<D>& complex,

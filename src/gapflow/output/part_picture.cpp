@@ -67,19 +67,16 @@ void add_cell(const Grid<D>& grid, std::span<const PartFace<D>> faces, VtkCells<
             if (face.size() > 2)
                 cell.push_back(face);
         }
-    else { // one outline; a way to and fro leads to each hole
-        std::vector<std::vector<std::int64_t>> loops;
+    else {
+        std::vector<std::vector<Vec<D>>> loops;
         for (std::size_t k = 0; k < faces.size(); ++k) {
             if (k == 0 || faces[k].points[0] != faces[k - 1].points[1])
                 loops.emplace_back();
-            add(loops.back(), point(faces[k].points[0]));
-            add(loops.back(), point(faces[k].points[1]));
+            loops.back().push_back(faces[k].points[0]);
         }
-        std::vector<std::int64_t>& outline = loops[0];
-        for (std::size_t h = 1; h < loops.size(); ++h) {
-            outline.insert(outline.end(), loops[h].begin(), loops[h].end());
-            outline.push_back(outline.front());
-        }
+        std::vector<std::int64_t> outline;
+        for (const Vec<D>& x : with_holes<D>(loops))
+            add(outline, point(x));
         while (outline.size() > 1 && outline.front() == outline.back())
             outline.pop_back();
         cell.push_back(outline);
@@ -95,23 +92,28 @@ PartFigures part_figures(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     const std::array<int, 2 * D> sides = closed_sides(grid, solids);
     PartFigures figures;
     std::vector<std::pair<int, double>> walls; // solid, area
-    double all = 0;
-    Vec<D> sum = Vec<D>::Zero();
+    double all = 0; // sum of the sizes of the walls' area vectors
+    Vec<D> sum = Vec<D>::Zero(), wall = Vec<D>::Zero();
+    int last = PartFace<D>::open;
     for (const PartFace<D>& face : faces) {
         figures.volume += face.volume(faces[0].points[0]);
         const int solid = wall_of(grid, sides, face);
+        if (D == 3 || solid != last) { // another wall; in 3D each is one face
+            all += wall.norm();
+            wall.setZero();
+        }
+        last = solid;
         if (solid < 0)
             continue;
-        const Vec<D> area = face.area();
-        const double size = area.norm();
-        sum += area;
-        all += size;
-        const auto known = std::find_if(walls.begin(), walls.end(), [&](const auto& wall) { return wall.first == solid; });
-        if (known != walls.end())
-            known->second += size;
+        wall += face.area();
+        sum += face.area();
+        const auto known = std::find_if(walls.begin(), walls.end(), [&](const auto& w) { return w.first == solid; });
+        if (known == walls.end())
+            walls.emplace_back(solid, face.area().norm());
         else
-            walls.emplace_back(solid, size);
+            known->second += face.area().norm();
     }
+    all += wall.norm();
     std::sort(walls.begin(), walls.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
     figures.kind = walls.empty() ? PartFigures::Kind::whole : PartFigures::Kind::cut;
     figures.walls = static_cast<int>(walls.size());

@@ -29,9 +29,9 @@ constexpr int cells = 10;
 template <int D>
 SurfaceMesh<D> with_slivers(SurfaceMesh<D> mesh, Numbers& number)
 {
-    const auto facets = static_cast<int>(mesh.facets.size());
+    const auto facets = static_cast<int>(mesh.elements.size());
     for (int k = 0; k < facets / 8; ++k) {
-        const auto& facet = mesh.facets[number.below(facets)];
+        const auto& facet = mesh.elements[number.below(facets)];
         const Vec<D> near = mesh.vertices[facet[1]];
         mesh.vertices[facet[0]] = near + std::pow(10, number(-12, -3)) * (mesh.vertices[facet[0]] - near);
     }

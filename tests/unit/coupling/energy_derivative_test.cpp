@@ -195,31 +195,42 @@ TEST(EnergyDerivative, IsThatOfDifferences3D)
 
 TEST(EnergyDerivative, OfSolidsAcrossAPeriodicSide)
 {
-    // Moved by half a period: the same energy and derivative.
+    // Moved by half a period: the same energy and derivative. Solids that overlap have one velocity: the fluid of a domain without open sides cannot
+    // give way to what they would cover together.
     const Grid<2> grid = unit_grid<2>(16, all_sides<2>(SideKind::periodic));
     for (const auto& [name, make] : kinds<2>()) {
-        if (name == "outside of a ball" || name.starts_with("two"))
+        if (name == "outside of a ball")
             continue;
-        std::array<double, 2> energy{};
-        std::array<std::vector<Twist<2>>, 2> derivative;
-        for (const int k : {0, 1}) {
-            std::mt19937 random(1000);
-            Scene<2> scene(grid);
-            make(scene, random);
-            for (Solid<2>& solid : scene.solids) {
-                solid.shape = solid.shape.shifted(Vec<2>::Constant(0.5 * k));
-                solid.centre += Vec<2>::Constant(0.5 * k);
+        int crushed = 0;
+        for (int seed = 1000; seed < 1012; ++seed) {
+            std::array<double, 2> energy{};
+            std::array<std::vector<Twist<2>>, 2> derivative;
+            for (const int k : {0, 1}) {
+                std::mt19937 random(static_cast<unsigned>(seed));
+                Scene<2> scene(grid);
+                make(scene, random);
+                for (Solid<2>& solid : scene.solids) {
+                    solid.shape = solid.shape.shifted(Vec<2>::Constant(0.5 * k));
+                    solid.centre += Vec<2>::Constant(0.5 * k);
+                }
+                std::vector<Twist<2>> twists;
+                for (std::size_t s = 0; s < scene.solids.size(); ++s)
+                    twists.push_back({name.ends_with("overlap 0.3") ? 1.0 : 1.0 - static_cast<double>(s), 0.5, 2.0});
+                const PartsEnergy<2> at(grid, scene.solids, twists, true);
+                energy[k] = at.energy;
+                derivative[k] = at.derivative();
+                crushed += at.crushed && k == 0;
+                if (at.crushed)
+                    break;
             }
-            std::vector<Twist<2>> twists;
-            for (std::size_t s = 0; s < scene.solids.size(); ++s)
-                twists.push_back({1.0 - static_cast<double>(s), 0.5, 2.0});
-            const PartsEnergy<2> at(grid, scene.solids, twists, true);
-            energy[k] = at.energy;
-            derivative[k] = at.derivative();
+            if (derivative[1].empty())
+                continue;
+            EXPECT_NEAR(energy[1], energy[0], 1e-9 * energy[0]) << name << " " << seed;
+            for (std::size_t s = 0; s < derivative[0].size(); ++s)
+                EXPECT_LT((derivative[1][s] - derivative[0][s]).norm(), 1e-7 * (derivative[0][s].norm() + energy[0]))
+                    << name << " " << seed;
         }
-        EXPECT_NEAR(energy[1], energy[0], 1e-10 * energy[0]) << name;
-        for (std::size_t s = 0; s < derivative[0].size(); ++s)
-            EXPECT_LT((derivative[1][s] - derivative[0][s]).norm(), 1e-8 * (derivative[0][s].norm() + energy[0])) << name;
+        EXPECT_LE(crushed, 1) << name;
     }
 }
 
