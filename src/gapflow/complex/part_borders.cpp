@@ -1,6 +1,6 @@
 #include "gapflow/complex/part_borders.hpp"
 
-#include "gapflow/grid/field.hpp"
+#include "gapflow/complex/parameters.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,13 +81,32 @@ std::int32_t kind_of(const BorderChord& chord, const std::vector<PlacedSolid<D>>
 struct WallChord {
     Vec<3> from, to;
     std::int32_t solid; ///< as PartFace::solid
-    std::int32_t of, edge; ///< solid; edge of the dividing plane, or -1
+    std::int32_t image, edge; ///< edge of the dividing plane, or -1
 };
 
 /// Polygons of walls and dividing planes from their borders: loops, each divided where what borders it changes.
-void close_walls(std::vector<WallChord> chords, std::int32_t part, PartBorders<3>& result)
+void close_walls(std::vector<WallChord> chords, std::int32_t part, const std::vector<PlacedSolid<3>>& solids,
+                 const GridPlanes<3>& planes, PartBorders<3>& result)
 {
-    const auto same = [](const WallChord& a, const WallChord& b) { return a.of == b.of && a.edge == b.edge; };
+    const auto same = [&](const WallChord& a, const WallChord& b) {
+        return solids[a.image].solid == solids[b.image].solid && a.edge == b.edge;
+    };
+    int walls = 0;
+    const auto add_wall = [&](const WallChord& of, const std::vector<Vec<3>>& points) {
+        const std::int32_t wall = of.edge < 0 ? walls++ : -1;
+        Vec<3> middle = Vec<3>::Zero();
+        for (const Vec<3>& x : points)
+            middle += x / static_cast<double>(points.size());
+        // The wall's own surface. In a periodic domain's last cell the chords lie a period from their image.
+        const auto on = solids[of.image].shape.closest(planes.in_world(middle));
+        const Vec<3> moved = on.distance / planes.dx * on.normal;
+        if (wall < 0 || points.size() < 4 || moved.norm() > 1 || moved.norm() < parameters.joint_distance) {
+            result.push_back({part, of.solid, wall, points});
+            return;
+        }
+        for (std::size_t k = 0; k < points.size(); ++k)
+            result.push_back({part, of.solid, wall, {points[k], points[(k + 1) % points.size()], Vec<3>(middle - moved)}});
+    };
     while (!chords.empty()) {
         std::vector<WallChord> loop{chords.back()};
         chords.pop_back();
@@ -110,22 +129,21 @@ void close_walls(std::vector<WallChord> chords, std::int32_t part, PartBorders<3
                 middle += loop[k].from;
             }
         if (changes.empty()) {
-            PartFace<3> face{part, loop[0].solid, {}};
+            std::vector<Vec<3>> points;
             for (const WallChord& chord : loop)
-                face.points.push_back(chord.from);
-            result.push_back(face);
+                points.push_back(chord.from);
+            add_wall(loop[0], points);
             continue;
         }
         middle /= static_cast<double>(changes.size());
         for (std::size_t c = 0; c < changes.size(); ++c) {
             const std::size_t begin = changes[c], end = c + 1 < changes.size() ? changes[c + 1] : changes[0] + n;
-            PartFace<3> face{part, loop[begin].solid, {}};
-            for (std::size_t k = begin; k < end; ++k)
-                face.points.push_back(loop[k % n].from);
-            face.points.push_back(loop[end % n].from);
+            std::vector<Vec<3>> points;
+            for (std::size_t k = begin; k <= end; ++k)
+                points.push_back(loop[k % n].from);
             if (changes.size() > 2)
-                face.points.push_back(middle);
-            result.push_back(face);
+                points.push_back(middle);
+            add_wall(loop[begin], points);
         }
     }
 }
@@ -139,14 +157,20 @@ PartBorders<2> part_borders(const Grid<2>&, const GridPlanes<2>& planes, const C
 {
     FaceArcs<2> retrace(cut, planes, complex.index, solids, true);
     std::vector<PartBorders<2>> of_part(complex.parts());
+    int walls = 0; // of the part
     for (std::size_t s = 0; s < cut.slabs.size(); ++s)
         for (const CutFace<2>& face : cut.slabs[s].faces) {
             if (face.state == CutFace<2>::State::dead || face.pieces == 0)
                 continue;
             retrace.of(cut.slabs[s], face);
             for (const BorderChord& chord : retrace.chords())
-                if (const PartOrCell part = parts_beside[s][face.piece + chord.piece][0]; part.exists() && chord.from != chord.to)
-                    of_part[part.number()].push_back({part.number(), kind_of(chord, solids), {chord.from, chord.to}});
+                if (const PartOrCell part = parts_beside[s][face.piece + chord.piece][0]; part.exists() && chord.from != chord.to) {
+                    PartBorders<2>& sides = of_part[part.number()];
+                    const std::int32_t solid = kind_of(chord, solids), last = sides.empty() ? -1 : sides.back().wall;
+                    const bool goes_on = !sides.empty() && sides.back().solid == solid && sides.back().points[1] == chord.from;
+                    walls = sides.empty() ? 0 : walls;
+                    sides.push_back({part.number(), solid, solid < 0 ? -1 : goes_on ? last : walls++, {chord.from, chord.to}});
+                }
         }
     PartBorders<2> result;
     for (const PartBorders<2>& sides : of_part)
@@ -201,13 +225,13 @@ PartBorders<3> part_borders(const Grid<3>& grid, const GridPlanes<3>& planes, co
                         if (chord.solid < 0 || (chord.fin >= 0 && !(retrace.line(chord.fin).sides >> side & 1)))
                             continue;
                         const int edge = chord.fin >= 0 ? retrace.line(chord.fin).edge : -1;
-                        walls[part.number()].push_back({side == 0 ? to : from, side == 0 ? from : to, kind_of(chord, solids),
-                                                        solids[chord.solid].solid, edge});
+                        walls[part.number()].push_back({side == 0 ? to : from, side == 0 ? from : to, kind_of(chord, solids), chord.solid,
+                                                        edge});
                     }
                     std::erase_if(loops, [](const auto& loop) { return loop.size() < 3; });
                     if (loops.empty())
                         continue;
-                    PartFace<3> polygon{part.number(), PartFace<3>::open, with_holes<3>(loops)};
+                    PartFace<3> polygon{part.number(), PartFace<3>::open, -1, with_holes<3>(loops)};
                     if (side == 1)
                         std::reverse(polygon.points.begin(), polygon.points.end());
                     of_part[part.number()].push_back(std::move(polygon));
@@ -231,7 +255,7 @@ PartBorders<3> part_borders(const Grid<3>& grid, const GridPlanes<3>& planes, co
             if (const auto other = astray.find({d, id}); other != astray.end())
                 part = (side == 1 ? other->second->high : other->second->low).number();
             const int u = u_axis<3>(d), v = v_axis<3>(d);
-            PartFace<3> square{part, PartFace<3>::open, {}};
+            PartFace<3> square{part, PartFace<3>::open, -1, {}};
             for (const auto& [du, dv] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
                 square.points.push_back(
                     in_space(d, place(d, f[d], side), {planes.place[u][f[u] + du], planes.place[v][f[v] + dv]}));
@@ -242,7 +266,7 @@ PartBorders<3> part_borders(const Grid<3>& grid, const GridPlanes<3>& planes, co
     PartBorders<3> result;
     for (int part = 0; part < complex.parts(); ++part) {
         std::move(of_part[part].begin(), of_part[part].end(), std::back_inserter(result));
-        close_walls(std::move(walls[part]), part, result);
+        close_walls(std::move(walls[part]), part, solids, planes, result);
     }
     return result;
 }

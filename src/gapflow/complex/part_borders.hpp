@@ -9,13 +9,15 @@
 namespace gapflow {
 
 /// A side of a part's polygon (2D: a straight line, the part at its left), or a face of its polyhedron (3D: counterclockwise from outside).
-/// In cells. Chords stand for curves. In 3D a solid's wall inside the cell is one polygon from its border on the cell's faces; where walls
-/// meet, or end at a dividing plane, one from each part of that border, over the mean of the points between.
+/// In cells. Chords stand for curves. In 3D a solid's wall inside the cell is a polygon from its border on the cell's faces, or triangles from there to
+/// the point of the solid next to the polygon's middle; where walls meet, or end at a dividing plane, each has its part of that border and the
+/// mean of the points between.
 template <int D>
 struct PartFace {
     static constexpr std::int32_t open = -1, dividing = -2; ///< on a plane of the grid; on the line or plane from a sharp corner or edge
     std::int32_t part;
     std::int32_t solid; ///< whose wall it is, or open, or dividing
+    std::int32_t wall;  ///< which of the part's connected walls it belongs to; -1: none
     std::vector<Vec<D>> points;
 
     /// Area vector out of the part (2D: of the line).

@@ -1,7 +1,7 @@
 #include "gapflow/output/part_picture.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <limits>
 
 namespace gapflow {
@@ -22,20 +22,18 @@ std::array<int, 2 * D> closed_sides(const Grid<D>& grid, std::span<const Solid<D
     return result;
 }
 
-/// The solid of a face: that on a closed side of the domain is the side's.
+/// The closed side of the domain on which an open face lies, 2 axis + end; -1: none.
 template <int D>
-int wall_of(const Grid<D>& grid, const std::array<int, 2 * D>& sides, const PartFace<D>& face)
+int side_of(const Grid<D>& grid, const std::array<int, 2 * D>& sides, const PartFace<D>& face)
 {
-    if (face.solid != PartFace<D>::open)
-        return face.solid;
-    for (int axis = 0; axis < D; ++axis)
-        for (int end = 0; end < 2; ++end) {
-            const double place = (grid.face_place(axis, end ? grid.cells()[axis] : 0) - grid.anchor()[axis]) / grid.dx();
-            if (sides[2 * axis + end] >= 0 &&
-                std::all_of(face.points.begin(), face.points.end(), [&](const Vec<D>& x) { return x[axis] == place; }))
-                return sides[2 * axis + end];
-        }
-    return PartFace<D>::open;
+    for (int side = 0; side < 2 * D && face.solid == PartFace<D>::open; ++side) {
+        const int axis = side / 2;
+        const double place = (grid.face_place(axis, side % 2 ? grid.cells()[axis] : 0) - grid.anchor()[axis]) / grid.dx();
+        if (sides[side] >= 0 &&
+            std::all_of(face.points.begin(), face.points.end(), [&](const Vec<D>& x) { return x[axis] == place; }))
+            return side;
+    }
+    return -1;
 }
 
 /// Appends a part's faces as a cell; points that are equal to round-off are one.
@@ -91,34 +89,40 @@ PartFigures part_figures(const Grid<D>& grid, std::span<const Solid<D>> solids, 
 {
     const std::array<int, 2 * D> sides = closed_sides(grid, solids);
     PartFigures figures;
-    std::vector<std::pair<int, double>> walls; // solid, area
-    double all = 0; // sum of the sizes of the walls' area vectors
-    Vec<D> sum = Vec<D>::Zero(), wall = Vec<D>::Zero();
-    int last = PartFace<D>::open;
+    struct Wall {
+        int number, solid; ///< number: PartFace::wall, or of a side of the domain
+        Vec<D> area;
+    };
+    std::vector<Wall> walls;
+    Vec<D> sum = Vec<D>::Zero();
     for (const PartFace<D>& face : faces) {
         figures.volume += face.volume(faces[0].points[0]);
-        const int solid = wall_of(grid, sides, face);
-        if (D == 3 || solid != last) { // another wall; in 3D each is one face
-            all += wall.norm();
-            wall.setZero();
-        }
-        last = solid;
-        if (solid < 0)
+        const int side = side_of(grid, sides, face), number = side >= 0 ? -1 - side : face.wall;
+        if (face.wall < 0 && side < 0)
             continue;
-        wall += face.area();
         sum += face.area();
-        const auto known = std::find_if(walls.begin(), walls.end(), [&](const auto& w) { return w.first == solid; });
+        const auto known = std::find_if(walls.begin(), walls.end(), [&](const Wall& wall) { return wall.number == number; });
         if (known == walls.end())
-            walls.emplace_back(solid, face.area().norm());
+            walls.push_back({number, side >= 0 ? sides[side] : face.solid, face.area()});
         else
-            known->second += face.area().norm();
+            known->area += face.area();
     }
-    all += wall.norm();
-    std::sort(walls.begin(), walls.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-    figures.kind = walls.empty() ? PartFigures::Kind::whole : PartFigures::Kind::cut;
-    figures.walls = static_cast<int>(walls.size());
-    figures.first = walls.empty() ? -1 : walls[0].first;
-    figures.second = walls.size() < 2 ? -1 : walls[1].first;
+    double all = 0;
+    std::vector<std::pair<double, int>> of_solid; // size, solid
+    for (const Wall& wall : walls) {
+        const double size = wall.area.norm();
+        all += size;
+        const auto known = std::find_if(of_solid.begin(), of_solid.end(), [&](const auto& x) { return x.second == wall.solid; });
+        if (known == of_solid.end())
+            of_solid.emplace_back(size, wall.solid);
+        else
+            known->first += size;
+    }
+    std::sort(of_solid.begin(), of_solid.end(), std::greater<>());
+    figures.kind = of_solid.empty() ? PartFigures::Kind::whole : PartFigures::Kind::cut;
+    figures.walls = static_cast<int>(of_solid.size());
+    figures.first = of_solid.empty() ? -1 : of_solid[0].second;
+    figures.second = of_solid.size() < 2 ? -1 : of_solid[1].second;
     if (const double facing = 0.5 * (all - sum.norm()); facing > figures.volume) {
         figures.kind = PartFigures::Kind::thin;
         figures.thickness = figures.volume / facing;
@@ -173,7 +177,7 @@ PartCounts write_parts(const std::filesystem::path& path, const Grid<D>& grid, s
             const std::array<Vec<2>, 5> corners{low, {high[0], low[1]}, high, {low[0], high[1]}, low};
             PartBorders<2> sides;
             for (int k = 0; k < 4; ++k)
-                sides.push_back({0, PartFace<2>::open, {corners[k], corners[k + 1]}});
+                sides.push_back({0, PartFace<2>::open, -1, {corners[k], corners[k + 1]}});
             PartFigures figures;
             figures.volume = (high - low).prod();
             add_cell<2>(grid, sides, cells);

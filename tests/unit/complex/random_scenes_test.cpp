@@ -3,9 +3,11 @@
 #include "checks.hpp"
 
 #include "gapflow/complex/inertia.hpp"
+#include "gapflow/core/error.hpp"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <numbers>
 
@@ -25,15 +27,27 @@ private:
 
 constexpr int cells = 10;
 
-/// Moves some vertices next to another one of their facet: facets become slivers.
+/// Splits some edges next to one of their ends: the same surface with facets that are slivers.
 template <int D>
 SurfaceMesh<D> with_slivers(SurfaceMesh<D> mesh, Numbers& number)
 {
-    const auto facets = static_cast<int>(mesh.elements.size());
-    for (int k = 0; k < facets / 8; ++k) {
-        const auto& facet = mesh.elements[number.below(facets)];
-        const Vec<D> near = mesh.vertices[facet[1]];
-        mesh.vertices[facet[0]] = near + std::pow(10, number(-12, -3)) * (mesh.vertices[facet[0]] - near);
+    const auto split = [&](std::size_t element, int from, int to, int vertex) { // of an edge's facet: one half stays
+        auto half = mesh.elements[element];
+        std::replace(half.begin(), half.end(), from, vertex);
+        std::replace(mesh.elements[element].begin(), mesh.elements[element].end(), to, vertex);
+        mesh.elements.push_back(half);
+        mesh.patch.push_back(mesh.patch[element]);
+    };
+    const auto count = static_cast<int>(mesh.elements.size());
+    for (int k = 0; k < 1 + count / 8; ++k) {
+        const auto& element = mesh.elements[number.below(count)];
+        const int from = element[0], to = element[1], vertex = static_cast<int>(mesh.vertices.size());
+        const double share = std::pow(10, number(-10, -1));
+        mesh.vertices.push_back(mesh.vertices[from] + share * (mesh.vertices[to] - mesh.vertices[from]));
+        for (std::size_t e = 0, n = mesh.elements.size(); e < n; ++e)
+            if (const auto& all = mesh.elements[e]; std::find(all.begin(), all.end(), from) != all.end() &&
+                                                    std::find(all.begin(), all.end(), to) != all.end())
+                split(e, from, to, vertex);
     }
     return mesh;
 }
@@ -64,7 +78,11 @@ std::unique_ptr<Shape<D>> random_shape(Numbers& number)
     case 4:
         return make_mesh<D>(make_box<D>(random_size<D>(number))->display_mesh(0), "box");
     case 5:
-        return make_mesh<D>(with_slivers<D>(make_ball<D>(size)->display_mesh(number(0.02, 0.1) * size), number), "slivers");
+        try {
+            return make_mesh<D>(with_slivers<D>(make_ball<D>(size)->display_mesh(number(0.02, 0.1) * size), number), "slivers");
+        } catch (const InputError&) { // facets that cross each other by round-off are refused
+            return make_ball<D>(size);
+        }
     case 6: // facets much smaller than cells, an edge thinner than any
         return make_mesh<D>(make_capsule<D>(0.1 * size, size)->display_mesh(1e-3 * size), "fine");
     default:
@@ -96,11 +114,9 @@ Pose<D> random_pose(Numbers& number, const Pose<D>* last)
     return at;
 }
 
-/// Largest outflow of a rigid translation from a part.
 template <int D>
-double closure(int seed)
+Grid<D> random_grid(Numbers& number)
 {
-    Numbers number(seed);
     std::array<SideKind, 2 * D> sides;
     for (int axis = 0; axis < D; ++axis) {
         constexpr std::array kinds{SideKind::wall, SideKind::open, SideKind::far};
@@ -109,8 +125,12 @@ double closure(int seed)
         if (number.chance(0.4))
             sides[2 * axis] = sides[2 * axis + 1] = SideKind::periodic;
     }
-    const Grid<D> grid = unit_grid<D>(cells, sides);
-    Scene<D> scene(grid);
+    return unit_grid<D>(cells, sides);
+}
+
+template <int D>
+void add_solids(Scene<D>& scene, Numbers& number)
+{
     Pose<D> at;
     for (int k = 0, n = 1 + number.below(5); k < n; ++k) {
         at = random_pose<D>(number, k ? &at : nullptr);
@@ -119,15 +139,21 @@ double closure(int seed)
     if (number.chance(0.1))
         scene.add("container", make_inside_out<D>(number.chance(0.5) ? make_ball<D>(0.45) : make_box<D>(Vec<D>::Constant(0.7))),
                   pose<D>(Vec<D>::Constant(0.5), number(0, 6)));
-    const Complex<D> complex = build_complex<D>(grid, scene.solids);
+}
+
+/// Largest outflow of a rigid translation from a part.
+template <int D>
+double closure(const Grid<D>& grid, const std::vector<Solid<D>>& solids)
+{
+    const Complex<D> complex = build_complex<D>(grid, solids);
     const Inertia<D> inertia = find_inertia<D>(grid, complex);
     for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
-        EXPECT_TRUE(complex.pieces[k].area >= 0 && complex.pieces[k].area <= 1 + 1e-12) << complex.pieces[k].area;
+        EXPECT_TRUE(complex.pieces[k].area >= -1e-12 && complex.pieces[k].area <= 1 + 1e-12) << complex.pieces[k].area;
         EXPECT_TRUE(std::isfinite(inertia.piece_weight[k]));
     }
     for (const Twist<D>& flux : inertia.patch_flux)
         EXPECT_TRUE(flux.allFinite());
-    return sums_of(grid, complex, scene.solids).closure;
+    return sums_of(grid, complex, solids).closure;
 }
 
 /// As many as the validation asks for, or few.
@@ -139,7 +165,11 @@ void check_scenes()
     int open = 0;
     const int scenes = asked ? std::atoi(asked) : 300;
     for (int seed = 0; seed < scenes; ++seed) {
-        const double found = closure<D>(seed);
+        Numbers number(seed);
+        const Grid<D> grid = random_grid<D>(number);
+        Scene<D> scene(grid);
+        add_solids<D>(scene, number);
+        const double found = closure<D>(grid, scene.solids);
         EXPECT_LE(found, 1e-10) << "scene " << seed;
         open += !(found <= 1e-10);
         worst = std::max(worst, found);
