@@ -1,14 +1,17 @@
 """The command as a user types it: examples in short, files, exit codes, messages. Usage: command_test.py GAPFLOW EXAMPLES"""
+import base64
 import json
 import os
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
 from harness import GAPFLOW, gapflow, rows
 
@@ -29,6 +32,12 @@ VISCOUS = {  # the same, and a body that moves down meanwhile
     "18_drafting_kissing_tumbling": ("upper", "z", ["domain.cells=[18,18,72]", "time.end=0.05"]),
 }
 DRY = "10_dry_separation"
+
+
+def vtu_cells(file):
+    """{name: values} of the cell data of a VTK file with inline arrays of doubles."""
+    data = ElementTree.parse(file).getroot().find(".//CellData")
+    return {array.get("Name"): [x for x, in struct.iter_unpack("<d", base64.b64decode(array.text)[8:])] for array in data}
 
 
 class Command(unittest.TestCase):
@@ -119,6 +128,43 @@ class Command(unittest.TestCase):
         done = gapflow("check", EXAMPLES / "01_plates_pulled_apart" / "scene.toml")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("lower - upper", done.stdout)
+
+    def test_check_writes_a_picture_of_parts(self):
+        scene, picture = self.out.parent / "gap.toml", self.out.parent / "parts.vtu"
+        scene.write_text("""[domain]
+size = [6, 6]
+cells = [6, 6]
+[[body]]
+name = "low"
+shape = "box"
+size = [4, 2]
+position = [3, 1.5]
+density = 2
+[[body]]
+name = "high"
+shape = "box"
+size = [4, 2]
+position = [3, 4]
+density = 2
+""")
+        done = gapflow("check", scene, "--parts", picture)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("add --set gap.model=parts", done.stderr)
+        done = gapflow("check", scene, "--set", "gap.model=parts", "--parts", self.out.parent / "parts.txt")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(".vtu", done.stderr)
+        done = gapflow("check", scene, "--set", "gap.model=parts", "--parts", picture)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("thin: " + str(picture), done.stdout)
+        fields = vtu_cells(picture)
+        # The gap of half a cell between the boxes: thin cells between body 0 and body 1.
+        gap = [k for k, kind in enumerate(fields["kind"]) if kind == 2 and {fields["first_wall"][k], fields["second_wall"][k]} == {0, 1}]
+        self.assertGreaterEqual(len(gap), 4)
+        for k in gap:
+            if fields["open"][k] == 0.5:
+                self.assertAlmostEqual(fields["thickness"][k], 0.5, delta=1e-12)
+        self.assertTrue(any(fields["open"][k] == 0.5 for k in gap))
+        self.assertAlmostEqual(sum(fields["open"]), 36 - 16, delta=1e-9)
 
     def test_check_tells_that_a_run_needs_a_time(self):
         text = (EXAMPLES / "01_plates_pulled_apart" / "scene.toml").read_text()

@@ -667,5 +667,14 @@ def energy_derivative(quick):
                   f"{100 * good / count:.1f} %; {jump:.1e}", good >= 0.99 * count and jump <= 1e-3)
 
 
-ALL = [energy_derivative, round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
+def random_scenes_closed(quick):
+    """Uniform motion in 1000 random scenes: up to six bodies of all shapes that touch, overlap with faces in common, have corners and faces in planes of the grid, parts thinner than a cell, slivers of
+    facets, and reach over open, closed and periodic sides."""
+    for dimension in (2, 3):
+        found, _ = harness.unit_figures("unit_complex", f"RandomScenes.AreClosed{dimension}D", GAPFLOW_SCENES="300" if quick else "1000")
+        yield Row(SUMS, f"{dimension}D, {found['scenes']} random scenes: largest outflow of a uniform motion from a part; scenes over 1e-10", "≤ 1e-10; 0",
+                  f"{found['closure']}; {found['open']}", float(found["closure"]) <= 1e-10 and int(found["open"]) == 0)
+
+
+ALL = [random_scenes_closed, energy_derivative, round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
        over_shifts, ellipsoids, boxes_as_meshes]

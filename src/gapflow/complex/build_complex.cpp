@@ -594,11 +594,11 @@ private:
     static bool divides(const Junction<3>& j, int q) { return j.sides & (q % 2 ? 1 : 2); }
 
     template <class Find, class Label>
-    static Meetings meetings_of(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find,
-                                const Label& label)
+    Meetings meetings_of(const std::array<HullFace, 6>& hull, const std::array<int, 7>& first, Find&& find,
+                         const Label& label) const
     {
-        struct Balance {
-            int plane, part, sum;
+        struct Balance { // of the ends of a plane at another solid
+            int plane, part, other, sum;
         };
         InlineVector<Balance, 4> balances;
         Meetings meetings;
@@ -622,13 +622,16 @@ private:
             ++meetings.planes[plane].count;
             meetings.planes[plane].middle += j.at;
             add_rates(meetings.planes[plane].rates, rates, 1);
-            auto balance = std::find_if(balances.begin(), balances.end(),
-                                        [&](const Balance& b) { return b.plane == plane && b.part == part; });
+            const bool leaves = solids_[j.from].solid == j.solid;
+            const int other = solids_[leaves ? j.to : j.from].solid;
+            auto balance = std::find_if(balances.begin(), balances.end(), [&](const Balance& b) {
+                return b.plane == plane && b.part == part && b.other == other;
+            });
             if (balance == balances.end()) {
-                balances.push_back({plane, part, 0});
+                balances.push_back({plane, part, other, 0});
                 balance = balances.end() - 1;
             }
-            balance->sum += (q % 2 ? -1 : 1) * (j.from < j.to ? 1 : -1);
+            balance->sum += (q % 2 ? -1 : 1) * (leaves ? 1 : -1);
         });
         for (auto& plane : meetings.planes) {
             plane.middle /= plane.count;

@@ -589,22 +589,6 @@ void fill_square(const GridPlanes<D>& planes, const PlacedSolid<D>& placed, cons
                            x[1] <= planes.place[v_axis<D>(d)][f[v_axis<D>(d)] + 1];
 }
 
-/// Distances of the solids of one rectangle, in cells.
-template <int D>
-struct PlacedDepth final : Square::Depth {
-    const GridPlanes<D>& planes;
-    const std::vector<PlacedSolid<D>>& solids;
-    const std::vector<int>* images = nullptr;
-    int d = 0;
-    double at = 0;
-
-    PlacedDepth(const GridPlanes<D>& planes_, const std::vector<PlacedSolid<D>>& solids_) : planes(planes_), solids(solids_) {}
-    double distance(int k, const Vec<2>& x) const override
-    {
-        return solids[(*images)[k]].shape.distance(planes.in_world(in_space<D>(d, at, x))) / planes.dx;
-    }
-};
-
 /// How the edges of each of a face's images divide a cell beside it.
 std::vector<CellSectors> divided_cell(const Grid<3>& grid, const GridPlanes<3>& planes,
                                       const std::vector<PlacedSolid<3>>& solids, const std::vector<int>& images,
@@ -755,7 +739,7 @@ public:
     /// `faces`: with its grid.
     GeneralCut(const CutFaces<D>& faces, const GridPlanes<D>& planes, const DenseIndex<D>& index,
                const std::vector<PlacedSolid<D>>& solids, bool with_chords = false)
-        : faces_(faces), planes_(planes), index_(index), solids_(solids), depth_(planes, solids)
+        : faces_(faces), planes_(planes), index_(index), solids_(solids)
     {
         square_.with_chords = with_chords;
     }
@@ -795,10 +779,7 @@ public:
         lines_.clear();
         if constexpr (D == 3)
             add_lines(*faces_.grid, planes_, solids_, detail.images, sections_, d, f, square_, lines_);
-        depth_.images = &detail.images;
-        depth_.d = d;
-        depth_.at = at;
-        square_.cut(&depth_);
+        square_.cut();
         return square_;
     }
     /// Of the last face: the corners of Square::corners, and the lines of Square::lines.
@@ -814,7 +795,6 @@ private:
     std::vector<Section> sections_;
     std::vector<const SharpCorner*> sharp_;
     std::vector<FaceLine> lines_;
-    PlacedDepth<D> depth_;
 };
 
 namespace {

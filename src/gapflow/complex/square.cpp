@@ -195,6 +195,12 @@ void Square::arcs_of_convex(int s)
             add_walk(arc, *solid.section, arc.to, arc.from, inside, true);
         else
             add_walk(arc, *solid.section, arc.from, arc.to, inside, false);
+        // The section of a face that lies in the plane ends anywhere.
+        for (ArcSegment& segment : arc.segments)
+            if (!segment.curve) {
+                segment.from = segment.from.cwiseMax(low).cwiseMin(high);
+                segment.to = segment.to.cwiseMax(low).cwiseMin(high);
+            }
         arcs.push_back(arc);
     }
 }
@@ -261,6 +267,18 @@ void Square::join(SquareArc& arc, const SquareArc& next)
     arc.to = next.from;
 }
 
+void Square::lead(const Vec<2>& x, SquareArc& arc)
+{
+    if (x == arc.from)
+        return;
+    InlineVector<ArcSegment, 3> segments;
+    segments.push_back({x, arc.from, nullptr, -1, false, false}); // equal to round-off
+    for (const ArcSegment& segment : arc.segments)
+        segments.push_back(segment);
+    arc.segments = segments;
+    arc.from = x;
+}
+
 int Square::next_ring(SquareArc& arc)
 {
     for (std::size_t r = 0; r < ring_.size(); ++r)
@@ -289,11 +307,15 @@ int Square::next_ring(SquareArc& arc)
 
 void Square::walk()
 {
-    const auto arc_at = [&](const OnEdge& place, int solid) {
+    const auto arc_at = [&](const OnEdge& place, int solid) { // of another solid, where the own one's overlaps with it
+        int other = -1;
         for (std::size_t a = 0; a < arcs.size(); ++a)
-            if (arcs[a].piece < 0 && arcs[a].start.edge >= 0 && arcs[a].start == place && arcs[a].solid == solid)
-                return static_cast<int>(a);
-        return -1;
+            if (arcs[a].piece < 0 && arcs[a].start.edge >= 0 && arcs[a].start == place) {
+                other = static_cast<int>(a);
+                if (arcs[a].solid == solid)
+                    break;
+            }
+        return other;
     };
     const auto nearest_arc = [&](const Vec<2>& x) {
         int best = -1;
@@ -330,6 +352,8 @@ void Square::walk()
                 int from = ring_[ring].after;
                 if (arc < 0)
                     arc = nearest_arc(here_);
+                if (arc >= 0 && arcs[arc].solid != from)
+                    lead(here_, arcs[arc]);
                 ring = -1;
                 while (arc >= 0) {
                     SquareArc& a = arcs[arc];
@@ -359,6 +383,8 @@ void Square::walk()
                         continue;
                     }
                     ring = next_ring(a);
+                    if (ring >= 0 && ring_[ring].before >= 0 && ring_[ring].before != a.solid)
+                        junctions.push_back({piece, a.solid, ring_[ring].before, a.to, {fin_of(arc), -1}});
                     add_arc(arc);
                     break;
                 }
@@ -391,7 +417,7 @@ void Square::close_loops()
         }
     };
     for (std::size_t first = 0; first < arcs.size(); ++first) {
-        if (arcs[first].piece >= 0 || arcs[first].start.edge >= 0)
+        if (arcs[first].piece != -1 || arcs[first].start.edge >= 0)
             continue;
         Loop loop{{}, {}, chords.size(), 0};
         start_ = here_ = arcs[first].from;
@@ -399,7 +425,7 @@ void Square::close_loops()
         int a = static_cast<int>(first);
         bool closed = false;
         while (a >= 0 && arcs[a].piece == -1 && arcs[a].start.edge < 0) {
-            arcs[a].piece = -2; // under way
+            arcs[a].piece = -2; // of a loop
             loop.arcs.push_back(a);
             if (arcs[a].joins >= 0)
                 join(arcs[a], arcs[arcs[a].joins]);
@@ -407,8 +433,6 @@ void Square::close_loops()
             closed = arcs[a].joins == static_cast<int>(first) || (arcs[a].joins < 0 && arcs[a].end.edge < 0);
             a = arcs[a].joins;
         }
-        for (const int k : loop.arcs)
-            arcs[k].piece = -1;
         if (!closed) {
             for (const int k : loop.arcs)
                 arcs[k].start.edge = 4; // belongs to nothing
@@ -469,7 +493,7 @@ void Square::close_loops()
     std::erase_if(arcs, [](const SquareArc& a) { return a.piece < 0; });
 }
 
-void Square::cut(const Depth* depth)
+void Square::cut()
 {
     pieces.clear();
     links.clear();
@@ -477,8 +501,8 @@ void Square::cut(const Depth* depth)
     chords.clear();
     find_open_stretches();
     find_arcs();
-    if (depth && solids.size() > 1)
-        keep_outer(*depth);
+    if (solids.size() > 1)
+        keep_outer();
     for (std::size_t k = 0; k < corners.size(); ++k)
         divide(static_cast<int>(k));
     draw_lines();

@@ -127,14 +127,6 @@ class Square {
 public:
     Vec<2> low, high;
     std::vector<SquareSolid> solids;
-    /// Signed distance of a point of the plane from a solid (index into solids), for solids that may overlap.
-    struct Depth {
-        virtual double distance(int solid, const Vec<2>& x) const = 0;
-
-    protected:
-        ~Depth() = default;
-    };
-
     std::vector<SquareCorner> corners;
     std::vector<SquareLine> lines;
 
@@ -146,8 +138,7 @@ public:
     bool with_chords = false;
     std::vector<BorderChord> chords; ///< where they are wanted: loop by loop, each in the order of its border
 
-    /// `depth`: null where no two solids overlap.
-    void cut(const Depth* depth);
+    void cut();
 
 private:
     /// An open stretch of the border, around corners, counterclockwise.
@@ -164,7 +155,8 @@ private:
     void find_open_stretches();
     void find_arcs();
     void arcs_of_convex(int s);
-    void keep_outer(const Depth& depth);
+    double distance(int solid, const Vec<2>& x) const;
+    void keep_outer();
     struct Hit {
         double way = 0; ///< from the ray's start
         int arc = -1, segment = 0;
@@ -198,6 +190,7 @@ private:
     void add_arc(int arc);
     void add_chord(const Vec<2>& to, int solid, int fin);
     static void join(SquareArc& arc, const SquareArc& next);
+    static void lead(const Vec<2>& x, SquareArc& arc);
     int next_ring(SquareArc& arc);
 
     std::vector<RingStretch> ring_;
