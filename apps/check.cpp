@@ -124,7 +124,8 @@ int check_command(const Scene& scene, const std::string& parts_file)
         if (!scene.parts)
             throw InputError("--parts " + parts_file + ": the scene's gap.model is not \"parts\"; add --set gap.model=parts");
         if (!parts_file.ends_with(".vtu"))
-            throw InputError("--parts " + parts_file + ": not the name of a VTK file of polygons; write for example --parts parts.vtu");
+            throw InputError("--parts " + parts_file +
+                             ": not the name of a VTK file of polygons; write for example --parts parts.vtu");
     }
     double cells = 1;
     for (int axis = 0; axis < scene.dimension; ++axis)

@@ -136,18 +136,22 @@ void add_run(const CommandLine& line)
 void add_check_and_added_mass(const CommandLine& line)
 {
     Arguments& arguments = line.arguments;
-    CLI::App* check =
-        line.add_of_scene("check", "Validate a scene; print cells, unknowns and expected memory",
-                          [&arguments] { return check_command(scene_of(arguments, Purpose::check), arguments.parts_file); });
+    CLI::App* check = line.add_of_scene("check", "Validate a scene; print cells, unknowns and expected memory", [&arguments] {
+        return check_command(scene_of(arguments, Purpose::check), arguments.parts_file);
+    });
     check
-        ->add_option("--parts", arguments.parts_file,
-                     "With gap.model = \"parts\": write the fluid's parts as polygons (3D: polyhedra, of cut cells alone) with data")
+        ->add_option(
+            "--parts", arguments.parts_file,
+            "With gap.model = \"parts\": write the fluid's parts as polygons (3D: polyhedra, of cut cells alone) with data")
         ->type_name("FILE.vtu");
-    check->footer(
-        "Data of --parts: kind 0 whole cell, 1 cut, 2 thin: walls that face each other are less than a cell apart; part, its number "
-        "in the cell, 0 the largest; parts of the cell; open, the part's share of the cell; thickness of a thin part, its volume over "
-        "the area with which walls face each other, half of sum |S| - |sum S|, S the area vector of each connected wall; walls, how many solids bound "
-        "it; first_wall and second_wall, the solids with the largest walls: bodies as in the scene from 0 on, then closed sides.");
+    check->footer("Data of --parts: kind 0 whole cell, 1 cut, 2 thin: walls that face each other are less than a cell apart; "
+                  "part, its number "
+                  "in the cell, 0 the largest; parts of the cell; open, the part's share of the cell; thickness of a thin "
+                  "part, its volume over "
+                  "the area with which walls face each other, half of sum |S| - |sum S|, S the area vector of each connected "
+                  "wall; walls, how many solids bound "
+                  "it; first_wall and second_wall, the solids with the largest walls: bodies as in the scene from 0 on, then "
+                  "closed sides.");
 
     CLI::App* mass = line.add_of_scene(
         "added-mass", "Added-mass matrix of all bodies that are not fixed, at the scene's poses", [&arguments] {

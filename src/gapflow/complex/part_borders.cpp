@@ -80,7 +80,7 @@ std::int32_t kind_of(const BorderChord& chord, const std::vector<PlacedSolid<D>>
 /// A chord of a wall on a face of a cell, with the face outside at its right: as the wall's polygon has it.
 struct WallChord {
     Vec<3> from, to;
-    std::int32_t solid; ///< as PartFace::solid
+    std::int32_t solid;       ///< as PartFace::solid
     std::int32_t image, edge; ///< edge of the dividing plane, or -1
 };
 
@@ -164,7 +164,8 @@ PartBorders<2> part_borders(const Grid<2>&, const GridPlanes<2>& planes, const C
                 continue;
             retrace.of(cut.slabs[s], face);
             for (const BorderChord& chord : retrace.chords())
-                if (const PartOrCell part = parts_beside[s][face.piece + chord.piece][0]; part.exists() && chord.from != chord.to) {
+                if (const PartOrCell part = parts_beside[s][face.piece + chord.piece][0];
+                    part.exists() && chord.from != chord.to) {
                     PartBorders<2>& sides = of_part[part.number()];
                     const std::int32_t solid = kind_of(chord, solids), last = sides.empty() ? -1 : sides.back().wall;
                     const bool goes_on = !sides.empty() && sides.back().solid == solid && sides.back().points[1] == chord.from;
@@ -225,8 +226,8 @@ PartBorders<3> part_borders(const Grid<3>& grid, const GridPlanes<3>& planes, co
                         if (chord.solid < 0 || (chord.fin >= 0 && !(retrace.line(chord.fin).sides >> side & 1)))
                             continue;
                         const int edge = chord.fin >= 0 ? retrace.line(chord.fin).edge : -1;
-                        walls[part.number()].push_back({side == 0 ? to : from, side == 0 ? from : to, kind_of(chord, solids), chord.solid,
-                                                        edge});
+                        walls[part.number()].push_back(
+                            {side == 0 ? to : from, side == 0 ? from : to, kind_of(chord, solids), chord.solid, edge});
                     }
                     std::erase_if(loops, [](const auto& loop) { return loop.size() < 3; });
                     if (loops.empty())

@@ -14,7 +14,8 @@ namespace gapflow {
 /// mean of the points between.
 template <int D>
 struct PartFace {
-    static constexpr std::int32_t open = -1, dividing = -2; ///< on a plane of the grid; on the line or plane from a sharp corner or edge
+    static constexpr std::int32_t open = -1,
+                                  dividing = -2; ///< on a plane of the grid; on the line or plane from a sharp corner or edge
     std::int32_t part;
     std::int32_t solid; ///< whose wall it is, or open, or dividing
     std::int32_t wall;  ///< which of the part's connected walls it belongs to; -1: none

@@ -31,8 +31,8 @@ Vec<2> closest_on(const Curve& c, const Vec<2>& x)
     const Vec<2> scaled = c.scaled(x), local(c.semi1 * scaled[0], c.semi2 * scaled[1]);
     double angle = std::atan2(c.semi1 * local[1], c.semi2 * local[0]);
     for (int k = 0; k < 20; ++k) {
-        const double cosine = std::cos(angle), sine = std::sin(angle), dx = c.semi1 * cosine - local[0], dy = c.semi2 * sine - local[1],
-                     slope = -dx * c.semi1 * sine + dy * c.semi2 * cosine,
+        const double cosine = std::cos(angle), sine = std::sin(angle), dx = c.semi1 * cosine - local[0],
+                     dy = c.semi2 * sine - local[1], slope = -dx * c.semi1 * sine + dy * c.semi2 * cosine,
                      rise = c.semi1 * c.semi1 * sine * sine + c.semi2 * c.semi2 * cosine * cosine - dx * c.semi1 * cosine -
                             dy * c.semi2 * sine;
         if (!(rise > 0))
@@ -56,7 +56,8 @@ double Square::distance(int solid, const Vec<2>& x) const
         for (const ArcSegment& segment : arc.segments) {
             if (arc.solid != solid || (!segment.whole && segment.from == segment.to))
                 continue;
-            const double t = segment.nearest(segment.curve ? closest_on(*segment.curve, x) : x), step = parameters.tangent_share;
+            const double t = segment.nearest(segment.curve ? closest_on(*segment.curve, x) : x),
+                         step = parameters.tangent_share;
             const Vec<2> away = x - segment.at(t),
                          way = segment.curve ? Vec<2>(segment.at(std::min(t + step, 1.0)) - segment.at(std::max(t - step, 0.0)))
                                              : Vec<2>(segment.to - segment.from);
@@ -216,9 +217,8 @@ void Square::keep_outer()
     std::vector<std::pair<int, Vec<2>>> ends, starts;
     // An end on an edge of the rectangle that another solid closes there is one within it, if what goes on is found next to it.
     const auto within = [&](const OnEdge& place, bool start) {
-        return place.edge < 0 || std::none_of(ring_.begin(), ring_.end(), [&](const RingStretch& r) {
-                   return (start ? r.end : r.start) == place;
-               });
+        return place.edge < 0 || std::none_of(ring_.begin(), ring_.end(),
+                                              [&](const RingStretch& r) { return (start ? r.end : r.start) == place; });
     };
     for (int k = 0; k < n; ++k) {
         if (within(kept[k].end, false))
@@ -243,8 +243,9 @@ void Square::keep_outer()
     for (const auto& [end, from] : ends)
         for (const auto& [start, to] : starts)
             if (const double distance = (to - from).norm();
-                (end < n || start < n) && (((end >= n || kept[end].end.edge < 0) && (start >= n || kept[start].start.edge < 0)) ||
-                                           distance < 4 * parameters.joint_distance))
+                (end < n || start < n) &&
+                (((end >= n || kept[end].end.edge < 0) && (start >= n || kept[start].start.edge < 0)) ||
+                 distance < 4 * parameters.joint_distance))
                 pairs.push_back({distance, end, start});
     std::stable_sort(pairs.begin(), pairs.end(), [](const Ending& a, const Ending& b) { return a.distance < b.distance; });
     std::vector<char> ended(n + ring_.size(), 0), started(n + ring_.size(), 0);

@@ -112,7 +112,8 @@ PartFigures part_figures(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     for (const Wall& wall : walls) {
         const double size = wall.area.norm();
         all += size;
-        const auto known = std::find_if(of_solid.begin(), of_solid.end(), [&](const auto& x) { return x.second == wall.solid; });
+        const auto known =
+            std::find_if(of_solid.begin(), of_solid.end(), [&](const auto& x) { return x.second == wall.solid; });
         if (known == of_solid.end())
             of_solid.emplace_back(size, wall.solid);
         else
@@ -138,11 +139,15 @@ PartCounts write_parts(const std::filesystem::path& path, const Grid<D>& grid, s
     for (const char* name : {"kind", "part", "parts", "open", "thickness", "walls", "first_wall", "second_wall"})
         cells.cell_data.push_back({name, 1, {}});
     const auto add_data = [&](const PartFigures& figures, int part, int parts, double whole) {
-        const double thickness = figures.kind == PartFigures::Kind::thin ? figures.thickness * grid.dx()
-                                                                         : std::numeric_limits<double>::quiet_NaN();
-        const std::array<double, 8> values{static_cast<double>(figures.kind), static_cast<double>(part),
-                                           static_cast<double>(parts), figures.volume / whole, thickness,
-                                           static_cast<double>(figures.walls), static_cast<double>(figures.first),
+        const double thickness =
+            figures.kind == PartFigures::Kind::thin ? figures.thickness * grid.dx() : std::numeric_limits<double>::quiet_NaN();
+        const std::array<double, 8> values{static_cast<double>(figures.kind),
+                                           static_cast<double>(part),
+                                           static_cast<double>(parts),
+                                           figures.volume / whole,
+                                           thickness,
+                                           static_cast<double>(figures.walls),
+                                           static_cast<double>(figures.first),
                                            static_cast<double>(figures.second)};
         for (std::size_t k = 0; k < values.size(); ++k)
             cells.cell_data[k].values.push_back(values[k]);

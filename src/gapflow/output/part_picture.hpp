@@ -17,7 +17,7 @@ struct PartFigures {
     /// Of a thin part: its volume over sum |S_w| - |sum S_w|, halved, S_w the area vectors of its connected walls: the area with which walls face each
     /// other. The distance of parallel walls. Kind::thin where it is below one.
     double thickness = 0;
-    int walls = 0;             ///< solids that bound it
+    int walls = 0;               ///< solids that bound it
     int first = -1, second = -1; ///< those with the largest walls; -1: none
 };
 

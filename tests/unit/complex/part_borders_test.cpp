@@ -35,7 +35,8 @@ double fluid_volume(const Grid<D>& grid, const Scene<D>& scene)
 }
 
 template <int D>
-void expect_volume(const std::string& what, std::unique_ptr<Shape<D>> shape, const Pose<D>& at, SideKind sides, double tolerance)
+void expect_volume(const std::string& what, std::unique_ptr<Shape<D>> shape, const Pose<D>& at, SideKind sides,
+                   double tolerance)
 {
     const Grid<D> grid = unit_grid<D>(10, all_sides<D>(sides));
     Scene<D> scene(grid);
@@ -74,7 +75,8 @@ TEST(PartBorders, OfSolidsThatMeetAreClosed)
         Scene<3> scene(grid);
         for (int n = 0; n < 3; ++n) {
             const Pose<3> at =
-                pose<3>(Vec<3>(0.35 + 0.3 * number(random), 0.35 + 0.3 * number(random), 0.35 + 0.3 * number(random)), 6 * number(random));
+                pose<3>(Vec<3>(0.35 + 0.3 * number(random), 0.35 + 0.3 * number(random), 0.35 + 0.3 * number(random)),
+                        6 * number(random));
             if (n < 2)
                 scene.add("box", make_box<3>(Vec<3>(0.3, 0.2, 0.1)), at);
             else

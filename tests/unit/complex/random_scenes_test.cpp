@@ -45,8 +45,8 @@ SurfaceMesh<D> with_slivers(SurfaceMesh<D> mesh, Numbers& number)
         const double share = std::pow(10, number(-10, -1));
         mesh.vertices.push_back(mesh.vertices[from] + share * (mesh.vertices[to] - mesh.vertices[from]));
         for (std::size_t e = 0, n = mesh.elements.size(); e < n; ++e)
-            if (const auto& all = mesh.elements[e]; std::find(all.begin(), all.end(), from) != all.end() &&
-                                                    std::find(all.begin(), all.end(), to) != all.end())
+            if (const auto& all = mesh.elements[e];
+                std::find(all.begin(), all.end(), from) != all.end() && std::find(all.begin(), all.end(), to) != all.end())
                 split(e, from, to, vertex);
     }
     return mesh;
