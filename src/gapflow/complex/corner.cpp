@@ -73,15 +73,66 @@ bool part_in_cell(const SharpEdge& edge, const Vec<3>& low, const Vec<3>& high, 
 
 } // namespace
 
-std::span<const RimPiece> SharpSolid::pieces_in(const Index<3>& cell) const
+namespace {
+
+auto key(const Index<3>& c)
 {
-    const auto key = [](const Index<3>& c) { return std::tuple(c[0], c[1], c[2]); };
-    const auto first = std::lower_bound(pieces.begin(), pieces.end(), cell,
-                                        [&](const RimPiece& p, const Index<3>& c) { return key(p.cell) < key(c); });
+    return std::tuple(c[0], c[1], c[2]);
+}
+
+template <class Item>
+std::span<const Item> items_in(const std::vector<Item>& items, const Index<3>& cell)
+{
+    const auto first = std::lower_bound(items.begin(), items.end(), cell,
+                                        [](const Item& item, const Index<3>& c) { return key(item.cell) < key(c); });
     auto last = first;
-    while (last != pieces.end() && last->cell == cell)
+    while (last != items.end() && last->cell == cell)
         ++last;
     return {first, last};
+}
+
+template <class Item>
+void sort_items(std::vector<Item>& items)
+{
+    std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return key(a.cell) < key(b.cell); });
+}
+
+/// The places at which an edge's plane is at an equal height above facet k and its own ones bound the plane: 1, its own ones are higher within;
+/// -1, facet k is; 0: they bound nothing.
+int bound_of(const SharpSolid& solid, const CellSectors& sectors, const SharpEdge& edge, int k)
+{
+    if (k == edge.a || k == edge.b)
+        return 0;
+    const auto group = [&](int facet) {
+        return sectors.group[std::find(sectors.facets.begin(), sectors.facets.end(), facet) - sectors.facets.begin()];
+    };
+    const SharpFacet& facet = solid.facets[k];
+    if (group(k) != group(edge.a) || facet.in_plane_of(solid.facets[edge.a]) || facet.in_plane_of(solid.facets[edge.b]))
+        return 0;
+    return facet.height(0.5 * (edge.from + edge.to)) > parameters.joint_distance ? -1 : 1;
+}
+
+} // namespace
+
+bool SharpFacet::in_plane_of(const SharpFacet& other) const
+{
+    return (normal - other.normal).norm() < parameters.parallel && std::abs(other.height(at)) < parameters.parallel;
+}
+
+std::span<const RimPiece> SharpSolid::pieces_in(const Index<3>& cell) const
+{
+    return items_in(pieces, cell);
+}
+
+std::span<const EdgeCell> SharpSolid::edges_in(const Index<3>& cell) const
+{
+    return items_in(edge_cells, cell);
+}
+
+void SharpSolid::sort_by_cell()
+{
+    sort_items(pieces);
+    sort_items(edge_cells);
 }
 
 CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Vec<3>& low, const Vec<3>& high)
@@ -90,19 +141,37 @@ CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Ve
     for (const RimPiece& piece : solid.pieces_in(cell))
         if (sectors.rims.empty() || sectors.rims[sectors.rims.size() - 1] != piece.rim)
             sectors.rims.push_back(piece.rim);
-    const auto add = [&](int facet) {
-        if (std::find(sectors.facets.begin(), sectors.facets.end(), facet) == sectors.facets.end())
-            sectors.facets.push_back(facet);
+    const auto merge = [&](int group, int other) {
+        for (int& g : sectors.group)
+            g = g == other ? group : g;
     };
-    for (std::size_t e = 0; e < solid.edges.size(); ++e) {
+    const auto add = [&](int facet) {
+        int k = 0;
+        while (k < static_cast<int>(sectors.facets.size()) && sectors.facets[k] != facet)
+            ++k;
+        if (k == static_cast<int>(sectors.facets.size())) {
+            sectors.facets.push_back(facet);
+            sectors.group.push_back(k);
+            for (int j = 0; j < k; ++j)
+                if (solid.facets[facet].in_plane_of(solid.facets[sectors.facets[j]]))
+                    merge(sectors.group[j], sectors.group[k]);
+        }
+        return k;
+    };
+    for (const EdgeCell& in_cell : solid.edges_in(cell)) {
         double from, to;
-        const SharpEdge& edge = solid.edges[e];
+        const SharpEdge& edge = solid.edges[in_cell.edge];
         if (!part_in_cell(edge, low, high, from, to))
             continue;
-        sectors.edges.push_back(static_cast<int>(e));
+        const bool known = std::any_of(sectors.edges.begin(), sectors.edges.end(), [&](int e) { // on the same line
+            return solid.edges[e].a == edge.a && solid.edges[e].b == edge.b;
+        });
+        if (known)
+            continue;
+        sectors.edges.push_back(in_cell.edge);
         sectors.lengths.push_back((to - from) * (edge.to - edge.from).norm());
-        add(edge.a);
-        add(edge.b);
+        const int a = add(edge.a), b = add(edge.b);
+        merge(sectors.group[a], sectors.group[b]);
     }
     return sectors;
 }
@@ -139,8 +208,8 @@ BisectorPolygons bisector_polygons(const SharpSolid& solid, const CellSectors& s
     std::vector<Vec<2>> behind = polygon;
     clip(polygon, {0, 1}, 0);
     for (const int k : sectors.facets)
-        if (k != edge.a && k != edge.b)
-            keep(polygon, a.normal - solid.facets[k].normal, a.height(p) - solid.facets[k].height(p));
+        if (const int bound = bound_of(solid, sectors, edge, k))
+            keep(polygon, bound * (a.normal - solid.facets[k].normal), bound * (a.height(p) - solid.facets[k].height(p)));
     clip(behind, {0, -1}, 0);
     clip(behind, {1, 0}, (p - edge.from).dot(along));
     clip(behind, {-1, 0}, (edge.to - p).dot(along));
@@ -185,13 +254,18 @@ void add_plane_rates(const BisectorPolygons& polygons, const Vec<3>& low, const 
 /// A rim's piece as a straight edge.
 SharpSolid chord_of(const SharpRim& rim, const RimPiece& piece)
 {
-    return {{{rim.normal, rim.centre}, {piece.out, piece.from}}, {{0, 1, piece.from, piece.to, std::numbers::pi / 2}}, {}, {}};
+    SharpSolid chord;
+    chord.facets = {{rim.normal, rim.centre}, {piece.out, piece.from}};
+    chord.edges = {{0, 1, piece.from, piece.to, std::numbers::pi / 2}};
+    return chord;
 }
 CellSectors both_facets()
 {
     CellSectors sectors;
-    sectors.facets.push_back(0);
-    sectors.facets.push_back(1);
+    for (const int facet : {0, 1}) {
+        sectors.facets.push_back(facet);
+        sectors.group.push_back(0);
+    }
     return sectors;
 }
 
@@ -371,9 +445,9 @@ SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int 
     }
     keep(height(edge.a, line.start), slope(edge.a).dot(line.direction), SectorLine::End::corner, -1, -1);
     for (const int k : sectors.facets)
-        if (k != edge.a && k != edge.b)
-            keep(height(edge.a, line.start) - height(k, line.start), (slope(edge.a) - slope(k)).dot(line.direction),
-                 SectorLine::End::junction, -1, -1);
+        if (const int bound = bound_of(solid, sectors, edge, k))
+            keep(bound * (height(edge.a, line.start) - height(k, line.start)),
+                 bound * (slope(edge.a) - slope(k)).dot(line.direction), SectorLine::End::junction, -1, -1);
     return line;
 }
 

@@ -19,11 +19,13 @@ struct SharpCorner {
     double angle;   ///< of the solid, 0 .. pi
 };
 
-/// A flat face of a convex solid in space and an edge between two of them.
+/// A flat face of a solid in space and a convex edge between two of them.
 struct SharpFacet {
     Vec<3> normal, at; ///< out of the solid; a point of it
 
     double height(const Vec<3>& x) const { return normal.dot(x - at); }
+    /// Whether another one lies in the same plane.
+    bool in_plane_of(const SharpFacet& other) const;
 };
 struct SharpEdge {
     int a, b; ///< facets
@@ -43,21 +45,33 @@ struct RimPiece {
     Vec<3> from, to, out; ///< out: normal of the side at its middle
 };
 
-/// Edges and facets of a convex solid: the fluid of a cell through which edges pass is divided among their facets, each point to that above
-/// which it is highest. The borders are bisector planes at edges; at a vertex three of them meet.
+/// An edge in a cell.
+struct EdgeCell {
+    Index<3> cell;
+    int edge;
+};
+
+/// Convex edges and their facets: the fluid of a cell through which edges pass is divided among their facets. The borders are bisector planes at
+/// edges; at a vertex three of them meet. Of a convex solid each point belongs to the facet above which it is highest. Where an edge lies in front
+/// of the plane of a facet that edges in the cell join with it, its plane ends where it is as high above that facet.
 struct SharpSolid {
     std::vector<SharpFacet> facets;
     std::vector<SharpEdge> edges;
+    std::vector<EdgeCell> edge_cells; ///< the cells that edges pass through or touch, sorted (see sort_by_cell)
+    std::vector<int> facet_of;        ///< of a mesh: the SharpFacet to which each of its facets belongs; -1: none
     std::vector<SharpRim> rims;   ///< the number of a rim as an edge: from edges.size() on
     std::vector<RimPiece> pieces; ///< sorted by cell and rim
 
     bool empty() const { return edges.empty() && pieces.empty(); }
     std::span<const RimPiece> pieces_in(const Index<3>& cell) const;
+    std::span<const EdgeCell> edges_in(const Index<3>& cell) const;
+    void sort_by_cell();
 };
 
 /// What divides a cell.
 struct CellSectors {
     InlineVector<int, 4> facets, edges;
+    InlineVector<int, 4> group; ///< of each facet: those that edges in the cell join have one number
     InlineVector<double, 4> lengths; ///< of each edge within the cell
     InlineVector<int, 2> rims;
 

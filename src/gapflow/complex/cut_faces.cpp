@@ -106,36 +106,44 @@ void make_general(Slab<D>& slab, CutFace<D>& face)
     face.pieces = face.arcs = 0;
 }
 
-/// The cells that an edge passes through or touches, in the domain and a layer around it.
-template <class Visit>
-void for_each_cell_of(const GridPlanes<3>& planes, const SharpEdge& edge, Visit&& visit)
+/// The faces of the cells through which a solid's sharp edges and rims pass, in one slab.
+void mark_sharp(const Grid<3>& grid, const DenseIndex<3>& index, const SharpSolid& sharp, int image, CutFaces<3>& cut,
+                Slab<3>& slab)
 {
-    const Vec<3> way = edge.to - edge.from;
-    Index<3> cell;
-    const auto pass = [&](auto&& self, int axis, double from, double to) -> void {
-        if (axis < 0) {
-            visit(cell);
+    const auto mark_around = [&](const Index<3>& cell) {
+        if (!grid.in_domain(grid.wrapped(cell)))
             return;
-        }
-        const double a = edge.from[axis] + from * way[axis], b = edge.from[axis] + to * way[axis];
-        const int first = std::max(planes.cell_of(axis, std::min(a, b)) - 1, planes.place[axis].first() - 1),
-                  last = std::min(planes.cell_of(axis, std::max(a, b)) + 1, planes.place[axis].last());
-        for (cell[axis] = first; cell[axis] <= last; ++cell[axis]) {
-            double t0 = from, t1 = to;
-            const double lo = planes.place_of(axis, cell[axis]), hi = planes.place_of(axis, cell[axis] + 1);
-            if (way[axis] == 0) {
-                if (!(edge.from[axis] >= lo && edge.from[axis] <= hi))
+        for (int d = 0; d < 3; ++d)
+            for (int side = 0; side < 2; ++side) {
+                Index<3> f = cell;
+                f[d] += side;
+                bool own = true;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const int from = axis == 2 ? slab.begin : index.low[axis],
+                              to = axis == 2 ? slab.end : index.low[axis] + index.size[axis] - 1;
+                    const bool last = axis == d && to == index.high()[axis] && !index.wraps[axis];
+                    own = own && f[axis] >= from && f[axis] < to + last;
+                }
+                if (!own)
                     continue;
-            } else {
-                const double s = (lo - edge.from[axis]) / way[axis], t = (hi - edge.from[axis]) / way[axis];
-                t0 = std::max(t0, std::min(s, t));
-                t1 = std::min(t1, std::max(s, t));
+                const int id = index(f);
+                std::int32_t& number = cut.face[d][id];
+                if (number == Complex<3>::solid)
+                    continue;
+                if (number < 0) {
+                    number = static_cast<std::int32_t>(slab.faces.size());
+                    slab.faces.push_back({id, static_cast<std::int8_t>(d), CutFace<3>::State::simple, 15, image});
+                }
+                make_general(slab, slab.faces[number]);
+                auto& images = slab.details[slab.faces[number].detail].images;
+                if (std::find(images.begin(), images.end(), image) == images.end())
+                    images.push_back(image);
             }
-            if (t0 <= t1)
-                self(self, axis - 1, t0, t1);
-        }
     };
-    pass(pass, 2, 0.0, 1.0);
+    for (const EdgeCell& edge : sharp.edge_cells)
+        mark_around(edge.cell);
+    for (const RimPiece& piece : sharp.pieces)
+        mark_around(piece.cell);
 }
 
 /// Which faces one solid covers or cuts in a slab.
@@ -151,12 +159,8 @@ public:
     void mark()
     {
         mark_cut();
-        if constexpr (D == 3) {
-            for (const SharpEdge& edge : solid_.sharp.edges)
-                for_each_cell_of(planes_, edge, [&](const Index<3>& cell) { mark_around(cell); });
-            for (const RimPiece& piece : solid_.sharp.pieces)
-                mark_around(piece.cell);
-        }
+        if constexpr (D == 3)
+            mark_sharp(grid_, index_, solid_.sharp, image_, cut_, slab_);
     }
 
 private:
@@ -332,38 +336,6 @@ private:
                (twice_[at] >> v & 1);
     }
 
-    void mark_around(const Index<3>& cell) requires(D == 3)
-    {
-        if (!grid_.in_domain(grid_.wrapped(cell)))
-            return;
-        for (int d = 0; d < 3; ++d)
-            for (int side = 0; side < 2; ++side) {
-                Index<3> f = cell;
-                f[d] += side;
-                bool own = true;
-                for (int axis = 0; axis < 3; ++axis) {
-                    const int from = axis == 2 ? slab_.begin : index_.low[axis],
-                              to = axis == 2 ? slab_.end : index_.low[axis] + index_.size[axis] - 1;
-                    const bool last = axis == d && to == index_.high()[axis] && !index_.wraps[axis];
-                    own = own && f[axis] >= from && f[axis] < to + last;
-                }
-                if (!own)
-                    continue;
-                const int id = index_(f);
-                std::int32_t& number = cut_.face[d][id];
-                if (number == Complex<3>::solid)
-                    continue;
-                if (number < 0) {
-                    number = static_cast<std::int32_t>(slab_.faces.size());
-                    slab_.faces.push_back({id, static_cast<std::int8_t>(d), CutFace<3>::State::simple, 15, image_});
-                }
-                make_general(slab_, slab_.faces[number]);
-                auto& images = slab_.details[slab_.faces[number].detail].images;
-                if (std::find(images.begin(), images.end(), image_) == images.end())
-                    images.push_back(image_);
-            }
-    }
-
     /// One solid, one open stretch of the border, one arc.
     void add_simple(int d, const Index<D>& f, long at, unsigned open, const Section& section)
     {
@@ -504,6 +476,8 @@ public:
                 number = Complex<D>::solid;
             });
         }
+        if constexpr (D == 3)
+            mark_sharp(grid_, index_, solid_.sharp, image_, cut_, slab_);
         return facets;
     }
 
@@ -624,6 +598,29 @@ Vec<2> section_corner(const Section& section, int a, int b, const Vec<2>& x)
     return nearest;
 }
 
+/// The same of a mesh's border.
+Vec<2> section_corner(const SquareSolid& solid, const SharpSolid& sharp, int a, int b, const Vec<2>& x)
+{
+    Vec<2> nearest = x;
+    double least = std::numeric_limits<double>::infinity();
+    const auto offer = [&](const ArcSegment& in, const ArcSegment& out) {
+        const int s = sharp.facet_of[in.surface], t = sharp.facet_of[out.surface];
+        if (const double distance = (in.to - x).squaredNorm();
+            ((s == a && t == b) || (t == a && s == b)) && distance < least) {
+            least = distance;
+            nearest = in.to;
+        }
+    };
+    for (const SquareArc& arc : solid.arcs) {
+        const std::size_t n = arc.segments.size();
+        for (std::size_t k = 0; k + 1 < n; ++k)
+            offer(arc.segments[k], arc.segments[k + 1]);
+        if (arc.start.edge < 0)
+            offer(arc.segments[n - 1], arc.segments[0]);
+    }
+    return nearest;
+}
+
 /// Moves x onto a border of the rectangle, to the last bit.
 void put_on_border(const Square& square, const OnEdge& place, Vec<2>& x)
 {
@@ -645,7 +642,13 @@ using DividedCells = std::array<std::vector<CellSectors>, 2>; ///< below and abo
 void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int image, int k, const Section& section, int d,
                     double at, Square& square, std::vector<FaceLine>& face_lines)
 {
-    for (int e = 0; e < static_cast<int>(sharp.edges.size()); ++e) {
+    InlineVector<int, 4> in_cells; // edges that divide one of the cells or both
+    for (const auto& cell : cells)
+        for (const int e : cell[k].edges)
+            if (std::find(in_cells.begin(), in_cells.end(), e) == in_cells.end())
+                in_cells.push_back(e);
+    std::sort(in_cells.begin(), in_cells.end());
+    for (const int e : in_cells) {
         std::array<SectorLine, 2> line;
         for (int side = 0; side < 2; ++side) {
             const auto& edges = cells[side][k].edges;
@@ -676,7 +679,10 @@ void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int imag
                 if (l.to == breaks[j + 1] && l.to_end == SectorLine::End::border)
                     portion.to_border = border_at(square, l.to_edge, portion.to);
                 if (l.from == breaks[j] && l.from_end == SectorLine::End::corner)
-                    portion.from = section_corner(section, sharp.edges[e].a, sharp.edges[e].b, portion.from);
+                    portion.from =
+                        sharp.facet_of.empty()
+                            ? section_corner(section, sharp.edges[e].a, sharp.edges[e].b, portion.from)
+                            : section_corner(square.solids[k], sharp, sharp.edges[e].a, sharp.edges[e].b, portion.from);
             }
             if (sides == 0)
                 continue;

@@ -88,7 +88,7 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
                 if constexpr (D == 2)
                     placed.corners = corners_of(kind.section(0, 0));
                 else
-                    placed.sharp = sharp_solid(kind);
+                    placed.sharp = sharp_solid(kind, planes);
             }
         } else {
             // Images of one solid share the surface; they come one after the other.
@@ -108,6 +108,8 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
                 kind.vertices.push_back(at(solid.shape.to_world(x)));
             if constexpr (D == 2)
                 placed.corners = corners_of(kind.vertices, kind.surface->elements, *kind.links);
+            else
+                placed.sharp = sharp_solid(kind, planes);
             placed.kind = std::move(kind);
         }
         result.push_back(std::move(placed));

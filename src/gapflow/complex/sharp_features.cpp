@@ -37,7 +37,50 @@ std::vector<SharpCorner> corners_of(std::span<const Vec<2>> vertices, std::span<
     return corners;
 }
 
-SharpSolid sharp_solid(const PlanesKind<3>& kind)
+namespace {
+
+/// Calls visit for the cells that an edge passes through or touches, in the domain and a layer around it.
+template <class Visit>
+void for_each_cell_of(const GridPlanes<3>& planes, const SharpEdge& edge, Visit&& visit)
+{
+    const Vec<3> way = edge.to - edge.from;
+    Index<3> cell;
+    const auto pass = [&](auto&& self, int axis, double from, double to) -> void {
+        if (axis < 0) {
+            visit(cell);
+            return;
+        }
+        const double a = edge.from[axis] + from * way[axis], b = edge.from[axis] + to * way[axis];
+        const int first = std::max(planes.cell_of(axis, std::min(a, b)) - 1, -1),
+                  last = std::min(planes.cell_of(axis, std::max(a, b)) + 1, static_cast<int>(planes.place[axis].size()) - 1);
+        for (cell[axis] = first; cell[axis] <= last; ++cell[axis]) {
+            double t0 = from, t1 = to;
+            const double lo = planes.place_of(axis, cell[axis]), hi = planes.place_of(axis, cell[axis] + 1);
+            if (way[axis] == 0) {
+                if (!(edge.from[axis] >= lo && edge.from[axis] <= hi))
+                    continue;
+            } else {
+                const double s = (lo - edge.from[axis]) / way[axis], t = (hi - edge.from[axis]) / way[axis];
+                t0 = std::max(t0, std::min(s, t));
+                t1 = std::min(t1, std::max(s, t));
+            }
+            if (t0 <= t1)
+                self(self, axis - 1, t0, t1);
+        }
+    };
+    pass(pass, 2, 0.0, 1.0);
+}
+
+void add_edge_cells(SharpSolid& solid, const GridPlanes<3>& planes)
+{
+    for (int e = 0; e < static_cast<int>(solid.edges.size()); ++e)
+        for_each_cell_of(planes, solid.edges[e], [&](const Index<3>& cell) { solid.edge_cells.push_back({cell, e}); });
+    solid.sort_by_cell();
+}
+
+} // namespace
+
+SharpSolid sharp_solid(const PlanesKind<3>& kind, const GridPlanes<3>& planes)
 {
     SharpSolid solid;
     for (int k = 0; k < kind.planes; ++k)
@@ -67,6 +110,91 @@ SharpSolid sharp_solid(const PlanesKind<3>& kind)
                 solid.edges.push_back({a, b, kind.centre + p + from * way, kind.centre + p + to * way,
                                        std::numbers::pi - std::atan2(std::sqrt(sine2), c)});
         }
+    add_edge_cells(solid, planes);
+    return solid;
+}
+
+SharpSolid sharp_solid(const FacetKind<3>& kind, const GridPlanes<3>& planes)
+{
+    const auto& elements = kind.surface->elements;
+    const auto& links = *kind.links;
+    const int count = static_cast<int>(elements.size());
+    std::vector<Vec<3>> normal(count);
+    const auto at = [&](int facet, int k) -> const Vec<3>& { return kind.vertices[elements[facet][k % 3]]; };
+    for (int f = 0; f < count; ++f)
+        normal[f] = (at(f, 1) - at(f, 0)).cross(at(f, 2) - at(f, 0)).normalized(); // 0 where it has no area
+    struct Border {
+        int facet, k; ///< of the lower-numbered of its two facets
+    };
+    std::vector<Border> sharp;
+    const double flattest = std::cos(parameters.sharp_turn);
+    for (int f = 0; f < count; ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int g = links[f][k];
+            if (g <= f || !(normal[f].dot(normal[g]) < flattest) || normal[f].isZero() || normal[g].isZero())
+                continue;
+            if (normal[f].cross(normal[g]).dot(at(f, k + 1) - at(f, k)) > 0)
+                sharp.push_back({f, k});
+        }
+    SharpSolid solid;
+    if (sharp.empty())
+        return solid;
+    // Facets of one plane.
+    solid.facet_of.assign(count, -1);
+    std::vector<int> stack;
+    const auto facet_of = [&](int facet) {
+        if (solid.facet_of[facet] >= 0)
+            return solid.facet_of[facet];
+        const int number = static_cast<int>(solid.facets.size());
+        solid.facet_of[facet] = number;
+        int largest = facet;
+        double most = 0;
+        stack.assign(1, facet);
+        while (!stack.empty()) {
+            const int f = stack.back();
+            stack.pop_back();
+            if (const double area = (at(f, 1) - at(f, 0)).cross(at(f, 2) - at(f, 0)).norm(); area > most) {
+                most = area;
+                largest = f;
+            }
+            for (const int g : links[f])
+                if (solid.facet_of[g] < 0 && (normal[f] - normal[g]).norm() < parameters.parallel) {
+                    solid.facet_of[g] = number;
+                    stack.push_back(g);
+                }
+        }
+        solid.facets.push_back({normal[largest], at(largest, 0)});
+        return number;
+    };
+    struct Part {
+        int a, b;
+        double from, to; ///< along its direction
+        Vec<3> start, end;
+        double turn;
+    };
+    std::vector<Part> parts;
+    for (const Border& border : sharp) {
+        const int f = border.facet, g = links[f][border.k];
+        int a = facet_of(f), b = facet_of(g);
+        Vec<3> start = at(f, border.k), end = at(f, border.k + 1);
+        const double turn = std::atan2(normal[f].cross(normal[g]).norm(), normal[f].dot(normal[g]));
+        if (a > b) {
+            std::swap(a, b);
+            std::swap(start, end);
+        }
+        const Vec<3> along = solid.facets[a].normal.cross(solid.facets[b].normal).normalized();
+        parts.push_back({a, b, along.dot(start), along.dot(end), start, end, turn});
+    }
+    std::sort(parts.begin(), parts.end(), [](const Part& x, const Part& y) { return std::tie(x.a, x.b, x.from) < std::tie(y.a, y.b, y.from); });
+    for (std::size_t k = 0; k < parts.size();) {
+        std::size_t last = k;
+        while (last + 1 < parts.size() && parts[last + 1].a == parts[k].a && parts[last + 1].b == parts[k].b &&
+               parts[last + 1].start == parts[last].end)
+            ++last;
+        solid.edges.push_back({parts[k].a, parts[k].b, parts[k].start, parts[last].end, std::numbers::pi - parts[k].turn});
+        k = last + 1;
+    }
+    add_edge_cells(solid, planes);
     return solid;
 }
 
@@ -110,9 +238,7 @@ SharpSolid sharp_solid(const RoundKind<3>& kind, const GridPlanes<3>& planes)
         solid.rims.push_back({kind.centre + end * kind.half * kind.axis, end * kind.axis, kind.radius});
         add_pieces(solid, static_cast<int>(solid.rims.size()) - 1, planes);
     }
-    std::stable_sort(solid.pieces.begin(), solid.pieces.end(), [](const RimPiece& a, const RimPiece& b) {
-        return std::tie(a.cell[0], a.cell[1], a.cell[2]) < std::tie(b.cell[0], b.cell[1], b.cell[2]);
-    });
+    solid.sort_by_cell();
     return solid;
 }
 

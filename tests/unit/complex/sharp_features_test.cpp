@@ -182,6 +182,106 @@ TEST(Edges, OfTwoBoxesInOneCellBothDivide)
     EXPECT_EQ(solids.size(), 2U);
 }
 
+/// A polygon swept along z from -half to half.
+SurfaceMesh<3> prism(const std::vector<Vec<2>>& corners, double half)
+{
+    SurfaceMesh<3> mesh;
+    const int n = static_cast<int>(corners.size());
+    for (const double z : {-half, half})
+        for (const Vec<2>& x : corners)
+            mesh.vertices.push_back({x[0], x[1], z});
+    for (const double z : {-half, half})
+        mesh.vertices.push_back({0, 0, z}); // the polygon is a star seen from there
+    for (int k = 0; k < n; ++k) {
+        const int next = (k + 1) % n;
+        mesh.elements.insert(mesh.elements.end(), {{k, next, n + next}, {k, n + next, n + k}, {2 * n, next, k}, {2 * n + 1, n + k, n + next}});
+    }
+    mesh.patch.assign(mesh.elements.size(), 0);
+    return mesh;
+}
+
+TEST(Edges, OfABoxAsAMeshAreThoseOfTheBox)
+{
+    std::mt19937 random(21);
+    std::uniform_real_distribution<double> number(0, 1);
+    for (int k = 0; k < 60 && !HasFailure(); ++k) {
+        const bool periodic = k % 3 == 0;
+        const Grid<3> grid = unit_grid<3>(10, all_sides<3>(periodic ? SideKind::periodic : SideKind::wall));
+        const Vec<3> size(0.3 + 4 * number(random), 0.3 + 4 * number(random), std::pow(10, 0.5 - 2 * number(random)));
+        const Vec<2> half = Vec<2>(size[0], size[1]) / 20;
+        const Pose<3> at = pose3(Vec<3>(0.45 + 0.1 * number(random), 0.45 + 0.1 * number(random), periodic ? number(random) : 0.48),
+                                 turned(6.28 * number(random), Vec<3>(number(random), number(random), number(random))));
+        std::array<std::vector<CornerLink<3>>, 2> links;
+        for (const bool mesh : {false, true}) {
+            Scene<3> scene(grid);
+            if (mesh)
+                scene.add("box", make_mesh<3>(prism({-half, {half[0], -half[1]}, half, {-half[0], half[1]}}, size[2] / 20), "box"), at);
+            else
+                scene.add("box", make_box<3>(Vec<3>(size / 10)), at);
+            const Complex<3> complex = build_complex<3>(grid, scene.solids);
+            EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12);
+            links[mesh] = complex.links;
+            std::sort(links[mesh].begin(), links[mesh].end(), [](const auto& a, const auto& b) { return a.open < b.open; });
+        }
+        ASSERT_EQ(links[0].size(), links[1].size()) << k;
+        EXPECT_GE(links[0].size(), 12U);
+        for (std::size_t i = 0; i < links[0].size(); ++i) {
+            EXPECT_NEAR(links[0][i].open, links[1][i].open, 1e-8) << k;
+            EXPECT_NEAR(links[0][i].covered, links[1][i].covered, 1e-8) << k;
+        }
+    }
+}
+
+TEST(Edges, OfMeshesThatAreNotConvexAreClosed)
+{
+    std::mt19937 random(22);
+    std::uniform_real_distribution<double> number(0, 1);
+    double links = 0;
+    for (int k = 0; k < 120 && !HasFailure(); ++k) {
+        const bool periodic = k % 3 == 0;
+        const Grid<3> grid = unit_grid<3>(10, all_sides<3>(periodic ? SideKind::periodic : SideKind::wall));
+        Scene<3> scene(grid);
+        const int points = 2 + static_cast<int>(4 * number(random));
+        const double outer = 0.1 + 0.1 * number(random), inner = outer * (0.1 + 0.8 * number(random)),
+                     thickness = std::pow(10, -0.5 - 2 * number(random));
+        Vec<3> x = Vec<3>::Constant(0.45) + 0.1 * Vec<3>(number(random), number(random), number(random));
+        if (k % 4 == 0) // on planes of the grid and between them
+            x = (20 * x).array().round() / 20;
+        const Rotation<3> turn = k % 4 ? turned(6.28 * number(random), Vec<3>(number(random), number(random), number(random)))
+                                       : turned(std::numbers::pi / 2 * (k % 3), Vec<3>::Unit(k % 2));
+        scene.add("star", make_mesh<3>(prism(star(points, outer, inner), k % 2 ? thickness / 2 : 0.1), "star"), pose3(x, turn));
+        if (k % 2) // beside another one
+            scene.add("other", make_mesh<3>(prism(star(points + 1, outer, inner), 0.05), "star"),
+                      pose3(x + turn * Vec<3>(0, 0, 0.5 * thickness + 0.05 + std::pow(10, -1.5 - 2 * number(random))), turn * turned(k, {0, 0, 1})));
+        const Complex<3> complex = build_complex<3>(grid, scene.solids);
+        Vec<3> place = Vec<3>::Zero();
+        const ComplexSums<3> sums = sums_of(grid, complex, scene.solids, place.data());
+        EXPECT_LE(sums.closure, 1e-12) << k << " cell " << place.transpose();
+        for (std::size_t s = scene.solids.size() - 1 - k % 2; s < scene.solids.size(); ++s)
+            EXPECT_LE(sums.flux[s].head<3>().norm(), 1e-9) << k;
+        links += static_cast<double>(complex.links.size());
+    }
+    std::printf("links of stars: %g\n", links);
+    EXPECT_GE(links, 120 * 20);
+}
+
+TEST(Edges, OfMeshesThatTurnLittleDivideNothing)
+{
+    const Grid<3> grid = unit_grid<3>(16);
+    const auto links = [&](int points) {
+        Scene<3> scene(grid);
+        scene.add("prism", make_mesh<3>(prism(star(points, 0.2, 0.2), 0.15), "prism"), pose3(Vec<3>(0.507, 0.493, 0.51), turned(0.1, {1, 2, 3})));
+        const Complex<3> complex = build_complex<3>(grid, scene.solids);
+        int along = 0;
+        for (const CornerLink<3>& link : complex.links) // in the middle of the prism's length only its own edges pass
+            along += std::abs((turned(-0.1, {1, 2, 3}) * (link.at / 16 - Vec<3>(0.507, 0.493, 0.51)))[2]) < 0.01;
+        return std::pair{complex.links.size(), along};
+    };
+    EXPECT_GT(links(2).second, 0); // of a square prism the middles of its four edges
+    EXPECT_EQ(links(24).second, 0);
+    EXPECT_GE(links(24).first, 2 * 3.14 * 0.2 * 16 * 2); // both rims
+}
+
 TEST(Edges, OfBoxesAndCylindersNearEachOtherAreClosed)
 {
     std::mt19937 random(13);
