@@ -451,6 +451,16 @@ SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int 
     return line;
 }
 
+double bisector_crossing(const SharpSolid& solid, int number, int axis, const Vec<3>& x)
+{
+    const SharpFacet &a = solid.facets[solid.edges[number].a], &b = solid.facets[solid.edges[number].b];
+    const Vec<3> n = a.normal - b.normal;
+    double sum = b.normal.dot(a.at - b.at);
+    for (const int across : {(axis + 1) % 3, (axis + 2) % 3})
+        sum -= n[across] * (x[across] - a.at[across]);
+    return a.at[axis] + sum / n[axis];
+}
+
 double corner_conductance(double angle, double open, double covered)
 {
     const double tau = 1 - angle / std::numbers::pi;

@@ -110,6 +110,9 @@ struct SectorLine {
 SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int edge, int d, double at, const Vec<2>& low,
                        const Vec<2>& high);
 
+/// Where an edge's bisector plane cuts the grid line along `axis` through x: the same number whichever face asks.
+double bisector_crossing(const SharpSolid& solid, int edge, int axis, const Vec<3>& x);
+
 /// On a face of the grid: the chord of the curve in which a rim's cone cuts it.
 struct RimLine {
     Vec<2> from, to;

@@ -639,6 +639,28 @@ OnEdge border_at(const Square& square, int edge, const Vec<2>& x)
 
 using DividedCells = std::array<std::vector<CellSectors>, 2>; ///< below and above a face, of each of its images
 
+bool lies_on(const SquareLine& line, const SquareLine& other)
+{
+    const Vec<2> way = other.to - other.from;
+    const auto on = [&](const Vec<2>& x) {
+        const double t = std::clamp((x - other.from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+        return (other.from + t * way - x).norm() < parameters.joint_distance;
+    };
+    return on(line.from) && on(line.to);
+}
+
+/// Onto the end within the rectangle of another line of the same solid, if there is one.
+void move_to_end(const Square& square, int solid, Vec<2>& x)
+{
+    for (const SquareLine& line : square.lines)
+        if (line.solid == solid)
+            for (const auto& [end, border] : {std::pair{line.from, line.from_border}, {line.to, line.to_border}})
+                if (border.edge < 0 && (end - x).norm() < parameters.joint_distance) {
+                    x = end;
+                    return;
+                }
+}
+
 void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int image, int k, const Section& section, int d,
                     double at, Square& square, std::vector<FaceLine>& face_lines)
 {
@@ -666,6 +688,12 @@ void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int imag
                     if (std::find(breaks.begin(), breaks.end(), t) == breaks.end())
                         breaks.push_back(t);
         std::sort(breaks.begin(), breaks.end());
+        const auto on_border = [&](int border, const Vec<2>& x) {
+            const Vec<3> corner = in_space<3>(d, at, {border == 1 ? square.high[0] : square.low[0], border == 2 ? square.high[1] : square.low[1]});
+            Vec<2> crossing = x;
+            crossing[border % 2] = bisector_crossing(sharp, e, edge_axis<3>(d, border), corner);
+            return border_at(square, border, crossing);
+        };
         for (std::size_t j = 0; j + 1 < breaks.size(); ++j) {
             SquareLine portion{k, any.at(breaks[j]), any.at(breaks[j + 1]), {}, {}};
             int sides = 0;
@@ -675,9 +703,9 @@ void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int imag
                     continue;
                 sides |= 1 << side;
                 if (l.from == breaks[j] && l.from_end == SectorLine::End::border)
-                    portion.from_border = border_at(square, l.from_edge, portion.from);
+                    portion.from_border = on_border(l.from_edge, portion.from);
                 if (l.to == breaks[j + 1] && l.to_end == SectorLine::End::border)
-                    portion.to_border = border_at(square, l.to_edge, portion.to);
+                    portion.to_border = on_border(l.to_edge, portion.to);
                 if (l.from == breaks[j] && l.from_end == SectorLine::End::corner)
                     portion.from =
                         sharp.facet_of.empty()
@@ -688,8 +716,17 @@ void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int imag
                 continue;
             put_on_border(square, portion.from_border, portion.from);
             put_on_border(square, portion.to_border, portion.to);
-            square.lines.push_back(portion);
-            face_lines.push_back({image, e, sides});
+            for (const bool end : {false, true}) // planes of a mesh meet in one line to the rounding of its vertices only
+                if ((end ? portion.to_border : portion.from_border).edge < 0)
+                    move_to_end(square, k, end ? portion.to : portion.from);
+            const auto same = std::find_if(square.lines.begin(), square.lines.end(), [&](const SquareLine& other) {
+                return other.solid == k && (lies_on(portion, other) || lies_on(other, portion));
+            });
+            if (same == square.lines.end()) {
+                square.lines.push_back(portion);
+                face_lines.push_back({image, e, sides});
+            } else // of two edges that meet in the face's plane, one in each cell
+                face_lines[same - square.lines.begin()].sides |= sides;
         }
     }
 }
