@@ -642,6 +642,8 @@ using DividedCells = std::array<std::vector<CellSectors>, 2>; ///< below and abo
 bool lies_on(const SquareLine& line, const SquareLine& other)
 {
     const Vec<2> way = other.to - other.from;
+    if (!((line.to - line.from).norm() > parameters.joint_distance))
+        return false;
     const auto on = [&](const Vec<2>& x) {
         const double t = std::clamp((x - other.from).dot(way) / way.squaredNorm(), 0.0, 1.0);
         return (other.from + t * way - x).norm() < parameters.joint_distance;
