@@ -127,6 +127,12 @@ constexpr auto connected_corners = [] {
     return connected;
 }();
 
+/// Two pieces of a hull that a hole inside the cell joins.
+struct HoleJoin {
+    int a, b;
+    HoleInCell hole;
+};
+
 class CellBuilder3 {
 public:
     CellBuilder3(const Grid<3>& grid, const GridPlanes<3>& planes, const DenseIndex<3>& index,
@@ -232,7 +238,8 @@ private:
             for (const auto& division : hull[q].divisions())
                 if (!(division.sides & (q % 2 ? 1 : 2)))
                     up[find(first[q] + division.a)] = find(first[q] + division.b);
-        join_by_walls(c, number, hull, first, up);
+        std::vector<HoleJoin> holes;
+        join_by_walls(c, number, hull, first, up, holes);
         InlineVector<double, 32> total;
         InlineVector<int, 32> label;
         for (int x = 0; x < n; ++x) {
@@ -280,6 +287,8 @@ private:
                     beside_[hull[q].slab_number][hull[q].face->piece + p][1 - q % 2] = l < 0 ? -1 : part + l;
                 }
         add_links(c, hull, first, find, label, part, result);
+        for (const HoleJoin& hole : holes)
+            add_hole(hole, label[find(hole.a)], label[find(hole.b)], part, result);
         result.cut_cell.push_back(number);
         result.parts_of_cell.push_back(count);
     }
@@ -288,7 +297,7 @@ private:
     /// the lines of corners part counts as one. Solids that are convex and apart from each other leave no such way: a closed curve on the hull in
     /// one of them bounds a disc of it in the cell.
     void join_by_walls(const Index<3>& c, int number, const std::array<HullFace, 6>& hull, const std::array<int, 7>& first,
-                       InlineVector<int, 32>& up) const
+                       InlineVector<int, 32>& up, std::vector<HoleJoin>& holes) const
     {
         const auto root = [](InlineVector<int, 32>& list, int x) {
             while (list[x] != x)
@@ -343,8 +352,19 @@ private:
                         borders.push_back({border.image, facet->facet, first[q] + border.piece});
                 }
             FacetJoins joins;
-            for (const PiecePair& pair : joins.find(solids_, borders, facets_.of(number)))
-                join(pair.a, pair.b);
+            std::optional<HoleInCell> hole;
+            bool looked = false;
+            for (const PiecePair& pair : joins.find(solids_, borders, facets_.of(number))) {
+                if (root(joined, pair.a) == root(joined, pair.b))
+                    continue;
+                if (!std::exchange(looked, true))
+                    hole = hole_in(c);
+                if (hole) {
+                    joined[root(joined, pair.a)] = root(joined, pair.b);
+                    holes.push_back({pair.a, pair.b, *hole});
+                } else
+                    join(pair.a, pair.b);
+            }
         }
         if (others && !one())
             join_in_sight(c, hull, first, join, [&](int q) {
@@ -353,6 +373,33 @@ private:
                         return false;
                 return true;
             });
+    }
+
+    /// The narrowest hole of a mesh with a sharp rim in a cell.
+    std::optional<HoleInCell> hole_in(const Index<3>& c) const
+    {
+        const auto [low, high] = box_of(c);
+        std::optional<HoleInCell> narrowest;
+        for (int image = 0; image < static_cast<int>(solids_.size()); ++image)
+            if (std::holds_alternative<FacetKind<3>>(solids_[image].kind))
+                if (const auto hole = sharp_hole(solids_[image].sharp, c, low, high); hole && (!narrowest || hole->area < narrowest->area)) {
+                    narrowest = hole;
+                    narrowest->image = image;
+                }
+        return narrowest;
+    }
+
+    void add_hole(const HoleJoin& join, int a, int b, int part, CellSlab<3>& result) const
+    {
+        if (a < 0 || b < 0 || a == b)
+            return;
+        const HoleInCell& hole = join.hole;
+        const PlacedSolid<3>& solid = solids_[hole.image];
+        const double conductance = hole.conductance();
+        if (cut_.for_derivatives && hole.margin < hole.radius())
+            result.link_rates.push_back({static_cast<std::int32_t>(result.links.size()), solid.solid,
+                                         -conductance / hole.margin * wrench<3>(hole.inward, hole.nearest - solid.reference)});
+        result.links.push_back({part + std::min(a, b), part + std::max(a, b), solid.solid, conductance, hole.area, hole.margin, hole.nearest});
     }
 
     /// The box low .. high of a cell.

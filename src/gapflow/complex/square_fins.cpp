@@ -396,8 +396,11 @@ void Square::find_links()
         for (const Side& a : sides[0])
             for (const Side& b : sides[1]) {
                 const double open = std::min(a.to, b.to) - std::max(a.from, b.from);
-                if (open > 0 && a.piece != b.piece)
-                    links.push_back({static_cast<int>(k), a.piece, b.piece, open});
+                if (open > 0 && a.piece != b.piece) {
+                    const double from = std::max(a.from, b.from), reach = ray ? exit_of(p, direction).first : 0.0;
+                    const bool narrow = ray && from < parameters.joint_distance && open < reach - parameters.joint_distance;
+                    links.push_back({static_cast<int>(k), a.piece, b.piece, open, narrow ? reach : 0.0});
+                }
             }
     }
 }

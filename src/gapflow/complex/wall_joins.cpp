@@ -1,7 +1,11 @@
 #include "gapflow/complex/wall_joins.hpp"
 
+#include "gapflow/complex/parameters.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <type_traits>
 #include <variant>
 
@@ -90,6 +94,58 @@ const std::vector<PiecePair>& FacetJoins::find(const std::vector<PlacedSolid<3>>
             pairs_.push_back({piece, border.piece});
     }
     return pairs_;
+}
+
+double HoleInCell::radius() const
+{
+    return std::sqrt(area / std::numbers::pi);
+}
+
+double HoleInCell::conductance() const
+{
+    return 2 * radius() / std::clamp(margin / radius(), parameters.least_covered, 1.0);
+}
+
+std::optional<HoleInCell> sharp_hole(const SharpSolid& solid, const Index<3>& cell, const Vec<3>& low, const Vec<3>& high)
+{
+    std::vector<const SharpEdge*> edges; // wholly in the cell
+    const auto inside = [&](const Vec<3>& x) { return (x.array() > low.array()).all() && (x.array() < high.array()).all(); };
+    for (const EdgeCell& e : solid.edges_in(cell))
+        if (const SharpEdge& edge = solid.edges[e.edge]; inside(edge.from) && inside(edge.to))
+            edges.push_back(&edge);
+    std::optional<HoleInCell> narrowest;
+    while (!edges.empty()) {
+        const Vec<3> start = edges.back()->from;
+        Vec<3> end = edges.back()->to;
+        edges.pop_back();
+        std::vector<Vec<3>> rim{start};
+        while (end != start) {
+            const auto next = std::find_if(edges.begin(), edges.end(), [&](const SharpEdge* e) { return e->from == end || e->to == end; });
+            if (next == edges.end())
+                break;
+            rim.push_back(end);
+            end = (*next)->from == end ? (*next)->to : (*next)->from;
+            edges.erase(next);
+        }
+        if (end != start)
+            continue;
+        Vec<3> area = Vec<3>::Zero();
+        HoleInCell hole{0, std::numeric_limits<double>::infinity(), start, Vec<3>::Zero()};
+        for (std::size_t k = 0; k < rim.size(); ++k) {
+            area += 0.5 * (rim[k] - start).cross(rim[(k + 1) % rim.size()] - start);
+            for (int axis = 0; axis < 3; ++axis)
+                for (const bool top : {false, true})
+                    if (const double margin = top ? high[axis] - rim[k][axis] : rim[k][axis] - low[axis]; margin < hole.margin) {
+                        hole.margin = margin;
+                        hole.nearest = rim[k];
+                        hole.inward = (top ? -1 : 1) * Vec<3>::Unit(axis);
+                    }
+        }
+        hole.area = area.norm();
+        if (hole.area > parameters.least_area && (!narrowest || hole.area < narrowest->area))
+            narrowest = hole;
+    }
+    return narrowest;
 }
 
 namespace {

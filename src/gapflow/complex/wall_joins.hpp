@@ -4,6 +4,7 @@
 #include "gapflow/complex/cut_faces.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,6 +57,22 @@ private:
     std::vector<int> up_, piece_;
     std::vector<PiecePair> pairs_;
 };
+
+/// A hole whose sharp rim lies inside a cell.
+struct HoleInCell {
+    double area;
+    double margin; ///< how far the rim is from the nearest side of the cell
+    Vec<3> nearest, inward; ///< its point there, and the side's normal into the cell
+    int image = -1;
+
+    double radius() const; ///< of a circle of the same area
+    /// That of a circular hole in a thin wall, 2 radii, if its surroundings lie in the cell; infinite where it reaches a side and the pieces of the hull
+    /// are joined by it.
+    double conductance() const;
+};
+
+/// The narrowest closed rim of sharp edges in a cell.
+std::optional<HoleInCell> sharp_hole(const SharpSolid& solid, const Index<3>& cell, const Vec<3>& low, const Vec<3>& high);
 
 /// Whether the straight way from a to b, both in the fluid, is free of these solids.
 bool in_sight(const GridPlanes<3>& planes, const std::vector<PlacedSolid<3>>& solids, std::span<const int> images,
