@@ -103,7 +103,9 @@ double HoleInCell::radius() const
 
 double HoleInCell::conductance() const
 {
-    return 2 * radius() / std::clamp(margin / radius(), parameters.least_covered, 1.0);
+    constexpr double watson = 0.252731009858663; // resistance from a node of the cubic lattice to infinity, G(0); G(0) - G(1) = 1/6
+    constexpr double grid = 2 * (watson + watson - 1.0 / 6);
+    return 1 / ((0.5 / radius() - grid) * std::clamp(margin / radius(), parameters.least_covered, 1.0));
 }
 
 std::optional<HoleInCell> sharp_hole(const SharpSolid& solid, const Index<3>& cell, const Vec<3>& low, const Vec<3>& high)

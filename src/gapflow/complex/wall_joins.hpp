@@ -66,8 +66,8 @@ struct HoleInCell {
     int image = -1;
 
     double radius() const; ///< of a circle of the same area
-    /// That of a circular hole in a thin wall, 2 radii, if its surroundings lie in the cell; infinite where it reaches a side and the pieces of the hull
-    /// are joined by it.
+    /// That of a circular hole in a thin wall, 2 radii, less the resistance that the grid's own network has between the nodes on both sides of the
+    /// wall and infinity (their cells: a node and its image at each side). Infinite where the rim reaches a side: there the hole joins pieces of the hull.
     double conductance() const;
 };
 

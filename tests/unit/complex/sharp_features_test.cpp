@@ -265,6 +265,58 @@ TEST(Edges, OfMeshesThatAreNotConvexAreClosed)
     EXPECT_GE(links, 120 * 20);
 }
 
+/// A square plate with a round hole in its middle.
+SurfaceMesh<3> plate_with_hole(double half, double radius, double thickness, int corners)
+{
+    SurfaceMesh<3> mesh;
+    for (const double z : {-0.5 * thickness, 0.5 * thickness})
+        for (const bool outer : {false, true})
+            for (int k = 0; k < corners; ++k) {
+                const double a = 2 * std::numbers::pi * (k + 0.5) / corners, r = outer ? half / std::max(std::abs(std::cos(a)), std::abs(std::sin(a))) : radius;
+                mesh.vertices.push_back({r * std::cos(a), r * std::sin(a), z});
+            }
+    const auto quad = [&](int a, int b, int c, int d) { mesh.elements.insert(mesh.elements.end(), {{a, b, c}, {a, c, d}}); };
+    for (int k = 0; k < corners; ++k) {
+        const int n = corners, l = (k + 1) % n;
+        quad(2 * n + k, 3 * n + k, 3 * n + l, 2 * n + l); // above
+        quad(k, l, n + l, n + k);
+        quad(n + k, n + l, 3 * n + l, 3 * n + k);
+        quad(l, k, 2 * n + k, 2 * n + l);
+    }
+    mesh.patch.assign(mesh.elements.size(), 0);
+    return mesh;
+}
+
+TEST(Holes, InsideACellHaveALink)
+{
+    const Grid<3> grid = unit_grid<3>(8);
+    const auto complex_at = [&](const Vec<3>& x, double radius, const Rotation<3>& turn) {
+        Scene<3> scene(grid);
+        scene.add("plate", make_mesh<3>(plate_with_hole(2.7 / 8, radius / 8, 0.02 / 8, 24), "plate"), pose3(x / 8, turn));
+        const Complex<3> complex = build_complex<3>(grid, scene.solids);
+        EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12);
+        return complex;
+    };
+    const auto in_hole = [](const Complex<3>& complex, const Index<3>& cell) {
+        std::vector<CornerLink<3>> links;
+        for (const CornerLink<3>& link : complex.links)
+            if (complex.cell_of_part(link.a) == cell)
+                links.push_back(link);
+        return links;
+    };
+    for (const Rotation<3>& turn : {turned(0, {0, 0, 1}), turned(0.3, {1, 2, 0})}) {
+        const auto links = in_hole(complex_at({4.5, 4.45, 4.5}, 0.15, turn), Index<3>(4, 4, 4));
+        ASSERT_EQ(links.size(), 1U);
+        const double radius = 0.15 * std::sqrt(std::sin(2 * std::numbers::pi / 24) / (2 * std::numbers::pi / 24));
+        EXPECT_NEAR(links[0].open, std::numbers::pi * radius * radius, 1e-9);
+        EXPECT_NEAR(links[0].conductance, 1 / (0.5 / radius - 0.6776), 1e-3);
+    }
+    // As the rim comes to the cell's side the two parts become one.
+    const auto near = in_hole(complex_at({4.5, 4.15 + 1e-6, 4.5}, 0.15, turned(0, {0, 0, 1})), Index<3>(4, 4, 4));
+    ASSERT_EQ(near.size(), 1U);
+    EXPECT_GE(near[0].conductance, 10);
+}
+
 TEST(Edges, OfMeshesThatTurnLittleDivideNothing)
 {
     const Grid<3> grid = unit_grid<3>(16);
