@@ -382,7 +382,8 @@ private:
         std::optional<HoleInCell> narrowest;
         for (int image = 0; image < static_cast<int>(solids_.size()); ++image)
             if (std::holds_alternative<FacetKind<3>>(solids_[image].kind))
-                if (const auto hole = sharp_hole(solids_[image].sharp, c, low, high); hole && (!narrowest || hole->area < narrowest->area)) {
+                if (const auto hole = sharp_hole(solids_[image].sharp, c, low, high);
+                    hole && (!narrowest || hole->area < narrowest->area)) {
                     narrowest = hole;
                     narrowest->image = image;
                 }
@@ -399,7 +400,8 @@ private:
         if (cut_.for_derivatives && hole.margin < hole.radius())
             result.link_rates.push_back({static_cast<std::int32_t>(result.links.size()), solid.solid,
                                          -conductance / hole.margin * wrench<3>(hole.inward, hole.nearest - solid.reference)});
-        result.links.push_back({part + std::min(a, b), part + std::max(a, b), solid.solid, conductance, hole.area, hole.margin, hole.nearest});
+        result.links.push_back(
+            {part + std::min(a, b), part + std::max(a, b), solid.solid, conductance, hole.area, hole.margin, hole.nearest});
     }
 
     /// The box low .. high of a cell.

@@ -59,8 +59,8 @@ struct SharpSolid {
     std::vector<SharpEdge> edges;
     std::vector<EdgeCell> edge_cells; ///< the cells that edges pass through or touch, sorted (see sort_by_cell)
     std::vector<int> facet_of;        ///< of a mesh: the SharpFacet to which each of its facets belongs; -1: none
-    std::vector<SharpRim> rims;   ///< the number of a rim as an edge: from edges.size() on
-    std::vector<RimPiece> pieces; ///< sorted by cell and rim
+    std::vector<SharpRim> rims;       ///< the number of a rim as an edge: from edges.size() on
+    std::vector<RimPiece> pieces;     ///< sorted by cell and rim
 
     bool empty() const { return edges.empty() && pieces.empty(); }
     std::span<const RimPiece> pieces_in(const Index<3>& cell) const;
@@ -71,7 +71,7 @@ struct SharpSolid {
 /// What divides a cell.
 struct CellSectors {
     InlineVector<int, 4> facets, edges;
-    InlineVector<int, 4> group; ///< of each facet: those that edges in the cell join have one number
+    InlineVector<int, 4> group;      ///< of each facet: those that edges in the cell join have one number
     InlineVector<double, 4> lengths; ///< of each edge within the cell
     InlineVector<int, 2> rims;
 

@@ -606,8 +606,7 @@ Vec<2> section_corner(const SquareSolid& solid, const SharpSolid& sharp, int a, 
     double least = std::numeric_limits<double>::infinity();
     const auto offer = [&](const ArcSegment& in, const ArcSegment& out) {
         const int s = sharp.facet_of[in.surface], t = sharp.facet_of[out.surface];
-        if (const double distance = (in.to - x).squaredNorm();
-            ((s == a && t == b) || (t == a && s == b)) && distance < least) {
+        if (const double distance = (in.to - x).squaredNorm(); ((s == a && t == b) || (t == a && s == b)) && distance < least) {
             least = distance;
             nearest = in.to;
         }
@@ -692,7 +691,8 @@ void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int imag
                         breaks.push_back(t);
         std::sort(breaks.begin(), breaks.end());
         const auto on_border = [&](int border, const Vec<2>& x) {
-            const Vec<3> corner = in_space<3>(d, at, {border == 1 ? square.high[0] : square.low[0], border == 2 ? square.high[1] : square.low[1]});
+            const Vec<3> corner = in_space<3>(
+                d, at, {border == 1 ? square.high[0] : square.low[0], border == 2 ? square.high[1] : square.low[1]});
             Vec<2> crossing = x;
             crossing[border % 2] = bisector_crossing(sharp, e, edge_axis<3>(d, border), corner);
             return border_at(square, border, crossing);
@@ -892,7 +892,8 @@ CornerConductance link_conductance(double angle, const SquareLink& link, double 
 {
     if (link.reach == 0)
         return {corner_conductance(angle, link.open, covered), corner_conductance(angle, 1, covered)};
-    const double share = 2 / std::numbers::pi * corner_conductance(angle, 1, 1), sum = 1 + share * std::log(link.reach / link.open),
+    const double share = 2 / std::numbers::pi * corner_conductance(angle, 1, 1),
+                 sum = 1 + share * std::log(link.reach / link.open),
                  value = corner_conductance(angle, link.reach, covered) / sum;
     return {value, value * share / (sum * link.open), value / link.reach * (1 - share / sum)};
 }

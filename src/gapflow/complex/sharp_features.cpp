@@ -185,7 +185,8 @@ SharpSolid sharp_solid(const FacetKind<3>& kind, const GridPlanes<3>& planes)
         const Vec<3> along = solid.facets[a].normal.cross(solid.facets[b].normal).normalized();
         parts.push_back({a, b, along.dot(start), along.dot(end), start, end, turn});
     }
-    std::sort(parts.begin(), parts.end(), [](const Part& x, const Part& y) { return std::tie(x.a, x.b, x.from) < std::tie(y.a, y.b, y.from); });
+    std::sort(parts.begin(), parts.end(),
+              [](const Part& x, const Part& y) { return std::tie(x.a, x.b, x.from) < std::tie(y.a, y.b, y.from); });
     for (std::size_t k = 0; k < parts.size();) {
         std::size_t last = k;
         while (last + 1 < parts.size() && parts[last + 1].a == parts[k].a && parts[last + 1].b == parts[k].b &&

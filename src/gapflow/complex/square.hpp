@@ -107,7 +107,8 @@ struct SquareLink {
     int fin;     ///< index into Square::corners; from corners.size() on into Square::lines
     int a, b;    ///< pieces at the left and right of the way outward
     double open; ///< length of the line between them
-    double reach = 0; ///< of a corner's line that ends at a solid or a line before the rectangle's border: its length to there; else 0
+    double reach =
+        0; ///< of a corner's line that ends at a solid or a line before the rectangle's border: its length to there; else 0
 };
 
 struct OpenStretch {

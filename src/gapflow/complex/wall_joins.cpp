@@ -103,7 +103,8 @@ double HoleInCell::radius() const
 
 double HoleInCell::conductance() const
 {
-    constexpr double watson = 0.252731009858663; // resistance from a node of the cubic lattice to infinity, G(0); G(0) - G(1) = 1/6
+    constexpr double watson =
+        0.252731009858663; // resistance from a node of the cubic lattice to infinity, G(0); G(0) - G(1) = 1/6
     constexpr double grid = 2 * (watson + watson - 1.0 / 6);
     return 1 / ((0.5 / radius() - grid) * std::clamp(margin / radius(), parameters.least_covered, 1.0));
 }
@@ -122,7 +123,8 @@ std::optional<HoleInCell> sharp_hole(const SharpSolid& solid, const Index<3>& ce
         edges.pop_back();
         std::vector<Vec<3>> rim{start};
         while (end != start) {
-            const auto next = std::find_if(edges.begin(), edges.end(), [&](const SharpEdge* e) { return e->from == end || e->to == end; });
+            const auto next =
+                std::find_if(edges.begin(), edges.end(), [&](const SharpEdge* e) { return e->from == end || e->to == end; });
             if (next == edges.end())
                 break;
             rim.push_back(end);
@@ -137,7 +139,8 @@ std::optional<HoleInCell> sharp_hole(const SharpSolid& solid, const Index<3>& ce
             area += 0.5 * (rim[k] - start).cross(rim[(k + 1) % rim.size()] - start);
             for (int axis = 0; axis < 3; ++axis)
                 for (const bool top : {false, true})
-                    if (const double margin = top ? high[axis] - rim[k][axis] : rim[k][axis] - low[axis]; margin < hole.margin) {
+                    if (const double margin = top ? high[axis] - rim[k][axis] : rim[k][axis] - low[axis];
+                        margin < hole.margin) {
                         hole.margin = margin;
                         hole.nearest = rim[k];
                         hole.inward = (top ? -1 : 1) * Vec<3>::Unit(axis);

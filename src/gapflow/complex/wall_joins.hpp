@@ -61,7 +61,7 @@ private:
 /// A hole whose sharp rim lies inside a cell.
 struct HoleInCell {
     double area;
-    double margin; ///< how far the rim is from the nearest side of the cell
+    double margin;          ///< how far the rim is from the nearest side of the cell
     Vec<3> nearest, inward; ///< its point there, and the side's normal into the cell
     int image = -1;
 

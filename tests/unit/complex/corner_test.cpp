@@ -241,7 +241,8 @@ TEST(Corners, LinkOfAMouth)
     const auto conductance = [&](double way) { // from the corner to the other solid, along the line
         Scene<2> scene(grid);
         scene.add("left", make_box<2>(Vec<2>(2.0 / 8, 2.0 / 8)), pose<2>(Vec<2>(3.3 / 8, 3.3 / 8)));
-        scene.add("right", make_box<2>(Vec<2>(2.0 / 8, 4.0 / 8)), pose<2>(Vec<2>((5.3 + way / std::numbers::sqrt2) / 8, 4.5 / 8)));
+        scene.add("right", make_box<2>(Vec<2>(2.0 / 8, 4.0 / 8)),
+                  pose<2>(Vec<2>((5.3 + way / std::numbers::sqrt2) / 8, 4.5 / 8)));
         const Complex<2> complex = build_complex<2>(grid, scene.solids);
         EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12);
         double sum = 0;
@@ -254,7 +255,8 @@ TEST(Corners, LinkOfAMouth)
     EXPECT_NEAR(conductance(reach + 0.1), open, 1e-8);
     EXPECT_NEAR(conductance(reach - 1e-6), open, 1e-4 * open);
     for (const double way : {0.1, 0.01})
-        EXPECT_NEAR(1 / conductance(way), (1 + 2 / std::numbers::pi * 2.17 * std::pow(0.5, -0.75) * std::log(reach / way)) / open, 1e-6);
+        EXPECT_NEAR(1 / conductance(way),
+                    (1 + 2 / std::numbers::pi * 2.17 * std::pow(0.5, -0.75) * std::log(reach / way)) / open, 1e-6);
 }
 
 TEST(Corners, RandomPosesAreClosed)

@@ -194,7 +194,8 @@ SurfaceMesh<3> prism(const std::vector<Vec<2>>& corners, double half)
         mesh.vertices.push_back({0, 0, z}); // the polygon is a star seen from there
     for (int k = 0; k < n; ++k) {
         const int next = (k + 1) % n;
-        mesh.elements.insert(mesh.elements.end(), {{k, next, n + next}, {k, n + next, n + k}, {2 * n, next, k}, {2 * n + 1, n + k, n + next}});
+        mesh.elements.insert(mesh.elements.end(),
+                             {{k, next, n + next}, {k, n + next, n + k}, {2 * n, next, k}, {2 * n + 1, n + k, n + next}});
     }
     mesh.patch.assign(mesh.elements.size(), 0);
     return mesh;
@@ -209,13 +210,16 @@ TEST(Edges, OfABoxAsAMeshAreThoseOfTheBox)
         const Grid<3> grid = unit_grid<3>(10, all_sides<3>(periodic ? SideKind::periodic : SideKind::wall));
         const Vec<3> size(0.3 + 4 * number(random), 0.3 + 4 * number(random), std::pow(10, 0.5 - 2 * number(random)));
         const Vec<2> half = Vec<2>(size[0], size[1]) / 20;
-        const Pose<3> at = pose3(Vec<3>(0.45 + 0.1 * number(random), 0.45 + 0.1 * number(random), periodic ? number(random) : 0.48),
-                                 turned(6.28 * number(random), Vec<3>(number(random), number(random), number(random))));
+        const Pose<3> at =
+            pose3(Vec<3>(0.45 + 0.1 * number(random), 0.45 + 0.1 * number(random), periodic ? number(random) : 0.48),
+                  turned(6.28 * number(random), Vec<3>(number(random), number(random), number(random))));
         std::array<std::vector<CornerLink<3>>, 2> links;
         for (const bool mesh : {false, true}) {
             Scene<3> scene(grid);
             if (mesh)
-                scene.add("box", make_mesh<3>(prism({-half, {half[0], -half[1]}, half, {-half[0], half[1]}}, size[2] / 20), "box"), at);
+                scene.add("box",
+                          make_mesh<3>(prism({-half, {half[0], -half[1]}, half, {-half[0], half[1]}}, size[2] / 20), "box"),
+                          at);
             else
                 scene.add("box", make_box<3>(Vec<3>(size / 10)), at);
             const Complex<3> complex = build_complex<3>(grid, scene.solids);
@@ -252,7 +256,8 @@ TEST(Edges, OfMeshesThatAreNotConvexAreClosed)
         scene.add("star", make_mesh<3>(prism(star(points, outer, inner), k % 2 ? thickness / 2 : 0.1), "star"), pose3(x, turn));
         if (k % 2) // beside another one
             scene.add("other", make_mesh<3>(prism(star(points + 1, outer, inner), 0.05), "star"),
-                      pose3(x + turn * Vec<3>(0, 0, 0.5 * thickness + 0.05 + std::pow(10, -1.5 - 2 * number(random))), turn * turned(k, {0, 0, 1})));
+                      pose3(x + turn * Vec<3>(0, 0, 0.5 * thickness + 0.05 + std::pow(10, -1.5 - 2 * number(random))),
+                            turn * turned(k, {0, 0, 1})));
         const Complex<3> complex = build_complex<3>(grid, scene.solids);
         Vec<3> place = Vec<3>::Zero();
         const ComplexSums<3> sums = sums_of(grid, complex, scene.solids, place.data());
@@ -272,7 +277,8 @@ SurfaceMesh<3> plate_with_hole(double half, double radius, double thickness, int
     for (const double z : {-0.5 * thickness, 0.5 * thickness})
         for (const bool outer : {false, true})
             for (int k = 0; k < corners; ++k) {
-                const double a = 2 * std::numbers::pi * (k + 0.5) / corners, r = outer ? half / std::max(std::abs(std::cos(a)), std::abs(std::sin(a))) : radius;
+                const double a = 2 * std::numbers::pi * (k + 0.5) / corners,
+                             r = outer ? half / std::max(std::abs(std::cos(a)), std::abs(std::sin(a))) : radius;
                 mesh.vertices.push_back({r * std::cos(a), r * std::sin(a), z});
             }
     const auto quad = [&](int a, int b, int c, int d) { mesh.elements.insert(mesh.elements.end(), {{a, b, c}, {a, c, d}}); };
@@ -322,7 +328,8 @@ TEST(Edges, OfMeshesThatTurnLittleDivideNothing)
     const Grid<3> grid = unit_grid<3>(16);
     const auto links = [&](int points) {
         Scene<3> scene(grid);
-        scene.add("prism", make_mesh<3>(prism(star(points, 0.2, 0.2), 0.15), "prism"), pose3(Vec<3>(0.507, 0.493, 0.51), turned(0.1, {1, 2, 3})));
+        scene.add("prism", make_mesh<3>(prism(star(points, 0.2, 0.2), 0.15), "prism"),
+                  pose3(Vec<3>(0.507, 0.493, 0.51), turned(0.1, {1, 2, 3})));
         const Complex<3> complex = build_complex<3>(grid, scene.solids);
         int along = 0;
         for (const CornerLink<3>& link : complex.links) // in the middle of the prism's length only its own edges pass
