@@ -41,11 +41,12 @@ void print_grading(const Scene& scene, const Grid<D>& grid)
 }
 
 template <int D>
-void write_picture(const std::string& file, const Coupling<D>& coupling)
+void write_picture(const Scene& scene, const std::string& file, const Coupling<D>& coupling)
 {
+    const Model<D> alone(scene, Communicator(MPI_COMM_SELF), Task::added_mass);
     PartBorders<D> borders;
-    const Complex<D> complex = build_complex<D>(*coupling.grid, coupling.solids, nullptr, &borders);
-    const PartCounts counts = write_parts<D>(file, *coupling.grid, coupling.solids, complex, borders);
+    const Complex<D> complex = build_complex<D>(alone.grid, coupling.solids, nullptr, &borders);
+    const PartCounts counts = write_parts<D>(file, alone.grid, coupling.solids, complex, borders);
     std::printf("parts     %ld in %d cut cells, %ld of them thin: %s\n", counts.parts, complex.cut_cells(), counts.thin,
                 file.c_str());
 }
@@ -112,7 +113,7 @@ void print_gaps(const Scene& scene, const Communicator& comm, const std::string&
     for (const SealedPocket& pocket : coupling.sealed)
         std::printf("sealed    %s\n", sealed_text(pocket).c_str());
     if (!parts_file.empty())
-        write_picture(parts_file, coupling);
+        write_picture(scene, parts_file, coupling);
 }
 
 } // namespace

@@ -180,7 +180,7 @@ PartBorders<2> part_borders(const Grid<2>&, const GridPlanes<2>& planes, const C
 }
 
 template <>
-PartBorders<3> part_borders(const Grid<3>& grid, const GridPlanes<3>& planes, const Complex<3>& complex,
+PartBorders<3> part_borders(const Grid<3>&, const GridPlanes<3>& planes, const Complex<3>& complex,
                             const std::vector<PlacedSolid<3>>& solids, const CutFaces<3>& cut,
                             const std::vector<std::vector<std::array<PartOrCell, 2>>>& parts_beside)
 {
@@ -196,7 +196,8 @@ PartBorders<3> part_borders(const Grid<3>& grid, const GridPlanes<3>& planes, co
     };
     // Place of a face, as the cell on its side 0 (below) or 1 has it.
     const auto place = [&](int d, int plane, int side) {
-        return planes.place[d][side == 0 && plane == 0 && grid.periodic(d) ? grid.cells()[d] : plane];
+        return planes
+            .place[d][side == 0 && plane == complex.index.low[d] && complex.index.wraps[d] ? complex.index.high()[d] : plane];
     };
     for (std::size_t s = 0; s < cut.slabs.size(); ++s)
         for (const CutFace<3>& face : cut.slabs[s].faces) {
@@ -248,7 +249,7 @@ PartBorders<3> part_borders(const Grid<3>& grid, const GridPlanes<3>& planes, co
             const int d = q / 2, side = 1 - q % 2;
             Index<3> f = complex.index.index(complex.cut_cell[c]);
             if (q % 2)
-                f[d] = grid.periodic(d) && f[d] + 1 == grid.cells()[d] ? 0 : f[d] + 1;
+                f = complex.index.wraps[d] ? complex.index.wrapped(f + step<3>(d)) : Index<3>(f + step<3>(d));
             const int id = complex.index(f);
             if (cut.face[d][id] != Complex<3>::open)
                 continue;

@@ -51,8 +51,8 @@ void for_each_cell_of(const GridPlanes<3>& planes, const SharpEdge& edge, Visit&
             return;
         }
         const double a = edge.from[axis] + from * way[axis], b = edge.from[axis] + to * way[axis];
-        const int first = std::max(planes.cell_of(axis, std::min(a, b)) - 1, -1),
-                  last = std::min(planes.cell_of(axis, std::max(a, b)) + 1, static_cast<int>(planes.place[axis].size()) - 1);
+        const int first = std::max(planes.cell_of(axis, std::min(a, b)) - 1, planes.place[axis].first() - 1),
+                  last = std::min(planes.cell_of(axis, std::max(a, b)) + 1, planes.place[axis].last());
         for (cell[axis] = first; cell[axis] <= last; ++cell[axis]) {
             double t0 = from, t1 = to;
             const double lo = planes.place_of(axis, cell[axis]), hi = planes.place_of(axis, cell[axis] + 1);

@@ -362,7 +362,7 @@ void leave_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twist
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void limit_deficits<D>(Coupling<D>&);                                                                             \
-    template std::vector<TwistMatrix<D>> layer_inertias<D>(const Coupling<D>&);                                               \
+    template std::vector<TwistMatrix<D>> layer_inertias<D>(const Coupling<D>&);                                                \
     template LimitRate<D> limit_rate<D>(const Solid<D>&, double, const TwistMatrix<D>&, const TwistMatrix<D>&,                 \
                                         const Twist<D>&);                                                                      \
     template JacobiSteps<D> jacobi_steps<D>(const Coupling<D>&, int, const Twist<D>&);                                         \
