@@ -108,11 +108,10 @@ void make_general(Slab<D>& slab, CutFace<D>& face)
 }
 
 /// The faces of the cells through which a solid's sharp edges and rims pass, in one slab.
-void mark_sharp(const Grid<3>& grid, const DenseIndex<3>& index, const SharpSolid& sharp, int image, CutFaces<3>& cut,
-                Slab<3>& slab)
+void mark_sharp(const DenseIndex<3>& index, const SharpSolid& sharp, int image, CutFaces<3>& cut, Slab<3>& slab)
 {
     const auto mark_around = [&](const Index<3>& cell) {
-        if (!grid.in_domain(grid.wrapped(cell)))
+        if (!cut.grid->in_domain(cut.grid->wrapped(cell)))
             return;
         for (int d = 0; d < 3; ++d)
             for (int side = 0; side < 2; ++side) {
@@ -151,9 +150,9 @@ void mark_sharp(const Grid<3>& grid, const DenseIndex<3>& index, const SharpSoli
 template <int D, class Kind>
 class Marking {
 public:
-    Marking(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid,
-            const Kind& kind, int image, CutFaces<D>& cut, Slab<D>& slab)
-        : grid_(grid), planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
+    Marking(const GridPlanes<D>& planes, const DenseIndex<D>& index, const PlacedSolid<D>& solid, const Kind& kind, int image,
+            CutFaces<D>& cut, Slab<D>& slab)
+        : planes_(planes), index_(index), solid_(solid), kind_(kind), image_(image), cut_(cut), slab_(slab)
     {
     }
 
@@ -161,7 +160,7 @@ public:
     {
         mark_cut();
         if constexpr (D == 3)
-            mark_sharp(grid_, index_, solid_.sharp, image_, cut_, slab_);
+            mark_sharp(index_, solid_.sharp, image_, cut_, slab_);
     }
 
 private:
@@ -394,7 +393,6 @@ private:
         slab_.arcs.push_back(border_arc<D>(image_, 0, d, plane_of(planes_, d, f), solid_.reference, A, B, bulge));
     }
 
-    const Grid<D>& grid_;
     const GridPlanes<D>& planes_;
     const DenseIndex<D>& index_;
     const PlacedSolid<D>& solid_;
@@ -478,7 +476,7 @@ public:
             });
         }
         if constexpr (D == 3)
-            mark_sharp(grid_, index_, solid_.sharp, image_, cut_, slab_);
+            mark_sharp(index_, solid_.sharp, image_, cut_, slab_);
         return facets;
     }
 
@@ -1262,7 +1260,7 @@ CutFaces<D> cut_faces(const Grid<D>& grid, const GridPlanes<D>& planes, const De
                 [&](const auto& kind) {
                     using Kind = std::decay_t<decltype(kind)>;
                     if constexpr (!std::is_same_v<Kind, FacetKind<D>>)
-                        Marking<D, Kind>(grid, planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
+                        Marking<D, Kind>(planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                     else
                         slab.facets[k] = FacetMarking<D>(planes, index, solids[k], kind, static_cast<int>(k), cut, slab).mark();
                 },
