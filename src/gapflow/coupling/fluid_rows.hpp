@@ -69,6 +69,7 @@ public:
     long local(const Index<D>& c) const { return own_.offset(c); }
     long local(int node) const { return own_.size + node; }
     long local(long row) const { return is_cell(row) ? local(cell(row)) : local(node(row)); }
+    long stride(int axis) const { return own_.stride[axis]; }
     long locals() const { return own_.size + system_.nodes; }
 
     /// Calls f(other, coefficient) for the entries of an own row, several for one other row perhaps.
@@ -112,6 +113,12 @@ public:
     double diagonal(long row) const
     {
         double sum = 0;
+        if (is_cell(row) && !linked(row)) {
+            const Index<D> c = cell(row);
+            for (int axis = 0; axis < D; ++axis)
+                sum += system_.conductance(axis, c) + system_.conductance(axis, Index<D>(c + step<D>(axis)));
+            return sum;
+        }
         for_each(row, [&](long other, double value) { sum += other == row ? value : 0.0; });
         return sum;
     }

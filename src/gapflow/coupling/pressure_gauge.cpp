@@ -33,6 +33,120 @@ void add_product(const std::vector<RowEntry<D>>& A, const std::vector<RowEntry<D
     }
 }
 
+/// Y of every solid, for the inertia of the layers of fluid beside them.
+template <int D>
+class Layers {
+public:
+    /// Collective, as inertias() is.
+    explicit Layers(const Coupling<D>& coupling)
+        : coupling_(coupling), L_(coupling), Y_(L_, coupling.cell_flux, coupling.node_flux), places_(coupling.solids.size())
+    {
+        const Grid<D>& grid = L_.grid();
+        const auto add_row = [&](long row, long local, const Index<D>& cell) {
+            const auto entries = Y_.of(local);
+            if (entries.empty())
+                return;
+            const double diagonal = L_.diagonal(row);
+            for (auto& entry : entries) {
+                entry.flux *= diagonal > 0 ? 1 / diagonal : 0.0;
+                places_[entry.body].push_back({row, cell, diagonal, entry.flux});
+                if (grid.comm().size() > 1 && L_.seen_from_below(row))
+                    seen_.push_back({row, entry.body, entry.flux});
+            }
+        };
+        long local = 0;
+        for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { add_row(L_.row(c), local++, c); });
+        for (int node = 0; node < coupling.system.nodes; ++node)
+            if (coupling.system.owns(node))
+                add_row(L_.row(node), L_.local(node), {});
+        if (grid.comm().size() > 1) {
+            seen_ = all_values(grid.comm(), seen_);
+            std::sort(seen_.begin(), seen_.end(), comes_before<D>);
+        }
+    }
+
+    /// Y^T (2 diag(L) - L) Y: diag(L) of the rows, and the conductance between every two of them.
+    std::vector<TwistMatrix<D>> inertias() const
+    {
+        std::vector<TwistMatrix<D>> sums(places_.size(), TwistMatrix<D>::Zero());
+        for_each_job(static_cast<int>(places_.size()), [&](int s) {
+            TwistMatrix<D> sum = TwistMatrix<D>::Zero(); // half of it, but for its transpose
+            for (const Place& place : places_[s]) {
+                sum.noalias() += Twist<D>(0.5 * place.diagonal * place.flux) * place.flux.transpose();
+                add_behind(s, place, sum);
+            }
+            sums[s] = sum + sum.transpose();
+        });
+        if (!sums.empty())
+            L_.grid().comm().sum(std::span<double>(sums.data()->data(), sums.size() * sums.data()->size()));
+        return sums;
+    }
+
+private:
+    struct Place {
+        long row;
+        Index<D> cell; ///< of a cell's row
+        double diagonal;
+        Twist<D> flux; ///< Y
+    };
+
+    const Twist<D>* find(int solid, long local) const
+    {
+        for (const auto& entry : Y_.of(local))
+            if (entry.body == solid)
+                return &entry.flux;
+        return nullptr;
+    }
+    const Twist<D>* find_row(int solid, long row) const
+    {
+        if (L_.owns(row))
+            return find(solid, L_.local(row));
+        const auto other = std::lower_bound(seen_.begin(), seen_.end(), RowEntry<D>{row, solid, {}}, comes_before<D>);
+        return other != seen_.end() && other->row == row && other->body == solid ? &other->flux : nullptr;
+    }
+
+    /// g Y_P Y_Q^T with the rows Q behind P: every pair once.
+    void add_behind(int s, const Place& place, TwistMatrix<D>& sum) const
+    {
+        const CoupledSystem<D>& system = coupling_.system;
+        const auto add = [&](const Twist<D>* other, double conductance) {
+            if (other)
+                sum.noalias() += Twist<D>(conductance * place.flux) * other->transpose();
+        };
+        if (L_.is_cell(place.row)) {
+            const Grid<D>& grid = L_.grid();
+            const long local = L_.local(place.cell);
+            for (int axis = 0; axis < D; ++axis) {
+                const Index<D> next = place.cell + step<D>(axis);
+                const double g = system.conductance(axis, next);
+                if (next[axis] < grid.high()[axis])
+                    add(g > 0 ? find(s, local + L_.stride(axis)) : nullptr, g);
+                else if (const Index<D> beside = grid.wrapped(next); g > 0 && grid.in_domain(beside))
+                    add(find_row(s, L_.row(beside)), g);
+            }
+        } else {
+            const int node = L_.node(place.row);
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, node); entry; ++entry)
+                if (entry.row() > node)
+                    add(find_row(s, L_.row(static_cast<int>(entry.row()))), -entry.value());
+        }
+        L_.for_each_link(place.row, [&](const Link& link, const auto& all) {
+            double own = 0;
+            for (const auto& [row, weight] : all) {
+                if (own != 0)
+                    add(find_row(s, row), -link.conductance * own * weight);
+                own = row == place.row ? weight : own;
+            }
+        });
+    }
+
+    const Coupling<D>& coupling_;
+    FluidRows<D> L_;
+    BodyRows<D> Y_;
+    std::vector<std::vector<Place>> places_;
+    std::vector<RowEntry<D>> seen_; ///< by other ranks
+};
+
 /// Inertia of the fluid that a solid displaces.
 template <int D>
 TwistMatrix<D> displaced_mass(const Solid<D>& solid, double density)
@@ -162,83 +276,7 @@ void change_gauge(Coupling<D>& coupling, const std::vector<char>& light)
 template <int D>
 std::vector<TwistMatrix<D>> layer_inertias(const Coupling<D>& coupling)
 {
-    const Grid<D>& grid = *coupling.grid;
-    const CoupledSystem<D>& system = coupling.system;
-    const FluidRows<D> L(coupling);
-    BodyRows<D> Y(L, coupling.cell_flux, coupling.node_flux);
-    struct Place {
-        long row;
-        double diagonal;
-        Twist<D> flux;
-    };
-    std::vector<std::vector<Place>> places(coupling.solids.size());
-    std::vector<RowEntry<D>> seen; // by other ranks
-    const auto add_row = [&](long row) {
-        const auto entries = Y.of(L.local(row));
-        const double diagonal = entries.empty() ? 0.0 : L.diagonal(row);
-        for (auto& entry : entries) {
-            entry.flux *= diagonal > 0 ? 1 / diagonal : 0.0;
-            places[entry.body].push_back({row, diagonal, entry.flux});
-            if (grid.comm().size() > 1 && L.seen_from_below(row))
-                seen.push_back({row, entry.body, entry.flux});
-        }
-    };
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { add_row(L.row(c)); });
-    for (int node = 0; node < system.nodes; ++node)
-        if (system.owns(node))
-            add_row(L.row(node));
-    if (grid.comm().size() > 1) {
-        seen = all_values(grid.comm(), seen);
-        std::sort(seen.begin(), seen.end(), comes_before<D>);
-    }
-    std::vector<TwistMatrix<D>> layers(places.size(), TwistMatrix<D>::Zero());
-    for_each_job(static_cast<int>(places.size()), [&](int s) {
-        TwistMatrix<D> sum = TwistMatrix<D>::Zero(); // half of it, but for its transpose
-        for (const Place& place : places[s]) {
-            sum.noalias() += Twist<D>(0.5 * place.diagonal * place.flux) * place.flux.transpose();
-            const auto add_own = [&](long local, double conductance) {
-                for (const auto& entry : Y.of(local))
-                    if (entry.body == s)
-                        sum.noalias() += Twist<D>(conductance * place.flux) * entry.flux.transpose();
-            };
-            const auto add = [&](long row, double conductance) {
-                if (L.owns(row))
-                    add_own(L.local(row), conductance);
-                else if (const auto other =
-                             std::lower_bound(seen.begin(), seen.end(), RowEntry<D>{row, s, {}}, comes_before<D>);
-                         other != seen.end() && other->row == row && other->body == s)
-                    sum.noalias() += Twist<D>(conductance * place.flux) * other->flux.transpose();
-            };
-            if (L.is_cell(place.row)) {
-                const Index<D> c = L.cell(place.row);
-                for (int axis = 0; axis < D; ++axis) {
-                    const Index<D> beside = grid.wrapped(c + step<D>(axis));
-                    const double g = system.conductance(axis, Index<D>(c + step<D>(axis)));
-                    if (g > 0 && grid.owns(beside))
-                        add_own(L.local(beside), g);
-                    else if (g > 0 && grid.in_domain(beside))
-                        add(L.row(beside), g);
-                }
-            } else {
-                const int node = L.node(place.row);
-                for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, node); entry; ++entry)
-                    if (entry.row() > node)
-                        add(L.row(static_cast<int>(entry.row())), -entry.value());
-            }
-            L.for_each_link(place.row, [&](const Link& link, const auto& all) {
-                double own = 0;
-                for (const auto& [row, weight] : all) { // those behind it
-                    if (own != 0)
-                        add(row, -link.conductance * own * weight);
-                    own = row == place.row ? weight : own;
-                }
-            });
-        }
-        layers[s] = sum + sum.transpose();
-    });
-    if (!layers.empty())
-        grid.comm().sum(std::span<double>(layers.data()->data(), layers.size() * layers.data()->size()));
-    return layers;
+    return Layers<D>(coupling).inertias();
 }
 
 template <int D>
