@@ -70,12 +70,26 @@ public:
     }
 };
 
-/// Share of the closing that flows in each direction of the gap's plane, of trace 1.
-Mat<2> closing_shares(const GapWalls<2>&, const Vec<2>&, const Vec<2>& n, double)
+/// Of the closing of a gap.
+template <int D>
+struct ClosingFlow {
+    Mat<D> shares;        ///< that flow in each direction of the gap's plane, of trace 1
+    double curvature = 0; ///< trace of the thickness' Hessian
+
+    /// Flux at a place, over the rate at which the thickness t grows: -grad t / tr Hess t. A quadratic thickness that is positive everywhere has
+    /// at least the curvature |grad t|^2 / 2t: that of a wedge, whose flux goes with t. `thickness`: of the gap; without slope there is no flux.
+    Vec<D> flux(const GapSection<D>& at, const Vec<D>& n, double thickness) const
+    {
+        const Vec<D> slope = at.slope - n.dot(at.slope) * n;
+        const double faint = parameters.faint_curvature * thickness;
+        return at.thickness / (std::max(curvature * at.thickness, 0.5 * slope.squaredNorm()) + 2 * faint * faint) * slope;
+    }
+};
+ClosingFlow<2> closing_flow(const GapWalls<2>&, const Vec<2>&, const Vec<2>& n, double)
 {
-    return Mat<2>::Identity() - n * n.transpose();
+    return {Mat<2>::Identity() - n * n.transpose()};
 }
-Mat<3> closing_shares(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n, double thickness)
+ClosingFlow<3> closing_flow(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n, double thickness)
 {
     const Vec<3> u = n.unitOrthogonal(), v = n.cross(u);
     double t[3][3];
@@ -84,7 +98,7 @@ Mat<3> closing_shares(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n
         for (int j = -1; j <= 1; ++j) {
             const std::optional<GapSection<3>> section = walls.across(x + h * (i * u + j * v), n);
             if (!section)
-                return 0.5 * (Mat<3>::Identity() - n * n.transpose());
+                return {0.5 * (Mat<3>::Identity() - n * n.transpose())};
             t[i + 1][j + 1] = section->thickness;
         }
     Mat<2> hess;
@@ -97,9 +111,10 @@ Mat<3> closing_shares(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n
     Mat<2> shares = modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() * modes.eigenvectors().transpose() +
                     e / thickness * gradient * gradient.transpose() + e * e * thickness * Mat<2>::Identity();
     shares /= shares.trace();
+    const double curvature = modes.eigenvalues().cwiseMax(0).sum();
     Eigen::Matrix<double, 3, 2> plane;
     plane << u, v;
-    return plane * shares * plane.transpose();
+    return {plane * shares * plane.transpose(), curvature};
 }
 
 /// Rows and thickness along a gap, and their integrals over pieces of it.
@@ -153,13 +168,14 @@ public:
         return result;
     }
 
-private:
     // Gauss points of 0 .. 1, and the weights of integrals from 0 to each of them.
     static constexpr double root = 3.872983346207417; // of 15
     static constexpr std::array<double, 3> node{0.5 - root / 10, 0.5, 0.5 + root / 10}, weight{5.0 / 18, 4.0 / 9, 5.0 / 18};
     static constexpr std::array<std::array<double, 3>, 3> collocation{{{5.0 / 36, 2.0 / 9 - root / 15, 5.0 / 36 - root / 30},
                                                                        {5.0 / 36 + root / 24, 2.0 / 9, 5.0 / 36 - root / 24},
                                                                        {5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36}}};
+
+private:
     static constexpr int halvings = 30; ///< to the digits of a double
 
     std::optional<GapSection<D>> section(double s) const { return walls_.across(start_ + s * way_, n_); }
@@ -194,6 +210,15 @@ private:
     std::vector<double> breaks_;
 };
 
+/// A way along a gap, at its place in a face.
+template <int D>
+struct GapLine {
+    Vec<D> place;
+    double width;
+    GapSection<D> section;
+    PairTwist<D> flux; ///< of the closing, through a width of one
+};
+
 template <int D>
 class GapFinder {
 public:
@@ -222,6 +247,7 @@ public:
         std::vector<int> next = first_;
         for (std::size_t i = 0; i < images_.size(); ++i)
             image_of_[next[images_[i].solid]++] = static_cast<int>(i);
+        find_beside();
     }
 
     std::optional<GapArm<D>> arm_at(std::size_t number)
@@ -257,6 +283,43 @@ public:
 private:
     bool is_side(std::int32_t solid) const { return std::find(sides_.begin(), sides_.end(), solid) != sides_.end(); }
 
+    void add_near(std::int32_t solid)
+    {
+        if (std::find(near_.begin(), near_.end(), solid) == near_.end())
+            near_.push_back(solid);
+    }
+
+    /// Solids at the parts next to each part that it does not touch itself.
+    void find_beside()
+    {
+        const auto add = [&](const PartOrCell& to, const PartOrCell& from) {
+            if (!to.is_part() || !from.is_part())
+                return;
+            const auto own = complex_.patches_of(to.number());
+            for (const WallPatch<D>& patch : complex_.patches_of(from.number()))
+                if (std::none_of(own.begin(), own.end(), [&](const WallPatch<D>& of) { return of.solid == patch.solid; }))
+                    beside_.emplace_back(to.number(), patch.solid);
+        };
+        for (const FacePiece<D>& piece : complex_.pieces)
+            if (piece.area > 0) {
+                add(piece.low, piece.high);
+                add(piece.high, piece.low);
+            }
+        for (const std::int32_t cell : complex_.cut_cell) {
+            const Index<D> c = complex_.index.index(cell);
+            for (int axis = 0; axis < D; ++axis) {
+                const Index<D> below = complex_.index.wrapped(c - step<D>(axis));
+                if (complex_.main_area[axis][cell] > 0 && (below.array() >= complex_.index.low.array()).all()) {
+                    const PartOrCell low = complex_.main_of(complex_.index(below)), high = complex_.main_of(cell);
+                    add(low, high);
+                    add(high, low);
+                }
+            }
+        }
+        std::sort(beside_.begin(), beside_.end());
+        beside_.erase(std::unique(beside_.begin(), beside_.end()), beside_.end());
+    }
+
     /// Solids beside a piece: of its parts' walls, and closed sides of the domain.
     void find_walls(const FacePiece<D>& piece)
     {
@@ -264,8 +327,12 @@ private:
         for (const PartOrCell& side : {piece.low, piece.high})
             if (side.is_part())
                 for (const WallPatch<D>& patch : complex_.patches_of(side.number()))
-                    if (std::find(near_.begin(), near_.end(), patch.solid) == near_.end())
-                        near_.push_back(patch.solid);
+                    add_near(patch.solid);
+        for (const PartOrCell& side : {piece.low, piece.high}) // walls across a plane of the grid that runs along the gap
+            if (side.is_part())
+                for (auto at = std::lower_bound(beside_.begin(), beside_.end(), std::pair(side.number(), 0));
+                     at != beside_.end() && at->first == side.number(); ++at)
+                    add_near(at->second);
     }
 
     /// The image nearest to x, and the nearest one of those that face it; -1: none.
@@ -324,14 +391,29 @@ private:
             arm.resistance = delta / A;
             return;
         }
-        const double sigma = e.dot(closing_shares(walls, piece.centroid, n, t0) * way), scale = t0 / A;
-        GapWay<D> along(walls, piece.centroid, way, n, t0, frame);
-        for (const auto& point : along.points(middle - 0.5, middle + 0.5, sigma)) {
-            const double w = delta * point.weight / (scale * point.thickness);
-            arm.resistance += scale * scale * w;
-            arm.flux += scale * w * point.flux;
-            arm.mass += w * point.flux * point.flux.transpose();
-            arm.moment += delta * point.weight / scale * point.flux;
+        const ClosingFlow<D> closing = closing_flow(walls, piece.centroid, n, t0);
+        const double sigma = e.dot(closing.shares * way);
+        std::vector<GapLine<D>> lines = lines_of(piece, walls, n, here);
+        double sum = 0; // of the lines' areas
+        for (const GapLine<D>& line : lines)
+            sum += line.width * line.section.thickness;
+        PairTwist<D> through = PairTwist<D>::Zero(); // the closing's flux at the face
+        for (GapLine<D>& line : lines) {
+            line.width *= A / sum;
+            line.flux = closing.flux(line.section, n, t0).dot(e) * (here.opening - frame.transpose() * here.slope);
+            through += line.width * line.flux;
+        }
+        for (const GapLine<D>& line : lines) {
+            GapWay<D> along(walls, line.place, way, n, line.section.thickness, frame);
+            const PairTwist<D> at_face = line.flux - line.section.thickness / A * through;
+            for (const auto& point : along.points(middle - 0.5, middle + 0.5, sigma)) {
+                const double w = delta * point.weight * line.width / point.thickness, scale = line.section.thickness / A;
+                const PairTwist<D> flux = at_face + point.flux;
+                arm.resistance += scale * scale * w;
+                arm.flux += scale * w * flux;
+                arm.mass += w * flux * flux.transpose();
+                arm.moment += delta * point.weight * line.width * flux;
+            }
         }
         const double x = std::clamp((parameters.gap_end - t0) / (parameters.gap_end - parameters.gap_start), 0.0, 1.0);
         arm.share = x * x * (3 - 2 * x);
@@ -341,6 +423,50 @@ private:
         arm.mass *= arm.share;
     }
 
+    /// Across a piece, along the gap and in the face: the nodes of a Gauss rule on the chord of the face through the piece's centroid.
+    std::vector<GapLine<D>> lines_of(const FacePiece<D>& piece, const GapWalls<D>& walls, const Vec<D>& n, const GapSection<D>& here) const
+    {
+        std::vector<GapLine<D>> lines;
+        if constexpr (D == 3) {
+            const Vec<D> m = n.cross(unit<D>(piece.axis)).normalized();
+            const Index<D> f = complex_.index.index(piece.face);
+            Vec<D> centre = piece.centroid;
+            int most = -1; // the face's direction nearest to m
+            for (int t = 0; t < D; ++t)
+                if (t != piece.axis) {
+                    centre[t] = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx();
+                    most = most < 0 || std::abs(m[t]) > std::abs(m[most]) ? t : most;
+                }
+            const auto in_face = [&](double s) { // the gap, which may be bent
+                const auto section = walls.across(piece.centroid + s * m, n);
+                for (int t = 0; section && t < D; ++t)
+                    if (t != piece.axis && t != most &&
+                        std::abs(section->middle[t] - centre[t]) > 0.5 * (1 + section->thickness * std::abs(n[t])))
+                        return false;
+                return section.has_value();
+            };
+            const auto end = [&](double s) {
+                if (in_face(s))
+                    return s;
+                double in = 0, out = s;
+                for (int k = 0; k < 10; ++k)
+                    (in_face(0.5 * (in + out)) ? in : out) = 0.5 * (in + out);
+                return in;
+            };
+            double from = (centre[most] - piece.centroid[most] - 0.5) / m[most], to = (centre[most] - piece.centroid[most] + 0.5) / m[most];
+            from = end(from);
+            to = end(to);
+            for (int k = 0; k < 3; ++k) {
+                const Vec<D> place = piece.centroid + (from + GapWay<D>::node[k] * (to - from)) * m;
+                if (const auto section = walls.across(place, n))
+                    lines.push_back({place, GapWay<D>::weight[k] * std::abs(to - from), *section, PairTwist<D>::Zero()});
+            }
+        }
+        if (lines.size() < 3)
+            lines.assign(1, {piece.centroid, 1.0, here, PairTwist<D>::Zero()});
+        return lines;
+    }
+
     const Grid<D>& grid_;
     GridPlanes<D> planes_;
     const Complex<D>& complex_;
@@ -348,6 +474,7 @@ private:
     std::vector<Vec<D>> reference_;
     std::vector<int> first_, image_of_; ///< of each solid
     std::vector<std::int32_t> sides_, near_;
+    std::vector<std::pair<std::int32_t, std::int32_t>> beside_; ///< part, solid
     std::array<Vec<D>, 2> normal_;
 };
 

@@ -228,38 +228,47 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
         }
         if (!owns_face(grid, piece.axis, f)) // its mass is another rank's
             continue;
+        const PairMass<D> motion = cross * gap.motion.transpose() + gap.motion * cross.transpose() -
+                                   change * delta * gap.motion * gap.motion.transpose();
         inertia.pairs.push_back({gap.solid[0], gap.solid[1],
-                                 gap.mass - gap.flux * gap.flux.transpose() / gap.resistance -
-                                     change * delta * gap.motion * gap.motion.transpose() + cross * gap.motion.transpose() +
-                                     gap.motion * cross.transpose()});
+                                 gap.mass - gap.flux * gap.flux.transpose() / gap.resistance + motion, motion});
     }
-    // One of each two solids.
     for (PairInertia<D>& pair : inertia.pairs)
         if (pair.a > pair.b) {
             std::swap(pair.a, pair.b);
-            PairMass<D> turned;
-            turned << pair.mass.template bottomRightCorner<T, T>(), pair.mass.template bottomLeftCorner<T, T>(),
-                pair.mass.template topRightCorner<T, T>(), pair.mass.template topLeftCorner<T, T>();
-            pair.mass = turned;
+            for (PairMass<D>* mass : {&pair.mass, &pair.motion}) {
+                PairMass<D> turned;
+                turned << mass->template bottomRightCorner<T, T>(), mass->template bottomLeftCorner<T, T>(),
+                    mass->template topRightCorner<T, T>(), mass->template topLeftCorner<T, T>();
+                *mass = turned;
+            }
         }
-    std::vector<std::size_t> order(inertia.pairs.size());
+    merge_pairs(inertia.pairs);
+}
+
+} // namespace
+
+template <int D>
+void merge_pairs(std::vector<PairInertia<D>>& pairs)
+{
+    std::vector<std::size_t> order(pairs.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
-        const PairInertia<D>&p = inertia.pairs[x], &q = inertia.pairs[y];
+        const PairInertia<D>&p = pairs[x], &q = pairs[y];
         return std::tie(p.a, p.b, x) < std::tie(q.a, q.b, y);
     });
     std::vector<PairInertia<D>> sums;
     for (const std::size_t k : order) {
-        const PairInertia<D>& pair = inertia.pairs[k];
+        const PairInertia<D>& pair = pairs[k];
         if (sums.empty() || sums.back().a != pair.a || sums.back().b != pair.b)
             sums.push_back(pair);
-        else
+        else {
             sums.back().mass += pair.mass;
+            sums.back().motion += pair.motion;
+        }
     }
-    inertia.pairs = std::move(sums);
+    pairs = std::move(sums);
 }
-
-} // namespace
 
 template <int D>
 Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps)
@@ -287,6 +296,8 @@ long Inertia<D>::bytes() const
     return sum;
 }
 
+template void merge_pairs(std::vector<PairInertia<2>>&);
+template void merge_pairs(std::vector<PairInertia<3>>&);
 template struct Inertia<2>;
 template struct Inertia<3>;
 template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&, std::span<const GapArm<2>>);

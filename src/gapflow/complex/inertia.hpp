@@ -25,8 +25,13 @@ struct LentFlux {
 template <int D>
 struct PairInertia {
     std::int32_t a, b; ///< a < b
-    PairMass<D> mass;
+    PairMass<D> mass;   ///< a sum of squares and `motion`
+    PairMass<D> motion; ///< the terms that make uniform motion exact
 };
+
+/// One of each two solids.
+template <int D>
+void merge_pairs(std::vector<PairInertia<D>>& pairs);
 
 template <int D>
 struct Inertia {
@@ -35,7 +40,7 @@ struct Inertia {
     std::vector<double> piece_weight;  ///< of each piece
     std::vector<Twist<D>> patch_flux;  ///< of each of Complex::patches, in cells: the walls' own and what is lent
     std::vector<LentFlux<D>> flux;     ///< of the rows beside; one may come more than once
-    std::vector<PairInertia<D>> pairs; ///< one of each two solids with a gap
+    std::vector<PairInertia<D>> pairs; ///< one of each two solids with a gap, of this rank's faces
 
     long bytes() const;
 };

@@ -41,7 +41,7 @@ struct ComplexParameters {
     double widening = 1.6;
     /// Curvature, relative to 1/thickness, below which the closing of a gap flows along the gradient of the thickness (its square: in all
     /// directions alike): small against one, large against the round-off of second differences.
-    double faint_curvature = 0.05;
+    double faint_curvature = 1e-3;
     /// Planes of cells that a thread cuts at a time. An economy: no value depends on it.
     int slab = 8;
 };

@@ -96,6 +96,41 @@ TwistMatrix<D> mass_in_world(const Coupling<D>& coupling, const TwistMatrix<D>& 
     return lengths.asDiagonal() * mass * lengths.asDiagonal();
 }
 
+/// The mass that gaps add, of all ranks: as sums of squares of rows of twists, on one rank.
+template <int D>
+void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& own)
+{
+    constexpr int T = twist_size<D>;
+    const Communicator& comm = coupling.grid->comm();
+    std::vector<PairInertia<D>> pairs = comm.size() == 1 ? own : all_values(comm, own);
+    merge_pairs(pairs);
+    coupling.gap_deficit.assign(coupling.solids.size(), TwistMatrix<D>::Zero());
+    const double dx = coupling.grid->dx();
+    const auto in_world = [&](const PairMass<D>& mass) {
+        PairMass<D> block = coupling.density * std::pow(dx, D) * mass;
+        for (int side = 0; side < 2; ++side) {
+            block.template middleRows<spin_size<D>>(side * T + D) *= dx;
+            block.template middleCols<spin_size<D>>(side * T + D) *= dx;
+        }
+        return block;
+    };
+    for (const PairInertia<D>& pair : pairs) {
+        for (const bool all : {true, false}) {
+            const Eigen::SelfAdjointEigenSolver<PairMass<D>> modes(in_world(all ? pair.mass : pair.motion));
+            for (int k = 0; k < 2 * T; ++k) {
+                const Twist<D> a = modes.eigenvectors().col(k).template head<T>(), b = modes.eigenvectors().col(k).template tail<T>();
+                const double m = modes.eigenvalues()[k];
+                if (all && m != 0 && comm.root())
+                    coupling.normal_inertia.push_back({pair.a, pair.b, a, b, m});
+                if (!all && m < 0) { // (x_a + x_b)^2 <= 2 (x_a^2 + x_b^2)
+                    coupling.gap_deficit[pair.a] += Twist<D>(-2 * m * a) * a.transpose();
+                    coupling.gap_deficit[pair.b] += Twist<D>(-2 * m * b) * b.transpose();
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 
 template <int D>
@@ -222,21 +257,8 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     fill_mass(coupling, mass); // the bodies' own: D follows with add_seen_mass()
     for (const TwistMatrix<D>& seen : complex.seen_mass)
         coupling.seen_mass.push_back(mass_in_world(coupling, seen));
+    add_gap_inertia(coupling, inertia.pairs);
     limit_deficits(coupling);
-    // What gaps add, as sums of squares of rows of twists.
-    for (const PairInertia<D>& pair : inertia.pairs) {
-        constexpr int T = twist_size<D>;
-        PairMass<D> block = density * std::pow(grid.dx(), D) * pair.mass;
-        for (int side = 0; side < 2; ++side) {
-            block.template middleRows<spin_size<D>>(side * T + D) *= grid.dx();
-            block.template middleCols<spin_size<D>>(side * T + D) *= grid.dx();
-        }
-        const Eigen::SelfAdjointEigenSolver<PairMass<D>> modes(block);
-        for (int k = 0; k < 2 * T; ++k)
-            if (const double m = modes.eigenvalues()[k]; m != 0)
-                coupling.normal_inertia.push_back({pair.a, pair.b, modes.eigenvectors().col(k).template head<T>(),
-                                                   modes.eigenvectors().col(k).template tail<T>(), m});
-    }
     system.response = BodyResponse(system.mass, {}, {});
     find_components(coupling);
     return coupling;

@@ -285,10 +285,10 @@ void limit_deficits(Coupling<D>& coupling)
     const std::vector<TwistMatrix<D>> layers = layer_inertias(coupling);
     for_each_job(static_cast<int>(layers.size()), [&](int s) {
         TwistMatrix<D>& seen = coupling.seen_mass[s];
-        if (seen.isZero(0))
+        if (seen.isZero(0) && coupling.gap_deficit[s].isZero(0))
             return;
-        const TwistMatrix<D> sum = seen + layers[s];
-        seen = ScaledModes<D>(sum, displaced_mass(coupling.solids[s], coupling.density)).positive_part(sum) - layers[s];
+        const TwistMatrix<D> rest = layers[s] - coupling.gap_deficit[s], sum = seen + rest;
+        seen = ScaledModes<D>(sum, displaced_mass(coupling.solids[s], coupling.density)).positive_part(sum) - rest;
     });
 }
 
@@ -374,9 +374,20 @@ void add_seen_mass(Coupling<D>& coupling)
             const TwistMatrix<D>& P = coupling.solids[s].admissible;
             const TwistMatrix<D> seen = P * coupling.seen_mass[s] * P, own = system.mass.block(n * b, n * b, n, n);
             add(b, b, seen);
-            light[b] = Eigen::LLT<TwistMatrix<D>>(own + heavy * seen).info() != Eigen::Success;
+            light[b] =
+                Eigen::LLT<TwistMatrix<D>>(own + heavy * (seen - P * coupling.gap_deficit[s] * P)).info() != Eigen::Success;
             any = any || light[b];
         }
+    const Communicator& comm = coupling.grid->comm();
+    for (const NormalInertia<D>& gap : comm.size() == 1 ? coupling.normal_inertia : all_values(comm, coupling.normal_inertia)) {
+        const std::array<int, 2> body{coupling.free_body[gap.master], coupling.free_body[gap.other]};
+        const std::array<Twist<D>, 2> row{coupling.solids[gap.master].admissible * gap.row_master,
+                                          coupling.solids[gap.other].admissible * gap.row_other};
+        for (int i = 0; i < 2; ++i)
+            for (int j = 0; j < 2; ++j)
+                if (body[i] >= 0 && body[j] >= 0)
+                    add(body[i], body[j], gap.mass * row[i] * row[j].transpose());
+    }
     Eigen::SparseMatrix<double> seen(system.mass.rows(), system.mass.cols());
     seen.setFromTriplets(entries.begin(), entries.end());
     system.mass += seen;
