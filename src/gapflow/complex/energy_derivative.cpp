@@ -2,7 +2,7 @@
 
 #include "gapflow/complex/lending.hpp"
 #include "gapflow/complex/seen_volume.hpp"
-#include "gapflow/grid/far_field.hpp"
+#include "gapflow/grid/side_distance.hpp"
 
 namespace gapflow {
 namespace {
@@ -56,16 +56,15 @@ private:
     /// -A/spread (1/2 (p_high - p_low)^2 + ..) of every piece.
     void add_flow()
     {
-        const FarField<D> far = far_field(grid_);
         for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
             const FacePiece<D>& piece = complex_.pieces[k];
             const Index<D> f = complex_.index.index(piece.face);
             double over = grid_.spread(piece.axis, f[piece.axis]);
             if (!piece.low.exists() || !piece.high.exists()) { // a side of the domain
-                const SideKind side = grid_.side(piece.axis, piece.low.exists());
-                if (!is_open(side))
+                const int end = piece.low.exists();
+                if (!is_open(grid_.side(piece.axis, end)))
                     continue;
-                over *= side == SideKind::far ? 0.5 * far_distance(grid_, far, piece.axis, f) : 0.5;
+                over *= side_distance(grid_, piece.axis, end, f);
             }
             by_area_[k] -= loss(piece.low, piece.high) / over;
         }
@@ -211,8 +210,13 @@ private:
     {
         for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
             const FacePiece<D>& piece = complex_.pieces[k];
-            const Vec<D> centre =
-                (grid_.face_centre(piece.axis, complex_.index.index(piece.face)) - grid_.anchor()) / grid_.dx();
+            const Index<D> face = complex_.index.index(piece.face);
+            Vec<D> centre;
+            for (int axis = 0; axis < D; ++axis) {
+                const double place =
+                    axis == piece.axis ? grid_.face_place(axis, face[axis]) : grid_.centre_place(axis, face[axis]);
+                centre[axis] = (place - grid_.anchor()[axis]) / grid_.dx();
+            }
             for (const PieceRate<D>& rate : derivatives_.of(k)) {
                 double by_area = by_area_[k];
                 Vec<D> by_moment = by_moment_[k];

@@ -424,7 +424,8 @@ private:
     }
 
     /// Across a piece, along the gap and in the face: the nodes of a Gauss rule on the chord of the face through the piece's centroid.
-    std::vector<GapLine<D>> lines_of(const FacePiece<D>& piece, const GapWalls<D>& walls, const Vec<D>& n, const GapSection<D>& here) const
+    std::vector<GapLine<D>> lines_of(const FacePiece<D>& piece, const GapWalls<D>& walls, const Vec<D>& n,
+                                     const GapSection<D>& here) const
     {
         std::vector<GapLine<D>> lines;
         if constexpr (D == 3) {
@@ -453,7 +454,8 @@ private:
                     (in_face(0.5 * (in + out)) ? in : out) = 0.5 * (in + out);
                 return in;
             };
-            double from = (centre[most] - piece.centroid[most] - 0.5) / m[most], to = (centre[most] - piece.centroid[most] + 0.5) / m[most];
+            double from = (centre[most] - piece.centroid[most] - 0.5) / m[most],
+                   to = (centre[most] - piece.centroid[most] + 0.5) / m[most];
             from = end(from);
             to = end(to);
             for (int k = 0; k < 3; ++k) {

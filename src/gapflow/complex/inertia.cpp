@@ -230,8 +230,8 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
             continue;
         const PairMass<D> motion = cross * gap.motion.transpose() + gap.motion * cross.transpose() -
                                    change * delta * gap.motion * gap.motion.transpose();
-        inertia.pairs.push_back({gap.solid[0], gap.solid[1],
-                                 gap.mass - gap.flux * gap.flux.transpose() / gap.resistance + motion, motion});
+        inertia.pairs.push_back(
+            {gap.solid[0], gap.solid[1], gap.mass - gap.flux * gap.flux.transpose() / gap.resistance + motion, motion});
     }
     for (PairInertia<D>& pair : inertia.pairs)
         if (pair.a > pair.b) {

@@ -24,7 +24,7 @@ struct LentFlux {
 /// What gaps add to the mass of two solids, by their twists one after the other, in cells.
 template <int D>
 struct PairInertia {
-    std::int32_t a, b; ///< a < b
+    std::int32_t a, b;  ///< a < b
     PairMass<D> mass;   ///< a sum of squares and `motion`
     PairMass<D> motion; ///< the terms that make uniform motion exact
 };

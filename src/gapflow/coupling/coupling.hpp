@@ -103,8 +103,9 @@ struct Coupling {
     std::vector<BodyFlux<D, int>> gauge_nodes;
     std::vector<NormalInertia<D>> normal_inertia; ///< one for each element of this rank's films, in their order
     std::vector<TwistMatrix<D>> seen_mass;        ///< D of each solid (pressure_gauge.hpp); films: none
-    std::vector<TwistMatrix<D>> gap_deficit;      ///< bounds, for each solid, what the masses of its gaps with others take from it; films: none
-    std::vector<Drag> element_drag, mouth_drag;   ///< one for each film element or mouth; empty without viscosity
+    std::vector<TwistMatrix<D>>
+        gap_deficit; ///< bounds, for each solid, what the masses of its gaps with others take from it; films: none
+    std::vector<Drag> element_drag, mouth_drag; ///< one for each film element or mouth; empty without viscosity
     std::vector<std::vector<CarriedCell>>
         cells_behind; ///< of each mouth: the cells that the walls' flux enters; empty: those of its pressure
     std::vector<DragInertia<D>> drag_inertia; ///< of this rank's films

@@ -118,7 +118,8 @@ void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& o
         for (const bool all : {true, false}) {
             const Eigen::SelfAdjointEigenSolver<PairMass<D>> modes(in_world(all ? pair.mass : pair.motion));
             for (int k = 0; k < 2 * T; ++k) {
-                const Twist<D> a = modes.eigenvectors().col(k).template head<T>(), b = modes.eigenvectors().col(k).template tail<T>();
+                const Twist<D> a = modes.eigenvectors().col(k).template head<T>(),
+                               b = modes.eigenvectors().col(k).template tail<T>();
                 const double m = modes.eigenvalues()[k];
                 if (all && m != 0 && comm.root())
                     coupling.normal_inertia.push_back({pair.a, pair.b, a, b, m});

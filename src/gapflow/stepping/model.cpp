@@ -143,8 +143,7 @@ Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, std::vector<T
     if (scene.parts) {
         const std::vector<Solid<D>> all = solids(at);
         const Complex<D> complex = build_complex<D>(grid, all);
-        const std::vector<GapArm<D>> arms = find_gap_arms<D>(grid, all, complex);
-        Coupling<D> coupling = couple_parts<D>(grid, all, mass, scene.density, complex, find_inertia<D>(grid, complex, arms));
+        Coupling<D> coupling = couple_parts<D>(grid, all, mass, scene.density, complex, find_inertia<D>(grid, complex));
         if (moves)
             add_seen_mass(coupling);
         return coupling;
