@@ -1,5 +1,6 @@
 #include "gapflow/complex/area_derivative.hpp"
 
+#include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/surface_rate.hpp"
 #include "gapflow/core/threads.hpp"
 
@@ -241,7 +242,7 @@ void add_end(int axis, double sign, const Vec<2>& x, double centre, const Vec<2>
 {
     if (normal[axis] == 0)
         return;
-    const Twist<2> speed = sign * wrench<2>(normal / normal[axis], x - reference);
+    const Twist<2> speed = sign * lever<2>(normal / normal[axis], x - reference);
     rate.area += speed;
     rate.moment.row(axis) += (x[axis] - centre) * speed.transpose();
 }

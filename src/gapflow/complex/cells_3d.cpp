@@ -1,4 +1,5 @@
 #include "gapflow/complex/cells.hpp"
+#include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/complex/surface_rate.hpp"
 #include "gapflow/grid/field.hpp"
@@ -356,7 +357,7 @@ private:
         const double conductance = hole.conductance();
         if (cut_.for_derivatives && hole.margin < hole.radius())
             result.link_rates.push_back({static_cast<std::int32_t>(result.links.size()), solid.solid,
-                                         -conductance / hole.margin * wrench<3>(hole.inward, hole.nearest - solid.reference)});
+                                         -conductance / hole.margin * lever<3>(hole.inward, hole.nearest - solid.reference)});
         result.links.push_back(
             {part + std::min(a, b), part + std::max(a, b), solid.solid, conductance, hole.area, hole.margin, hole.nearest});
     }

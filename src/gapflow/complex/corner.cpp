@@ -1,5 +1,6 @@
 #include "gapflow/complex/corner.hpp"
 
+#include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/parameters.hpp"
 
 #include <algorithm>
@@ -276,7 +277,7 @@ void add_chord_rates(const SharpRim& rim, const RimPiece& piece, const Vec<3>& l
     const auto slide = [&](const Vec<3>& end) { // by angle
         Twist<3> rate = Twist<3>::Zero();
         if (const auto n = side_of(end, end, low, high))
-            rate = -wrench<3>(*n, end - reference) / n->dot(rim.normal.cross(end - rim.centre));
+            rate = -lever<3>(*n, end - reference) / n->dot(rim.normal.cross(end - rim.centre));
         return rate;
     };
     const Twist<3> from = slide(piece.from), to = slide(piece.to), turn = 0.5 * (from + to), spread = 0.5 * (to - from);
@@ -285,7 +286,7 @@ void add_chord_rates(const SharpRim& rim, const RimPiece& piece, const Vec<3>& l
     add_plane_rates(
         polygons, low, high,
         [&](const Vec<3>& n, const Vec<3>& x) {
-            return Twist<3>(wrench<3>(n, x - reference) + n.dot(rim.normal.cross(x - rim.centre)) * turn -
+            return Twist<3>(lever<3>(n, x - reference) + n.dot(rim.normal.cross(x - rim.centre)) * turn -
                             n.dot(piece.out) * half_length * spread);
         },
         rates);
@@ -314,10 +315,10 @@ EdgeRates edge_rates(const SharpSolid& solid, const CellSectors& sectors, int nu
     }
     const BisectorPolygons polygons = bisector_polygons(solid, sectors, number, low, high);
     add_plane_rates(
-        polygons, low, high, [&](const Vec<3>& n, const Vec<3>& x) { return wrench<3>(n, x - reference); }, rates);
+        polygons, low, high, [&](const Vec<3>& n, const Vec<3>& x) { return lever<3>(n, x - reference); }, rates);
     for (const Vec<3>& end : {polygons.from, polygons.to})
         if (const auto n = side_of(end, end, low, high))
-            rates.length -= wrench<3>(*n, end - reference) / std::abs(n->dot(polygons.along));
+            rates.length -= lever<3>(*n, end - reference) / std::abs(n->dot(polygons.along));
     return rates;
 }
 

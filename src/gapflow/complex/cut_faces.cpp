@@ -3,6 +3,7 @@
 #include "gapflow/complex/area_derivative.hpp"
 #include "gapflow/complex/face_helpers.hpp"
 #include "gapflow/complex/general_cut.hpp"
+#include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/mark_faces.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/complex/surface_rate.hpp"
@@ -214,16 +215,16 @@ private:
         add_open(link, g.by_open);
         // Back from the corner, to the rectangle's border.
         const Vec<2> n = corner.outward, x = corner.at - covered * n, normal(-n[1], n[0]), arm = solids_[image].reference;
-        const MovingLine<2> own{normal, wrench<2>(normal, x - arm), image};
+        const MovingLine<2> own{normal, lever<2>(normal, x - arm), image};
         for (const PointRate<2>& r : meeting_rates<2>(d_, own, {unit<2>(axis), Twist<2>::Zero(), -1}))
-            add_rate(image, g.value / covered * (r.rate.transpose() * n - wrench<2>(n, corner.at - arm)));
+            add_rate(image, g.value / covered * (r.rate.transpose() * n - lever<2>(n, corner.at - arm)));
         if (link.reach == 0)
             return;
         const auto [reach, side] = way_out(corner, square_); // and on to it
         const Vec<2> y = corner.at + reach * n;
         for (const PointRate<2>& r :
-             meeting_rates<2>(d_, {normal, wrench<2>(normal, y - arm), image}, {unit<2>(side), Twist<2>::Zero(), -1}))
-            add_rate(image, g.by_reach * (r.rate.transpose() * n - wrench<2>(n, corner.at - arm)));
+             meeting_rates<2>(d_, {normal, lever<2>(normal, y - arm), image}, {unit<2>(side), Twist<2>::Zero(), -1}))
+            add_rate(image, g.by_reach * (r.rate.transpose() * n - lever<2>(n, corner.at - arm)));
     }
 
     const GeneralCut<D>& general_;

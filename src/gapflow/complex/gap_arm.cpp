@@ -3,8 +3,6 @@
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/complex/placed.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -85,6 +83,17 @@ struct ClosingFlow {
         return at.thickness / (std::max(curvature * at.thickness, 0.5 * slope.squaredNorm()) + 2 * faint * faint) * slope;
     }
 };
+/// A symmetric matrix without its negative part.
+Mat<2> positive_part(const Mat<2>& A)
+{
+    const double mean = 0.5 * A.trace(), radius = std::hypot(0.5 * (A(0, 0) - A(1, 1)), A(0, 1));
+    if (mean >= radius)
+        return A;
+    if (mean <= -radius)
+        return Mat<2>::Zero();
+    return (mean + radius) / (2 * radius) * (A - (mean - radius) * Mat<2>::Identity());
+}
+
 ClosingFlow<2> closing_flow(const GapWalls<2>&, const Vec<2>&, const Vec<2>& n, double)
 {
     return {Mat<2>::Identity() - n * n.transpose()};
@@ -106,12 +115,11 @@ ClosingFlow<3> closing_flow(const GapWalls<3>& walls, const Vec<3>& x, const Vec
     hess(1, 1) = (t[1][2] - 2 * t[1][1] + t[1][0]) / (h * h);
     hess(0, 1) = hess(1, 0) = (t[2][2] - t[2][0] - t[0][2] + t[0][0]) / (4 * h * h);
     const Vec<2> gradient((t[2][1] - t[0][1]) / (2 * h), (t[1][2] - t[1][0]) / (2 * h));
-    const Eigen::SelfAdjointEigenSolver<Mat<2>> modes(hess);
     const double e = parameters.faint_curvature;
-    Mat<2> shares = modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() * modes.eigenvectors().transpose() +
-                    e / thickness * gradient * gradient.transpose() + e * e * thickness * Mat<2>::Identity();
+    Mat<2> shares = positive_part(hess);
+    const double curvature = shares.trace();
+    shares += e / thickness * gradient * gradient.transpose() + e * e * thickness * Mat<2>::Identity();
     shares /= shares.trace();
-    const double curvature = modes.eigenvalues().cwiseMax(0).sum();
     Eigen::Matrix<double, 3, 2> plane;
     plane << u, v;
     return {plane * shares * plane.transpose(), curvature};

@@ -1,5 +1,6 @@
 #include "gapflow/complex/seen_volume.hpp"
 
+#include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/surface_rate.hpp"
 
 #include <algorithm>
@@ -341,10 +342,10 @@ TwistMatrix<D> seen_mass(const SeenSolid<D>& seen)
 {
     TwistMatrix<D> sum = TwistMatrix<D>::Zero();
     for (int d = 0; d < D; ++d) {
-        const Twist<D> own = wrench<D>(unit<D>(d), seen.centroid);
+        const Twist<D> own = lever<D>(unit<D>(d), seen.centroid);
         sum -= seen.volume * own * own.transpose();
         if (const double volume = seen.along[d].volume; volume > 0) {
-            const Twist<D> flux = wrench<D>(volume * unit<D>(d), seen.along[d].moment / volume);
+            const Twist<D> flux = lever<D>(volume * unit<D>(d), seen.along[d].moment / volume);
             sum += 1 / volume * flux * flux.transpose();
         }
     }

@@ -1,5 +1,6 @@
 #include "gapflow/complex/surface_rate.hpp"
 
+#include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/parameters.hpp"
 
 #include <cmath>
@@ -58,10 +59,10 @@ Twist<3> chord_end_speed(const SharpRim& rim, const Vec<3>& reference, int d, do
     if (edge >= 0) { // along the edge
         const int along = edge_axis<3>(d, edge);
         const Vec<3> cone = rim.normal - radial;
-        return wrench<3>(cone * (normal[along] / cone[along]), x - reference);
+        return lever<3>(cone * (normal[along] / cone[along]), x - reference);
     }
     const Vec<3> tangent = rim.normal.cross(radial); // with the rim, less what leaves the plane along it
-    return wrench<3>(normal - normal.dot(tangent) / tangent[d] * Vec<3>::Unit(d), x - reference);
+    return lever<3>(normal - normal.dot(tangent) / tangent[d] * Vec<3>::Unit(d), x - reference);
 }
 
 } // namespace
@@ -128,7 +129,7 @@ MovingLine<D> moving_line(const std::vector<PlacedSolid<D>>& solids, int image, 
         n_space[d] = slope.constant + slope.along.dot(normal);
         place[d] = at;
     }
-    return {normal, wrench<D>(n_space, place - solids[image].reference), image};
+    return {normal, lever<D>(n_space, place - solids[image].reference), image};
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/complex/cut_faces.hpp"
+#include "gapflow/complex/lever.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -34,7 +35,7 @@ Eigen::Matrix<double, D, twist_size<D>> rigid_rate(const Vec<D>& x, const Vec<D>
 {
     Eigen::Matrix<double, D, twist_size<D>> rate;
     for (int k = 0; k < D; ++k)
-        rate.row(k) = wrench<D>(unit<D>(k), x - reference).transpose();
+        rate.row(k) = lever<D>(unit<D>(k), x - reference).transpose();
     return rate;
 }
 
