@@ -391,8 +391,8 @@ void add_seen_mass(Coupling<D>& coupling)
     Eigen::SparseMatrix<double> seen(system.mass.rows(), system.mass.cols());
     seen.setFromTriplets(entries.begin(), entries.end());
     system.mass += seen;
-    if (any)
-        change_gauge(coupling, light);
+    if (any) // of all: beside a body without it the rows that both have would leave products of K and Y, and no squares
+        change_gauge(coupling, std::vector<char>(system.bodies, 1));
     system.response = BodyResponse(system.mass, {}, {});
 }
 

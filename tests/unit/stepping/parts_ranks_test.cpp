@@ -129,6 +129,15 @@ TEST(PartsRanks, PeriodicBox)
     expect_one_result(scene_of(space_domain + sides(3, "periodic"), space_bodies));
 }
 
+TEST(PartsRanks, LightBodiesCloseToEachOther)
+{
+    for (const auto& [radius, y] : {std::pair{"0.06", "0.57001"}, {"0.15", "0.663"}}) // D takes mass from one of the two only
+        expect_one_result(scene_of(
+            plane_domain, "[[body]]\nname = \"a\"\nshape = \"ball\"\nradius = 0.11\nposition = [0.497, 0.4]\ndensity = 0.001\n"
+                          "[[body]]\nname = \"b\"\nshape = \"ball\"\ndensity = 0.001\nradius = " +
+                              std::string(radius) + "\nposition = [0.497, " + y + "]\n"));
+}
+
 TEST(PartsRanks, Films)
 {
     expect_one_result(R"(
