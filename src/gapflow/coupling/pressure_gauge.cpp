@@ -224,7 +224,7 @@ Eigen::SparseMatrix<double> sum_of_ranks(const Communicator& comm, const Eigen::
 }
 
 template <int D>
-void change_gauge(Coupling<D>& coupling, const std::vector<char>& light)
+void change_gauge(Coupling<D>& coupling)
 {
     CoupledSystem<D>& system = coupling.system;
     const FluidRows<D> L(coupling);
@@ -235,7 +235,7 @@ void change_gauge(Coupling<D>& coupling, const std::vector<char>& light)
         K.push_back({L.row(entry.row), entry.body, entry.flux});
     merge_entries(K);
     for (const RowEntry<D>& entry : K)
-        if (const double diagonal = light[entry.body] ? L.diagonal(entry.row) : 0.0; diagonal > 0)
+        if (const double diagonal = L.diagonal(entry.row); diagonal > 0)
             Y.push_back({entry.row, entry.body, entry.flux / diagonal});
     std::vector<RowEntry<D>> changed = K, others;
     for (const RowEntry<D>& y : Y)
@@ -360,7 +360,6 @@ void add_seen_mass(Coupling<D>& coupling)
 {
     constexpr int n = twist_size<D>;
     CoupledSystem<D>& system = coupling.system;
-    std::vector<char> light(system.bodies, 0);
     std::vector<Eigen::Triplet<double>> entries;
     const auto add = [&](int a, int b, const TwistMatrix<D>& mass) {
         for (int i = 0; i < n; ++i)
@@ -368,15 +367,14 @@ void add_seen_mass(Coupling<D>& coupling)
                 if (mass(i, j) != 0)
                     entries.emplace_back(n * a + i, n * b + j, mass(i, j));
     };
-    bool any = false;
+    bool light = false; // any of them
     for (std::size_t s = 0; s < coupling.solids.size(); ++s)
         if (const int b = coupling.free_body[s]; b >= 0) {
             const TwistMatrix<D>& P = coupling.solids[s].admissible;
             const TwistMatrix<D> seen = P * coupling.seen_mass[s] * P, own = system.mass.block(n * b, n * b, n, n);
             add(b, b, seen);
-            light[b] =
-                Eigen::LLT<TwistMatrix<D>>(own + heavy * (seen - P * coupling.gap_deficit[s] * P)).info() != Eigen::Success;
-            any = any || light[b];
+            light = light ||
+                    Eigen::LLT<TwistMatrix<D>>(own + heavy * (seen - P * coupling.gap_deficit[s] * P)).info() != Eigen::Success;
         }
     const Communicator& comm = coupling.grid->comm();
     for (const NormalInertia<D>& gap : comm.size() == 1 ? coupling.normal_inertia : all_values(comm, coupling.normal_inertia)) {
@@ -391,8 +389,8 @@ void add_seen_mass(Coupling<D>& coupling)
     Eigen::SparseMatrix<double> seen(system.mass.rows(), system.mass.cols());
     seen.setFromTriplets(entries.begin(), entries.end());
     system.mass += seen;
-    if (any) // of all: beside a body without it the rows that both have would leave products of K and Y, and no squares
-        change_gauge(coupling, std::vector<char>(system.bodies, 1));
+    if (light) // the gauge of all: beside a body without it the rows that both have would leave products of K and Y, and no squares
+        change_gauge(coupling);
     system.response = BodyResponse(system.mass, {}, {});
 }
 

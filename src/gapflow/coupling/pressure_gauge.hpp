@@ -43,8 +43,8 @@ struct JacobiSteps {
 template <int D>
 JacobiSteps<D> jacobi_steps(const Coupling<D>& coupling, int solid, const Twist<D>& z);
 
-/// To be called once, with the bodies' own masses in coupling.system: adds D, and changes the gauge of bodies that are lighter than twice what D
-/// takes from them. Fills coupling.gauge_cells and gauge_nodes. Collective.
+/// To be called once, with the bodies' own masses in coupling.system: adds D, and changes the gauge of all bodies if one is lighter than twice what D
+/// takes from it. Fills coupling.gauge_cells and gauge_nodes. Collective.
 template <int D>
 void add_seen_mass(Coupling<D>& coupling);
 
