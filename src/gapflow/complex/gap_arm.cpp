@@ -466,7 +466,7 @@ private:
                    to = (centre[most] - piece.centroid[most] + 0.5) / m[most];
             from = end(from);
             to = end(to);
-            for (int k = 0; k < 3; ++k) {
+            for (int k = 0; k < 3 && std::abs(to - from) > parameters.least_stretch; ++k) {
                 const Vec<D> place = piece.centroid + (from + GapWay<D>::node[k] * (to - from)) * m;
                 if (const auto section = walls.across(place, n))
                     lines.push_back({place, GapWay<D>::weight[k] * std::abs(to - from), *section, PairTwist<D>::Zero()});
