@@ -1,5 +1,6 @@
 #include "gapflow/complex/cells.hpp"
 #include "gapflow/complex/join_faces.hpp"
+#include "gapflow/complex/mouth.hpp"
 #include "gapflow/complex/part_borders.hpp"
 #include "gapflow/complex/seen_volume.hpp"
 #include "gapflow/core/threads.hpp"
@@ -39,11 +40,12 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
         low[axis] = planes.place[axis][complex.index.low[axis]];
         high[axis] = planes.place[axis][complex.index.high()[axis]];
     }
-    if constexpr (D == 3) { // edges divide faces of the cells beside theirs
-        low -= Vec<D>::Ones();
-        high += Vec<D>::Ones();
-    }
-    const std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
+    // Edges divide faces of the cells beside theirs, corners cells between them and other walls.
+    low -= Vec<D>::Constant(D == 3 ? 1 : 2);
+    high += Vec<D>::Constant(D == 3 ? 1 : 2);
+    std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
+    if constexpr (D == 2)
+        complex.mouths = find_mouths(planes, solids, placed);
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives || borders);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
     std::vector<CellSlab<D>> slabs(cut.slabs.size());

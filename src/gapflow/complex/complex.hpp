@@ -105,6 +105,23 @@ struct CornerLink {
     double conductance;   ///< times density
     double open, covered; ///< lengths of the corner's bisector in the cell; 3D: areas of the edge's bisector plane
     Vec<D> at;            ///< the corner; 3D: the edge's middle
+    int mouth = -1;       ///< of which it is a part, see Complex::mouths; its conductance is then that of the corner alone
+    std::array<Vec<D>, 2> centroid{Vec<D>::Zero(), Vec<D>::Zero()}; ///< of the parts a and b, where it is part of a mouth
+};
+
+/// What lies on one side of a mouth.
+struct MouthSide {
+    double gap = 0;    ///< the share of a gap, 0 .. 1; the rest is fluid into which the flow spreads
+    double outlet = 0; ///< resistance to a source spread over the sector around the mouth on this side, where it is not a gap alone
+};
+
+/// Where a gap ends at a sharp corner in front of another wall (mouth.hpp).
+template <int D>
+struct Mouth {
+    std::array<std::int32_t, 2> solid; ///< that of the corner, and the one across
+    Vec<D> at, end;                    ///< the corner, and the place on the other wall nearest to it
+    double share;                      ///< of the mouth in the resistance of its links; the rest is that of the corner alone
+    std::array<MouthSide, 2> sides;    ///< 2D: at the left and right of the way from the corner
 };
 
 template <int D>
@@ -127,6 +144,7 @@ struct Complex {
     /// Faces that solids cut, and those that do not lead to the largest part.
     std::vector<FacePiece<D>> pieces;
     std::vector<CornerLink<D>> links;
+    std::vector<Mouth<D>> mouths; ///< 2D
 
     /// Whether a piece is part of main_area.
     bool joins_main(const FacePiece<D>& piece) const { return is_main(piece.low) && is_main(piece.high); }

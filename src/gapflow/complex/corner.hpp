@@ -15,8 +15,22 @@ namespace gapflow {
 /// A convex corner of a solid in the plane; lengths in cells.
 struct SharpCorner {
     Vec<2> at;
-    Vec<2> outward; ///< along the bisector, of unit length
+    Vec<2> outward; ///< of unit length: along the bisector, or to another wall (mouth.hpp)
     double angle;   ///< of the solid, 0 .. pi
+    /// Share of the corner's own resistance in that of its link; 0 where it does not divide, unless it has a mouth.
+    double own = 1;
+    int mouth = -1;   ///< the gap whose end it is
+    double reach = 0; ///< of the dividing line, to a little behind the other wall; 0: to the border of the corner's cell
+
+    bool divides() const { return own > 0 || mouth >= 0; }
+};
+
+/// The part of a corner's dividing line in one cell, where that is not the corner's own.
+struct LineInCell {
+    Index<2> cell;
+    int corner;
+    Vec<2> from, to;
+    int from_edge, to_edge; ///< of the cell, counterclockwise from the low one; -1: ends within the cell
 };
 
 /// A flat face of a solid in space and a convex edge between two of them.

@@ -42,36 +42,6 @@ std::pair<double, int> covered_way(const SharpCorner& corner, const Square& squa
     return {covered, across};
 }
 
-/// From the corner along its line to the rectangle's border, likewise.
-std::pair<double, int> way_out(const SharpCorner& corner, const Square& square)
-{
-    double reach = std::numeric_limits<double>::infinity();
-    int across = 0;
-    for (int axis = 0; axis < 2; ++axis)
-        if (const double slope = corner.outward[axis]; slope != 0)
-            if (const double way = ((slope > 0 ? square.high : square.low)[axis] - corner.at[axis]) / slope; way < reach) {
-                reach = way;
-                across = axis;
-            }
-    return {reach, across};
-}
-
-/// Conductance of a corner's link, and its derivatives. A line that ends at a solid at a short way d of its reach r to the rectangle's border leads
-/// through a mouth: beyond it the flow spreads over a sector of a right angle, whose resistance is (2/pi) ln r/d; with c = r it comes after
-/// that of the line to the border.
-struct CornerConductance {
-    double value, by_open, by_reach = 0;
-};
-CornerConductance link_conductance(double angle, const SquareLink& link, double covered)
-{
-    if (link.reach == 0)
-        return {corner_conductance(angle, link.open, covered), corner_conductance(angle, 1, covered)};
-    const double share = 2 / std::numbers::pi * corner_conductance(angle, 1, 1),
-                 sum = 1 + share * std::log(link.reach / link.open),
-                 value = corner_conductance(angle, link.reach, covered) / sum;
-    return {value, value * share / (sum * link.open), value / link.reach * (1 - share / sum)};
-}
-
 /// Rates of what one face's solids and lines define.
 template <int D>
 class FaceRates {
@@ -206,25 +176,20 @@ private:
     /// g = c open/covered.
     void add_conductance(const SquareLink& link) requires(D == 2)
     {
+        if (link.fin >= static_cast<int>(square_.corners.size()))
+            return;
         const SharpCorner& corner = general_.corner(link.fin);
         const int image = images_[square_.corners[link.fin].solid];
         const auto [covered, axis] = covered_way(corner, square_);
-        if (!(covered > parameters.least_covered))
+        if (!(covered > parameters.least_covered) || !(corner.own > 0))
             return;
-        const CornerConductance g = link_conductance(corner.angle, link, covered);
-        add_open(link, g.by_open);
+        const double by_open = corner_conductance(corner.angle, 1, covered) / corner.own;
+        add_open(link, by_open);
         // Back from the corner, to the rectangle's border.
         const Vec<2> n = corner.outward, x = corner.at - covered * n, normal(-n[1], n[0]), arm = solids_[image].reference;
         const MovingLine<2> own{normal, lever<2>(normal, x - arm), image};
         for (const PointRate<2>& r : meeting_rates<2>(d_, own, {unit<2>(axis), Twist<2>::Zero(), -1}))
-            add_rate(image, g.value / covered * (r.rate.transpose() * n - lever<2>(n, corner.at - arm)));
-        if (link.reach == 0)
-            return;
-        const auto [reach, side] = way_out(corner, square_); // and on to it
-        const Vec<2> y = corner.at + reach * n;
-        for (const PointRate<2>& r :
-             meeting_rates<2>(d_, {normal, lever<2>(normal, y - arm), image}, {unit<2>(side), Twist<2>::Zero(), -1}))
-            add_rate(image, g.by_reach * (r.rate.transpose() * n - lever<2>(n, corner.at - arm)));
+            add_rate(image, link.open * by_open / covered * (r.rate.transpose() * n - lever<2>(n, corner.at - arm)));
     }
 
     const GeneralCut<D>& general_;
@@ -290,11 +255,14 @@ void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const Dens
                 slab.divisions.push_back({line.image, link.a, link.b, 0, link.open, 0, Vec<D>::Zero(), line.edge, line.sides});
                 continue;
             }
-            const SharpCorner& corner = general.corner(link.fin);
-            const double covered = covered_way(corner, square).first;
-            slab.divisions.push_back({detail.images[square.corners[link.fin].solid], link.a, link.b,
-                                      link_conductance(corner.angle, link, covered).value, link.open, covered,
-                                      in_space<D>(d, at, corner.at)});
+            if constexpr (D == 2) {
+                const SharpCorner& corner = general.corner(link.fin);
+                const bool own = link.fin < static_cast<int>(square.corners.size()); // the corner's cell
+                const double covered = own ? covered_way(corner, square).first : 0,
+                             conductance = own ? corner_conductance(corner.angle, link.open, covered) / std::max(corner.own, parameters.least_covered) : link.open;
+                const int k = own ? square.corners[link.fin].solid : square.lines[link.fin - square.corners.size()].solid;
+                slab.divisions.push_back({detail.images[k], link.a, link.b, conductance, link.open, covered, corner.at, -1, 0, corner.mouth});
+            }
         }
     }
 }

@@ -90,6 +90,7 @@ struct CornerDivision {
     Vec<D> at;                         ///< the corner
     int edge = -1;                     ///< 3D: of the image
     int sides = 0;                     ///< 3D: which cells it divides: 1 that below the face, 2 that above it
+    int mouth = -1;                    ///< 2D: SharpCorner::mouth
 };
 
 /// A line by which an edge of a solid divides the cells below and above a face, 3D.

@@ -325,12 +325,21 @@ Square& GeneralCut<D>::cut(const CutFace<D>& face, const FaceDetail& detail,
     if constexpr (D == 2)
         for (std::size_t k = 0; k < detail.images.size(); ++k)
             for (const SharpCorner& corner : solids_[detail.images[k]].corners)
-                if ((corner.at.array() > square_.low.array()).all() && (corner.at.array() < square_.high.array()).all()) {
-                    square_.corners.push_back({static_cast<int>(k), corner.at, corner.outward});
+                if ((corner.at.array() > square_.low.array()).all() && (corner.at.array() < square_.high.array()).all() &&
+                    corner.divides()) {
+                    square_.corners.push_back({static_cast<int>(k), corner.at, corner.outward, corner.mouth >= 0});
                     sharp_.push_back(&corner);
                 }
     square_.lines.clear();
     lines_.clear();
+    if constexpr (D == 2)
+        for (std::size_t k = 0; k < detail.images.size(); ++k)
+            for (const LineInCell& line : solids_[detail.images[k]].lines)
+                if (line.cell == f) {
+                    square_.lines.push_back({static_cast<int>(k), line.from, line.to, border_at(square_, line.from_edge, line.from),
+                                             border_at(square_, line.to_edge, line.to), true});
+                    sharp_.push_back(&solids_[detail.images[k]].corners[line.corner]);
+                }
     if constexpr (D == 3)
         add_lines(*faces_.grid, planes_, solids_, detail.images, sections_, d, f, square_, lines_);
     square_.cut();

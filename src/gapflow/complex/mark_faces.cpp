@@ -51,6 +51,27 @@ void mark_sharp(const DenseIndex<3>& index, const SharpSolid& sharp, int image, 
         mark_around(piece.cell);
 }
 
+/// The cells into which the dividing lines of a solid's corners lead, in one slab.
+void mark_lines(const DenseIndex<2>& index, const PlacedSolid<2>& solid, int image, CutFaces<2>& cut, Slab<2>& slab)
+{
+    for (const LineInCell& line : solid.lines) {
+        const Index<2>& c = line.cell;
+        if (c[0] < index.low[0] || c[0] >= index.high()[0] || c[1] < slab.begin || c[1] >= slab.end)
+            continue;
+        std::int32_t& number = cut.face[0][index(c)];
+        if (number == Complex<2>::solid)
+            continue;
+        if (number < 0) {
+            number = static_cast<std::int32_t>(slab.faces.size());
+            slab.faces.push_back({index(c), 0, CutFace<2>::State::simple, 15, image});
+        }
+        make_general(slab, slab.faces[number]);
+        auto& images = slab.details[slab.faces[number].detail].images;
+        if (std::find(images.begin(), images.end(), image) == images.end())
+            images.push_back(image);
+    }
+}
+
 /// Which faces one solid covers or cuts in a slab.
 template <int D, class Kind>
 class Marking {
@@ -66,6 +87,8 @@ public:
         mark_cut();
         if constexpr (D == 3)
             mark_sharp(index_, solid_.sharp, image_, cut_, slab_);
+        else
+            mark_lines(index_, solid_, image_, cut_, slab_);
     }
 
 private:
@@ -332,11 +355,12 @@ public:
             low_[axis] = from;
             high_[axis] = to;
             if (!solid_.inverse) {
-                if (solid_.low[axis] > p[to] + 1 || solid_.high[axis] < p[from] - 1)
+                // One cell more: the surface's bounds are not rounded; in 2D also the cells into which lines from corners lead.
+                constexpr int margin = D == 3 ? 1 : 3;
+                if (solid_.low[axis] > p[to] + margin || solid_.high[axis] < p[from] - margin)
                     return {};
-                // One cell more: the surface's bounds are not rounded.
-                low_[axis] = std::clamp(planes_.cell_of(axis, solid_.low[axis]) - 1, from, to - 1);
-                high_[axis] = std::clamp(planes_.cell_of(axis, solid_.high[axis]) + 2, low_[axis] + 1, to);
+                low_[axis] = std::clamp(planes_.cell_of(axis, solid_.low[axis]) - margin, from, to - 1);
+                high_[axis] = std::clamp(planes_.cell_of(axis, solid_.high[axis]) + margin + 1, low_[axis] + 1, to);
             }
             for (int i = low_[axis]; i <= high_[axis]; ++i)
                 places[axis].push_back(p[i]);
@@ -382,6 +406,8 @@ public:
         }
         if constexpr (D == 3)
             mark_sharp(index_, solid_.sharp, image_, cut_, slab_);
+        else
+            mark_lines(index_, solid_, image_, cut_, slab_);
         return facets;
     }
 

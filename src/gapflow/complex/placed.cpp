@@ -64,6 +64,7 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
                               planes.in_cells(image.bounds.high) + margin,
                               image.shape,
                               {},
+                              {},
                               {}};
         if (const auto radius = shape.sphere_radius())
             placed.kind = BallKind<D>{centre, *radius / grid.dx()};

@@ -82,6 +82,7 @@ struct PlacedSolid {
     Vec<D> low, high; ///< a box around its surface
     PlacedShape<D> shape;
     std::vector<SharpCorner> corners; ///< 2D: those that divide the fluid
+    std::vector<LineInCell> lines;    ///< 2D: where their lines go on in the cells beside their own
     SharpSolid sharp;                 ///< 3D: the same
 };
 

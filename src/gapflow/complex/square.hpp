@@ -93,6 +93,7 @@ struct SquareCorner {
     int solid;      ///< index into Square::solids
     Vec<2> at;      ///< where two segments of the solid's border meet
     Vec<2> outward; ///< direction of the dividing line
+    bool to_wall = false; ///< it leads to another solid, perhaps to a corner of that
 };
 
 /// A line by which a solid divides: each end at a corner of the solid's border or where lines meet (edge -1), or on the rectangle's border.
@@ -100,6 +101,7 @@ struct SquareLine {
     int solid; ///< index into Square::solids
     Vec<2> from, to;
     OnEdge from_border, to_border;
+    bool to_wall = false; ///< it leads to another solid, perhaps to a corner of that
 };
 
 /// Two pieces on both sides of a dividing line.
@@ -107,8 +109,6 @@ struct SquareLink {
     int fin;     ///< index into Square::corners; from corners.size() on into Square::lines
     int a, b;    ///< pieces at the left and right of the way outward
     double open; ///< length of the line between them
-    double reach =
-        0; ///< of a corner's line that ends at a solid or a line before the rectangle's border: its length to there; else 0
 };
 
 struct OpenStretch {
@@ -173,7 +173,7 @@ private:
     void draw_lines();
     bool draw(int number, bool turned);
     Hit joint_at(int solid, const Vec<2>& x, const Vec<2>& direction) const;
-    Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least) const;
+    Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least, bool to_corners = false) const;
     Hit arc_end(const OnEdge& place) const;
     std::pair<double, OnEdge> exit_of(const Vec<2>& start, const Vec<2>& direction) const;
     End open_at(const Hit& hit, const Vec<2>& x);

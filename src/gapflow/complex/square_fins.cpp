@@ -70,11 +70,12 @@ Square::End Square::open_at(const Hit& hit, const Vec<2>& x)
     return end;
 }
 
-Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least) const
+/// `to_corners`: a segment that ends beside the ray counts.
+Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least, bool to_corners) const
 {
     Hit hit;
     hit.way = std::numeric_limits<double>::infinity();
-    const double near = parameters.least_stretch, touching = parameters.joint_distance;
+    const double touching = parameters.joint_distance, near = to_corners ? touching : parameters.least_stretch;
     for (std::size_t a = 0; a < arcs.size(); ++a)
         for (std::size_t k = 0; k < arcs[a].segments.size(); ++k) {
             const ArcSegment& segment = arcs[a].segments[k];
@@ -287,8 +288,8 @@ void Square::divide(int number)
     if (joint.arc < 0)
         return; // covered by another solid
     const Vec<2> p = arcs[joint.arc].segments[joint.segment].to;
-    const auto [way, exit] = exit_of(p, corner.outward);
-    const Hit hit = nearest_hit(p, corner.outward, -parameters.joint_distance);
+    const auto [way, exit] = exit_of(corner.to_wall ? corner.at : p, corner.outward);
+    const Hit hit = nearest_hit(p, corner.outward, -parameters.joint_distance, corner.to_wall);
     const bool border = hit.way > way;
     if (border && ring_at(exit) < 0 && arc_end(exit).arc < 0)
         return;
@@ -297,7 +298,7 @@ void Square::divide(int number)
         const auto to = open_border(exit, corner.solid);
         add_fin(p, from, point(exit), *to, corner.solid, number);
     } else {
-        const Hit again = nearest_hit(p, corner.outward, -parameters.joint_distance); // the joint's arc was split
+        const Hit again = nearest_hit(p, corner.outward, -parameters.joint_distance, corner.to_wall); // the joint's arc was split
         const Vec<2> q = arcs[again.arc].segments[again.segment].at(again.t);
         const End to = open_at(again, q);
         add_fin(p, from, q, to, corner.solid, number);
@@ -339,7 +340,7 @@ bool Square::draw(int number, bool turned)
     // Through the lines of other solids, which end at a solid.
     Vec<2> here = p;
     for (;;) {
-        const Hit hit = nearest_hit(here, direction, touching);
+        const Hit hit = nearest_hit(here, direction, touching, line.to_wall);
         if (!(hit.way < (q - here).norm() - touching))
             break;
         const Vec<2> x = arcs[hit.arc].segments[hit.segment].at(hit.t);
@@ -396,11 +397,9 @@ void Square::find_links()
         for (const Side& a : sides[0])
             for (const Side& b : sides[1]) {
                 const double open = std::min(a.to, b.to) - std::max(a.from, b.from);
-                if (open > 0 && a.piece != b.piece) {
-                    const double from = std::max(a.from, b.from), reach = ray ? exit_of(p, direction).first : 0.0;
-                    const bool narrow = ray && from < parameters.joint_distance && open < reach - parameters.joint_distance;
-                    links.push_back({static_cast<int>(k), a.piece, b.piece, open, narrow ? reach : 0.0});
-                }
+                if (open > 0 && a.piece != b.piece)
+                    links.push_back({static_cast<int>(k), a.piece, b.piece, open});
+
             }
     }
 }

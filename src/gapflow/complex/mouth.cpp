@@ -1,0 +1,251 @@
+#include "gapflow/complex/mouth.hpp"
+
+#include "gapflow/complex/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gapflow {
+namespace {
+
+Vec<2> left_of(const Vec<2>& x)
+{
+    return {-x[1], x[0]};
+}
+
+/// 1 up to gap_start, 0 from gap_end on.
+double gap_share(double thickness)
+{
+    const double x =
+        std::clamp((parameters.gap_end - thickness) / (parameters.gap_end - parameters.gap_start), 0.0, 1.0);
+    return x * x * (3 - 2 * x);
+}
+
+/// 1 + 1/2 + .. + 1/x, for all x >= 0.
+double harmonic_number(double x)
+{
+    double y = x + 1, sum = 0;
+    for (; y < 10; ++y)
+        sum -= 1 / y;
+    const double z = 1 / (y * y);
+    return std::numbers::egamma + sum + std::log(y) - 0.5 / y - z * (1.0 / 12 - z * (1.0 / 120 - z / 252));
+}
+
+/// The wall of another solid, or of an image or a side of the domain.
+struct OtherWall {
+    int image = -1, side = -1; ///< among the placed solids; among the solids
+    SurfacePoint<2> nearest;   ///< in the world
+    double distance = std::numeric_limits<double>::infinity();
+};
+
+class MouthFinder {
+public:
+    MouthFinder(const GridPlanes<2>& planes, std::span<const Solid<2>> solids, std::vector<PlacedSolid<2>>& placed)
+        : planes_(planes), solids_(solids), placed_(placed)
+    {
+        for (std::size_t s = 0; s < solids.size(); ++s)
+            if (solids[s].wall)
+                sides_.push_back(static_cast<int>(s));
+    }
+
+    std::vector<Mouth<2>> find()
+    {
+        struct Found {
+            int image, corner;
+            OtherWall wall;
+        };
+        std::vector<Found> found;
+        for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
+            for (int k = 0; k < static_cast<int>(placed_[i].corners.size()); ++k)
+                if (const OtherWall wall = nearest_wall(i, placed_[i].corners[k]); wall.distance < parameters.gap_end)
+                    found.push_back({i, k, wall});
+        for (const Found& f : found)
+            add(f.image, f.corner, f.wall);
+        return std::move(mouths_);
+    }
+
+private:
+    OtherWall nearest_wall(int image, const SharpCorner& corner) const
+    {
+        OtherWall wall;
+        const Vec<2> x = planes_.in_world(corner.at);
+        const auto offer = [&](const PlacedShape<2>& shape, int i, int side) {
+            const SurfacePoint<2> point = shape.closest(x);
+            if (const double distance = point.distance / planes_.dx; distance > 0 && distance < wall.distance)
+                wall = {i, side, point, distance};
+        };
+        for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
+            const PlacedSolid<2>& other = placed_[i];
+            if (i == image)
+                continue;
+            const double outside = (other.low - corner.at).cwiseMax(corner.at - other.high).maxCoeff();
+            if (other.inverse || outside < parameters.gap_end)
+                offer(other.shape, i, -1);
+        }
+        for (const int s : sides_)
+            offer(solids_[s].shape, -1, s);
+        return wall;
+    }
+
+    /// The corner of a solid at a place, -1: none.
+    int corner_at(int image, const Vec<2>& x) const
+    {
+        if (image >= 0)
+            for (int k = 0; k < static_cast<int>(placed_[image].corners.size()); ++k)
+                if ((placed_[image].corners[k].at - x).norm() < parameters.joint_distance)
+                    return k;
+        return -1;
+    }
+
+    /// How far the corner lies beyond the end of the wall that faces it from a place at the corner's side: 0 where it is in front of one of
+    /// the two sides that meet there.
+    static double beyond(const SharpCorner& corner, const Vec<2>& from)
+    {
+        const Vec<2> way = from - corner.at;
+        const double angle = std::abs(std::atan2(corner.outward[0] * way[1] - corner.outward[1] * way[0], corner.outward.dot(way)));
+        return way.norm() * std::sin(std::clamp(0.5 * (std::numbers::pi - corner.angle) - angle, 0.0, 0.5 * std::numbers::pi));
+    }
+
+    const PlacedShape<2>& shape_of(const OtherWall& wall) const
+    {
+        return wall.image >= 0 ? placed_[wall.image].shape : solids_[wall.side].shape;
+    }
+
+    void add(int image, int number, const OtherWall& wall)
+    {
+        SharpCorner& corner = placed_[image].corners[number];
+        const double share = gap_share(wall.distance);
+        Vec<2> end = planes_.in_cells(wall.nearest.x);
+        const Vec<2> bisector = bisector_of(image, number);
+        const int across = corner_at(wall.image, end);
+        if (across >= 0) { // two corners: one mouth
+            const SharpCorner& other = placed_[wall.image].corners[across];
+            const SurfacePoint<2> back = placed_[image].shape.closest(planes_.in_world(other.at));
+            const bool mutual = (planes_.in_cells(back.x) - corner.at).norm() < parameters.joint_distance;
+            if (!mutual || std::pair(image, number) > std::pair(wall.image, across)) {
+                corner.own = 1 - share;
+                if (!mutual) {
+                    const double away = std::min(1.0, beyond({other.at, bisector_of(wall.image, across), other.angle}, corner.at));
+                    corner.own = std::max(corner.own, away * away * (3 - 2 * away));
+                }
+                return;
+            }
+            end = other.at;
+        }
+        const Vec<2> way = end - corner.at, direction = way.normalized();
+        const double h = way.norm();
+        if (!(std::acos(std::clamp(direction.dot(bisector), -1.0, 1.0)) < std::numbers::pi - 0.5 * corner.angle))
+            return; // through the solid itself
+        Mouth<2> mouth{{placed_[image].solid, wall.image >= 0 ? placed_[wall.image].solid : wall.side}, corner.at, end, share, {}};
+        const double radius = std::max(1.0, h);
+        for (int side = 0; side < 2; ++side) {
+            const Vec<2> along = (side == 0 ? 1 : -1) * left_of(direction);
+            const std::array<double, 2> turns{turn(placed_[image].shape, corner.at, along, -direction, radius),
+                                              turn(shape_of(wall), end, along, direction, radius)};
+            double wider = h;
+            for (const double angle : turns)
+                wider += 0.5 * std::tan(std::clamp(angle, -steepest, steepest));
+            mouth.sides[side].gap = gap_share(wider);
+            if (mouth.sides[side].gap < 1)
+                mouth.sides[side].outlet = std::max(0.0, outlet_resistance(h, turns, radius));
+        }
+        corner.outward = ((1 - share) * bisector + share * direction).normalized();
+        corner.own = 1 - share;
+        corner.mouth = static_cast<int>(mouths_.size());
+        corner.reach = h / std::max(corner.outward.dot(direction), parameters.least_facing) + parameters.joint_distance;
+        mouths_.push_back(mouth);
+        bisector_.push_back(bisector);
+        add_lines(placed_[image], number);
+    }
+
+    /// As it is without mouths.
+    Vec<2> bisector_of(int image, int number)
+    {
+        const SharpCorner& corner = placed_[image].corners[number];
+        return corner.mouth < 0 ? corner.outward : bisector_[corner.mouth];
+    }
+
+    /// By how much a wall turns away from the direction `along` at x, seen at a distance; behind: into the solid.
+    double turn(const PlacedShape<2>& shape, const Vec<2>& x, const Vec<2>& along, const Vec<2>& behind, double distance) const
+    {
+        const auto away = [&](const Vec<2>& y) {
+            return shape.closest(planes_.in_world(y)).distance / (planes_.dx * distance);
+        };
+        return std::asin(std::clamp(away(x + distance * along), -1.0, 1.0)) +
+               std::asin(std::clamp(away(x + distance * behind), 0.0, 1.0));
+    }
+
+    /// The cells beside the corner's own through which its line passes.
+    void add_lines(PlacedSolid<2>& solid, int number)
+    {
+        const SharpCorner& corner = solid.corners[number];
+        const Vec<2>& n = corner.outward;
+        Index<2> cell;
+        bool within = true;
+        for (int axis = 0; axis < 2; ++axis) {
+            cell[axis] = planes_.cell_of(axis, corner.at[axis]);
+            if (planes_.place_of(axis, cell[axis]) == corner.at[axis]) {
+                within = false;
+                cell[axis] -= n[axis] < 0;
+            }
+        }
+        Vec<2> from = corner.at;
+        int from_edge = -1;
+        for (int cells = 0; cells < 8; ++cells) {
+            double way = std::numeric_limits<double>::infinity();
+            int exit = -1;
+            Vec<2> to = from;
+            for (int axis = 0; axis < 2; ++axis) {
+                const double plane = planes_.place_of(axis, cell[axis] + (n[axis] > 0));
+                if (const double t = (plane - corner.at[axis]) / n[axis]; n[axis] != 0 && t < way) {
+                    way = t;
+                    exit = axis == 0 ? (n[axis] > 0 ? 1 : 3) : (n[axis] > 0 ? 2 : 0);
+                    to[axis] = plane;
+                    to[1 - axis] = corner.at[1 - axis] + way * n[1 - axis];
+                }
+            }
+            const bool ends = !(way < corner.reach);
+            if (cells > 0 || !within)
+                solid.lines.push_back({cell, number, from, ends ? Vec<2>(corner.at + corner.reach * n) : to, from_edge, ends ? -1 : exit});
+            if (ends)
+                return;
+            from = to;
+            from_edge = (exit + 2) % 4;
+            cell[exit == 1 || exit == 3 ? 0 : 1] += exit == 1 || exit == 2 ? 1 : -1;
+        }
+    }
+
+    static constexpr double steepest = 1.4; // any larger turn is no gap
+
+    const GridPlanes<2>& planes_;
+    std::span<const Solid<2>> solids_;
+    std::vector<PlacedSolid<2>>& placed_;
+    std::vector<int> sides_;
+    std::vector<Mouth<2>> mouths_;
+    std::vector<Vec<2>> bisector_;
+};
+
+} // namespace
+
+double outlet_resistance(double h, const std::array<double, 2>& turns, double radius)
+{
+    double beta = 0, sum = 0;
+    for (const double turn : turns) {
+        const double a = std::max(turn, 0.0) / std::numbers::pi;
+        beta += turn;
+        sum += a * a * harmonic_number(a);
+    }
+    if (!(beta > 0))
+        return 0;
+    return (std::log(beta * radius / h) + sum * std::numbers::pi / beta - 0.25) / beta;
+}
+
+std::vector<Mouth<2>> find_mouths(const GridPlanes<2>& planes, std::span<const Solid<2>> solids,
+                                  std::vector<PlacedSolid<2>>& placed)
+{
+    return MouthFinder(planes, solids, placed).find();
+}
+
+} // namespace gapflow
