@@ -1,88 +1,13 @@
-#include "gapflow/complex/gap_arm.hpp"
+#include "gapflow/complex/gap_way.hpp"
 
 #include "gapflow/complex/parameters.hpp"
-#include "gapflow/complex/placed.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace gapflow {
 namespace {
 
-/// n . v of a solid's twist at x.
-template <int D>
-Twist<D> speed_along(const Vec<D>& n, const Vec<D>& x, const Vec<D>& reference)
-{
-    Twist<D> row;
-    const Vec<D> r = x - reference;
-    if constexpr (D == 2)
-        row << n, r[0] * n[1] - r[1] * n[0];
-    else
-        row << n, r.cross(n);
-    return row;
-}
-
-/// A gap along the line through x along n.
-template <int D>
-struct GapSection {
-    double thickness;
-    Vec<D> middle;
-    std::array<Vec<D>, 2> normal; ///< out of the walls
-    PairTwist<D> opening;         ///< rate of the thickness
-    Vec<D> slope;                 ///< rate of the thickness where both walls move with the velocity U: slope . U
-};
-
-/// Two walls that face each other. Places in cells.
-template <int D>
-class GapWalls {
-public:
-    std::array<PlacedShape<D>, 2> shape;
-    std::array<Vec<D>, 2> reference;
-    const GridPlanes<D>* planes;
-
-    /// Nothing where a wall ends, or where the walls overlap.
-    std::optional<GapSection<D>> across(Vec<D> x, const Vec<D>& n) const
-    {
-        GapSection<D> section;
-        for (int pass = 0; pass < 2; ++pass) { // the second one from the middle
-            std::array<double, 2> way, cosine;
-            for (int side = 0; side < 2; ++side) {
-                const SurfacePoint<D> at = shape[side].closest(planes->in_world(x));
-                cosine[side] = (side == 0 ? 1 : -1) * n.dot(at.normal);
-                if (at.feature != Feature::face || cosine[side] < parameters.least_facing)
-                    return {};
-                way[side] = at.distance / planes->dx / cosine[side];
-                section.normal[side] = at.normal;
-                section.opening.template segment<twist_size<D>>(side * twist_size<D>) =
-                    speed_along<D>(-at.normal / cosine[side], planes->in_cells(at.x), reference[side]);
-            }
-            section.thickness = way[0] + way[1];
-            if (!(section.thickness > 0))
-                return {};
-            x += 0.5 * (way[1] - way[0]) * n;
-            section.slope = -section.normal[0] / cosine[0] - section.normal[1] / cosine[1];
-        }
-        section.middle = x;
-        return section;
-    }
-};
-
-/// Of the closing of a gap.
-template <int D>
-struct ClosingFlow {
-    Mat<D> shares;        ///< that flow in each direction of the gap's plane, of trace 1
-    double curvature = 0; ///< trace of the thickness' Hessian
-
-    /// Flux at a place, over the rate at which the thickness t grows: -grad t / tr Hess t. A quadratic thickness that is positive everywhere has
-    /// at least the curvature |grad t|^2 / 2t: that of a wedge, whose flux goes with t. `thickness`: of the gap; without slope there is no flux.
-    Vec<D> flux(const GapSection<D>& at, const Vec<D>& n, double thickness) const
-    {
-        const Vec<D> slope = at.slope - n.dot(at.slope) * n;
-        const double faint = parameters.faint_curvature * thickness;
-        return at.thickness / (std::max(curvature * at.thickness, 0.5 * slope.squaredNorm()) + 2 * faint * faint) * slope;
-    }
-};
 /// A symmetric matrix without its negative part.
 Mat<2> positive_part(const Mat<2>& A)
 {
@@ -93,6 +18,8 @@ Mat<2> positive_part(const Mat<2>& A)
         return Mat<2>::Zero();
     return (mean + radius) / (2 * radius) * (A - (mean - radius) * Mat<2>::Identity());
 }
+
+} // namespace
 
 ClosingFlow<2> closing_flow(const GapWalls<2>&, const Vec<2>&, const Vec<2>& n, double)
 {
@@ -125,9 +52,11 @@ ClosingFlow<3> closing_flow(const GapWalls<3>& walls, const Vec<3>& x, const Vec
     return {plane * shares * plane.transpose(), curvature};
 }
 
+namespace {
+
 /// Rows and thickness along a gap, and their integrals over pieces of it.
 template <int D>
-class GapWay {
+class GapWay : public ThreePoints {
 public:
     struct Point {
         double weight, thickness;
@@ -175,13 +104,6 @@ public:
             point.flux -= at_face;
         return result;
     }
-
-    // Gauss points of 0 .. 1, and the weights of integrals from 0 to each of them.
-    static constexpr double root = 3.872983346207417; // of 15
-    static constexpr std::array<double, 3> node{0.5 - root / 10, 0.5, 0.5 + root / 10}, weight{5.0 / 18, 4.0 / 9, 5.0 / 18};
-    static constexpr std::array<std::array<double, 3>, 3> collocation{{{5.0 / 36, 2.0 / 9 - root / 15, 5.0 / 36 - root / 30},
-                                                                       {5.0 / 36 + root / 24, 2.0 / 9, 5.0 / 36 - root / 24},
-                                                                       {5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36}}};
 
 private:
     static constexpr int halvings = 30; ///< to the digits of a double
@@ -258,7 +180,7 @@ public:
         find_beside();
     }
 
-    std::optional<GapArm<D>> arm_at(std::size_t number)
+    std::optional<GapSite<D>> site_at(std::size_t number)
     {
         const FacePiece<D>& piece = complex_.pieces[number];
         if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
@@ -274,11 +196,25 @@ public:
         const std::optional<GapSection<D>> here = walls.across(piece.centroid, n);
         if (!here || here->thickness > parameters.gap_end)
             return {};
-        const bool sides[2] = {is_side(images_[a].solid), is_side(images_[b].solid)};
-        GapArm<D> arm{static_cast<std::int32_t>(number), {images_[a].solid, images_[b].solid}, 0, 0, {}, {}, {}, {}};
-        integrate(piece, walls, n, *here, arm);
+        GapSite<D> site{static_cast<std::int32_t>(number),
+                        {images_[a].solid, images_[b].solid},
+                        {is_side(images_[a].solid), is_side(images_[b].solid)},
+                        walls,
+                        n,
+                        *here};
+        find_way(piece, site);
+        return site;
+    }
+
+    std::optional<GapArm<D>> arm_at(std::size_t number)
+    {
+        const std::optional<GapSite<D>> site = site_at(number);
+        if (!site)
+            return {};
+        GapArm<D> arm{static_cast<std::int32_t>(number), site->solid, 0, 0, {}, {}, {}, {}};
+        integrate(complex_.pieces[number], *site, arm);
         for (int side = 0; side < 2; ++side)
-            if (sides[side]) { // never moves
+            if (site->still[side]) {
                 constexpr int T = twist_size<D>;
                 for (PairTwist<D>* row : {&arm.flux, &arm.motion, &arm.moment})
                     row->template segment<T>(side * T).setZero();
@@ -367,19 +303,33 @@ private:
         return found;
     }
 
-    void integrate(const FacePiece<D>& piece, const GapWalls<D>& walls, const Vec<D>& n, const GapSection<D>& here,
-                   GapArm<D>& arm) const
+    /// The way from node to node, and the line across it.
+    void find_way(const FacePiece<D>& piece, GapSite<D>& site) const
     {
         const Index<D> f = complex_.index.index(piece.face);
-        const double delta = grid_.spread(piece.axis, f[piece.axis]), t0 = here.thickness, A = piece.area;
-        const Vec<D> axis = unit<D>(piece.axis), e = axis - n[piece.axis] * n, way = delta * e;
+        site.delta = grid_.spread(piece.axis, f[piece.axis]);
+        site.e = unit<D>(piece.axis) - site.n[piece.axis] * site.n;
+        site.way = site.delta * site.e;
         Vec<D> nodes = piece.centroid; // their middle
         for (int t = 0; t < D; ++t)
             if (t != piece.axis)
                 nodes[t] = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx();
         nodes[piece.axis] =
-            (grid_.centre_place(piece.axis, f[piece.axis]) - grid_.anchor()[piece.axis]) / grid_.dx() - 0.5 * delta;
-        const double middle = way.dot(nodes - piece.centroid) / way.squaredNorm();
+            (grid_.centre_place(piece.axis, f[piece.axis]) - grid_.anchor()[piece.axis]) / grid_.dx() - 0.5 * site.delta;
+        site.middle = site.way.dot(nodes - piece.centroid) / site.way.squaredNorm();
+        if (site.along_face())
+            return;
+        if constexpr (D == 3)
+            find_line(piece, site);
+    }
+
+    void integrate(const FacePiece<D>& piece, const GapSite<D>& site, GapArm<D>& arm) const
+    {
+        const GapWalls<D>& walls = site.walls;
+        const GapSection<D>& here = site.here;
+        const Vec<D>&n = site.n, &e = site.e, &way = site.way;
+        const double delta = site.delta, middle = site.middle, t0 = here.thickness, A = piece.area;
+        const Vec<D> axis = unit<D>(piece.axis);
 
         // The walls' mean motion: their translation, and what of their rotation moves them along their normals.
         Eigen::Matrix<double, D, 2 * twist_size<D>> frame;
@@ -395,13 +345,13 @@ private:
         arm.flux.setZero();
         arm.moment.setZero();
         arm.mass.setZero();
-        if (!(way.norm() > parameters.parallel)) { // the face lies along the gap
+        if (site.along_face()) {
             arm.resistance = delta / A;
             return;
         }
         const ClosingFlow<D> closing = closing_flow(walls, piece.centroid, n, t0);
         const double sigma = e.dot(closing.shares * way);
-        std::vector<GapLine<D>> lines = lines_of(piece, walls, n, here);
+        std::vector<GapLine<D>> lines = lines_of(piece, site);
         double sum = 0; // of the lines' areas
         for (const GapLine<D>& line : lines)
             sum += line.width * line.section.thickness;
@@ -431,49 +381,56 @@ private:
         arm.mass *= arm.share;
     }
 
-    /// Across a piece, along the gap and in the face: the nodes of a Gauss rule on the chord of the face through the piece's centroid.
-    std::vector<GapLine<D>> lines_of(const FacePiece<D>& piece, const GapWalls<D>& walls, const Vec<D>& n,
-                                     const GapSection<D>& here) const
+    /// The chord of a face through its piece's centroid, along the gap.
+    void find_line(const FacePiece<D>& piece, GapSite<D>& site) const
+    {
+        const Vec<D>& n = site.n;
+        const Vec<D> m = n.cross(unit<D>(piece.axis)).normalized();
+        const Index<D> f = complex_.index.index(piece.face);
+        Vec<D> centre = piece.centroid;
+        int most = -1; // the face's direction nearest to m
+        for (int t = 0; t < D; ++t)
+            if (t != piece.axis) {
+                centre[t] = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx();
+                most = most < 0 || std::abs(m[t]) > std::abs(m[most]) ? t : most;
+            }
+        const auto in_face = [&](double s) { // the gap, which may be bent
+            const auto section = site.walls.across(piece.centroid + s * m, n);
+            for (int t = 0; section && t < D; ++t)
+                if (t != piece.axis && t != most &&
+                    std::abs(section->middle[t] - centre[t]) > 0.5 * (1 + section->thickness * std::abs(n[t])))
+                    return false;
+            return section.has_value();
+        };
+        const auto end = [&](double s) {
+            if (in_face(s))
+                return s;
+            double in = 0, out = s;
+            for (int k = 0; k < 10; ++k)
+                (in_face(0.5 * (in + out)) ? in : out) = 0.5 * (in + out);
+            return in;
+        };
+        const double from = (centre[most] - piece.centroid[most] - 0.5) / m[most],
+                     to = (centre[most] - piece.centroid[most] + 0.5) / m[most];
+        site.line = m;
+        site.from = end(from);
+        site.to = end(to);
+    }
+
+    /// Across a piece: the nodes of a Gauss rule on its line.
+    std::vector<GapLine<D>> lines_of(const FacePiece<D>& piece, const GapSite<D>& site) const
     {
         std::vector<GapLine<D>> lines;
         if constexpr (D == 3) {
-            const Vec<D> m = n.cross(unit<D>(piece.axis)).normalized();
-            const Index<D> f = complex_.index.index(piece.face);
-            Vec<D> centre = piece.centroid;
-            int most = -1; // the face's direction nearest to m
-            for (int t = 0; t < D; ++t)
-                if (t != piece.axis) {
-                    centre[t] = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx();
-                    most = most < 0 || std::abs(m[t]) > std::abs(m[most]) ? t : most;
-                }
-            const auto in_face = [&](double s) { // the gap, which may be bent
-                const auto section = walls.across(piece.centroid + s * m, n);
-                for (int t = 0; section && t < D; ++t)
-                    if (t != piece.axis && t != most &&
-                        std::abs(section->middle[t] - centre[t]) > 0.5 * (1 + section->thickness * std::abs(n[t])))
-                        return false;
-                return section.has_value();
-            };
-            const auto end = [&](double s) {
-                if (in_face(s))
-                    return s;
-                double in = 0, out = s;
-                for (int k = 0; k < 10; ++k)
-                    (in_face(0.5 * (in + out)) ? in : out) = 0.5 * (in + out);
-                return in;
-            };
-            double from = (centre[most] - piece.centroid[most] - 0.5) / m[most],
-                   to = (centre[most] - piece.centroid[most] + 0.5) / m[most];
-            from = end(from);
-            to = end(to);
+            const double from = site.from, to = site.to;
             for (int k = 0; k < 3 && std::abs(to - from) > parameters.least_stretch; ++k) {
-                const Vec<D> place = piece.centroid + (from + GapWay<D>::node[k] * (to - from)) * m;
-                if (const auto section = walls.across(place, n))
+                const Vec<D> place = piece.centroid + (from + GapWay<D>::node[k] * (to - from)) * site.line;
+                if (const auto section = site.walls.across(place, site.n))
                     lines.push_back({place, GapWay<D>::weight[k] * std::abs(to - from), *section, PairTwist<D>::Zero()});
             }
         }
         if (lines.size() < 3)
-            lines.assign(1, {piece.centroid, 1.0, here, PairTwist<D>::Zero()});
+            lines.assign(1, {piece.centroid, 1.0, site.here, PairTwist<D>::Zero()});
         return lines;
     }
 
@@ -501,7 +458,21 @@ std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<
     return arms;
 }
 
+template <int D>
+void for_each_gap(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
+                  const std::function<void(const GapSite<D>&)>& visit)
+{
+    GapFinder<D> finder(grid, solids, complex);
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k)
+        if (const auto site = finder.site_at(k))
+            visit(*site);
+}
+
 template std::vector<GapArm<2>> find_gap_arms(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&);
 template std::vector<GapArm<3>> find_gap_arms(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&);
+template void for_each_gap(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&,
+                           const std::function<void(const GapSite<2>&)>&);
+template void for_each_gap(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&,
+                           const std::function<void(const GapSite<3>&)>&);
 
 } // namespace gapflow
