@@ -110,18 +110,19 @@ struct CornerLink {
 };
 
 /// What lies on one side of a mouth.
-struct MouthSide {
+struct GapMouthSide {
     double gap = 0;    ///< the share of a gap, 0 .. 1; the rest is fluid into which the flow spreads
     double outlet = 0; ///< resistance to a source spread over the sector around the mouth on this side, where it is not a gap alone
 };
 
 /// Where a gap ends at a sharp corner in front of another wall (mouth.hpp).
 template <int D>
-struct Mouth {
+struct GapMouth {
     std::array<std::int32_t, 2> solid; ///< that of the corner, and the one across
     Vec<D> at, end;                    ///< the corner, and the place on the other wall nearest to it
+    double length;                     ///< of the dividing line
     double share;                      ///< of the mouth in the resistance of its links; the rest is that of the corner alone
-    std::array<MouthSide, 2> sides;    ///< 2D: at the left and right of the way from the corner
+    std::array<GapMouthSide, 2> sides;    ///< 2D: at the left and right of the way from the corner
 };
 
 template <int D>
@@ -144,7 +145,7 @@ struct Complex {
     /// Faces that solids cut, and those that do not lead to the largest part.
     std::vector<FacePiece<D>> pieces;
     std::vector<CornerLink<D>> links;
-    std::vector<Mouth<D>> mouths; ///< 2D
+    std::vector<GapMouth<D>> mouths; ///< 2D
 
     /// Whether a piece is part of main_area.
     bool joins_main(const FacePiece<D>& piece) const { return is_main(piece.low) && is_main(piece.high); }

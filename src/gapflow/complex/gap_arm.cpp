@@ -1,4 +1,5 @@
 #include "gapflow/complex/gap_way.hpp"
+#include "gapflow/complex/mouth_arm.hpp"
 
 #include "gapflow/complex/parameters.hpp"
 
@@ -54,92 +55,6 @@ ClosingFlow<3> closing_flow(const GapWalls<3>& walls, const Vec<3>& x, const Vec
 
 namespace {
 
-/// Rows and thickness along a gap, and their integrals over pieces of it.
-template <int D>
-class GapWay : public ThreePoints {
-public:
-    struct Point {
-        double weight, thickness;
-        PairTwist<D> flux; ///< D
-    };
-
-    GapWay(const GapWalls<D>& walls, const Vec<D>& start, const Vec<D>& way, const Vec<D>& n, double thickness,
-           const Eigen::Matrix<double, D, 2 * twist_size<D>>& frame)
-        : walls_(walls), start_(start), way_(way), n_(n), thickness_(thickness), frame_(frame)
-    {
-    }
-
-    /// Quadrature of the stretch from .. to of the way.
-    std::vector<Point> points(double from, double to, double sigma)
-    {
-        std::array<double, 3> ends{from, 0.0, to}; // in any order
-        std::sort(ends.begin(), ends.end());
-        breaks_.assign(1, ends[0]);
-        for (const double end : ends)
-            if (end > breaks_.back())
-                refine(breaks_.back(), thickness_at(breaks_.back()), end, thickness_at(end), halvings);
-        std::vector<Point> result;
-        PairTwist<D> here = PairTwist<D>::Zero(), at_face = here;
-        for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
-            const double length = breaks_[k + 1] - breaks_[k];
-            std::array<PairTwist<D>, 3> rate;
-            std::array<double, 3> t;
-            for (int g = 0; g < 3; ++g)
-                std::tie(rate[g], t[g]) = at(breaks_[k] + node[g] * length);
-            if (breaks_[k] == 0)
-                at_face = here;
-            if (breaks_[k] >= from && breaks_[k] < to)
-                for (int g = 0; g < 3; ++g) {
-                    Point point{weight[g] * length, t[g], here};
-                    for (int h = 0; h < 3; ++h)
-                        point.flux -= sigma * length * collocation[g][h] * rate[h];
-                    result.push_back(point);
-                }
-            for (int h = 0; h < 3; ++h)
-                here -= sigma * length * weight[h] * rate[h];
-        }
-        if (breaks_.back() == 0)
-            at_face = here;
-        for (Point& point : result)
-            point.flux -= at_face;
-        return result;
-    }
-
-private:
-    static constexpr int halvings = 30; ///< to the digits of a double
-
-    std::optional<GapSection<D>> section(double s) const { return walls_.across(start_ + s * way_, n_); }
-    double thickness_at(double s) const
-    {
-        const auto found = section(s);
-        return found ? found->thickness : thickness_;
-    }
-    /// Opening in the frame of the walls' mean motion, and thickness; where a wall has ended as at the face, at rest.
-    std::pair<PairTwist<D>, double> at(double s) const
-    {
-        const auto found = section(s);
-        if (!found)
-            return {PairTwist<D>::Zero(), thickness_};
-        return {found->opening - frame_.transpose() * found->slope, found->thickness};
-    }
-    void refine(double from, double t_from, double to, double t_to, int depth)
-    {
-        const double middle = 0.5 * (from + to), t_middle = thickness_at(middle);
-        const auto [least, most] = std::minmax({t_from, t_middle, t_to});
-        if (depth > 0 && most > parameters.widening * least) {
-            refine(from, t_from, middle, t_middle, depth - 1);
-            refine(middle, t_middle, to, t_to, depth - 1);
-        } else
-            breaks_.push_back(to);
-    }
-
-    const GapWalls<D>& walls_;
-    const Vec<D>&start_, &way_, &n_;
-    double thickness_;
-    const Eigen::Matrix<double, D, 2 * twist_size<D>>& frame_;
-    std::vector<double> breaks_;
-};
-
 /// A way along a gap, at its place in a face.
 template <int D>
 struct GapLine {
@@ -153,7 +68,7 @@ template <int D>
 class GapFinder {
 public:
     GapFinder(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
-        : grid_(grid), planes_(grid), complex_(complex)
+        : grid_(grid), planes_(grid), complex_(complex), moved_(moved_nodes(grid, complex))
     {
         Vec<D> period = Vec<D>::Zero(), low, high;
         for (int axis = 0; axis < D; ++axis) {
@@ -317,6 +232,11 @@ private:
         nodes[piece.axis] =
             (grid_.centre_place(piece.axis, f[piece.axis]) - grid_.anchor()[piece.axis]) / grid_.dx() - 0.5 * site.delta;
         site.middle = site.way.dot(nodes - piece.centroid) / site.way.squaredNorm();
+        for (int side = 0; side < 2; ++side)
+            if (const PartOrCell& at = side == 0 ? piece.low : piece.high; at.is_part())
+                if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(), [](const auto& m, std::int32_t p) { return m.first < p; });
+                    moved != moved_.end() && moved->first == at.number())
+                    site.moved[side] = site.way.dot(moved->second) / site.way.squaredNorm();
         if (site.along_face())
             return;
         if constexpr (D == 3)
@@ -364,7 +284,7 @@ private:
         for (const GapLine<D>& line : lines) {
             GapWay<D> along(walls, line.place, way, n, line.section.thickness, frame);
             const PairTwist<D> at_face = line.flux - line.section.thickness / A * through;
-            for (const auto& point : along.points(middle - 0.5, middle + 0.5, sigma)) {
+            for (const auto& point : along.points(middle - 0.5 + site.moved[0], middle + 0.5 + site.moved[1], sigma)) {
                 const double w = delta * point.weight * line.width / point.thickness, scale = line.section.thickness / A;
                 const PairTwist<D> flux = at_face + point.flux;
                 arm.resistance += scale * scale * w;
@@ -437,6 +357,7 @@ private:
     const Grid<D>& grid_;
     GridPlanes<D> planes_;
     const Complex<D>& complex_;
+    const std::vector<std::pair<std::int32_t, Vec<D>>> moved_;
     std::vector<Image<D>> images_;
     std::vector<Vec<D>> reference_;
     std::vector<int> first_, image_of_; ///< of each solid

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace gapflow {
 
@@ -97,6 +98,92 @@ struct ThreePoints {
                                                                        {5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36}}};
 };
 
+/// Rows and thickness along a gap, and their integrals over pieces of it.
+template <int D>
+class GapWay : public ThreePoints {
+public:
+    struct Point {
+        double weight, thickness;
+        PairTwist<D> flux; ///< D
+    };
+
+    GapWay(const GapWalls<D>& walls, const Vec<D>& start, const Vec<D>& way, const Vec<D>& n, double thickness,
+           const Eigen::Matrix<double, D, 2 * twist_size<D>>& frame)
+        : walls_(walls), start_(start), way_(way), n_(n), thickness_(thickness), frame_(frame)
+    {
+    }
+
+    /// Quadrature of the stretch from .. to of the way.
+    std::vector<Point> points(double from, double to, double sigma)
+    {
+        std::array<double, 3> ends{from, 0.0, to}; // in any order
+        std::sort(ends.begin(), ends.end());
+        breaks_.assign(1, ends[0]);
+        for (const double end : ends)
+            if (end > breaks_.back())
+                refine(breaks_.back(), thickness_at(breaks_.back()), end, thickness_at(end), halvings);
+        std::vector<Point> result;
+        PairTwist<D> here = PairTwist<D>::Zero(), at_face = here;
+        for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
+            const double length = breaks_[k + 1] - breaks_[k];
+            std::array<PairTwist<D>, 3> rate;
+            std::array<double, 3> t;
+            for (int g = 0; g < 3; ++g)
+                std::tie(rate[g], t[g]) = at(breaks_[k] + node[g] * length);
+            if (breaks_[k] == 0)
+                at_face = here;
+            if (breaks_[k] >= from && breaks_[k] < to)
+                for (int g = 0; g < 3; ++g) {
+                    Point point{weight[g] * length, t[g], here};
+                    for (int h = 0; h < 3; ++h)
+                        point.flux -= sigma * length * collocation[g][h] * rate[h];
+                    result.push_back(point);
+                }
+            for (int h = 0; h < 3; ++h)
+                here -= sigma * length * weight[h] * rate[h];
+        }
+        if (breaks_.back() == 0)
+            at_face = here;
+        for (Point& point : result)
+            point.flux -= at_face;
+        return result;
+    }
+
+private:
+    static constexpr int halvings = 30; ///< to the digits of a double
+
+    std::optional<GapSection<D>> section(double s) const { return walls_.across(start_ + s * way_, n_); }
+    double thickness_at(double s) const
+    {
+        const auto found = section(s);
+        return found ? found->thickness : thickness_;
+    }
+    /// Opening in the frame of the walls' mean motion, and thickness; where a wall has ended as at the face, at rest.
+    std::pair<PairTwist<D>, double> at(double s) const
+    {
+        const auto found = section(s);
+        if (!found)
+            return {PairTwist<D>::Zero(), thickness_};
+        return {found->opening - frame_.transpose() * found->slope, found->thickness};
+    }
+    void refine(double from, double t_from, double to, double t_to, int depth)
+    {
+        const double middle = 0.5 * (from + to), t_middle = thickness_at(middle);
+        const auto [least, most] = std::minmax({t_from, t_middle, t_to});
+        if (depth > 0 && most > parameters.widening * least) {
+            refine(from, t_from, middle, t_middle, depth - 1);
+            refine(middle, t_middle, to, t_to, depth - 1);
+        } else
+            breaks_.push_back(to);
+    }
+
+    const GapWalls<D>& walls_;
+    const Vec<D>&start_, &way_, &n_;
+    double thickness_;
+    const Eigen::Matrix<double, D, 2 * twist_size<D>>& frame_;
+    std::vector<double> breaks_;
+};
+
 /// A piece of a face in a gap.
 template <int D>
 struct GapSite {
@@ -110,6 +197,7 @@ struct GapSite {
     double delta = 1; ///< distance of the nodes along the face's axis
     Vec<D> e = Vec<D>::Zero(), way = Vec<D>::Zero();
     double middle = 0;
+    std::array<double, 2> moved{}; ///< of its two ends: nodes that mouths move
     // 3D: the piece lies around centroid + s line, from <= s <= to or the other way round.
     Vec<D> line = Vec<D>::Zero();
     double from = 0, to = 0;

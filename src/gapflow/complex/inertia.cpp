@@ -198,9 +198,10 @@ void lend(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm
     });
 }
 
-/// Replaces the energies of faces in gaps.
+/// Replaces the energies of faces in gaps and of links in their mouths.
 template <int D>
-void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps, Inertia<D>& inertia)
+void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps, std::span<const MouthArm<D>> mouths,
+              Inertia<D>& inertia)
 {
     constexpr int T = twist_size<D>;
     const auto add_row = [&](const PartOrCell& row, std::int32_t solid, const Twist<D>& flux) {
@@ -232,6 +233,17 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
                                    change * delta * gap.motion * gap.motion.transpose();
         inertia.pairs.push_back(
             {gap.solid[0], gap.solid[1], gap.mass - gap.flux * gap.flux.transpose() / gap.resistance + motion, motion});
+    }
+    for (const MouthArm<D>& mouth : mouths) {
+        inertia.link_conductance[mouth.link] = 0;
+        if (!(mouth.resistance > 0))
+            continue;
+        inertia.mouths.push_back({mouth.link, 1 / mouth.resistance, mouth.rows});
+        for (const auto& [row, weight] : mouth.rows)
+            for (int side = 0; side < 2; ++side)
+                add_row(row, mouth.solid[side], Twist<D>(-weight / mouth.resistance * mouth.flux.template segment<T>(side * T)));
+        if (grid.owns(complex.cell_of_part(complex.links[mouth.link].a)))
+            inertia.pairs.push_back({mouth.solid[0], mouth.solid[1], mouth.mass, mouth.motion});
     }
     for (PairInertia<D>& pair : inertia.pairs)
         if (pair.a > pair.b) {
@@ -271,7 +283,8 @@ void merge_pairs(std::vector<PairInertia<D>>& pairs)
 }
 
 template <int D>
-Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps)
+Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps,
+                        std::span<const MouthArm<D>> mouths)
 {
     Inertia<D> inertia;
     inertia.main_weight = complex.main_area;
@@ -281,8 +294,10 @@ Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::spa
         for (long k = begin; k < end; ++k)
             inertia.patch_flux[k] << complex.patches[k].area, complex.patches[k].moment;
     });
+    for (const CornerLink<D>& link : complex.links)
+        inertia.link_conductance.push_back(link.conductance);
     lend(grid, complex, gaps, inertia);
-    add_gaps(grid, complex, gaps, inertia);
+    add_gaps(grid, complex, gaps, mouths, inertia);
     return inertia;
 }
 
@@ -290,7 +305,7 @@ template <int D>
 long Inertia<D>::bytes() const
 {
     const auto of = [](const auto& v) { return static_cast<long>(v.capacity() * sizeof(v[0])); };
-    long sum = of(piece_weight) + of(patch_flux) + of(flux) + of(pairs);
+    long sum = of(piece_weight) + of(link_conductance) + of(patch_flux) + of(flux) + of(pairs);
     for (const std::vector<double>& weight : main_weight)
         sum += of(weight);
     return sum;
@@ -300,7 +315,9 @@ template void merge_pairs(std::vector<PairInertia<2>>&);
 template void merge_pairs(std::vector<PairInertia<3>>&);
 template struct Inertia<2>;
 template struct Inertia<3>;
-template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&, std::span<const GapArm<2>>);
-template Inertia<3> find_inertia(const Grid<3>&, const Complex<3>&, std::span<const GapArm<3>>);
+template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&, std::span<const GapArm<2>>,
+                                 std::span<const MouthArm<2>>);
+template Inertia<3> find_inertia(const Grid<3>&, const Complex<3>&, std::span<const GapArm<3>>,
+                                 std::span<const MouthArm<3>>);
 
 } // namespace gapflow

@@ -6,7 +6,7 @@
 // stencil stays that of the grid.
 #pragma once
 
-#include "gapflow/complex/gap_arm.hpp"
+#include "gapflow/complex/mouth_arm.hpp"
 
 #include <array>
 #include <vector>
@@ -33,11 +33,21 @@ struct PairInertia {
 template <int D>
 void merge_pairs(std::vector<PairInertia<D>>& pairs);
 
+/// Flux of a link between several rows: conductance times the sum of w p, of which w leaves each of them.
+template <int D>
+struct RowsLink {
+    std::int32_t link; ///< of Complex::links
+    double conductance;
+    std::vector<std::pair<PartOrCell, double>> rows;
+};
+
 template <int D>
 struct Inertia {
     /// a_f of the grid's own faces, as Complex::main_area; conductance is a_f over the distance of the cells' centres.
     std::array<std::vector<double>, D> main_weight;
     std::vector<double> piece_weight;  ///< of each piece
+    std::vector<double> link_conductance; ///< of each of Complex::links; 0 where `mouths` has it
+    std::vector<RowsLink<D>> mouths;
     std::vector<Twist<D>> patch_flux;  ///< of each of Complex::patches, in cells: the walls' own and what is lent
     std::vector<LentFlux<D>> flux;     ///< of the rows beside; one may come more than once
     std::vector<PairInertia<D>> pairs; ///< one of each two solids with a gap, of this rank's faces
@@ -45,8 +55,9 @@ struct Inertia {
     long bytes() const;
 };
 
-/// `gaps`: of the faces whose energy is that of a gap.
+/// `gaps`: of the faces whose energy is that of a gap. `mouths`: of these gaps.
 template <int D>
-Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps = {});
+Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps = {},
+                        std::span<const MouthArm<D>> mouths = {});
 
 } // namespace gapflow

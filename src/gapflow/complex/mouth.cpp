@@ -50,7 +50,7 @@ public:
                 sides_.push_back(static_cast<int>(s));
     }
 
-    std::vector<Mouth<2>> find()
+    std::vector<GapMouth<2>> find()
     {
         struct Found {
             int image, corner;
@@ -138,7 +138,7 @@ private:
         const double h = way.norm();
         if (!(std::acos(std::clamp(direction.dot(bisector), -1.0, 1.0)) < std::numbers::pi - 0.5 * corner.angle))
             return; // through the solid itself
-        Mouth<2> mouth{{placed_[image].solid, wall.image >= 0 ? placed_[wall.image].solid : wall.side}, corner.at, end, share, {}};
+        GapMouth<2> mouth{{placed_[image].solid, wall.image >= 0 ? placed_[wall.image].solid : wall.side}, corner.at, end, 0, share, {}};
         const double radius = std::max(1.0, h);
         for (int side = 0; side < 2; ++side) {
             const Vec<2> along = (side == 0 ? 1 : -1) * left_of(direction);
@@ -154,7 +154,8 @@ private:
         corner.outward = ((1 - share) * bisector + share * direction).normalized();
         corner.own = 1 - share;
         corner.mouth = static_cast<int>(mouths_.size());
-        corner.reach = h / std::max(corner.outward.dot(direction), parameters.least_facing) + parameters.joint_distance;
+        mouth.length = h / std::max(corner.outward.dot(direction), parameters.least_facing);
+        corner.reach = mouth.length + 10 * parameters.joint_distance;
         mouths_.push_back(mouth);
         bisector_.push_back(bisector);
         add_lines(placed_[image], number);
@@ -223,7 +224,7 @@ private:
     std::span<const Solid<2>> solids_;
     std::vector<PlacedSolid<2>>& placed_;
     std::vector<int> sides_;
-    std::vector<Mouth<2>> mouths_;
+    std::vector<GapMouth<2>> mouths_;
     std::vector<Vec<2>> bisector_;
 };
 
@@ -242,7 +243,7 @@ double outlet_resistance(double h, const std::array<double, 2>& turns, double ra
     return (std::log(beta * radius / h) + sum * std::numbers::pi / beta - 0.25) / beta;
 }
 
-std::vector<Mouth<2>> find_mouths(const GridPlanes<2>& planes, std::span<const Solid<2>> solids,
+std::vector<GapMouth<2>> find_mouths(const GridPlanes<2>& planes, std::span<const Solid<2>> solids,
                                   std::vector<PlacedSolid<2>>& placed)
 {
     return MouthFinder(planes, solids, placed).find();

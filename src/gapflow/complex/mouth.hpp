@@ -13,7 +13,7 @@
 namespace gapflow {
 
 /// Leads the dividing lines of corners near other walls to these, and finds where they go. Numbers of the mouths go to SharpCorner::mouth.
-std::vector<Mouth<2>> find_mouths(const GridPlanes<2>& planes, std::span<const Solid<2>> solids,
+std::vector<GapMouth<2>> find_mouths(const GridPlanes<2>& planes, std::span<const Solid<2>> solids,
                                   std::vector<PlacedSolid<2>>& placed);
 
 /// Resistance (2D, density 1, lengths in cells) from the end of a channel of width h to a source spread evenly over the sector of the given radius beyond it. The

@@ -70,7 +70,7 @@ Square::End Square::open_at(const Hit& hit, const Vec<2>& x)
     return end;
 }
 
-/// `to_corners`: a segment that ends beside the ray counts.
+/// `to_corners`: a segment that ends beside the ray counts, one that ends at its start does not.
 Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least, bool to_corners) const
 {
     Hit hit;
@@ -79,6 +79,8 @@ Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction, do
     for (std::size_t a = 0; a < arcs.size(); ++a)
         for (std::size_t k = 0; k < arcs[a].segments.size(); ++k) {
             const ArcSegment& segment = arcs[a].segments[k];
+            if (to_corners && ((segment.from - start).norm() < touching || (segment.to - start).norm() < touching))
+                continue;
             double way, t;
             if (!segment.curve) { // start + way direction = from + t along, from its left
                 const Vec<2> along = segment.to - segment.from, r = segment.from - start;

@@ -6,6 +6,7 @@
 #include "gapflow/coupling/coupling.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -110,6 +111,22 @@ public:
         return seen;
     }
 
+    /// No less than the row's entries of the links, whatever the signs: 2 diag(bound) - L is positive.
+    double bound(long row) const
+    {
+        double sum = diagonal(row);
+        if (linked(row))
+            for_each_link(row, [&](const Link& link, const auto& all) {
+                double own = 0, weights = 0;
+                for (const auto& [other, weight] : all) {
+                    own += other == row ? weight : 0.0;
+                    weights += std::abs(weight);
+                }
+                if (all.size() > 2)
+                    sum += link.conductance * std::abs(own) * (0.5 * weights - std::abs(own));
+            });
+        return sum;
+    }
     double diagonal(long row) const
     {
         double sum = 0;

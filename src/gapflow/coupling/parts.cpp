@@ -75,6 +75,29 @@ struct PartLink {
     long cell;
 };
 
+/// An entry of a link between several rows: a node's, or a cell's.
+struct MouthEntry {
+    int link; ///< number on its rank
+    int node; ///< -1: a cell's
+    long cell;
+    double conductance, weight;
+};
+
+/// Of all ranks.
+void add_mouths(const Communicator& comm, const std::vector<MouthEntry>& own, std::vector<Link>& links)
+{
+    int last = -1;
+    for (const MouthEntry& entry : comm.size() == 1 ? own : all_values(comm, own)) {
+        if (entry.link != last)
+            links.push_back({entry.conductance, {}, {}});
+        last = entry.link;
+        if (entry.node >= 0)
+            links.back().nodes.emplace_back(entry.node, entry.weight);
+        else
+            links.back().cells.emplace_back(entry.cell, entry.weight);
+    }
+}
+
 /// Of all ranks: parts of the system beside a rank's own film rows.
 void add_links(const Communicator& comm, const std::vector<PartLink>& own, std::vector<Link>& links)
 {
@@ -196,9 +219,9 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
             links.push_back({g, std::max(i, j), -1, grid.key(grid.wrapped(complex.index.index(complex.cell_of(cell))))});
         }
     };
-    for (const CornerLink<D>& link : complex.links)
-        if (link.conductance > 0 && grid.owns(complex.cell_of_part(link.a)))
-            join(PartOrCell::part(link.a), PartOrCell::part(link.b), unit * link.conductance);
+    for (std::size_t k = 0; k < complex.links.size(); ++k)
+        if (const CornerLink<D>& link = complex.links[k]; inertia.link_conductance[k] > 0 && grid.owns(complex.cell_of_part(link.a)))
+            join(PartOrCell::part(link.a), PartOrCell::part(link.b), unit * inertia.link_conductance[k]);
     for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
         const FacePiece<D>& piece = complex.pieces[k];
         if (complex.joins_main(piece) || !(piece.area > 0))
@@ -218,6 +241,16 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     system.film.resize(system.nodes, system.nodes);
     system.film.setFromTriplets(film.begin(), film.end());
     add_links(grid.comm(), links, system.links);
+    std::vector<MouthEntry> mouths;
+    for (std::size_t k = 0; k < inertia.mouths.size(); ++k)
+        for (const auto& [row, weight] : inertia.mouths[k].rows) {
+            if (!grid.owns(complex.cell_of_part(complex.links[inertia.mouths[k].link].a)))
+                break;
+            const int i = node_of(row);
+            mouths.push_back({static_cast<int>(k), i, i < 0 ? grid.key(grid.wrapped(complex.index.index(complex.cell_of(row)))) : 0,
+                              unit * inertia.mouths[k].conductance, weight});
+        }
+    add_mouths(grid.comm(), mouths, system.links);
 
     const double area = std::pow(grid.dx(), D - 1);
     const auto in_world = [&](const Twist<D>& flux) {

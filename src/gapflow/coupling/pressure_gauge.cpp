@@ -46,10 +46,10 @@ public:
             const auto entries = Y_.of(local);
             if (entries.empty())
                 return;
-            const double diagonal = L_.diagonal(row);
+            const double bound = L_.bound(row), diagonal = L_.diagonal(row);
             for (auto& entry : entries) {
-                entry.flux *= diagonal > 0 ? 1 / diagonal : 0.0;
-                places_[entry.body].push_back({row, cell, diagonal, entry.flux});
+                entry.flux *= bound > 0 ? 1 / bound : 0.0;
+                places_[entry.body].push_back({row, cell, 2 * bound - diagonal, entry.flux});
                 if (grid.comm().size() > 1 && L_.seen_from_below(row))
                     seen_.push_back({row, entry.body, entry.flux});
             }
@@ -65,7 +65,7 @@ public:
         }
     }
 
-    /// Y^T (2 diag(L) - L) Y: diag(L) of the rows, and the conductance between every two of them.
+    /// Y^T (2 Lambda - L) Y: its diagonal in the rows, and the conductance between every two of them.
     std::vector<TwistMatrix<D>> inertias() const
     {
         std::vector<TwistMatrix<D>> sums(places_.size(), TwistMatrix<D>::Zero());
@@ -86,8 +86,8 @@ private:
     struct Place {
         long row;
         Index<D> cell; ///< of a cell's row
-        double diagonal;
-        Twist<D> flux; ///< Y
+        double diagonal; ///< of 2 Lambda - L
+        Twist<D> flux;   ///< Y
     };
 
     const Twist<D>* find(int solid, long local) const
@@ -235,8 +235,8 @@ void change_gauge(Coupling<D>& coupling)
         K.push_back({L.row(entry.row), entry.body, entry.flux});
     merge_entries(K);
     for (const RowEntry<D>& entry : K)
-        if (const double diagonal = L.diagonal(entry.row); diagonal > 0)
-            Y.push_back({entry.row, entry.body, entry.flux / diagonal});
+        if (const double bound = L.bound(entry.row); bound > 0)
+            Y.push_back({entry.row, entry.body, entry.flux / bound});
     std::vector<RowEntry<D>> changed = K, others;
     for (const RowEntry<D>& y : Y)
         L.for_each(y.row, [&](long row, double value) {
@@ -344,14 +344,14 @@ JacobiSteps<D> jacobi_steps(const Coupling<D>& coupling, int solid, const Twist<
     };
     std::vector<std::pair<long, double>> rest;
     for (const RowEntry<D>& k : K)
-        if (const double diagonal = L.diagonal(k.row); diagonal > 0) {
-            const double flux = k.flux.dot(z), y = flux / diagonal;
+        if (const double bound = L.bound(k.row); bound > 0) {
+            const double flux = k.flux.dot(z), y = flux / bound;
             at(steps.first, k.row) = y;
             rest.emplace_back(k.row, flux);
             L.for_each(k.row, [&](long row, double value) { rest.emplace_back(row, -value * y); });
         }
     for (const auto& [row, flux] : rest)
-        at(steps.next, row) += flux / L.diagonal(row);
+        at(steps.next, row) += flux / L.bound(row);
     return steps;
 }
 

@@ -143,7 +143,8 @@ Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, std::vector<T
     if (scene.parts) {
         const std::vector<Solid<D>> all = solids(at);
         const Complex<D> complex = build_complex<D>(grid, all);
-        const Inertia<D> inertia = find_inertia<D>(grid, complex, find_gap_arms<D>(grid, all, complex));
+        const Inertia<D> inertia =
+            find_inertia<D>(grid, complex, find_gap_arms<D>(grid, all, complex), find_mouth_arms<D>(grid, all, complex));
         Coupling<D> coupling = couple_parts<D>(grid, all, mass, scene.density, complex, inertia);
         if (moves)
             add_seen_mass(coupling);

@@ -1,0 +1,327 @@
+#include "gapflow/complex/mouth_arm.hpp"
+
+#include "gapflow/complex/gap_way.hpp"
+#include "gapflow/complex/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gapflow {
+namespace {
+
+Vec<2> left_of(const Vec<2>& x)
+{
+    return {-x[1], x[0]};
+}
+
+Vec<2> cell_centre(const Grid<2>& grid, const Index<2>& c)
+{
+    Vec<2> x;
+    for (int axis = 0; axis < 2; ++axis)
+        x[axis] = (grid.centre_place(axis, c[axis]) - grid.anchor()[axis]) / grid.dx();
+    return x;
+}
+
+/// How far a node of a part behind a mouth is moved.
+struct MovedNode {
+    std::int32_t part;
+    Vec<2> way;   ///< from the cell's centre
+    double share; ///< of it in the nodes of the gap's other faces
+};
+
+std::vector<MovedNode> find_moved_nodes(const Grid<2>& grid, const Complex<2>& complex)
+{
+    std::vector<MovedNode> moved;
+    for (const CornerLink<2>& link : complex.links) {
+        if (link.mouth < 0)
+            continue;
+        const GapMouth<2>& mouth = complex.mouths[link.mouth];
+        const Vec<2> left = left_of(mouth.end - mouth.at).normalized();
+        for (int side = 0; side < 2; ++side) {
+            const std::int32_t part = side == 0 ? link.a : link.b;
+            const double way = (side == 0 ? 1 : -1) * left.dot(link.centroid[side] - cell_centre(grid, complex.cell_of_part(part))),
+                         share = mouth.share * mouth.sides[side].gap;
+            if (share > 0 && way > 0)
+                moved.push_back({part, (side == 0 ? way : -way) * left, share});
+        }
+    }
+    std::sort(moved.begin(), moved.end(), [](const MovedNode& a, const MovedNode& b) {
+        return a.part < b.part || (a.part == b.part && a.way.norm() > b.way.norm());
+    });
+    moved.erase(std::unique(moved.begin(), moved.end(), [](const MovedNode& a, const MovedNode& b) { return a.part == b.part; }),
+                moved.end());
+    return moved;
+}
+
+/// Area of the triangle 0, a, b within a circle about 0, positive counterclockwise.
+double area_in_circle(const Vec<2>& a, const Vec<2>& b, double radius)
+{
+    const auto cross = [](const Vec<2>& x, const Vec<2>& y) { return x[0] * y[1] - x[1] * y[0]; };
+    const auto sector = [&](const Vec<2>& x, const Vec<2>& y) { return 0.5 * radius * radius * std::atan2(cross(x, y), x.dot(y)); };
+    const Vec<2> way = b - a;
+    const double A = way.squaredNorm(), B = a.dot(way), C = a.squaredNorm() - radius * radius, root2 = B * B - A * C;
+    if (!(A > 0))
+        return 0;
+    if (!(root2 > 0))
+        return sector(a, b);
+    const double root = std::sqrt(root2), from = std::clamp((-B - root) / A, 0.0, 1.0), to = std::clamp((-B + root) / A, 0.0, 1.0);
+    if (!(to > from))
+        return sector(a, b);
+    const Vec<2> p = a + from * way, q = a + to * way;
+    return (from > 0 ? sector(a, p) : 0.0) + 0.5 * cross(p, q) + (to < 1 ? sector(q, b) : 0.0);
+}
+
+double area_in_circle(const Vec<2>& low, const Vec<2>& high, const Vec<2>& centre, double radius)
+{
+    const std::array<Vec<2>, 4> corner{low - centre, Vec<2>(high[0], low[1]) - centre, high - centre, Vec<2>(low[0], high[1]) - centre};
+    double sum = 0;
+    for (int k = 0; k < 4; ++k)
+        sum += area_in_circle(corner[k], corner[(k + 1) % 4], radius);
+    return std::max(sum, 0.0);
+}
+
+class MouthArms {
+public:
+    MouthArms(const Grid<2>& grid, std::span<const Solid<2>> solids, const Complex<2>& complex)
+        : grid_(grid), planes_(grid), solids_(solids), complex_(complex), moved_(find_moved_nodes(grid, complex))
+    {
+        if (complex.mouths.empty())
+            return;
+        Vec<2> period = Vec<2>::Zero(), low, high;
+        for (int axis = 0; axis < 2; ++axis) {
+            if (grid.periodic(axis))
+                period[axis] = grid.size()[axis];
+            low[axis] = planes_.place[axis][complex.index.low[axis]];
+            high[axis] = planes_.place[axis][complex.index.high()[axis]];
+        }
+        images_ = images(solids, planes_.in_world(low), planes_.in_world(high), period, 2 * grid.dx());
+        first_piece_.assign(complex.parts() + 1, 0);
+        for (const bool count : {true, false}) {
+            std::vector<int> next = first_piece_;
+            for (std::size_t k = 0; k < complex.pieces.size(); ++k)
+                for (const PartOrCell& side : {complex.pieces[k].low, complex.pieces[k].high})
+                    if (side.is_part() && complex.pieces[k].area > 0) {
+                        if (count)
+                            ++first_piece_[side.number() + 1];
+                        else
+                            piece_of_[next[side.number()]++] = static_cast<std::int32_t>(k);
+                    }
+            if (count) {
+                for (int p = 0; p < complex.parts(); ++p)
+                    first_piece_[p + 1] += first_piece_[p];
+                piece_of_.resize(first_piece_.back());
+            }
+        }
+    }
+
+    std::vector<MouthArm<2>> find()
+    {
+        std::vector<MouthArm<2>> arms;
+        for (std::size_t k = 0; k < complex_.links.size(); ++k)
+            if (complex_.links[k].mouth >= 0)
+                arms.push_back(through_link(static_cast<std::int32_t>(k)));
+        return arms;
+    }
+
+private:
+    static constexpr int T = twist_size<2>;
+
+    int image_at(std::int32_t solid, const Vec<2>& x) const
+    {
+        int nearest = -1;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < images_.size(); ++k)
+            if (images_[k].solid == solid)
+                if (const double distance = std::abs(images_[k].shape.closest(planes_.in_world(x)).distance); distance < least) {
+                    least = distance;
+                    nearest = static_cast<int>(k);
+                }
+        return nearest;
+    }
+
+    MouthArm<2> through_link(std::int32_t number)
+    {
+        const CornerLink<2>& link = complex_.links[number];
+        const GapMouth<2>& mouth = complex_.mouths[link.mouth];
+        MouthArm<2> arm{number, -1, mouth.solid, 0, PairTwist<2>::Zero(), PairMass<2>::Zero(), PairMass<2>::Zero(), {}};
+        const double h = (mouth.end - mouth.at).norm(), part = mouth.length / link.open, radius = std::max(1.0, h);
+        const Vec<2> n = (mouth.end - mouth.at) / h, out = -left_of(n), middle = 0.5 * (mouth.at + mouth.end);
+        const int first = image_at(mouth.solid[0], middle), second = image_at(mouth.solid[1], middle);
+        if (first < 0 || second < 0)
+            return arm;
+        const auto reference = [&](int k) { return planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift); };
+        const GapWalls<2> walls{{images_[first].shape, images_[second].shape}, {reference(first), reference(second)}, &planes_};
+        Eigen::Matrix<double, 2, 2 * T> frame = Eigen::Matrix<double, 2, 2 * T>::Zero();
+        for (int side = 0; side < 2; ++side) {
+            const Vec<2> m = side == 0 ? n : -n;
+            auto columns = frame.middleCols<T>(side * T);
+            columns.leftCols<2>() = 0.5 * Mat<2>::Identity();
+            columns.rightCols<1>() = 0.5 * m * speed_along<2>(m, middle, walls.reference[side]).tail<1>();
+        }
+        // The flux in the frame of the walls less that relative to the corner's solid.
+        PairTwist<2> carried = -h * frame.transpose() * out;
+        carried.head<T>() += h * speed_along<2>(out, middle, walls.reference[0]);
+        PairTwist<2> moment = PairTwist<2>::Zero();
+        std::array<std::int32_t, 2> parts{link.a, link.b};
+        for (int side = 0; side < 2; ++side) {
+            const double share = mouth.share * mouth.sides[side].gap, sign = side == 0 ? 1 : -1;
+            if (share > 0) {
+                Vec<2> at = cell_centre(grid_, complex_.cell_of_part(parts[side]));
+                if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), parts[side],
+                                                        [](const MovedNode& m, std::int32_t p) { return m.part < p; });
+                    moved != moved_.end() && moved->part == parts[side])
+                    at += moved->way;
+                const double way = std::max(0.0, -sign * out.dot(at - middle));
+                GapWay<2> along(walls, middle, out, n, h, frame);
+                for (const auto& point : along.points(side == 0 ? -way : 0.0, side == 0 ? 0.0 : way, 1.0)) {
+                    const double w = share * part * point.weight / point.thickness;
+                    const PairTwist<2> flux = (carried + point.flux) / part;
+                    arm.resistance += w;
+                    arm.flux += w * flux;
+                    arm.mass += w * flux * flux.transpose();
+                    moment += share * point.weight * flux;
+                }
+                add_row(arm, PartOrCell::part(parts[side]), sign * share);
+            }
+            if (const double spread = mouth.share * (1 - mouth.sides[side].gap); spread > 0)
+                spread_out(parts[side], middle, radius, sign * spread, mouth.sides[side].outlet * part, arm);
+            if (mouth.share < 1)
+                add_row(arm, PartOrCell::part(parts[side]), sign * (1 - mouth.share));
+        }
+        if (link.covered > 0)
+            arm.resistance += 1 / link.conductance; // the corner's share is in it
+        Vec<2> way = Vec<2>::Zero();
+        for (const auto& [row, weight] : arm.rows) {
+            Vec<2> place = cell_centre(grid_, complex_.index.index(complex_.cell_of(row)));
+            for (int axis = 0; axis < 2; ++axis)
+                if (grid_.periodic(axis))
+                    place[axis] -= planes_.place[axis].period() * std::round((place[axis] - middle[axis]) / planes_.place[axis].period());
+            way -= weight * place;
+        }
+        const PairTwist<2> own = arm.flux, uniform = frame.transpose() * way, along = frame.transpose() * out;
+        arm.flux += uniform;
+        const double g = 1 / arm.resistance;
+        const PairMass<2> cross = moment * along.transpose();
+        arm.motion = cross + cross.transpose() - g * (own * uniform.transpose() + uniform * own.transpose() + uniform * uniform.transpose());
+        arm.mass += cross + cross.transpose() - g * arm.flux * arm.flux.transpose();
+        for (int side = 0; side < 2; ++side)
+            if (solids_[mouth.solid[side]].wall) {
+                arm.flux.segment<T>(side * T).setZero();
+                for (PairMass<2>* mass : {&arm.mass, &arm.motion}) {
+                    mass->middleRows<T>(side * T).setZero();
+                    mass->middleCols<T>(side * T).setZero();
+                }
+            }
+        return arm;
+    }
+
+    static void add_row(MouthArm<2>& arm, const PartOrCell& row, double weight)
+    {
+        for (auto& [other, sum] : arm.rows)
+            if (other.code == row.code) {
+                sum += weight;
+                return;
+            }
+        arm.rows.emplace_back(row, weight);
+    }
+
+    /// Over what of the circle about the mouth is joined with a part within the circle.
+    void spread_out(std::int32_t from, const Vec<2>& centre, double radius, double weight, double outlet, MouthArm<2>& arm)
+    {
+        struct Target {
+            PartOrCell at;
+            double fraction, size; ///< of the cell that is the part's; what of it lies in the circle
+        };
+        std::vector<Target> targets;
+        const auto offer = [&](const PartOrCell& at) {
+            if (!at.exists() || std::any_of(targets.begin(), targets.end(), [&](const Target& t) { return t.at.code == at.code; }))
+                return;
+            const Index<2> c = complex_.index.index(complex_.cell_of(at));
+            const Vec<2> low(planes_.place[0][c[0]], planes_.place[1][c[1]]), high(planes_.place[0][c[0] + 1], planes_.place[1][c[1] + 1]);
+            const double inside = area_in_circle(low, high, centre, radius);
+            if (inside > parameters.least_area || targets.empty()) {
+                const double fraction = at.is_part() ? complex_.part_area[at.number()] / (high - low).prod() : 1.0;
+                targets.push_back({at, fraction, inside * fraction});
+            }
+        };
+        offer(PartOrCell::part(from));
+        double sum = 0;
+        for (std::size_t k = 0; k < targets.size(); ++k) {
+            const PartOrCell at = targets[k].at;
+            sum += targets[k].size;
+            if (at.is_part())
+                for (int j = first_piece_[at.number()]; j < first_piece_[at.number() + 1]; ++j) {
+                    const FacePiece<2>& piece = complex_.pieces[piece_of_[j]];
+                    offer(piece.low);
+                    offer(piece.high);
+                }
+            if (complex_.is_main(at))
+                for (int axis = 0; axis < 2; ++axis) {
+                    const Index<2> c = complex_.index.index(complex_.cell_of(at));
+                    for (const int end : {0, 1}) {
+                        const Index<2> f = complex_.index.wrapped(Index<2>(c + end * step<2>(axis))),
+                                       other = complex_.index.wrapped(Index<2>(c + (2 * end - 1) * step<2>(axis)));
+                        if (complex_.index.holds(other) && complex_.main_area[axis][complex_.index(f)] > 0)
+                            offer(complex_.main_of(complex_.index(other)));
+                    }
+                }
+        }
+        if (!(sum > 0)) {
+            add_row(arm, PartOrCell::part(from), weight);
+            arm.resistance += std::abs(weight) * outlet;
+            return;
+        }
+        double lattice = 0;
+        for (const Target& target : targets)
+            if (target.size > 0) {
+                const double w = target.size / sum;
+                add_row(arm, target.at, weight * w);
+                lattice += w * w / target.fraction;
+            }
+        arm.resistance += std::abs(weight) * std::max(0.0, outlet - node_excess * lattice);
+    }
+
+    /// Resistance of a cell's node in the grid's network over that of a source spread evenly over the cell: of the network (euler + 3/2 ln 2) / 2 pi, less
+    /// the mean of ln 1/r between two points of a square.
+    static constexpr double node_excess = (std::numbers::egamma + 1.5 * std::numbers::ln2 - 0.8050866) / (2 * std::numbers::pi);
+
+    const Grid<2>& grid_;
+    const GridPlanes<2> planes_;
+    std::span<const Solid<2>> solids_;
+    const Complex<2>& complex_;
+    const std::vector<MovedNode> moved_;
+    std::vector<Image<2>> images_;
+    std::vector<int> first_piece_;
+    std::vector<std::int32_t> piece_of_;
+};
+
+} // namespace
+
+template <>
+std::vector<MouthArm<2>> find_mouth_arms(const Grid<2>& grid, std::span<const Solid<2>> solids, const Complex<2>& complex)
+{
+    return MouthArms(grid, solids, complex).find();
+}
+template <>
+std::vector<MouthArm<3>> find_mouth_arms(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&)
+{
+    return {};
+}
+
+template <>
+std::vector<std::pair<std::int32_t, Vec<2>>> moved_nodes(const Grid<2>& grid, const Complex<2>& complex)
+{
+    std::vector<std::pair<std::int32_t, Vec<2>>> nodes;
+    for (const MovedNode& m : find_moved_nodes(grid, complex))
+        nodes.emplace_back(m.part, m.share * m.way);
+    return nodes;
+}
+template <>
+std::vector<std::pair<std::int32_t, Vec<3>>> moved_nodes(const Grid<3>&, const Complex<3>&)
+{
+    return {};
+}
+
+} // namespace gapflow
