@@ -111,8 +111,9 @@ struct CornerLink {
 
 /// What lies on one side of a mouth.
 struct GapMouthSide {
-    double gap = 0;    ///< the share of a gap, 0 .. 1; the rest is fluid into which the flow spreads
-    double outlet = 0; ///< resistance to a source spread over the sector around the mouth on this side, where it is not a gap alone
+    double gap = 0; ///< the share of a gap, 0 .. 1; the rest is fluid into which the flow spreads
+    double outlet =
+        0; ///< resistance to a source spread over the sector around the mouth on this side, where it is not a gap alone
 };
 
 /// Where a gap ends at a sharp corner in front of another wall (mouth.hpp).
@@ -122,7 +123,8 @@ struct GapMouth {
     Vec<D> at, end;                    ///< the corner, and the place on the other wall nearest to it
     double length;                     ///< of the dividing line
     double share;                      ///< of the mouth in the resistance of its links; the rest is that of the corner alone
-    std::array<GapMouthSide, 2> sides;    ///< 2D: at the left and right of the way from the corner
+    std::array<GapMouthSide, 2> sides; ///< 2D: at the left and right of the way from the corner
+    int axis = -1, plane = 0;          ///< where it lies in a plane of the grid, whose faces it is then; else axis -1
 };
 
 template <int D>

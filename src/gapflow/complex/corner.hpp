@@ -19,7 +19,8 @@ struct SharpCorner {
     double angle;   ///< of the solid, 0 .. pi
     /// Share of the corner's own resistance in that of its link; 0 where it does not divide, unless it has a mouth.
     double own = 1;
-    int mouth = -1;   ///< the gap whose end it is
+    Vec<2> bisector = Vec<2>::Zero(); ///< `outward` without other walls
+    int mouth = -1;                   ///< the gap whose end it is
     double reach = 0; ///< of the dividing line, to a little behind the other wall; 0: to the border of the corner's cell
 
     bool divides() const { return own > 0 || mouth >= 0; }

@@ -234,7 +234,8 @@ private:
         site.middle = site.way.dot(nodes - piece.centroid) / site.way.squaredNorm();
         for (int side = 0; side < 2; ++side)
             if (const PartOrCell& at = side == 0 ? piece.low : piece.high; at.is_part())
-                if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(), [](const auto& m, std::int32_t p) { return m.first < p; });
+                if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
+                                                        [](const auto& m, std::int32_t p) { return m.first < p; });
                     moved != moved_.end() && moved->first == at.number())
                     site.moved[side] = site.way.dot(moved->second) / site.way.squaredNorm();
         if (site.along_face())

@@ -336,7 +336,8 @@ Square& GeneralCut<D>::cut(const CutFace<D>& face, const FaceDetail& detail,
         for (std::size_t k = 0; k < detail.images.size(); ++k)
             for (const LineInCell& line : solids_[detail.images[k]].lines)
                 if (line.cell == f) {
-                    square_.lines.push_back({static_cast<int>(k), line.from, line.to, border_at(square_, line.from_edge, line.from),
+                    square_.lines.push_back({static_cast<int>(k), line.from, line.to,
+                                             border_at(square_, line.from_edge, line.from),
                                              border_at(square_, line.to_edge, line.to), true});
                     sharp_.push_back(&solids_[detail.images[k]].corners[line.corner]);
                 }

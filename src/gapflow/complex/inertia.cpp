@@ -163,12 +163,9 @@ private:
 
 /// Planes in slabs, first all even ones, then all odd ones: those of one time reach no common cell, and sums are the same for any number of threads.
 template <int D>
-void lend(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps, Inertia<D>& inertia)
+void lend(const Grid<D>& grid, const Complex<D>& complex, const std::vector<double>& plain, Inertia<D>& inertia)
 {
     const OpenAreas<D> areas(complex);
-    std::vector<double> plain(gaps.empty() ? 0 : complex.pieces.size(), 1.0);
-    for (const GapArm<D>& gap : gaps)
-        plain[gap.piece] = 1 - gap.share;
     const Block<D> lenders = Lending<D>::lenders(grid, complex.index);
     const int first = lenders.low[D - 1], n = lenders.high[D - 1] - first, slabs = std::max(1, n / (2 * parameters.slab) * 2);
     std::vector<std::vector<LentRow<D>>> rows(slabs);
@@ -198,10 +195,20 @@ void lend(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm
     });
 }
 
+/// Another arm takes its place.
+template <int D>
+void remove_piece(const Complex<D>& complex, std::int32_t number, Inertia<D>& inertia)
+{
+    const FacePiece<D>& piece = complex.pieces[number];
+    if (complex.joins_main(piece))
+        inertia.main_weight[piece.axis][piece.face] -= inertia.piece_weight[number];
+    inertia.piece_weight[number] = 0;
+}
+
 /// Replaces the energies of faces in gaps and of links in their mouths.
 template <int D>
-void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps, std::span<const MouthArm<D>> mouths,
-              Inertia<D>& inertia)
+void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps,
+              std::span<const MouthArm<D>> mouths, Inertia<D>& inertia)
 {
     constexpr int T = twist_size<D>;
     const auto add_row = [&](const PartOrCell& row, std::int32_t solid, const Twist<D>& flux) {
@@ -215,7 +222,14 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
                 }
         inertia.flux.push_back({row, solid, flux});
     };
+    std::vector<std::int32_t> in_mouths;
+    for (const MouthArm<D>& mouth : mouths)
+        if (mouth.piece >= 0)
+            in_mouths.push_back(mouth.piece);
+    std::sort(in_mouths.begin(), in_mouths.end());
     for (const GapArm<D>& gap : gaps) {
+        if (std::binary_search(in_mouths.begin(), in_mouths.end(), gap.piece))
+            continue;
         const FacePiece<D>& piece = complex.pieces[gap.piece];
         const Index<D> f = complex.index.index(piece.face);
         const double delta = grid.spread(piece.axis, f[piece.axis]), a = delta / gap.resistance, change = a - piece.area;
@@ -235,14 +249,26 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
             {gap.solid[0], gap.solid[1], gap.mass - gap.flux * gap.flux.transpose() / gap.resistance + motion, motion});
     }
     for (const MouthArm<D>& mouth : mouths) {
-        inertia.link_conductance[mouth.link] = 0;
+        if (mouth.link >= 0)
+            inertia.link_conductance[mouth.link] = 0;
+        else
+            remove_piece(complex, mouth.piece, inertia);
         if (!(mouth.resistance > 0))
             continue;
-        inertia.mouths.push_back({mouth.link, 1 / mouth.resistance, mouth.rows});
-        for (const auto& [row, weight] : mouth.rows)
-            for (int side = 0; side < 2; ++side)
-                add_row(row, mouth.solid[side], Twist<D>(-weight / mouth.resistance * mouth.flux.template segment<T>(side * T)));
-        if (grid.owns(complex.cell_of_part(complex.links[mouth.link].a)))
+        const PartOrCell& first =
+            mouth.link >= 0 ? PartOrCell::part(complex.links[mouth.link].a) : complex.pieces[mouth.piece].high;
+        inertia.mouths.push_back({first, 1 / mouth.resistance, mouth.rows});
+        for (int side = 0; side < 2; ++side) {
+            for (const auto& [row, weight] : mouth.rows)
+                add_row(row, mouth.solid[side],
+                        Twist<D>(-weight / mouth.resistance * mouth.flux.template segment<T>(side * T)));
+            if (mouth.piece >= 0) {
+                const Twist<D> carried = mouth.carried.template segment<T>(side * T);
+                add_row(complex.pieces[mouth.piece].low, mouth.solid[side], carried);
+                add_row(complex.pieces[mouth.piece].high, mouth.solid[side], -carried);
+            }
+        }
+        if (grid.owns(complex.index.index(complex.cell_of(first))))
             inertia.pairs.push_back({mouth.solid[0], mouth.solid[1], mouth.mass, mouth.motion});
     }
     for (PairInertia<D>& pair : inertia.pairs)
@@ -296,7 +322,13 @@ Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::spa
     });
     for (const CornerLink<D>& link : complex.links)
         inertia.link_conductance.push_back(link.conductance);
-    lend(grid, complex, gaps, inertia);
+    std::vector<double> plain(gaps.empty() && mouths.empty() ? 0 : complex.pieces.size(), 1.0);
+    for (const GapArm<D>& gap : gaps)
+        plain[gap.piece] = 1 - gap.share;
+    for (const MouthArm<D>& mouth : mouths)
+        if (mouth.piece >= 0)
+            plain[mouth.piece] = 0;
+    lend(grid, complex, plain, inertia);
     add_gaps(grid, complex, gaps, mouths, inertia);
     return inertia;
 }
@@ -315,9 +347,7 @@ template void merge_pairs(std::vector<PairInertia<2>>&);
 template void merge_pairs(std::vector<PairInertia<3>>&);
 template struct Inertia<2>;
 template struct Inertia<3>;
-template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&, std::span<const GapArm<2>>,
-                                 std::span<const MouthArm<2>>);
-template Inertia<3> find_inertia(const Grid<3>&, const Complex<3>&, std::span<const GapArm<3>>,
-                                 std::span<const MouthArm<3>>);
+template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&, std::span<const GapArm<2>>, std::span<const MouthArm<2>>);
+template Inertia<3> find_inertia(const Grid<3>&, const Complex<3>&, std::span<const GapArm<3>>, std::span<const MouthArm<3>>);
 
 } // namespace gapflow

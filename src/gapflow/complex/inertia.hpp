@@ -36,7 +36,7 @@ void merge_pairs(std::vector<PairInertia<D>>& pairs);
 /// Flux of a link between several rows: conductance times the sum of w p, of which w leaves each of them.
 template <int D>
 struct RowsLink {
-    std::int32_t link; ///< of Complex::links
+    PartOrCell first; ///< whose rank has it
     double conductance;
     std::vector<std::pair<PartOrCell, double>> rows;
 };
@@ -45,7 +45,7 @@ template <int D>
 struct Inertia {
     /// a_f of the grid's own faces, as Complex::main_area; conductance is a_f over the distance of the cells' centres.
     std::array<std::vector<double>, D> main_weight;
-    std::vector<double> piece_weight;  ///< of each piece
+    std::vector<double> piece_weight;     ///< of each piece
     std::vector<double> link_conductance; ///< of each of Complex::links; 0 where `mouths` has it
     std::vector<RowsLink<D>> mouths;
     std::vector<Twist<D>> patch_flux;  ///< of each of Complex::patches, in cells: the walls' own and what is lent

@@ -15,11 +15,10 @@ Vec<2> left_of(const Vec<2>& x)
     return {-x[1], x[0]};
 }
 
-/// 1 up to gap_start, 0 from gap_end on.
-double gap_share(double thickness)
+/// 1 up to `start`, 0 from `end` on.
+double share_up_to(double thickness, double start, double end)
 {
-    const double x =
-        std::clamp((parameters.gap_end - thickness) / (parameters.gap_end - parameters.gap_start), 0.0, 1.0);
+    const double x = std::clamp((end - thickness) / (end - start), 0.0, 1.0);
     return x * x * (3 - 2 * x);
 }
 
@@ -56,10 +55,13 @@ public:
             int image, corner;
             OtherWall wall;
         };
+        for (PlacedSolid<2>& solid : placed_)
+            for (SharpCorner& corner : solid.corners)
+                corner.bisector = corner.outward;
         std::vector<Found> found;
         for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
             for (int k = 0; k < static_cast<int>(placed_[i].corners.size()); ++k)
-                if (const OtherWall wall = nearest_wall(i, placed_[i].corners[k]); wall.distance < parameters.gap_end)
+                if (const OtherWall wall = nearest_wall(i, placed_[i].corners[k]); wall.distance < turning_end)
                     found.push_back({i, k, wall});
         for (const Found& f : found)
             add(f.image, f.corner, f.wall);
@@ -81,7 +83,7 @@ private:
             if (i == image)
                 continue;
             const double outside = (other.low - corner.at).cwiseMax(corner.at - other.high).maxCoeff();
-            if (other.inverse || outside < parameters.gap_end)
+            if (other.inverse || outside < turning_end)
                 offer(other.shape, i, -1);
         }
         for (const int s : sides_)
@@ -104,7 +106,8 @@ private:
     static double beyond(const SharpCorner& corner, const Vec<2>& from)
     {
         const Vec<2> way = from - corner.at;
-        const double angle = std::abs(std::atan2(corner.outward[0] * way[1] - corner.outward[1] * way[0], corner.outward.dot(way)));
+        const double angle =
+            std::abs(std::atan2(corner.bisector[0] * way[1] - corner.bisector[1] * way[0], corner.bisector.dot(way)));
         return way.norm() * std::sin(std::clamp(0.5 * (std::numbers::pi - corner.angle) - angle, 0.0, 0.5 * std::numbers::pi));
     }
 
@@ -116,9 +119,8 @@ private:
     void add(int image, int number, const OtherWall& wall)
     {
         SharpCorner& corner = placed_[image].corners[number];
-        const double share = gap_share(wall.distance);
+        const double share = share_up_to(wall.distance, parameters.mouth_start, parameters.gap_end);
         Vec<2> end = planes_.in_cells(wall.nearest.x);
-        const Vec<2> bisector = bisector_of(image, number);
         const int across = corner_at(wall.image, end);
         if (across >= 0) { // two corners: one mouth
             const SharpCorner& other = placed_[wall.image].corners[across];
@@ -127,7 +129,7 @@ private:
             if (!mutual || std::pair(image, number) > std::pair(wall.image, across)) {
                 corner.own = 1 - share;
                 if (!mutual) {
-                    const double away = std::min(1.0, beyond({other.at, bisector_of(wall.image, across), other.angle}, corner.at));
+                    const double away = std::min(1.0, beyond(other, corner.at));
                     corner.own = std::max(corner.own, away * away * (3 - 2 * away));
                 }
                 return;
@@ -136,40 +138,47 @@ private:
         }
         const Vec<2> way = end - corner.at, direction = way.normalized();
         const double h = way.norm();
-        if (!(std::acos(std::clamp(direction.dot(bisector), -1.0, 1.0)) < std::numbers::pi - 0.5 * corner.angle))
+        if (!(std::acos(std::clamp(direction.dot(corner.bisector), -1.0, 1.0)) < std::numbers::pi - 0.5 * corner.angle))
             return; // through the solid itself
-        GapMouth<2> mouth{{placed_[image].solid, wall.image >= 0 ? placed_[wall.image].solid : wall.side}, corner.at, end, 0, share, {}};
+        const double turned = share_up_to(h, parameters.gap_end, turning_end);
+        corner.outward = ((1 - turned) * corner.bisector + turned * direction).normalized();
+        if (!(share > 0))
+            return;
+        GapMouth<2> mouth{
+            {placed_[image].solid, wall.image >= 0 ? placed_[wall.image].solid : wall.side}, corner.at, end, 0, share, {}};
         const double radius = std::max(1.0, h);
         for (int side = 0; side < 2; ++side) {
             const Vec<2> along = (side == 0 ? 1 : -1) * left_of(direction);
-            const std::array<double, 2> turns{turn(placed_[image].shape, corner.at, along, -direction, radius),
-                                              turn(shape_of(wall), end, along, direction, radius)};
+            const std::array<double, 2> turns{turn_of(placed_[image].shape, corner.at, along, -direction, radius),
+                                              turn_of(shape_of(wall), end, along, direction, radius)};
             double wider = h;
             for (const double angle : turns)
                 wider += 0.5 * std::tan(std::clamp(angle, -steepest, steepest));
-            mouth.sides[side].gap = gap_share(wider);
+            mouth.sides[side].gap = share_up_to(wider, parameters.gap_start, parameters.gap_end);
             if (mouth.sides[side].gap < 1)
                 mouth.sides[side].outlet = std::max(0.0, outlet_resistance(h, turns, radius));
         }
-        corner.outward = ((1 - share) * bisector + share * direction).normalized();
         corner.own = 1 - share;
         corner.mouth = static_cast<int>(mouths_.size());
         mouth.length = h / std::max(corner.outward.dot(direction), parameters.least_facing);
         corner.reach = mouth.length + 10 * parameters.joint_distance;
+        for (int axis = 0; axis < 2; ++axis)
+            if (const int plane = planes_.cell_of(axis, corner.at[axis] + parameters.joint_distance);
+                std::abs(corner.at[axis] - planes_.place_of(axis, plane)) <= parameters.joint_distance &&
+                std::abs(end[axis] - corner.at[axis]) <= parameters.joint_distance) {
+                mouth.axis = axis;
+                mouth.plane = plane;
+            }
         mouths_.push_back(mouth);
-        bisector_.push_back(bisector);
-        add_lines(placed_[image], number);
-    }
-
-    /// As it is without mouths.
-    Vec<2> bisector_of(int image, int number)
-    {
-        const SharpCorner& corner = placed_[image].corners[number];
-        return corner.mouth < 0 ? corner.outward : bisector_[corner.mouth];
+        if (mouth.axis >= 0)
+            corner.own = 0;
+        else
+            add_lines(placed_[image], number);
     }
 
     /// By how much a wall turns away from the direction `along` at x, seen at a distance; behind: into the solid.
-    double turn(const PlacedShape<2>& shape, const Vec<2>& x, const Vec<2>& along, const Vec<2>& behind, double distance) const
+    double turn_of(const PlacedShape<2>& shape, const Vec<2>& x, const Vec<2>& along, const Vec<2>& behind,
+                   double distance) const
     {
         const auto away = [&](const Vec<2>& y) {
             return shape.closest(planes_.in_world(y)).distance / (planes_.dx * distance);
@@ -209,7 +218,8 @@ private:
             }
             const bool ends = !(way < corner.reach);
             if (cells > 0 || !within)
-                solid.lines.push_back({cell, number, from, ends ? Vec<2>(corner.at + corner.reach * n) : to, from_edge, ends ? -1 : exit});
+                solid.lines.push_back(
+                    {cell, number, from, ends ? Vec<2>(corner.at + corner.reach * n) : to, from_edge, ends ? -1 : exit});
             if (ends)
                 return;
             from = to;
@@ -219,13 +229,14 @@ private:
     }
 
     static constexpr double steepest = 1.4; // any larger turn is no gap
+    /// Up to there lines turn from the way to the other wall to the bisector.
+    static constexpr double turning_end = 2 * parameters.gap_end - parameters.gap_start;
 
     const GridPlanes<2>& planes_;
     std::span<const Solid<2>> solids_;
     std::vector<PlacedSolid<2>>& placed_;
     std::vector<int> sides_;
     std::vector<GapMouth<2>> mouths_;
-    std::vector<Vec<2>> bisector_;
 };
 
 } // namespace
@@ -244,7 +255,7 @@ double outlet_resistance(double h, const std::array<double, 2>& turns, double ra
 }
 
 std::vector<GapMouth<2>> find_mouths(const GridPlanes<2>& planes, std::span<const Solid<2>> solids,
-                                  std::vector<PlacedSolid<2>>& placed)
+                                     std::vector<PlacedSolid<2>>& placed)
 {
     return MouthFinder(planes, solids, placed).find();
 }

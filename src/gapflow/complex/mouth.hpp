@@ -14,7 +14,7 @@ namespace gapflow {
 
 /// Leads the dividing lines of corners near other walls to these, and finds where they go. Numbers of the mouths go to SharpCorner::mouth.
 std::vector<GapMouth<2>> find_mouths(const GridPlanes<2>& planes, std::span<const Solid<2>> solids,
-                                  std::vector<PlacedSolid<2>>& placed);
+                                     std::vector<PlacedSolid<2>>& placed);
 
 /// Resistance (2D, density 1, lengths in cells) from the end of a channel of width h to a source spread evenly over the sector of the given radius beyond it. The
 /// channel's walls turn away there by `turns`, in 0 .. 2 pi. Exact for h << radius where one wall goes on, and where both turn alike; else

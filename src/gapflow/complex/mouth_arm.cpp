@@ -41,7 +41,8 @@ std::vector<MovedNode> find_moved_nodes(const Grid<2>& grid, const Complex<2>& c
         const Vec<2> left = left_of(mouth.end - mouth.at).normalized();
         for (int side = 0; side < 2; ++side) {
             const std::int32_t part = side == 0 ? link.a : link.b;
-            const double way = (side == 0 ? 1 : -1) * left.dot(link.centroid[side] - cell_centre(grid, complex.cell_of_part(part))),
+            const double way = (side == 0 ? 1 : -1) *
+                               left.dot(link.centroid[side] - cell_centre(grid, complex.cell_of_part(part))),
                          share = mouth.share * mouth.sides[side].gap;
             if (share > 0 && way > 0)
                 moved.push_back({part, (side == 0 ? way : -way) * left, share});
@@ -50,8 +51,9 @@ std::vector<MovedNode> find_moved_nodes(const Grid<2>& grid, const Complex<2>& c
     std::sort(moved.begin(), moved.end(), [](const MovedNode& a, const MovedNode& b) {
         return a.part < b.part || (a.part == b.part && a.way.norm() > b.way.norm());
     });
-    moved.erase(std::unique(moved.begin(), moved.end(), [](const MovedNode& a, const MovedNode& b) { return a.part == b.part; }),
-                moved.end());
+    moved.erase(
+        std::unique(moved.begin(), moved.end(), [](const MovedNode& a, const MovedNode& b) { return a.part == b.part; }),
+        moved.end());
     return moved;
 }
 
@@ -59,14 +61,17 @@ std::vector<MovedNode> find_moved_nodes(const Grid<2>& grid, const Complex<2>& c
 double area_in_circle(const Vec<2>& a, const Vec<2>& b, double radius)
 {
     const auto cross = [](const Vec<2>& x, const Vec<2>& y) { return x[0] * y[1] - x[1] * y[0]; };
-    const auto sector = [&](const Vec<2>& x, const Vec<2>& y) { return 0.5 * radius * radius * std::atan2(cross(x, y), x.dot(y)); };
+    const auto sector = [&](const Vec<2>& x, const Vec<2>& y) {
+        return 0.5 * radius * radius * std::atan2(cross(x, y), x.dot(y));
+    };
     const Vec<2> way = b - a;
     const double A = way.squaredNorm(), B = a.dot(way), C = a.squaredNorm() - radius * radius, root2 = B * B - A * C;
     if (!(A > 0))
         return 0;
     if (!(root2 > 0))
         return sector(a, b);
-    const double root = std::sqrt(root2), from = std::clamp((-B - root) / A, 0.0, 1.0), to = std::clamp((-B + root) / A, 0.0, 1.0);
+    const double root = std::sqrt(root2), from = std::clamp((-B - root) / A, 0.0, 1.0),
+                 to = std::clamp((-B + root) / A, 0.0, 1.0);
     if (!(to > from))
         return sector(a, b);
     const Vec<2> p = a + from * way, q = a + to * way;
@@ -75,7 +80,8 @@ double area_in_circle(const Vec<2>& a, const Vec<2>& b, double radius)
 
 double area_in_circle(const Vec<2>& low, const Vec<2>& high, const Vec<2>& centre, double radius)
 {
-    const std::array<Vec<2>, 4> corner{low - centre, Vec<2>(high[0], low[1]) - centre, high - centre, Vec<2>(low[0], high[1]) - centre};
+    const std::array<Vec<2>, 4> corner{low - centre, Vec<2>(high[0], low[1]) - centre, high - centre,
+                                       Vec<2>(low[0], high[1]) - centre};
     double sum = 0;
     for (int k = 0; k < 4; ++k)
         sum += area_in_circle(corner[k], corner[(k + 1) % 4], radius);
@@ -97,6 +103,7 @@ public:
             high[axis] = planes_.place[axis][complex.index.high()[axis]];
         }
         images_ = images(solids, planes_.in_world(low), planes_.in_world(high), period, 2 * grid.dx());
+        find_in_planes();
         first_piece_.assign(complex.parts() + 1, 0);
         for (const bool count : {true, false}) {
             std::vector<int> next = first_piece_;
@@ -120,8 +127,14 @@ public:
     {
         std::vector<MouthArm<2>> arms;
         for (std::size_t k = 0; k < complex_.links.size(); ++k)
-            if (complex_.links[k].mouth >= 0)
-                arms.push_back(through_link(static_cast<std::int32_t>(k)));
+            if (const CornerLink<2>& link = complex_.links[k]; link.mouth >= 0) {
+                arms.push_back(through(complex_.mouths[link.mouth], {PartOrCell::part(link.a), PartOrCell::part(link.b)},
+                                       link.open,
+                                       link.covered > 0 ? 1 / link.conductance : 0.0)); // the corner's share is in it
+                arms.back().link = static_cast<std::int32_t>(k);
+            }
+        for (const auto& [piece, mouth] : in_planes_)
+            arms.push_back(through_piece(piece, complex_.mouths[mouth]));
         return arms;
     }
 
@@ -134,19 +147,88 @@ private:
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < images_.size(); ++k)
             if (images_[k].solid == solid)
-                if (const double distance = std::abs(images_[k].shape.closest(planes_.in_world(x)).distance); distance < least) {
+                if (const double distance = std::abs(images_[k].shape.closest(planes_.in_world(x)).distance);
+                    distance < least) {
                     least = distance;
                     nearest = static_cast<int>(k);
                 }
         return nearest;
     }
 
-    MouthArm<2> through_link(std::int32_t number)
+    /// Pieces of faces in whose plane a mouth lies, and their mouths; sorted.
+    void find_in_planes()
     {
-        const CornerLink<2>& link = complex_.links[number];
-        const GapMouth<2>& mouth = complex_.mouths[link.mouth];
-        MouthArm<2> arm{number, -1, mouth.solid, 0, PairTwist<2>::Zero(), PairMass<2>::Zero(), PairMass<2>::Zero(), {}};
-        const double h = (mouth.end - mouth.at).norm(), part = mouth.length / link.open, radius = std::max(1.0, h);
+        std::vector<int> mouths;
+        for (std::size_t m = 0; m < complex_.mouths.size(); ++m)
+            if (complex_.mouths[m].axis >= 0)
+                mouths.push_back(static_cast<int>(m));
+        for (std::size_t k = 0; k < complex_.pieces.size() && !mouths.empty(); ++k) {
+            const FacePiece<2>& piece = complex_.pieces[k];
+            if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
+                continue;
+            const int plane = complex_.index.index(piece.face)[piece.axis];
+            for (const int m : mouths) {
+                const GapMouth<2>& mouth = complex_.mouths[m];
+                const auto [from, to] = std::minmax(mouth.at[1 - piece.axis], mouth.end[1 - piece.axis]);
+                const double x = piece.centroid[1 - piece.axis];
+                if (mouth.axis == piece.axis && mouth.plane == plane && x > from && x < to) {
+                    in_planes_.emplace_back(static_cast<std::int32_t>(k), m);
+                    break;
+                }
+            }
+        }
+    }
+    bool in_mouth(std::int32_t piece) const
+    {
+        const auto at = std::lower_bound(in_planes_.begin(), in_planes_.end(), std::pair(piece, 0));
+        return at != in_planes_.end() && at->first == piece;
+    }
+
+    bool face_in_mouth(int axis, int face) const
+    {
+        return std::any_of(in_planes_.begin(), in_planes_.end(), [&](const auto& in) {
+            return complex_.pieces[in.first].axis == axis && complex_.pieces[in.first].face == face;
+        });
+    }
+
+    MouthArm<2> through_piece(std::int32_t number, const GapMouth<2>& mouth)
+    {
+        const FacePiece<2>& piece = complex_.pieces[number];
+        const bool upward = mouth.end[1 - piece.axis] > mouth.at[1 - piece.axis], low_is_left = (piece.axis == 0) == upward;
+        const double plain =
+            (1 - mouth.share) * grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]) / piece.area;
+        MouthArm<2> arm = low_is_left ? through(mouth, {piece.low, piece.high}, piece.area, plain)
+                                      : through(mouth, {piece.high, piece.low}, piece.area, plain);
+        arm.piece = number;
+        add_motion(mouth, piece, arm);
+        return arm;
+    }
+
+    /// What the walls' motion adds in a face: in a link the dividing line is part of the wall.
+    void add_motion(const GapMouth<2>& mouth, const FacePiece<2>& piece, MouthArm<2>& arm) const
+    {
+        const Vec<2> e = unit<2>(piece.axis), middle = 0.5 * (mouth.at + mouth.end);
+        const double delta = grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]);
+        PairTwist<2> motion = PairTwist<2>::Zero();
+        for (int side = 0; side < 2; ++side)
+            if (!solids_[mouth.solid[side]].wall) {
+                const int k = image_at(mouth.solid[side], middle);
+                const Vec<2> reference = planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift);
+                motion.segment<T>(side * T) << 0.5 * e, 0;
+                if (side == 0)
+                    arm.carried.head<T>() = piece.area * speed_along<2>(e, piece.centroid, reference);
+            }
+        const PairMass<2> mass = piece.area * delta * motion * motion.transpose();
+        arm.mass += mass;
+        arm.motion += mass;
+    }
+
+    /// From one of two parts to the other; `rest`: resistance of the link or face without the mouth.
+    MouthArm<2> through(const GapMouth<2>& mouth, const std::array<PartOrCell, 2>& parts, double open, double rest)
+    {
+        MouthArm<2> arm{
+            -1, -1, mouth.solid, 0, PairTwist<2>::Zero(), PairMass<2>::Zero(), PairMass<2>::Zero(), PairTwist<2>::Zero(), {}};
+        const double h = (mouth.end - mouth.at).norm(), part = mouth.length / open, radius = std::max(1.0, h);
         const Vec<2> n = (mouth.end - mouth.at) / h, out = -left_of(n), middle = 0.5 * (mouth.at + mouth.end);
         const int first = image_at(mouth.solid[0], middle), second = image_at(mouth.solid[1], middle);
         if (first < 0 || second < 0)
@@ -164,14 +246,13 @@ private:
         PairTwist<2> carried = -h * frame.transpose() * out;
         carried.head<T>() += h * speed_along<2>(out, middle, walls.reference[0]);
         PairTwist<2> moment = PairTwist<2>::Zero();
-        std::array<std::int32_t, 2> parts{link.a, link.b};
         for (int side = 0; side < 2; ++side) {
             const double share = mouth.share * mouth.sides[side].gap, sign = side == 0 ? 1 : -1;
             if (share > 0) {
-                Vec<2> at = cell_centre(grid_, complex_.cell_of_part(parts[side]));
-                if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), parts[side],
+                Vec<2> at = cell_centre(grid_, complex_.index.index(complex_.cell_of(parts[side])));
+                if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), parts[side].code,
                                                         [](const MovedNode& m, std::int32_t p) { return m.part < p; });
-                    moved != moved_.end() && moved->part == parts[side])
+                    moved != moved_.end() && moved->part == parts[side].code)
                     at += moved->way;
                 const double way = std::max(0.0, -sign * out.dot(at - middle));
                 GapWay<2> along(walls, middle, out, n, h, frame);
@@ -183,28 +264,30 @@ private:
                     arm.mass += w * flux * flux.transpose();
                     moment += share * point.weight * flux;
                 }
-                add_row(arm, PartOrCell::part(parts[side]), sign * share);
+                add_row(arm, parts[side], sign * share);
             }
             if (const double spread = mouth.share * (1 - mouth.sides[side].gap); spread > 0)
-                spread_out(parts[side], middle, radius, sign * spread, mouth.sides[side].outlet * part, arm);
+                spread_out(parts[side], middle, radius, sign * spread, mouth.sides[side].outlet, mouth.share, part, arm);
             if (mouth.share < 1)
-                add_row(arm, PartOrCell::part(parts[side]), sign * (1 - mouth.share));
+                add_row(arm, parts[side], sign * (1 - mouth.share));
         }
-        if (link.covered > 0)
-            arm.resistance += 1 / link.conductance; // the corner's share is in it
+        arm.resistance = std::max(arm.resistance, parameters.least_covered);
+        arm.resistance += rest;
         Vec<2> way = Vec<2>::Zero();
         for (const auto& [row, weight] : arm.rows) {
             Vec<2> place = cell_centre(grid_, complex_.index.index(complex_.cell_of(row)));
             for (int axis = 0; axis < 2; ++axis)
                 if (grid_.periodic(axis))
-                    place[axis] -= planes_.place[axis].period() * std::round((place[axis] - middle[axis]) / planes_.place[axis].period());
+                    place[axis] -=
+                        planes_.place[axis].period() * std::round((place[axis] - middle[axis]) / planes_.place[axis].period());
             way -= weight * place;
         }
         const PairTwist<2> own = arm.flux, uniform = frame.transpose() * way, along = frame.transpose() * out;
         arm.flux += uniform;
         const double g = 1 / arm.resistance;
         const PairMass<2> cross = moment * along.transpose();
-        arm.motion = cross + cross.transpose() - g * (own * uniform.transpose() + uniform * own.transpose() + uniform * uniform.transpose());
+        arm.motion = cross + cross.transpose() -
+                     g * (own * uniform.transpose() + uniform * own.transpose() + uniform * uniform.transpose());
         arm.mass += cross + cross.transpose() - g * arm.flux * arm.flux.transpose();
         for (int side = 0; side < 2; ++side)
             if (solids_[mouth.solid[side]].wall) {
@@ -227,8 +310,10 @@ private:
         arm.rows.emplace_back(row, weight);
     }
 
-    /// Over what of the circle about the mouth is joined with a part within the circle.
-    void spread_out(std::int32_t from, const Vec<2>& centre, double radius, double weight, double outlet, MouthArm<2>& arm)
+    /// Over what of the circle about the mouth is joined with a part within the circle. Where the mouth has a share only, the rest of the flux leaves into
+    /// the part itself: of the energy of both together the product of the two is missing in the sum of their resistances, about the outlet's.
+    void spread_out(const PartOrCell& from, const Vec<2>& centre, double radius, double weight, double outlet, double share,
+                    double part, MouthArm<2>& arm)
     {
         struct Target {
             PartOrCell at;
@@ -236,23 +321,27 @@ private:
         };
         std::vector<Target> targets;
         const auto offer = [&](const PartOrCell& at) {
-            if (!at.exists() || std::any_of(targets.begin(), targets.end(), [&](const Target& t) { return t.at.code == at.code; }))
+            if (!at.exists() ||
+                std::any_of(targets.begin(), targets.end(), [&](const Target& t) { return t.at.code == at.code; }))
                 return;
             const Index<2> c = complex_.index.index(complex_.cell_of(at));
-            const Vec<2> low(planes_.place[0][c[0]], planes_.place[1][c[1]]), high(planes_.place[0][c[0] + 1], planes_.place[1][c[1] + 1]);
+            const Vec<2> low(planes_.place[0][c[0]], planes_.place[1][c[1]]),
+                high(planes_.place[0][c[0] + 1], planes_.place[1][c[1] + 1]);
             const double inside = area_in_circle(low, high, centre, radius);
             if (inside > parameters.least_area || targets.empty()) {
                 const double fraction = at.is_part() ? complex_.part_area[at.number()] / (high - low).prod() : 1.0;
                 targets.push_back({at, fraction, inside * fraction});
             }
         };
-        offer(PartOrCell::part(from));
+        offer(from);
         double sum = 0;
         for (std::size_t k = 0; k < targets.size(); ++k) {
             const PartOrCell at = targets[k].at;
             sum += targets[k].size;
             if (at.is_part())
                 for (int j = first_piece_[at.number()]; j < first_piece_[at.number() + 1]; ++j) {
+                    if (in_mouth(piece_of_[j]))
+                        continue;
                     const FacePiece<2>& piece = complex_.pieces[piece_of_[j]];
                     offer(piece.low);
                     offer(piece.high);
@@ -263,14 +352,15 @@ private:
                     for (const int end : {0, 1}) {
                         const Index<2> f = complex_.index.wrapped(Index<2>(c + end * step<2>(axis))),
                                        other = complex_.index.wrapped(Index<2>(c + (2 * end - 1) * step<2>(axis)));
-                        if (complex_.index.holds(other) && complex_.main_area[axis][complex_.index(f)] > 0)
+                        if (complex_.index.holds(other) && complex_.main_area[axis][complex_.index(f)] > 0 &&
+                            !face_in_mouth(axis, complex_.index(f)))
                             offer(complex_.main_of(complex_.index(other)));
                     }
                 }
         }
         if (!(sum > 0)) {
-            add_row(arm, PartOrCell::part(from), weight);
-            arm.resistance += std::abs(weight) * outlet;
+            add_row(arm, from, weight);
+            arm.resistance += std::abs(weight) * part * outlet;
             return;
         }
         double lattice = 0;
@@ -280,7 +370,7 @@ private:
                 add_row(arm, target.at, weight * w);
                 lattice += w * w / target.fraction;
             }
-        arm.resistance += std::abs(weight) * std::max(0.0, outlet - node_excess * lattice);
+        arm.resistance += std::abs(weight) * part * (std::max(0.0, outlet - node_excess * lattice) + (1 - share) * outlet);
     }
 
     /// Resistance of a cell's node in the grid's network over that of a source spread evenly over the cell: of the network (euler + 3/2 ln 2) / 2 pi, less
@@ -295,6 +385,7 @@ private:
     std::vector<Image<2>> images_;
     std::vector<int> first_piece_;
     std::vector<std::int32_t> piece_of_;
+    std::vector<std::pair<std::int32_t, int>> in_planes_;
 };
 
 } // namespace

@@ -21,10 +21,12 @@ struct MouthArm {
     std::int32_t link, piece; ///< of the complex, whose energy it replaces; one of them -1
     std::array<std::int32_t, 2> solid;
     double resistance;
-    PairTwist<D> flux;   ///< c and d
-    PairMass<D> mass;    ///< B
-    PairMass<D> motion;  ///< the terms of the mass that are not squares
-    std::vector<std::pair<PartOrCell, double>> rows; ///< w: the flux leaves w of the row; positive before the mouth (2D: at its left)
+    PairTwist<D> flux;    ///< c and d
+    PairMass<D> mass;     ///< B
+    PairMass<D> motion;   ///< the terms of the mass that are not squares
+    PairTwist<D> carried; ///< of a piece: flux of the corner's solid through it along its axis
+    std::vector<std::pair<PartOrCell, double>>
+        rows; ///< w: the flux leaves w of the row; positive before the mouth (2D: at its left)
 };
 
 template <int D>

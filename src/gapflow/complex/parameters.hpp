@@ -35,6 +35,9 @@ struct ComplexParameters {
     /// Thicknesses of a gap between which a face's energy goes over from that of the gap to a plain face's: a plain face is that of a gap of
     /// constant thickness, and right for one of several cells.
     double gap_start = 0.6, gap_end = 1.2;
+    /// Distance of a corner from another wall up to which the resistance of its link is that of a gap's mouth; at gap_end it is that of the corner
+    /// alone. The law of the mouth holds where the gap is thinner than the sector into which it opens, about a cell.
+    double mouth_start = 0.8;
     /// Cosine of the least angle between a wall and the gap's normal: beyond, the walls do not face each other.
     double least_facing = 0.3;
     /// A gap's thickness changes by no more than this factor within an interval of three Gauss points: 1e-4 of the integral of 1/t.

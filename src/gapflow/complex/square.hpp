@@ -90,9 +90,9 @@ struct SquareJunction {
 
 /// A corner of a solid within the rectangle that divides.
 struct SquareCorner {
-    int solid;      ///< index into Square::solids
-    Vec<2> at;      ///< where two segments of the solid's border meet
-    Vec<2> outward; ///< direction of the dividing line
+    int solid;            ///< index into Square::solids
+    Vec<2> at;            ///< where two segments of the solid's border meet
+    Vec<2> outward;       ///< direction of the dividing line
     bool to_wall = false; ///< it leads to another solid, perhaps to a corner of that
 };
 

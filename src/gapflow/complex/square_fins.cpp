@@ -300,7 +300,8 @@ void Square::divide(int number)
         const auto to = open_border(exit, corner.solid);
         add_fin(p, from, point(exit), *to, corner.solid, number);
     } else {
-        const Hit again = nearest_hit(p, corner.outward, -parameters.joint_distance, corner.to_wall); // the joint's arc was split
+        const Hit again =
+            nearest_hit(p, corner.outward, -parameters.joint_distance, corner.to_wall); // the joint's arc was split
         const Vec<2> q = arcs[again.arc].segments[again.segment].at(again.t);
         const End to = open_at(again, q);
         add_fin(p, from, q, to, corner.solid, number);
@@ -401,7 +402,6 @@ void Square::find_links()
                 const double open = std::min(a.to, b.to) - std::max(a.from, b.from);
                 if (open > 0 && a.piece != b.piece)
                     links.push_back({static_cast<int>(k), a.piece, b.piece, open});
-
             }
     }
 }

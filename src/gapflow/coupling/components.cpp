@@ -144,21 +144,23 @@ std::set<std::pair<int, int>> pairs_across_sides(const Coupling<D>& coupling, co
     return pairs;
 }
 
-// Pairs of labels and nodes that links from this rank's cells join; nodes count after all cells' labels.
+// Pairs of labels and nodes that links from this rank's cells join; nodes count after all cells' labels, links without a node after these.
 template <int D>
 std::set<std::pair<int, int>> pairs_of_links(const Coupling<D>& coupling, const std::vector<char>& shut,
                                              const CellField<D, int>& label, int labels)
 {
     const Grid<D>& grid = *coupling.grid;
     std::set<std::pair<int, int>> pairs;
+    int without_node = labels + coupling.system.nodes;
     for (const Link& link : coupling.system.links) {
-        if (!leads_on(link, shut) || link.nodes.empty())
+        const int hub = link.nodes.empty() ? without_node++ : labels + link.nodes.front().first;
+        if (!leads_on(link, shut))
             continue;
         int last = -1; // a link's cells mostly have the same label
         for (const auto& [key, weight] : link.cells)
             if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && label(c) >= 0 && label(c) != last) {
                 last = label(c);
-                pairs.insert({last, labels + link.nodes.front().first});
+                pairs.insert({last, hub});
             }
     }
     return pairs;
@@ -206,7 +208,9 @@ template <int D>
 Numbering join_labels(const Coupling<D>& coupling, const std::vector<char>& shut, const CellField<D, int>& label, int labels)
 {
     const Communicator& comm = coupling.grid->comm();
-    DisjointSets parts(labels), sets(labels + coupling.system.nodes);
+    const auto& links = coupling.system.links;
+    const long without_node = std::count_if(links.begin(), links.end(), [](const Link& link) { return link.nodes.empty(); });
+    DisjointSets parts(labels), sets(labels + coupling.system.nodes + static_cast<int>(without_node));
     const auto across = pairs_across_sides(coupling, label), linked = pairs_of_links(coupling, shut, label, labels);
     for (const auto& [a, b] : all_values(comm, std::vector(across.begin(), across.end()))) {
         parts.join(a, b);

@@ -220,7 +220,8 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
         }
     };
     for (std::size_t k = 0; k < complex.links.size(); ++k)
-        if (const CornerLink<D>& link = complex.links[k]; inertia.link_conductance[k] > 0 && grid.owns(complex.cell_of_part(link.a)))
+        if (const CornerLink<D>& link = complex.links[k];
+            inertia.link_conductance[k] > 0 && grid.owns(complex.cell_of_part(link.a)))
             join(PartOrCell::part(link.a), PartOrCell::part(link.b), unit * inertia.link_conductance[k]);
     for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
         const FacePiece<D>& piece = complex.pieces[k];
@@ -244,10 +245,11 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     std::vector<MouthEntry> mouths;
     for (std::size_t k = 0; k < inertia.mouths.size(); ++k)
         for (const auto& [row, weight] : inertia.mouths[k].rows) {
-            if (!grid.owns(complex.cell_of_part(complex.links[inertia.mouths[k].link].a)))
+            if (!grid.owns(grid.wrapped(complex.index.index(complex.cell_of(inertia.mouths[k].first)))))
                 break;
             const int i = node_of(row);
-            mouths.push_back({static_cast<int>(k), i, i < 0 ? grid.key(grid.wrapped(complex.index.index(complex.cell_of(row)))) : 0,
+            mouths.push_back({static_cast<int>(k), i,
+                              i < 0 ? grid.key(grid.wrapped(complex.index.index(complex.cell_of(row)))) : 0,
                               unit * inertia.mouths[k].conductance, weight});
         }
     add_mouths(grid.comm(), mouths, system.links);

@@ -85,7 +85,7 @@ public:
 private:
     struct Place {
         long row;
-        Index<D> cell; ///< of a cell's row
+        Index<D> cell;   ///< of a cell's row
         double diagonal; ///< of 2 Lambda - L
         Twist<D> flux;   ///< Y
     };
