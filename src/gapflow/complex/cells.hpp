@@ -19,6 +19,7 @@ template <int D>
 struct CellSlab {
     std::vector<std::int32_t> cut_cell, parts_of_cell, part_cell, patches_of_part;
     std::vector<double> part_area;
+    std::vector<Vec<D>> part_centroid; ///< 2D
     std::vector<WallPatch<D>> patches;
     std::vector<CornerLink<D>> links; ///< 3D
     // Where derivatives are wanted.

@@ -78,8 +78,10 @@ CellSlab<2> build_cells(const CutFaces<2>& cut, const DenseIndex<2>& index, cons
         for (int l = 0; l < count; ++l) {
             const std::size_t begin = result.patches.size();
             for (int p = 0; p < face.pieces; ++p)
-                if (label[p] == l)
+                if (label[p] == l) {
                     result.part_area.push_back(slab.pieces[face.piece + p].area);
+                    result.part_centroid.push_back(slab.pieces[face.piece + p].centroid);
+                }
             for (int k = 0; k < face.arcs; ++k) {
                 const BorderArc<2>& arc = slab.arcs[face.arc + k];
                 if (label[arc.piece] == l)

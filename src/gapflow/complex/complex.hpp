@@ -106,7 +106,6 @@ struct CornerLink {
     double open, covered; ///< lengths of the corner's bisector in the cell; 3D: areas of the edge's bisector plane
     Vec<D> at;            ///< the corner; 3D: the edge's middle
     int mouth = -1;       ///< of which it is a part, see Complex::mouths; its conductance is then that of the corner alone
-    std::array<Vec<D>, 2> centroid{Vec<D>::Zero(), Vec<D>::Zero()}; ///< of the parts a and b, where it is part of a mouth
 };
 
 /// What lies on one side of a mouth.
@@ -142,6 +141,7 @@ struct Complex {
     // Parts.
     std::vector<std::int32_t> part_cell; ///< cut cell
     std::vector<double> part_area;       ///< of its open face pieces (2D: its own area)
+    std::vector<Vec<D>> part_centroid;   ///< 2D
     std::vector<std::int32_t> first_patch{0};
     std::vector<WallPatch<D>> patches;
     /// Faces that solids cut, and those that do not lead to the largest part.

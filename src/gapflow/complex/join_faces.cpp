@@ -162,16 +162,8 @@ void Joining<D>::join_faces() requires(D == 2)
                     for (const DivisionRate<2>& rate : cut_.slabs[s].rates_of_division(k))
                         derivatives_->links.push_back(
                             {static_cast<std::int32_t>(complex_.links.size()), solids_[rate.image].solid, rate.rate});
-                const auto centroid = [&](int piece) { return cut_.slabs[s].pieces[face.piece + piece].centroid; };
-                complex_.links.push_back({a.number(),
-                                          b.number(),
-                                          solids_[division.image].solid,
-                                          division.conductance,
-                                          division.open,
-                                          division.covered,
-                                          division.at,
-                                          division.mouth,
-                                          {centroid(division.a), centroid(division.b)}});
+                complex_.links.push_back({a.number(), b.number(), solids_[division.image].solid, division.conductance,
+                                          division.open, division.covered, division.at, division.mouth});
             }
         }
 }

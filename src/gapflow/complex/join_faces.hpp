@@ -30,6 +30,8 @@ public:
         complex.first_part.resize(cell_offset_.back() + 1);
         complex.part_cell.resize(part_offset_.back());
         complex.part_area.resize(part_offset_.back());
+        if (D == 2)
+            complex.part_centroid.resize(part_offset_.back());
         complex.first_patch.resize(part_offset_.back() + 1);
         complex.patches.resize(patch_offset_.back());
         for_each_job(static_cast<int>(slabs.size()), [&](int s) { copy_slab(s); });
@@ -160,6 +162,7 @@ private:
         for (std::size_t k = 0; k < slab.part_cell.size(); ++k)
             complex_.part_cell[part + k] = slab.part_cell[k] + cell;
         std::copy(slab.part_area.begin(), slab.part_area.end(), complex_.part_area.begin() + part);
+        std::copy(slab.part_centroid.begin(), slab.part_centroid.end(), complex_.part_centroid.begin() + part);
         sums(slab.patches_of_part, patch, complex_.first_patch.begin() + part + 1);
         std::copy(slab.patches.begin(), slab.patches.end(), complex_.patches.begin() + patch);
     }

@@ -151,7 +151,7 @@ private:
             const Vec<2> along = (side == 0 ? 1 : -1) * left_of(direction);
             const std::array<double, 2> turns{turn_of(placed_[image].shape, corner.at, along, -direction, radius),
                                               turn_of(shape_of(wall), end, along, direction, radius)};
-            double wider = h;
+            double wider = 0; // half a cell away
             for (const double angle : turns)
                 wider += 0.5 * std::tan(std::clamp(angle, -steepest, steepest));
             mouth.sides[side].gap = share_up_to(wider, parameters.gap_start, parameters.gap_end);
@@ -163,16 +163,16 @@ private:
         mouth.length = h / std::max(corner.outward.dot(direction), parameters.least_facing);
         corner.reach = mouth.length + 10 * parameters.joint_distance;
         for (int axis = 0; axis < 2; ++axis)
-            if (const int plane = planes_.cell_of(axis, corner.at[axis] + parameters.joint_distance);
-                std::abs(corner.at[axis] - planes_.place_of(axis, plane)) <= parameters.joint_distance &&
-                std::abs(end[axis] - corner.at[axis]) <= parameters.joint_distance) {
+            if (const int plane = planes_.cell_of(axis, corner.at[axis]);
+                corner.at[axis] == planes_.place_of(axis, plane) && end[axis] == corner.at[axis]) {
                 mouth.axis = axis;
                 mouth.plane = plane;
             }
         mouths_.push_back(mouth);
-        if (mouth.axis >= 0)
+        if (mouth.axis >= 0) {
             corner.own = 0;
-        else
+            corner.mouth = -1;
+        } else
             add_lines(placed_[image], number);
     }
 
@@ -193,16 +193,16 @@ private:
         const SharpCorner& corner = solid.corners[number];
         const Vec<2>& n = corner.outward;
         Index<2> cell;
-        bool within = true;
+        int from_edge = -1;
         for (int axis = 0; axis < 2; ++axis) {
             cell[axis] = planes_.cell_of(axis, corner.at[axis]);
             if (planes_.place_of(axis, cell[axis]) == corner.at[axis]) {
-                within = false;
+                from_edge = axis == 0 ? (n[axis] < 0 ? 1 : 3) : (n[axis] < 0 ? 2 : 0);
                 cell[axis] -= n[axis] < 0;
             }
         }
+        const bool within = from_edge < 0;
         Vec<2> from = corner.at;
-        int from_edge = -1;
         for (int cells = 0; cells < 8; ++cells) {
             double way = std::numeric_limits<double>::infinity();
             int exit = -1;

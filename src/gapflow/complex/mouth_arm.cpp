@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace gapflow {
 namespace {
@@ -24,38 +25,158 @@ Vec<2> cell_centre(const Grid<2>& grid, const Index<2>& c)
     return x;
 }
 
+/// Pieces of faces beside the parts.
+class PiecesOfParts {
+public:
+    explicit PiecesOfParts(const Complex<2>& complex) : first_(complex.parts() + 1, 0)
+    {
+        for (const bool count : {true, false}) {
+            std::vector<int> next = first_;
+            for (std::size_t k = 0; k < complex.pieces.size(); ++k)
+                for (const PartOrCell& side : {complex.pieces[k].low, complex.pieces[k].high})
+                    if (side.is_part() && complex.pieces[k].area > 0) {
+                        if (count)
+                            ++first_[side.number() + 1];
+                        else
+                            piece_[next[side.number()]++] = static_cast<std::int32_t>(k);
+                    }
+            if (count) {
+                for (int p = 0; p < complex.parts(); ++p)
+                    first_[p + 1] += first_[p];
+                piece_.resize(first_.back());
+            }
+        }
+    }
+    std::span<const std::int32_t> of(int part) const
+    {
+        return {piece_.data() + first_[part], static_cast<std::size_t>(first_[part + 1] - first_[part])};
+    }
+
+private:
+    std::vector<int> first_;
+    std::vector<std::int32_t> piece_;
+};
+
+/// What of a piece lies in a mouth in its plane. The rest, if any, leads to a wall that lies in the plane to round-off.
+double open_in(const GapMouth<2>& mouth, const FacePiece<2>& piece)
+{
+    const int along = 1 - piece.axis;
+    const double from = std::min(mouth.at[along], mouth.end[along]), to = std::max(mouth.at[along], mouth.end[along]);
+    return std::min(to, piece.centroid[along] + 0.5 * piece.area) - std::max(from, piece.centroid[along] - 0.5 * piece.area);
+}
+
+/// Pieces of faces in whose plane a mouth lies, and their mouths; sorted.
+std::vector<std::pair<std::int32_t, int>> pieces_in_mouths(const Complex<2>& complex)
+{
+    std::vector<std::pair<std::int32_t, int>> pieces;
+    std::vector<int> mouths;
+    for (std::size_t m = 0; m < complex.mouths.size(); ++m)
+        if (complex.mouths[m].axis >= 0)
+            mouths.push_back(static_cast<int>(m));
+    for (std::size_t k = 0; k < complex.pieces.size() && !mouths.empty(); ++k) {
+        const FacePiece<2>& piece = complex.pieces[k];
+        if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
+            continue;
+        const int plane = complex.index.index(piece.face)[piece.axis];
+        for (const int m : mouths) {
+            const GapMouth<2>& mouth = complex.mouths[m];
+            if (mouth.axis == piece.axis && mouth.plane == plane && open_in(mouth, piece) > parameters.least_stretch) {
+                pieces.emplace_back(static_cast<std::int32_t>(k), m);
+                break;
+            }
+        }
+    }
+    return pieces;
+}
+
+/// What lies at the left and right of the way from the corner of a mouth in a plane.
+std::array<PartOrCell, 2> sides_of(const GapMouth<2>& mouth, const FacePiece<2>& piece)
+{
+    const bool upward = mouth.end[1 - piece.axis] > mouth.at[1 - piece.axis], low_is_left = (piece.axis == 0) == upward;
+    return low_is_left ? std::array<PartOrCell, 2>{piece.low, piece.high} : std::array<PartOrCell, 2>{piece.high, piece.low};
+}
+
 /// How far a node of a part behind a mouth is moved.
 struct MovedNode {
     std::int32_t part;
     Vec<2> way;   ///< from the cell's centre
-    double share; ///< of it in the nodes of the gap's other faces
+    double share; ///< of it in the nodes of the gap's faces
 };
 
-std::vector<MovedNode> find_moved_nodes(const Grid<2>& grid, const Complex<2>& complex)
-{
-    std::vector<MovedNode> moved;
-    for (const CornerLink<2>& link : complex.links) {
-        if (link.mouth < 0)
-            continue;
-        const GapMouth<2>& mouth = complex.mouths[link.mouth];
-        const Vec<2> left = left_of(mouth.end - mouth.at).normalized();
-        for (int side = 0; side < 2; ++side) {
-            const std::int32_t part = side == 0 ? link.a : link.b;
-            const double way = (side == 0 ? 1 : -1) *
-                               left.dot(link.centroid[side] - cell_centre(grid, complex.cell_of_part(part))),
-                         share = mouth.share * mouth.sides[side].gap;
-            if (share > 0 && way > 0)
-                moved.push_back({part, (side == 0 ? way : -way) * left, share});
-        }
+/// Places of a gap's nodes are free, but none may lie beyond the gap's end: where the cell's centre is nearer to a mouth than the part's centroid, the node
+/// lies there. Parts further behind a mouth keep theirs.
+class MovedNodes {
+public:
+    MovedNodes(const Grid<2>& grid, const Complex<2>& complex) : grid_(grid), complex_(complex)
+    {
+        if (complex.mouths.empty())
+            return;
+        const PiecesOfParts pieces(complex);
+        const auto in_mouths = pieces_in_mouths(complex);
+        const auto in_mouth = [&](std::int32_t k) {
+            const auto at = std::lower_bound(in_mouths.begin(), in_mouths.end(), std::pair(k, 0));
+            return at != in_mouths.end() && at->first == k;
+        };
+        const auto behind = [&](const GapMouth<2>& mouth, int side, const PartOrCell& first) {
+            if (!(mouth.share * mouth.sides[side].gap > 0) || !first.is_part())
+                return;
+            std::vector<std::int32_t> parts{first.number()};
+            for (std::size_t k = 0; k < parts.size(); ++k) {
+                if (!add(mouth, side, parts[k]))
+                    continue;
+                for (const std::int32_t piece : pieces.of(parts[k]))
+                    for (const PartOrCell& next : {complex.pieces[piece].low, complex.pieces[piece].high})
+                        if (next.is_part() && !in_mouth(piece) &&
+                            std::find(parts.begin(), parts.end(), next.number()) == parts.end())
+                            parts.push_back(next.number());
+            }
+        };
+        for (const CornerLink<2>& link : complex.links)
+            if (link.mouth >= 0) {
+                behind(complex.mouths[link.mouth], 0, PartOrCell::part(link.a));
+                behind(complex.mouths[link.mouth], 1, PartOrCell::part(link.b));
+            }
+        for (const auto& [piece, m] : in_mouths)
+            for (const int side : {0, 1})
+                behind(complex.mouths[m], side, sides_of(complex.mouths[m], complex.pieces[piece])[side]);
+        std::sort(nodes_.begin(), nodes_.end(), [](const MovedNode& a, const MovedNode& b) {
+            return a.part < b.part || (a.part == b.part && a.way.norm() * a.share > b.way.norm() * b.share);
+        });
+        nodes_.erase(
+            std::unique(nodes_.begin(), nodes_.end(), [](const MovedNode& a, const MovedNode& b) { return a.part == b.part; }),
+            nodes_.end());
     }
-    std::sort(moved.begin(), moved.end(), [](const MovedNode& a, const MovedNode& b) {
-        return a.part < b.part || (a.part == b.part && a.way.norm() > b.way.norm());
-    });
-    moved.erase(
-        std::unique(moved.begin(), moved.end(), [](const MovedNode& a, const MovedNode& b) { return a.part == b.part; }),
-        moved.end());
-    return moved;
-}
+
+    const std::vector<MovedNode>& nodes() const { return nodes_; }
+    Vec<2> way(const PartOrCell& part) const
+    {
+        const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), part.code,
+                                         [](const MovedNode& m, std::int32_t p) { return m.part < p; });
+        return at != nodes_.end() && at->part == part.code ? at->way : Vec<2>(Vec<2>::Zero());
+    }
+
+private:
+    /// Whether the part lies beside the mouth.
+    bool add(const GapMouth<2>& mouth, int side, std::int32_t part)
+    {
+        const Vec<2> inward = (side == 0 ? 1 : -1) * left_of(mouth.end - mouth.at).normalized(),
+                     &centroid = complex_.part_centroid[part];
+        const double distance = inward.dot(centroid - 0.5 * (mouth.at + mouth.end)), x = 2 - distance / half_diagonal;
+        if (!(distance > -half_diagonal && x > 0))
+            return false;
+        const double near = x < 1 ? x * x * (3 - 2 * x) : 1,
+                     way = inward.dot(centroid - cell_centre(grid_, complex_.cell_of_part(part)));
+        if (way > 0)
+            nodes_.push_back({part, near * way * inward, mouth.share * mouth.sides[side].gap});
+        return true;
+    }
+
+    static constexpr double half_diagonal = 0.5 * std::numbers::sqrt2; // a centroid is no further from the cell's centre
+
+    const Grid<2>& grid_;
+    const Complex<2>& complex_;
+    std::vector<MovedNode> nodes_;
+};
 
 /// Area of the triangle 0, a, b within a circle about 0, positive counterclockwise.
 double area_in_circle(const Vec<2>& a, const Vec<2>& b, double radius)
@@ -91,7 +212,7 @@ double area_in_circle(const Vec<2>& low, const Vec<2>& high, const Vec<2>& centr
 class MouthArms {
 public:
     MouthArms(const Grid<2>& grid, std::span<const Solid<2>> solids, const Complex<2>& complex)
-        : grid_(grid), planes_(grid), solids_(solids), complex_(complex), moved_(find_moved_nodes(grid, complex))
+        : grid_(grid), planes_(grid), solids_(solids), complex_(complex), moved_(grid, complex)
     {
         if (complex.mouths.empty())
             return;
@@ -103,24 +224,8 @@ public:
             high[axis] = planes_.place[axis][complex.index.high()[axis]];
         }
         images_ = images(solids, planes_.in_world(low), planes_.in_world(high), period, 2 * grid.dx());
-        find_in_planes();
-        first_piece_.assign(complex.parts() + 1, 0);
-        for (const bool count : {true, false}) {
-            std::vector<int> next = first_piece_;
-            for (std::size_t k = 0; k < complex.pieces.size(); ++k)
-                for (const PartOrCell& side : {complex.pieces[k].low, complex.pieces[k].high})
-                    if (side.is_part() && complex.pieces[k].area > 0) {
-                        if (count)
-                            ++first_piece_[side.number() + 1];
-                        else
-                            piece_of_[next[side.number()]++] = static_cast<std::int32_t>(k);
-                    }
-            if (count) {
-                for (int p = 0; p < complex.parts(); ++p)
-                    first_piece_[p + 1] += first_piece_[p];
-                piece_of_.resize(first_piece_.back());
-            }
-        }
+        pieces_.emplace(complex);
+        in_planes_ = pieces_in_mouths(complex);
     }
 
     std::vector<MouthArm<2>> find()
@@ -155,29 +260,6 @@ private:
         return nearest;
     }
 
-    /// Pieces of faces in whose plane a mouth lies, and their mouths; sorted.
-    void find_in_planes()
-    {
-        std::vector<int> mouths;
-        for (std::size_t m = 0; m < complex_.mouths.size(); ++m)
-            if (complex_.mouths[m].axis >= 0)
-                mouths.push_back(static_cast<int>(m));
-        for (std::size_t k = 0; k < complex_.pieces.size() && !mouths.empty(); ++k) {
-            const FacePiece<2>& piece = complex_.pieces[k];
-            if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
-                continue;
-            const int plane = complex_.index.index(piece.face)[piece.axis];
-            for (const int m : mouths) {
-                const GapMouth<2>& mouth = complex_.mouths[m];
-                const auto [from, to] = std::minmax(mouth.at[1 - piece.axis], mouth.end[1 - piece.axis]);
-                const double x = piece.centroid[1 - piece.axis];
-                if (mouth.axis == piece.axis && mouth.plane == plane && x > from && x < to) {
-                    in_planes_.emplace_back(static_cast<std::int32_t>(k), m);
-                    break;
-                }
-            }
-        }
-    }
     bool in_mouth(std::int32_t piece) const
     {
         const auto at = std::lower_bound(in_planes_.begin(), in_planes_.end(), std::pair(piece, 0));
@@ -194,11 +276,9 @@ private:
     MouthArm<2> through_piece(std::int32_t number, const GapMouth<2>& mouth)
     {
         const FacePiece<2>& piece = complex_.pieces[number];
-        const bool upward = mouth.end[1 - piece.axis] > mouth.at[1 - piece.axis], low_is_left = (piece.axis == 0) == upward;
         const double plain =
             (1 - mouth.share) * grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]) / piece.area;
-        MouthArm<2> arm = low_is_left ? through(mouth, {piece.low, piece.high}, piece.area, plain)
-                                      : through(mouth, {piece.high, piece.low}, piece.area, plain);
+        MouthArm<2> arm = through(mouth, sides_of(mouth, piece), open_in(mouth, piece), plain);
         arm.piece = number;
         add_motion(mouth, piece, arm);
         return arm;
@@ -249,11 +329,8 @@ private:
         for (int side = 0; side < 2; ++side) {
             const double share = mouth.share * mouth.sides[side].gap, sign = side == 0 ? 1 : -1;
             if (share > 0) {
-                Vec<2> at = cell_centre(grid_, complex_.index.index(complex_.cell_of(parts[side])));
-                if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), parts[side].code,
-                                                        [](const MovedNode& m, std::int32_t p) { return m.part < p; });
-                    moved != moved_.end() && moved->part == parts[side].code)
-                    at += moved->way;
+                const Vec<2> at =
+                    cell_centre(grid_, complex_.index.index(complex_.cell_of(parts[side]))) + moved_.way(parts[side]);
                 const double way = std::max(0.0, -sign * out.dot(at - middle));
                 GapWay<2> along(walls, middle, out, n, h, frame);
                 for (const auto& point : along.points(side == 0 ? -way : 0.0, side == 0 ? 0.0 : way, 1.0)) {
@@ -339,10 +416,10 @@ private:
             const PartOrCell at = targets[k].at;
             sum += targets[k].size;
             if (at.is_part())
-                for (int j = first_piece_[at.number()]; j < first_piece_[at.number() + 1]; ++j) {
-                    if (in_mouth(piece_of_[j]))
+                for (const std::int32_t number : pieces_->of(at.number())) {
+                    if (in_mouth(number))
                         continue;
-                    const FacePiece<2>& piece = complex_.pieces[piece_of_[j]];
+                    const FacePiece<2>& piece = complex_.pieces[number];
                     offer(piece.low);
                     offer(piece.high);
                 }
@@ -381,10 +458,9 @@ private:
     const GridPlanes<2> planes_;
     std::span<const Solid<2>> solids_;
     const Complex<2>& complex_;
-    const std::vector<MovedNode> moved_;
+    const MovedNodes moved_;
     std::vector<Image<2>> images_;
-    std::vector<int> first_piece_;
-    std::vector<std::int32_t> piece_of_;
+    std::optional<PiecesOfParts> pieces_;
     std::vector<std::pair<std::int32_t, int>> in_planes_;
 };
 
@@ -405,7 +481,8 @@ template <>
 std::vector<std::pair<std::int32_t, Vec<2>>> moved_nodes(const Grid<2>& grid, const Complex<2>& complex)
 {
     std::vector<std::pair<std::int32_t, Vec<2>>> nodes;
-    for (const MovedNode& m : find_moved_nodes(grid, complex))
+    const MovedNodes moved(grid, complex);
+    for (const MovedNode& m : moved.nodes())
         nodes.emplace_back(m.part, m.share * m.way);
     return nodes;
 }
