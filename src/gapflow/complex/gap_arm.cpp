@@ -126,12 +126,12 @@ public:
         const std::optional<GapSite<D>> site = site_at(number);
         if (!site)
             return {};
-        GapArm<D> arm{static_cast<std::int32_t>(number), site->solid, 0, 0, {}, {}, {}, {}};
+        GapArm<D> arm{static_cast<std::int32_t>(number), site->solid, 0, 0, {}, {}, {}};
         integrate(complex_.pieces[number], *site, arm);
         for (int side = 0; side < 2; ++side)
             if (site->still[side]) {
                 constexpr int T = twist_size<D>;
-                for (PairTwist<D>* row : {&arm.flux, &arm.motion, &arm.moment})
+                for (PairTwist<D>* row : {&arm.flux, &arm.motion})
                     row->template segment<T>(side * T).setZero();
                 arm.mass.template middleRows<T>(side * T).setZero();
                 arm.mass.template middleCols<T>(side * T).setZero();
@@ -264,7 +264,6 @@ private:
         arm.motion = frame.transpose() * axis;
 
         arm.flux.setZero();
-        arm.moment.setZero();
         arm.mass.setZero();
         if (site.along_face()) {
             arm.resistance = delta / A;
@@ -291,14 +290,12 @@ private:
                 arm.resistance += scale * scale * w;
                 arm.flux += scale * w * flux;
                 arm.mass += w * flux * flux.transpose();
-                arm.moment += delta * point.weight * line.width * flux;
             }
         }
         const double x = std::clamp((parameters.gap_end - t0) / (parameters.gap_end - parameters.gap_start), 0.0, 1.0);
         arm.share = x * x * (3 - 2 * x);
         arm.resistance = arm.share * arm.resistance + (1 - arm.share) * delta / A;
         arm.flux *= arm.share;
-        arm.moment *= arm.share;
         arm.mass *= arm.share;
     }
 

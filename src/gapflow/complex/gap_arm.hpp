@@ -34,7 +34,6 @@ struct GapArm {
     double resistance;
     PairTwist<D> flux;   ///< c
     PairTwist<D> motion; ///< the walls' mean velocity along the face's axis
-    PairTwist<D> moment; ///< mean over the way of the flux by closing: its product with the mean motion is energy
     PairMass<D> mass;    ///< B
 };
 

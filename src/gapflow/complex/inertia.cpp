@@ -236,7 +236,7 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
         inertia.piece_weight[gap.piece] += change;
         if (complex.joins_main(piece))
             inertia.main_weight[piece.axis][piece.face] += change;
-        const PairTwist<D> flux = -gap.flux / gap.resistance - change * gap.motion, cross = gap.moment - a * gap.flux;
+        const PairTwist<D> flux = -gap.flux / gap.resistance - change * gap.motion, cross = -a * gap.flux;
         for (int side = 0; side < 2; ++side) {
             add_row(piece.low, gap.solid[side], flux.template segment<T>(side * T));
             add_row(piece.high, gap.solid[side], -flux.template segment<T>(side * T));

@@ -284,21 +284,14 @@ private:
         return arm;
     }
 
-    /// What the walls' motion adds in a face: in a link the dividing line is part of the wall.
+    /// A face that moves with the corner's solid: of a link the dividing line is part of the wall.
     void add_motion(const GapMouth<2>& mouth, const FacePiece<2>& piece, MouthArm<2>& arm) const
     {
-        const Vec<2> e = unit<2>(piece.axis), middle = 0.5 * (mouth.at + mouth.end);
+        const int k = image_at(mouth.solid[0], 0.5 * (mouth.at + mouth.end));
+        const Vec<2> reference = planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift);
+        arm.carried.head<T>() = piece.area * speed_along<2>(unit<2>(piece.axis), piece.centroid, reference);
         const double delta = grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]);
-        PairTwist<2> motion = PairTwist<2>::Zero();
-        for (int side = 0; side < 2; ++side)
-            if (!solids_[mouth.solid[side]].wall) {
-                const int k = image_at(mouth.solid[side], middle);
-                const Vec<2> reference = planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift);
-                motion.segment<T>(side * T) << 0.5 * e, 0;
-                if (side == 0)
-                    arm.carried.head<T>() = piece.area * speed_along<2>(e, piece.centroid, reference);
-            }
-        const PairMass<2> mass = piece.area * delta * motion * motion.transpose();
+        const PairMass<2> mass = delta / piece.area * arm.carried * arm.carried.transpose();
         arm.mass += mass;
         arm.motion += mass;
     }
@@ -325,7 +318,6 @@ private:
         // The flux in the frame of the walls less that relative to the corner's solid.
         PairTwist<2> carried = -h * frame.transpose() * out;
         carried.head<T>() += h * speed_along<2>(out, middle, walls.reference[0]);
-        PairTwist<2> moment = PairTwist<2>::Zero();
         for (int side = 0; side < 2; ++side) {
             const double share = mouth.share * mouth.sides[side].gap, sign = side == 0 ? 1 : -1;
             if (share > 0) {
@@ -339,7 +331,6 @@ private:
                     arm.resistance += w;
                     arm.flux += w * flux;
                     arm.mass += w * flux * flux.transpose();
-                    moment += share * point.weight * flux;
                 }
                 add_row(arm, parts[side], sign * share);
             }
@@ -359,13 +350,11 @@ private:
                         planes_.place[axis].period() * std::round((place[axis] - middle[axis]) / planes_.place[axis].period());
             way -= weight * place;
         }
-        const PairTwist<2> own = arm.flux, uniform = frame.transpose() * way, along = frame.transpose() * out;
+        const PairTwist<2> own = arm.flux, uniform = frame.transpose() * way;
         arm.flux += uniform;
         const double g = 1 / arm.resistance;
-        const PairMass<2> cross = moment * along.transpose();
-        arm.motion = cross + cross.transpose() -
-                     g * (own * uniform.transpose() + uniform * own.transpose() + uniform * uniform.transpose());
-        arm.mass += cross + cross.transpose() - g * arm.flux * arm.flux.transpose();
+        arm.motion = -g * (own * uniform.transpose() + uniform * own.transpose() + uniform * uniform.transpose());
+        arm.mass -= g * arm.flux * arm.flux.transpose();
         for (int side = 0; side < 2; ++side)
             if (solids_[mouth.solid[side]].wall) {
                 arm.flux.segment<T>(side * T).setZero();
