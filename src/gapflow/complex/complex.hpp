@@ -122,6 +122,7 @@ struct GapMouth {
     Vec<D> at, end;                    ///< the corner, and the place on the other wall nearest to it
     double length;                     ///< of the dividing line
     double share;                      ///< of the mouth in the resistance of its links; the rest is that of the corner alone
+    double radius;                     ///< of the sector into which the flow spreads
     std::array<GapMouthSide, 2> sides; ///< 2D: at the left and right of the way from the corner
     int axis = -1, plane = 0;          ///< where it lies in a plane of the grid, whose faces it is then; else axis -1
 };

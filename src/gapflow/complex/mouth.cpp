@@ -145,8 +145,9 @@ private:
         if (!(share > 0))
             return;
         GapMouth<2> mouth{
-            {placed_[image].solid, wall.image >= 0 ? placed_[wall.image].solid : wall.side}, corner.at, end, 0, share, {}};
-        const double radius = std::max(1.0, h);
+            {placed_[image].solid, wall.image >= 0 ? placed_[wall.image].solid : wall.side}, corner.at, end, 0, share, 1, {}};
+        const double radius = room(image, wall, 0.5 * (corner.at + end), std::max(1.0, h));
+        mouth.radius = radius;
         for (int side = 0; side < 2; ++side) {
             const Vec<2> along = (side == 0 ? 1 : -1) * left_of(direction);
             const std::array<double, 2> turns{turn_of(placed_[image].shape, corner.at, along, -direction, radius),
@@ -174,6 +175,24 @@ private:
             corner.mouth = -1;
         } else
             add_lines(placed_[image], number);
+    }
+
+    /// Up to `radius`, but no further than to a third wall.
+    double room(int image, const OtherWall& wall, const Vec<2>& x, double radius) const
+    {
+        const auto offer = [&](const PlacedShape<2>& shape) {
+            radius = std::min(radius, std::max(0.0, shape.closest(planes_.in_world(x)).distance / planes_.dx));
+        };
+        for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
+            const PlacedSolid<2>& other = placed_[i];
+            if (i != image && i != wall.image &&
+                (other.inverse || (other.low - x).cwiseMax(x - other.high).maxCoeff() < radius))
+                offer(other.shape);
+        }
+        for (const int s : sides_)
+            if (s != wall.side)
+                offer(solids_[s].shape);
+        return radius;
     }
 
     /// By how much a wall turns away from the direction `along` at x, seen at a distance; behind: into the solid.

@@ -301,7 +301,7 @@ private:
     {
         MouthArm<2> arm{
             -1, -1, mouth.solid, 0, PairTwist<2>::Zero(), PairMass<2>::Zero(), PairMass<2>::Zero(), PairTwist<2>::Zero(), {}};
-        const double h = (mouth.end - mouth.at).norm(), part = mouth.length / open, radius = std::max(1.0, h);
+        const double h = (mouth.end - mouth.at).norm(), part = mouth.length / open, radius = mouth.radius;
         const Vec<2> n = (mouth.end - mouth.at) / h, out = -left_of(n), middle = 0.5 * (mouth.at + mouth.end);
         const int first = image_at(mouth.solid[0], middle), second = image_at(mouth.solid[1], middle);
         if (first < 0 || second < 0)
