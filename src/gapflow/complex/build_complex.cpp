@@ -28,7 +28,7 @@ DenseIndex<D>::DenseIndex(const Grid<D>& grid)
 
 template <int D>
 Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives,
-                         std::vector<PartFace<D>>* borders)
+                         std::vector<PartFace<D>>* borders, bool mouths)
 {
     Complex<D> complex;
     if (derivatives)
@@ -45,7 +45,8 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     high += Vec<D>::Constant(D == 3 ? 1 : 2);
     std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
     if constexpr (D == 2)
-        complex.mouths = find_mouths(planes, solids, placed);
+        if (mouths)
+            complex.mouths = find_mouths(planes, solids, placed);
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives || borders);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
     std::vector<CellSlab<D>> slabs(cut.slabs.size());
@@ -73,8 +74,10 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     return complex;
 }
 
-template Complex<2> build_complex(const Grid<2>&, std::span<const Solid<2>>, FaceDerivatives<2>*, std::vector<PartFace<2>>*);
-template Complex<3> build_complex(const Grid<3>&, std::span<const Solid<3>>, FaceDerivatives<3>*, std::vector<PartFace<3>>*);
+template Complex<2> build_complex(const Grid<2>&, std::span<const Solid<2>>, FaceDerivatives<2>*, std::vector<PartFace<2>>*,
+                                  bool);
+template Complex<3> build_complex(const Grid<3>&, std::span<const Solid<3>>, FaceDerivatives<3>*, std::vector<PartFace<3>>*,
+                                  bool);
 
 template <int D>
 long Complex<D>::bytes() const

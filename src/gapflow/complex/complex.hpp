@@ -182,9 +182,10 @@ template <int D>
 struct PartFace;
 
 /// Of the solids at their poses; walls among them (closed sides of the domain) cut nothing and have no patches. `derivatives`: those of
-/// its pieces, where they are wanted (area_derivative.hpp); `borders`: those of its parts (part_borders.hpp).
+/// its pieces, where they are wanted (area_derivative.hpp); `borders`: those of its parts (part_borders.hpp). `mouths`: whether other walls lead the
+/// dividing lines of corners near them (2D); derivatives are those of lines along bisectors.
 template <int D>
 Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives = nullptr,
-                         std::vector<PartFace<D>>* borders = nullptr);
+                         std::vector<PartFace<D>>* borders = nullptr, bool mouths = true);
 
 } // namespace gapflow

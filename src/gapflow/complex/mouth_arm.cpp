@@ -393,7 +393,12 @@ private:
             const Index<2> c = complex_.index.index(complex_.cell_of(at));
             const Vec<2> low(planes_.place[0][c[0]], planes_.place[1][c[1]]),
                 high(planes_.place[0][c[0] + 1], planes_.place[1][c[1] + 1]);
-            const double inside = area_in_circle(low, high, centre, radius);
+            Vec<2> nearest = centre; // of its images
+            for (int axis = 0; axis < 2; ++axis)
+                if (grid_.periodic(axis))
+                    nearest[axis] += planes_.place[axis].period() *
+                                     std::round((0.5 * (low + high)[axis] - centre[axis]) / planes_.place[axis].period());
+            const double inside = area_in_circle(low, high, nearest, radius);
             if (inside > parameters.least_area || targets.empty()) {
                 const double fraction = at.is_part() ? complex_.part_area[at.number()] / (high - low).prod() : 1.0;
                 targets.push_back({at, fraction, inside * fraction});

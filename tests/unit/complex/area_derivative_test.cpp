@@ -18,7 +18,7 @@ struct WithDerivatives {
     Complex<D> complex;
 
     WithDerivatives(const Grid<D>& grid, const std::vector<Solid<D>>& solids)
-        : complex(build_complex<D>(grid, solids, &derivatives))
+        : complex(build_complex<D>(grid, solids, &derivatives, nullptr, false))
     {
     }
 };
@@ -43,7 +43,7 @@ Errors compare(const Grid<D>& grid, const std::vector<Solid<D>>& solids, int mov
     std::array<std::multimap<std::pair<int, int>, FacePiece<D>>, 2> pieces;
     for (int s = 0; s < 2; ++s) {
         sides[s][moving] = moved(solids[moving], component, s ? step : -step, grid.dx());
-        const Complex<D> complex = build_complex<D>(grid, sides[s]);
+        const Complex<D> complex = build_complex<D>(grid, sides[s], nullptr, nullptr, false);
         for (const FacePiece<D>& piece : complex.pieces)
             pieces[s].insert({{piece.axis, piece.face}, piece});
     }
@@ -412,13 +412,13 @@ TEST(AreaDerivative, PartsGrowAsTheirWallsMove2D)
             Scene<2> scene(grid);
             const std::size_t walls = scene.solids.size();
             make(scene, random);
-            const Complex<2> here = build_complex<2>(grid, scene.solids);
+            const Complex<2> here = build_complex<2>(grid, scene.solids, nullptr, nullptr, false);
             for (int c = 0; c < 3; ++c) {
                 const double step = c < 2 ? 0x1p-20 : 0x1p-18;
                 const auto at = [&](double s) {
                     std::vector<Solid<2>> solids = scene.solids;
                     solids[walls] = moved(solids[walls], c, s, grid.dx());
-                    return build_complex<2>(grid, solids);
+                    return build_complex<2>(grid, solids, nullptr, nullptr, false);
                 };
                 const Complex<2> low = at(-step), high = at(step);
                 if (low.cut_cell != here.cut_cell || high.cut_cell != here.cut_cell || low.first_part != here.first_part ||

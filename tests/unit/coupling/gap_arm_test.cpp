@@ -58,10 +58,13 @@ Eigen::MatrixXd added_mass(const Scene& scene, bool gaps, std::vector<GapArm<2>>
     mass.resize(solids.size(), TwistMatrix<2>::Identity());
     const Complex<2> complex = build_complex<2>(world.grid, solids);
     std::vector<GapArm<2>> found;
-    if (gaps)
+    std::vector<MouthArm<2>> mouths;
+    if (gaps) {
         found = find_gap_arms<2>(world.grid, solids, complex);
+        mouths = find_mouth_arms<2>(world.grid, solids, complex);
+    }
     const Coupling<2> coupling =
-        couple_parts<2>(world.grid, solids, mass, 1.0, complex, find_inertia<2>(world.grid, complex, found));
+        couple_parts<2>(world.grid, solids, mass, 1.0, complex, find_inertia<2>(world.grid, complex, found, mouths));
     if (arms)
         *arms = found;
     CoupledSystem<2> still = coupling.system;
@@ -151,6 +154,101 @@ TEST(GapArms, ClosingAddsMass)
         const PairMass<2> rest = arm.mass - arm.flux * arm.flux.transpose() / arm.resistance;
         EXPECT_GT(Eigen::SelfAdjointEigenSolver<PairMass<2>>(rest).eigenvalues()[0], -1e-12 * (1 + arm.mass.norm()));
     }
+}
+
+/// Two rectangles 1 x 1/2 across a gap h in a closed square of the side 4, the upper one first.
+Scene rectangles(int n, double h, const Vec<2>& shift, double degrees)
+{
+    Scene scene;
+    scene.dimension = 2;
+    scene.parts = true;
+    scene.density = 1;
+    scene.size = {4, 4, 0};
+    scene.cells = {n, n, 1};
+    const double angle = degrees * M_PI / 180;
+    for (const int side : {1, -1}) {
+        BodyScene body;
+        body.name = side > 0 ? "upper" : "lower";
+        body.shape = BodyScene::ShapeKind::box;
+        body.size = {1, 0.5, 0};
+        const double reach = side * (h / 2 + 0.25);
+        body.position = {2 + shift[0] * 4 / n - std::sin(angle) * reach, 2 + shift[1] * 4 / n + std::cos(angle) * reach, 0};
+        body.angle = angle;
+        body.density = 1;
+        scene.bodies.push_back(body);
+    }
+    return scene;
+}
+
+double opening(const Eigen::MatrixXd& M, double degrees)
+{
+    const Vec<2> n(-std::sin(degrees * M_PI / 180), std::cos(degrees * M_PI / 180));
+    Eigen::VectorXd V = Eigen::VectorXd::Zero(6);
+    V.head<2>() = 0.5 * n;
+    V.segment<2>(3) = -0.5 * n;
+    return V.dot(M * V);
+}
+
+TEST(GapMouths, RectanglesApart)
+{
+    // Exact: conformal map (tests/data/reference/I4_rectangles_box4.csv).
+    struct Case {
+        double h, exact, percent;
+    };
+    for (const auto& [h, exact, percent] :
+         {Case{0.05, 2.535937030037, 2}, Case{0.01, 9.449193915878, 1}, Case{1e-5, 8335.54615614, 0.002}}) {
+        double worst = 0, plain = 0;
+        for (const double degrees : {0.0, 90.0, 25.0, 45.0, 10.0})
+            for (const Vec<2>& shift : {Vec<2>(0, 0), Vec<2>(0.31, 0.17), Vec<2>(-0.2, 0.3)}) {
+                const Scene scene = rectangles(32, h, shift, degrees);
+                worst = std::max(worst, 100 * std::abs(opening(added_mass(scene, true), degrees) / exact - 1));
+                plain = std::max(plain, 100 * std::abs(opening(added_mass(scene, false), degrees) / exact - 1));
+            }
+        EXPECT_LT(worst, percent) << h;
+        EXPECT_GT(plain, 3 * percent) << h;
+        RecordProperty("gap_" + std::to_string(static_cast<int>(-std::log10(h) + 0.5)) + "_percent",
+                       std::to_string(worst) + ", plain " + std::to_string(plain));
+    }
+}
+
+TEST(GapMouths, ContinuousAsSidesCrossTheGrid)
+{
+    double before = 0, worst = 0;
+    for (int k = 0; k <= 60; ++k) {
+        const double M = opening(added_mass(rectangles(32, 0.02, {0.02 * k, 0.013 * k}, 0), true), 0);
+        if (k > 0)
+            worst = std::max(worst, std::abs(M / before - 1));
+        before = M;
+    }
+    EXPECT_LT(worst, 0.01);
+    RecordProperty("percent", std::to_string(100 * worst));
+}
+
+TEST(GapMouths, UniformMotionMovesTheDisplacedFluid)
+{
+    // All in a container that moves with them: each body's impulse is that of the fluid which it displaces.
+    for (const double h : {0.1, 0.02, 1e-4})
+        for (const double degrees : {0.0, 25.0}) {
+            Scene scene = rectangles(32, h, {0, 0}, degrees);
+            BodyScene container;
+            container.name = "container";
+            container.shape = BodyScene::ShapeKind::ball;
+            container.radius = 1.9;
+            container.inside_out = true;
+            container.density = 10;
+            container.position = {2.01, 1.98, 0};
+            scene.bodies.push_back(container);
+            const Eigen::MatrixXd M = added_mass(scene, true);
+            for (int d = 0; d < 2; ++d) {
+                Eigen::VectorXd V = Eigen::VectorXd::Zero(9), exact = V;
+                V[d] = V[3 + d] = V[6 + d] = 1;
+                exact[d] = exact[3 + d] = -0.5;
+                exact[6 + d] = M_PI * 1.9 * 1.9;
+                const Eigen::VectorXd impulse = M * V;
+                EXPECT_LT((impulse - exact).head(6).norm(), 1e-8) << h << " " << degrees; // also no moment
+                EXPECT_NEAR(impulse[6 + d], exact[6 + d], 1e-8) << h << " " << degrees;
+            }
+        }
 }
 
 } // namespace
