@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 import harness
-from added_mass_cases import apply, domain, energy, interpolate, opening, quaternion, rectangles, rotate, rotation_matrix, table
+from added_mass_cases import apply, cylinder_exact, domain, energy, in_container, interpolate, opening, quaternion, rectangles, rotate, rotation_matrix, table
 from harness import Row
 
 SINGLE = "Parts: one body, over its places on the grid"
@@ -17,6 +17,7 @@ THIN = "Parts: thin plates"
 SHEET = "Parts: sheets, thin discs and square plates"
 SLIT = "Parts: slits and holes in thin walls"
 NEAR = "Parts: ball over a wall, two balls"
+GAPS = "Parts: gaps in 2D"
 SUMS = "Parts: uniform motion and sums"
 LIGHT = "Parts: light bodies"
 CROWD = "Parts: crowd of 48 balls"
@@ -401,6 +402,52 @@ def ball_over_wall(quick):
                               + (f" (films {min(f):+.2f} … {max(f):+.2f} %)" if f else ""), f"≤ {target} %", f"{min(e):+.2f} … {max(e):+.2f} %", max(map(abs, e)) <= target)
 
 
+def gaps_in_the_plane(quick):
+    """Rectangles across a gap, a cylinder in a container, joints of gaps, against exact values; steps of M as corners pass the grid; uniform motion."""
+    exact = {row["h"]: row for row in table("I4_rectangles_box4.csv")}
+    shifts = ((0.0, 0.0), (0.31, 0.17), (-0.23, 0.41), (0.47, -0.38), (-0.11, -0.27))
+    for n in (64,) if quick else (64, 128):
+        for h in (0.05, 0.005, 1e-5) if quick else (0.1, 0.05, 0.02, 0.01, 0.005, 1e-3, 1e-4, 1e-5):
+            for name, turns, target in (("along the grid", (0, 90), 1.0 if h <= 0.05 else 3.3), ("turned by 10, 25, 45, 62 degrees", (10, 25, 45, 62), 1.0 if h <= 0.02 else 3.3)):
+                opens, common, iterations = [], [], 0
+                for turn in turns:
+                    for shift in shifts[:2 if quick else 5]:
+                        result = parts(rectangles(n, h, shift, turn))
+                        up, across = rotate((0.0, 1.0), turn), rotate((1.0, 0.0), turn)
+                        opens.append(100 * (opening(result, up) / exact[h]["M_opening"] - 1))
+                        common += [100 * (energy(result, {"upper": d, "lower": d}) / exact[h][f"M_common_{c}"] - 1) for d, c in ((up, "y"), (across, "x"))]
+                        iterations = max(iterations, *result["iterations"])
+                yield Row(GAPS, f"two rectangles, {n}², h = {h:g} ({h * n / 4:g} cells), {name}, {len(opens)} poses: opening", f"≤ {target:g} %",
+                          f"{min(opens):+.2f} … {max(opens):+.2f} % (at most {iterations} iterations)", max(map(abs, opens)) <= target)
+                yield Row(GAPS, f"two rectangles, {n}², h = {h:g}, {name}: together along the normal and across", "≤ 2 %", f"{min(common):+.2f} … {max(common):+.2f} %", max(map(abs, common)) <= 2)
+    # As sides and corners pass lines of the grid.
+    for name, turn, way in (("along the grid", 0, (0.02, 0.013)), ("turned by 25 degrees", 25, (0.017, 0.011))):
+        for h in (0.3, 0.03, 1e-3):
+            m = [opening(parts(rectangles(64, h * 4 / 64, (way[0] * k, way[1] * k), turn)), rotate((0.0, 1.0), turn)) for k in range(51 if quick else 201)]
+            jump = 100 * max(abs(b / a - 1) for a, b in zip(m, m[1:]))
+            yield Row(GAPS, f"two rectangles, 64², gap of {h:g} cells, {name}, {len(m)} small shifts: largest change of the opening mass", "≤ 1 %", f"{jump:.2f} %", jump <= 1)
+    for n, target in ((33, 0.6), (66, 0.3)):
+        for gap in (1e-2, 1e-5) if quick else (0.1, 1e-2, 1e-3, 1e-5, 1e-7):
+            normal, along = [], []
+            for angle in (17, 45) if quick else (0, 17, 30, 45):
+                for shift in shifts[:2 if quick else 5]:
+                    result, d = parts(in_container(n, gap, angle, shift)), rotate((1.0, 0.0), angle)
+                    for values, direction in ((normal, d), (along, (-d[1], d[0]))):
+                        values.append(100 * (energy(result, {"inner": direction}) / cylinder_exact(gap) - 1))
+            yield Row(GAPS, f"cylinder in a container, {n}², gap {gap:g}, {len(normal)} poses: normal; along", f"≤ {target} %",
+                      f"{min(normal):+.2f} … {max(normal):+.2f}; {min(along):+.2f} … {max(along):+.2f} %", max(map(abs, normal + along)) <= target)
+    worst = 0
+    for turn in (0, 25, 45):
+        for h in (1.0, 0.3, 1e-3):
+            for shift in shifts[:2]:
+                bodies = [dict(name="container", shape="ball", radius=1.6, position=[2.03, 1.97], inside_out=True, mass=4.0, inertia=2.0, force=[1.0, 0.5])]
+                bodies += [{**body, "density": 1.0, "position": [x + 0.1 * (body["name"] == "upper") for x in body["position"]]} for body in rectangles(64, h * 4 / 64, shift, turn)["body"]]
+                result = harness.added_mass(dict(domain=domain((4.0, 4.0), (64, 64)), solver=dict(tolerance=1e-13), gap=dict(model="parts"), body=bodies), accelerations=True)
+                whole = [f / (4 + math.pi * 1.6 ** 2) for f in (1.0, 0.5)]
+                worst = max(worst, max(abs(x - y) for a in result["accelerations"].values() for x, y in zip(a, whole + [0.0])) / whole[0])
+    yield Row(GAPS, "free container full of fluid with two neutral rectangles, gaps of 1 to 1e-3 cells, pushed: accelerations, against force over all mass", "1e-10", f"{worst:.1e}", worst < 1e-10)
+
+
 def uniform_motion(quick):
     """With all bodies in uniform motion the fluid in a closed box of moving walls would follow; of M the columns of one body and their reaction balance."""
     scene = rectangles(64, 0.05, (0.31, 0.17), 20)
@@ -706,5 +753,5 @@ def random_scenes_closed(quick):
                   f"{found['closure']}; {found['open']}", float(found["closure"]) <= 1e-10 and int(found["open"]) == 0)
 
 
-ALL = [random_scenes_closed, energy_derivative, round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
+ALL = [random_scenes_closed, energy_derivative, round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, gaps_in_the_plane, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
        over_shifts, ellipsoids, boxes_as_meshes]
