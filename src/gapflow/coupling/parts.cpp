@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gapflow {
 namespace {
@@ -77,8 +78,8 @@ struct PartLink {
 
 /// An entry of a link between several rows: a node's, or a cell's.
 struct MouthEntry {
-    int link; ///< number on its rank
-    int node; ///< -1: a cell's
+    bool first; ///< of its link
+    int node;   ///< -1: a cell's
     long cell;
     double conductance, weight;
 };
@@ -86,11 +87,9 @@ struct MouthEntry {
 /// Of all ranks.
 void add_mouths(const Communicator& comm, const std::vector<MouthEntry>& own, std::vector<Link>& links)
 {
-    int last = -1;
     for (const MouthEntry& entry : comm.size() == 1 ? own : all_values(comm, own)) {
-        if (entry.link != last)
+        if (entry.first)
             links.push_back({entry.conductance, {}, {}});
-        last = entry.link;
         if (entry.node >= 0)
             links.back().nodes.emplace_back(entry.node, entry.weight);
         else
@@ -243,15 +242,16 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     system.film.setFromTriplets(film.begin(), film.end());
     add_links(grid.comm(), links, system.links);
     std::vector<MouthEntry> mouths;
-    for (std::size_t k = 0; k < inertia.mouths.size(); ++k)
-        for (const auto& [row, weight] : inertia.mouths[k].rows) {
-            if (!grid.owns(grid.wrapped(complex.index.index(complex.cell_of(inertia.mouths[k].first)))))
-                break;
+    for (const RowsLink<D>& link : inertia.mouths) {
+        if (!grid.owns(grid.wrapped(complex.index.index(complex.cell_of(link.first)))))
+            continue;
+        bool first = true;
+        for (const auto& [row, weight] : link.rows) {
             const int i = node_of(row);
-            mouths.push_back({static_cast<int>(k), i,
-                              i < 0 ? grid.key(grid.wrapped(complex.index.index(complex.cell_of(row)))) : 0,
-                              unit * inertia.mouths[k].conductance, weight});
+            const long cell = i < 0 ? grid.key(grid.wrapped(complex.index.index(complex.cell_of(row)))) : 0;
+            mouths.push_back({std::exchange(first, false), i, cell, unit * link.conductance, weight});
         }
+    }
     add_mouths(grid.comm(), mouths, system.links);
 
     const double area = std::pow(grid.dx(), D - 1);

@@ -138,6 +138,41 @@ TEST(PartsRanks, LightBodiesCloseToEachOther)
                               std::string(radius) + "\nposition = [0.497, " + y + "]\n"));
 }
 
+TEST(PartsRanks, MouthsAtSidesOfRanks)
+{
+    // Gaps whose ends lie beside x = 1/2 and y = 1/2, where ranks meet, and across a periodic side.
+    const std::string bodies = R"(
+[[body]]
+name = "upper"
+shape = "box"
+size = [0.4, 0.2]
+position = [0.359, 0.61]
+density = 2
+[[body]]
+name = "lower"
+shape = "box"
+size = [0.42, 0.2]
+position = [0.375, 0.4]
+density = 0.5
+[[body]]
+name = "post"
+shape = "box"
+size = [0.2, 0.3]
+position = [0.963, 0.33]
+rotation = 0.3
+density = 1
+[[body]]
+name = "plank"
+shape = "box"
+size = [0.3, 0.05]
+position = [0.99, 0.515]
+rotation = 0.3
+density = 2
+)";
+    expect_one_result(scene_of(plane_domain, bodies));
+    expect_one_result(scene_of(plane_domain + sides(2, "periodic"), bodies));
+}
+
 TEST(PartsRanks, Films)
 {
     expect_one_result(R"(
