@@ -238,6 +238,10 @@ private:
                                                         [](const auto& m, std::int32_t p) { return m.first < p; });
                     moved != moved_.end() && moved->first == at.number())
                     site.moved[side] = site.way.dot(moved->second) / site.way.squaredNorm();
+        // Parts one above the other at a mouth that runs through both may change their order: a quarter of the way stays.
+        if (const double closer = site.moved[0] - site.moved[1]; closer > 0.75)
+            for (double& moved : site.moved)
+                moved *= 0.75 / closer;
         if (site.along_face())
             return;
         if constexpr (D == 3)
