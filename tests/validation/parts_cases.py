@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 import harness
-from added_mass_cases import apply, cylinder_exact, domain, energy, in_container, interpolate, opening, quaternion, rectangles, rotate, rotation_matrix, table
+from added_mass_cases import apply, cylinder_exact, domain, energy, in_container, interpolate, opening, quaternion, rectangles, rotate, rotation_matrix, table, times
 from harness import Row
 
 SINGLE = "Parts: one body, over its places on the grid"
@@ -18,6 +18,7 @@ SHEET = "Parts: sheets, thin discs and square plates"
 SLIT = "Parts: slits and holes in thin walls"
 NEAR = "Parts: ball over a wall, two balls"
 GAPS = "Parts: gaps in 2D"
+CURVED = "Parts: gaps of curved walls in space"
 SUMS = "Parts: uniform motion and sums"
 LIGHT = "Parts: light bodies"
 CROWD = "Parts: crowd of 48 balls"
@@ -448,6 +449,192 @@ def gaps_in_the_plane(quick):
     yield Row(GAPS, "free container full of fluid with two neutral rectangles, gaps of 1 to 1e-3 cells, pushed: accelerations, against force over all mass", "1e-10", f"{worst:.1e}", worst < 1e-10)
 
 
+GAP_TARGETS = ((4, 2.5), (8, 1.2)) # cells a radius, %
+GAPS_OVER_R = (0.25, 0.05, 1e-2, 1e-3, 2.5e-5) # over the radius: 1 to 1e-4 cells at four cells a radius
+
+
+def gap_row(cells, target, case, errors, names=("opening", "along", "across")):
+    """`errors`: for each run those of the directions, in %."""
+    text = "; ".join(f"{name} {min(e):+.2f} … {max(e):+.2f}" for name, e in zip(names, zip(*errors)))
+    return Row(CURVED, f"{cells} cells a radius: {case}", f"≤ {target} %", f"{text} %", max(abs(x) for e in errors for x in e) <= target)
+
+
+def compare(values, reference):
+    return [100 * (a / b - 1) for a, b in zip(values, reference)]
+
+
+def single_over_floor(body, height, cells, shift, size):
+    """Added mass of one body over the floor of a box, its lowest point at `height` less its own reach."""
+    domain_ = domain(size, [round(cells * s) for s in size])
+    return parts(dict(domain=domain_, body=[dict(body, name="b", density=2.0, position=[size[0] / 2 + shift[0] / cells, size[1] / 2 + shift[1] / cells, height])]))
+
+
+def capsules_over_a_wall(quick):
+    """A capsule of six radii over the floor, along it in two directions on the grid and tilted; against 12 cells a radius at the same pose."""
+    if quick:
+        return
+    size, half = (8.0, 8.0, 4.0), 2.0
+
+    def masses(cells, gap, spin, tilt, shift):
+        body = dict(shape="capsule", radius=1.0, length=2 * half, rotation=times(quaternion((0, 0, 1), spin), quaternion((0, 1, 0), tilt)))
+        result = single_over_floor(body, half * math.sin(math.radians(tilt)) + 1 + gap, cells, shift, size)
+        turn = rotation_matrix((0, 0, 1), spin)
+        return [energy(result, {"b": v}) for v in ((0, 0, 1), apply(turn, [1, 0, 0]), apply(turn, [0, 1, 0]))]
+
+    for tilt in (0.0, 1.0, 5.0, 20.0):
+        references = {(gap, spin): masses(12, gap, spin, tilt, (0.31, 0.17)) for gap in GAPS_OVER_R for spin in (0.0, 25.0)}
+        for cells, target in GAP_TARGETS:
+            errors = [compare(masses(cells, gap, spin, tilt, shift), of) for (gap, spin), of in references.items() for shift in ((0.0, 0.0), (0.31, 0.17), (0.1, 0.44))[:3 if cells == 4 else 2]]
+            yield gap_row(cells, target, f"capsule of six radii over the floor, tilted by {tilt:g} degrees, at 0 and 25 degrees on the grid, gaps of 0.25 to 2.5e-5 R, against 12 cells", errors)
+
+
+def pairs_of_capsules(quick):
+    """Two capsules of six radii, parallel and crossed, in four directions on the grid: opening and sliding; against 12 cells a radius at the same pose."""
+    if quick:
+        return
+    side = 8.0
+
+    def masses(cells, gap, pose, angle, shift):
+        turn, q, n = (rotation_matrix(*pose), quaternion(*pose), round(cells * side)) if pose else (rotation_matrix((1, 0, 0), 0), [1.0, 0.0, 0.0, 0.0], round(cells * side))
+        bodies = []
+        for name, sign, own in (("upper", 1, 0.0), ("lower", -1, angle)):
+            place = apply(turn, [0, 0, sign * (1 + gap / 2)])
+            bodies.append(dict(name=name, shape="capsule", radius=1.0, length=4.0, density=2.0, rotation=times(q, quaternion((0, 0, 1), own)),
+                               position=[side / 2 + x + s / cells for x, s in zip(place, shift)]))
+        result = parts(dict(domain=domain((side,) * 3, (n,) * 3), body=bodies))
+        return [opening(result, apply(turn, v)) for v in ([0, 0, 1], [1, 0, 0], [0, 1, 0])]
+
+    poses, gaps = (None, ((1, 0, 0), 30.0), ((1, 2, -1), 40.0), ((3, 1, 2), 75.0)), (0.25, 1e-2, 1e-3, 2.5e-5)
+    for angle, name in ((0.0, "parallel"), (5.0, "crossed at 5 degrees"), (90.0, "crossed at 90 degrees")):
+        references = {(gap, pose): masses(12, gap, pose, angle, (0.31, 0.17, 0.23)) for gap in gaps for pose in poses}
+        for cells, target in GAP_TARGETS:
+            errors = [compare(masses(cells, gap, pose, angle, shift), of) for (gap, pose), of in references.items()
+                      for shift in ((0.0, 0.0, 0.0), (0.31, 0.17, 0.23), (-0.4, 0.1, 0.3))[:3 if cells == 4 else 1]]
+            yield gap_row(cells, target, f"two capsules of six radii, {name}, four poses on the grid, gaps of 0.25 to 2.5e-5 R, against 12 cells", errors)
+
+
+def eccentric(gap, a=1.0, b=2.0):
+    """Added mass over density of a cylinder of radius a in a container of radius b, a length of one (bipolar series)."""
+    e = b - a - gap
+    d = b * b - a * a - e * e
+    c = math.sqrt(d * d - 4 * e * e * a * a) / (2 * e)
+    inner, outer = math.asinh(c / a), math.asinh(c / b)
+    return 4 * math.pi * c * c * sum(n * math.exp(-2 * n * inner) / math.tanh(n * (inner - outer)) for n in range(1, int(60 / inner + 10)))
+
+
+def cylinders_in_containers(quick):
+    """A cylinder in a container twice as wide, closed by the domain's sides, or by its own flat ends in any direction: the flow is plane."""
+    if quick:
+        return
+
+    def masses(cells, gap, pose, degrees, shift):
+        turn, q = (rotation_matrix(*pose), quaternion(*pose)) if pose else (rotation_matrix((1, 0, 0), 0), [1.0, 0.0, 0.0, 0.0])
+        length, n = (2.0, 6 * cells) if pose else (1.0, round(4.5 * cells))
+        size = [n / cells] * 3 if pose else [n / cells, n / cells, length]
+        along = [math.cos(math.radians(degrees)), math.sin(math.radians(degrees)), 0.0]
+        normal, across = apply(turn, along), apply(turn, [-along[1], along[0], 0.0])
+        centre = [s / 2 + (t / cells if pose or axis < 2 else 0.0) for axis, (s, t) in enumerate(zip(size, shift))]
+        rotation = times(q, quaternion((0, 1, 0), 90.0))
+        result = parts(dict(domain=domain(size, [round(s * cells) for s in size]), body=[
+            dict(name="container", shape="cylinder", inside_out=True, radius=2.0, length=length if pose else 3.0, position=centre, rotation=rotation, motion="fixed"),
+            dict(name="b", shape="cylinder", radius=1.0, length=3.0, position=[x + (1 - gap) * d for x, d in zip(centre, normal)], rotation=rotation, mass=1.0, inertia=[1.0, 1.0, 1.0])]))
+        return [energy(result, {"b": v}) / length / eccentric(gap) for v in (normal, across)]
+
+    shifts = ((0.0, 0.0, 0.0), (0.31, 0.17, 0.23), (0.13, 0.47, -0.2))
+    for cells, target in GAP_TARGETS:
+        for gaps, allowed in (((0.25, 0.05, 1e-2, 1e-3), target), ((1e-4,), 4.0 if cells == 4 else target)):
+            text = "gaps of 0.25 to 1e-3 R" if len(gaps) > 1 else "a gap of 1e-4 R"
+            errors = [compare(masses(cells, gap, None, degrees, shift), (1, 1)) for gap in gaps for degrees in (0.0, 15.0, 30.0, 45.0) for shift in shifts]
+            yield gap_row(cells, allowed, f"cylinder in a container twice as wide, along the grid, at 0, 15, 30, 45 degrees, {text}, against the exact series", errors)
+            errors = [compare(masses(cells, gap, pose, degrees, shift), (1, 1)) for gap in gaps for pose in (((1, 0, 0), 30.0), ((1, 2, -1), 40.0), ((3, 1, 2), 75.0)) for degrees in (17.0, 115.0)
+                      for shift in shifts[:2]]
+            yield gap_row(cells, allowed, f"the same with flat ends, in three directions on the grid, {text}", errors)
+
+
+def meshes_over_a_wall(quick):
+    """Bodies of facets over the floor, against the exact shape or the finest mesh; ellipsoids against 12 cells."""
+    if quick:
+        return
+    side = (6.0, 6.0, 6.0)
+    poses = [([1.0, 0.0, 0.0, 0.0], rotation_matrix((1, 0, 0), 0)), (quaternion((1, 2, -1), 40.0), rotation_matrix((1, 2, -1), 40.0)), (quaternion((3, 1, 2), 75.0), rotation_matrix((3, 1, 2), 75.0))]
+
+    def lying(vertices, turn):
+        return -min(apply(turn, v)[2] for v in vertices)
+
+    def masses(body, height, cells, shift=(0.31, 0.17)):
+        result = single_over_floor(body, height, cells, shift, side)
+        return [energy(result, {"b": v}) for v in ((0, 0, 1), (1, 0, 0), (0, 1, 0))]
+
+    with tempfile.TemporaryDirectory() as folder:
+        def as_mesh(name, vertices, facets):
+            return dict(shape="mesh", file=write_mesh(folder, name, vertices, facets))
+
+        for cells in (4, 8):
+            balls = {gap: masses(dict(shape="ball", radius=1.0), 1 + gap, cells) for gap in (0.1, 1e-2, 1e-4)}
+            last = math.inf
+            for levels in (3, 4, 5, 6):
+                vertices, facets = sphere_mesh(levels)
+                scale = (4 / 3 * math.pi / mesh_volume(vertices, facets)) ** (1 / 3)
+                vertices = [tuple(scale * x for x in v) for v in vertices]
+                body = as_mesh(f"ball{levels}", vertices, facets)
+                errors = [compare(masses(dict(body, rotation=q), lying(vertices, turn) + gap, cells), of) for gap, of in balls.items() for q, turn in poses]
+                worst = max(abs(x) for e in errors for x in e)
+                row = gap_row(cells, 3.0 if levels == 3 else 1.0, f"ball of {len(facets)} facets in three poses over the floor, gaps of 0.1, 0.01, 1e-4 R, against the ball (falling)", errors)
+                row.ok = row.ok and worst < last
+                last = worst
+                yield row
+        # A prism lies along the floor on one of its sides' edges, a cone on a line of its side.
+        lie = {"prism": (times(quaternion((0, 0, 1), 25.0), quaternion((1, 0, 0), 90.0)), 2.0), "cone": (times(quaternion((0, 0, 1), 25.0), quaternion((1, 0, 0), 90.0 - math.degrees(math.atan(0.5)))), 2.0)}
+        for kind, (q, height) in lie.items():
+            turn = rotation_of(q)
+            for cells in (4, 8):
+                found = {}
+                for sides in (64, 256, 1024):
+                    section = regular(sides, 1.0)
+                    if kind == "prism":
+                        vertices, facets = prism(section, height)
+                    else:
+                        vertices = [(x, y, -height / 2) for x, y in section] + [(0.0, 0.0, height / 2)]
+                        facets = [(0, k + 1, k) for k in range(1, sides - 1)] + [(k, (k + 1) % sides, sides) for k in range(sides)]
+                    body = as_mesh(f"{kind}{sides}", vertices, facets)
+                    found[sides] = [masses(dict(body, rotation=q), lying(vertices, turn) + gap, cells) for gap in (1.0, 0.1, 1e-2, 1e-4)]
+                for sides, target in ((64, 3.5), (256, 1.0)): # of the fewer an edge is nearest to the floor
+                    far, *errors = [compare(a, b) for a, b in zip(found[sides], found[1024])]
+                    yield gap_row(cells, target, f"{kind} of {sides} sides along the floor, gaps of 0.1, 0.01, 1e-4 R, against 1024 sides, less the difference at a gap of R",
+                                  [[x - y for x, y in zip(e, far)] for e in errors])
+        vertices, facets = sphere_mesh(5)
+        vertices = [(1.5 * x, y, 0.6 * z) for x, y, z in vertices]
+        body = as_mesh("ellipsoid", vertices, facets)
+        references = {(gap, k): masses(dict(body, rotation=q), lying(vertices, turn) + gap, 12) for gap in GAPS_OVER_R for k, (q, turn) in enumerate(poses)}
+        for cells, target in GAP_TARGETS:
+            errors = [compare(masses(dict(body, rotation=poses[k][0]), lying(vertices, poses[k][1]) + gap, cells, shift), of) for (gap, k), of in references.items() for shift in ((0.0, 0.0), (0.31, 0.17))]
+            yield gap_row(cells, target, f"ellipsoid 1.5:1:0.6 of {len(facets)} facets in three poses over the floor, gaps of 0.25 to 2.5e-5 R, against 12 cells", errors)
+
+
+def gaps_over_shifts(quick):
+    """Largest change of the added mass from one of 200 shifts to the next, of bodies near a wall or each other that move over the grid together, a cell in all."""
+    if quick:
+        return
+    capsule = dict(shape="capsule", radius=3.0, length=8.0, rotation=times(quaternion((0, 0, 1), 25.0), quaternion((0, 1, 0), 2.0)))
+    for gap in (0.3, 0.03, 1e-3):
+        cases = (
+            ("ball of 4 cells a radius over a wall", (24, 24, 16), lambda s: [dict(name="b", shape="ball", radius=4.0, position=[12 + s[0], 12 + s[1], 4 + gap])]),
+            ("capsule of 3 cells a radius over a wall, tilted by 2 degrees", (28, 24, 14),
+             lambda s: [dict(capsule, name="b", position=[14 + s[0], 12 + s[1], 3 + gap + 4 * math.sin(math.radians(2.0))])]),
+            ("two cylinders of 4 cells a radius, at 20 degrees", (40, 40), lambda s: [
+                dict(name=name, shape="ball", radius=4.0, position=[20 + x + sign * (4 + gap / 2) * d for x, d in zip(s, rotate((1.0, 0.0), 20.0))]) for name, sign in (("upper", 1), ("lower", -1))]))
+        for name, cells, bodies in cases:
+            last, largest = None, 0.0
+            for k in range(201):
+                shift = [k / 200, k / 400]
+                result = parts(dict(domain=domain(cells, cells), body=[dict(body, density=2.0) for body in bodies(shift)]))
+                m = [opening(result, rotate((1.0, 0.0), 20.0)), opening(result, rotate((0.0, 1.0), 20.0))] if len(result["bodies"]) == 2 else [result["matrix"][i][i] for i in range(3)]
+                if last:
+                    largest = max(largest, max(abs(x / y - 1) for x, y in zip(m, last)))
+                last = m
+            yield Row(SHIFTS, f"{name}, gap of {gap:g} cells", "largest change ≤ 1 %", f"{100 * largest:.3f} %", largest <= 0.01)
+
+
 def uniform_motion(quick):
     """With all bodies in uniform motion the fluid in a closed box of moving walls would follow; of M the columns of one body and their reaction balance."""
     scene = rectangles(64, 0.05, (0.31, 0.17), 20)
@@ -634,6 +821,16 @@ def sphere_mesh(levels):
     return vertices, facets
 
 
+def mesh_volume(vertices, facets):
+    return sum(sum(vertices[a][i] * (vertices[b][(i + 1) % 3] * vertices[c][(i + 2) % 3] - vertices[b][(i + 2) % 3] * vertices[c][(i + 1) % 3]) for i in range(3)) for a, b, c in facets) / 6
+
+
+def rotation_of(q):
+    w, x, y, z = q
+    return [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)], [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+
+
 def lamb(a, b):
     """Added mass over displaced mass of a spheroid of semi-axes a, b, b along its axis and across it (Lamb, art. 114)."""
     def coefficient(square):    # a b b int_0^inf ds / ((square + s) sqrt((a² + s) (b² + s)²)), s = x/(1 - x) squared
@@ -652,9 +849,7 @@ def ellipsoids(quick):
     if quick:
         return
     vertices, facets = sphere_mesh(6)
-    volume = sum(sum(vertices[a][i] * (vertices[b][(i + 1) % 3] * vertices[c][(i + 2) % 3] - vertices[b][(i + 2) % 3] * vertices[c][(i + 1) % 3]) for i in range(3))
-                 for a, b, c in facets) / 6
-    scale = (4 / 3 * math.pi / volume) ** (1 / 3)
+    scale = (4 / 3 * math.pi / mesh_volume(vertices, facets)) ** (1 / 3)
     all_sides = {f"{axis}_{end}": "far" for axis in "xyz" for end in ("low", "high")}
     with tempfile.TemporaryDirectory() as folder:
         for ratio in (2, 5):
@@ -753,5 +948,5 @@ def random_scenes_closed(quick):
                   f"{found['closure']}; {found['open']}", float(found["closure"]) <= 1e-10 and int(found["open"]) == 0)
 
 
-ALL = [random_scenes_closed, energy_derivative, round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, gaps_in_the_plane, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
+ALL = [random_scenes_closed, energy_derivative, round_bodies, boxes, thin_plates, walls_of_any_thickness, sealed_by_sheets, sheets, bent_plate_in_space, plates_in_space, slits, holes, ball_over_wall, gaps_in_the_plane, capsules_over_a_wall, pairs_of_capsules, cylinders_in_containers, meshes_over_a_wall, gaps_over_shifts, crowd, uniform_motion, uniform_acceleration, light_bodies, random_masses,
        over_shifts, ellipsoids, boxes_as_meshes]

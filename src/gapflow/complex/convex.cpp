@@ -186,11 +186,12 @@ Section RoundKind<D>::section(int d, double at) const
         };
         const bool parallel = std::abs(q) < 1e-9; // the side's curves are straight to round-off
         const Curve side = parallel ? line_of(2) : ellipse_at(h / q * p, radius / std::abs(q), 2);
-        const auto end_curve = [&](int end) { // where the plane cuts the end
+        const auto end_curve = [&](int end,
+                                   double corner2) { // where the plane cuts the end; no smaller than its corners are apart
             if (flat)
                 return line_of(end > 0);
             const double off = h - end * half * q;
-            Curve c = circle(point(0, end * half * p), std::sqrt(std::max(radius * radius - off * off, 0.0)), end > 0);
+            Curve c = circle(point(0, end * half * p), std::sqrt(std::max(radius * radius - off * off, corner2)), end > 0);
             c.e1 = e1;
             return c;
         };
@@ -201,21 +202,23 @@ Section RoundKind<D>::section(int d, double at) const
             y2[k] = p > 0 ? rise / p : std::copysign(std::numeric_limits<double>::infinity(), rise);
             w2[k] = p > 0 ? radius * radius + half * half - h * h - y2[k] * y2[k] : -1;
         }
+        if (parallel) // a plane that touches the side to round-off touches all of it
+            w2[0] = w2[1] = std::max(w2[0], w2[1]);
         const bool low = w2[0] > 0, high = w2[1] > 0;
         const double w0 = std::sqrt(std::max(w2[0], 0.0)), w1 = std::sqrt(std::max(w2[1], 0.0));
         if (low && high) {
             section.add(side, point(-w0, y2[0]));
-            section.add(end_curve(1), point(-w1, y2[1]));
+            section.add(end_curve(1, w2[1]), point(-w1, y2[1]));
             section.add(side, point(w1, y2[1]));
-            section.add(end_curve(-1), point(w0, y2[0]));
+            section.add(end_curve(-1, w2[0]), point(w0, y2[0]));
             section.inside = point(0, 0.5 * (y2[0] + y2[1]));
         } else if (high) {
-            section.add(end_curve(1), point(-w1, y2[1]));
+            section.add(end_curve(1, w2[1]), point(-w1, y2[1]));
             section.add(side, point(w1, y2[1]));
             section.inside = point(0, y2[1]);
         } else if (low) {
             section.add(side, point(-w0, y2[0]));
-            section.add(end_curve(-1), point(w0, y2[0]));
+            section.add(end_curve(-1, w2[0]), point(w0, y2[0]));
             section.inside = point(0, y2[0]);
         } else if (!parallel && std::abs(h) <= half * std::abs(q)) {
             section.add(side, side.centre);
@@ -225,7 +228,7 @@ Section RoundKind<D>::section(int d, double at) const
                 const double off = h - end * half * q, r2 = radius * radius - off * off;
                 if (!(r2 > 0) || (end > 0 ? end * half * p < y2[1] : end * half * p > y2[0]))
                     continue;
-                section.add(end_curve(end), point(0, end * half * p));
+                section.add(end_curve(end, 0.0), point(0, end * half * p));
                 section.inside = section.curve[0].centre;
                 break;
             }

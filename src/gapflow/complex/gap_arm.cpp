@@ -2,6 +2,7 @@
 #include "gapflow/complex/mouth_arm.hpp"
 
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/core/threads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,35 +23,39 @@ Mat<2> positive_part(const Mat<2>& A)
 
 } // namespace
 
-ClosingFlow<2> closing_flow(const GapWalls<2>&, const Vec<2>&, const Vec<2>& n, double)
+GapShape<2> shape_of_gap(const GapWalls<2>&, const Vec<2>&, const Vec<2>& n, const GapSection<2>&)
 {
-    return {Mat<2>::Identity() - n * n.transpose()};
+    return {Mat<2>::Zero(), Mat<2>::Identity() - n * n.transpose()};
 }
-ClosingFlow<3> closing_flow(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n, double thickness)
+GapShape<3> shape_of_gap(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n, const GapSection<3>& here)
 {
     const Vec<3> u = n.unitOrthogonal(), v = n.cross(u);
-    double t[3][3];
-    const double h = 0.5;
-    for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j) {
-            const std::optional<GapSection<3>> section = walls.across(x + h * (i * u + j * v), n);
-            if (!section)
-                return {0.5 * (Mat<3>::Identity() - n * n.transpose())};
-            t[i + 1][j + 1] = section->thickness;
-        }
+    const double h = 0.5, t = here.thickness;
+    // Second derivative along d; where a wall ends on one side of x from the slope there.
+    const auto second = [&](const Vec<3>& d) {
+        double sum = 0;
+        int found = 0;
+        for (const double s : {-h, h})
+            if (const std::optional<GapSection<3>> section = walls.across(x + s * d, n)) {
+                sum += section->thickness - t + s * here.slope.dot(d);
+                ++found;
+            }
+        return found ? 2 * sum / (found * h * h) : 0.0;
+    };
+    const double r = std::sqrt(0.5);
     Mat<2> hess;
-    hess(0, 0) = (t[2][1] - 2 * t[1][1] + t[0][1]) / (h * h);
-    hess(1, 1) = (t[1][2] - 2 * t[1][1] + t[1][0]) / (h * h);
-    hess(0, 1) = hess(1, 0) = (t[2][2] - t[2][0] - t[0][2] + t[0][0]) / (4 * h * h);
-    const Vec<2> gradient((t[2][1] - t[0][1]) / (2 * h), (t[1][2] - t[1][0]) / (2 * h));
+    hess(0, 0) = second(u);
+    hess(1, 1) = second(v);
+    hess(0, 1) = hess(1, 0) = 0.5 * (second(r * (u + v)) - second(r * (u - v)));
+    const Vec<2> gradient(here.slope.dot(u), here.slope.dot(v));
     const double e = parameters.faint_curvature;
-    Mat<2> shares = positive_part(hess);
-    const double curvature = shares.trace();
-    shares += e / thickness * gradient * gradient.transpose() + e * e * thickness * Mat<2>::Identity();
+    const Mat<2> curvature = positive_part(hess);
+    Mat<2> shares = curvature;
+    shares += e / t * gradient * gradient.transpose() + e * e * t * Mat<2>::Identity();
     shares /= shares.trace();
     Eigen::Matrix<double, 3, 2> plane;
     plane << u, v;
-    return {plane * shares * plane.transpose(), curvature};
+    return {plane * curvature * plane.transpose(), plane * shares * plane.transpose()};
 }
 
 namespace {
@@ -60,8 +65,7 @@ template <int D>
 struct GapLine {
     Vec<D> place;
     double width;
-    GapSection<D> section;
-    PairTwist<D> flux; ///< of the closing, through a width of one
+    double thickness;
 };
 
 template <int D>
@@ -95,25 +99,27 @@ public:
         find_beside();
     }
 
-    std::optional<GapSite<D>> site_at(std::size_t number)
+    std::optional<GapSite<D>> site_at(std::size_t number) const
     {
         const FacePiece<D>& piece = complex_.pieces[number];
         if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
             return {};
-        find_walls(piece);
-        if (near_.size() < 2)
+        const std::vector<std::int32_t> near = walls_beside(piece);
+        if (near.size() < 2)
             return {};
-        const auto [a, b] = facing(piece.centroid);
-        if (b < 0)
+        const std::optional<FacingWalls> facing = find_facing(piece.centroid, near);
+        if (!facing)
             return {};
+        const auto [a, b] = facing->image;
         const GapWalls<D> walls{{images_[a].shape, images_[b].shape}, {reference_[a], reference_[b]}, &planes_};
-        const Vec<D> n = (normal_[0] - normal_[1]).normalized();
+        const Vec<D> n = (facing->normal[0] - facing->normal[1]).normalized();
         const std::optional<GapSection<D>> here = walls.across(piece.centroid, n);
         if (!here || here->thickness > parameters.gap_end)
             return {};
         GapSite<D> site{static_cast<std::int32_t>(number),
                         {images_[a].solid, images_[b].solid},
                         {is_side(images_[a].solid), is_side(images_[b].solid)},
+                        {centred_ball(a), centred_ball(b)},
                         walls,
                         n,
                         *here};
@@ -121,32 +127,37 @@ public:
         return site;
     }
 
-    std::optional<GapArm<D>> arm_at(std::size_t number)
+    std::optional<GapArm<D>> arm_at(std::size_t number) const
     {
         const std::optional<GapSite<D>> site = site_at(number);
         if (!site)
             return {};
         GapArm<D> arm{static_cast<std::int32_t>(number), site->solid, 0, 0, {}, {}, {}};
         integrate(complex_.pieces[number], *site, arm);
-        for (int side = 0; side < 2; ++side)
-            if (site->still[side]) {
-                constexpr int T = twist_size<D>;
-                for (PairTwist<D>* row : {&arm.flux, &arm.motion})
-                    row->template segment<T>(side * T).setZero();
-                arm.mass.template middleRows<T>(side * T).setZero();
-                arm.mass.template middleCols<T>(side * T).setZero();
-            }
+        for (int side = 0; side < 2; ++side) // round-off of what moves no wall
+            if (site->still[side])
+                still(arm, side * twist_size<D>, twist_size<D>);
+            else if (site->round[side])
+                still(arm, side * twist_size<D> + D, spin_size<D>);
         return arm;
     }
 
 private:
-    bool is_side(std::int32_t solid) const { return std::find(sides_.begin(), sides_.end(), solid) != sides_.end(); }
-
-    void add_near(std::int32_t solid)
+    /// No energy of some components of the twists.
+    static void still(GapArm<D>& arm, int first, int count)
     {
-        if (std::find(near_.begin(), near_.end(), solid) == near_.end())
-            near_.push_back(solid);
+        for (PairTwist<D>* row : {&arm.flux, &arm.motion})
+            row->segment(first, count).setZero();
+        arm.mass.middleRows(first, count).setZero();
+        arm.mass.middleCols(first, count).setZero();
     }
+    /// A ball that turns about its centre moves nothing.
+    bool centred_ball(int image) const
+    {
+        return images_[image].shape.shape().sphere_radius() &&
+               (planes_.in_cells(images_[image].shape.to_world(Vec<D>::Zero())) - reference_[image]).norm() < place_unit;
+    }
+    bool is_side(std::int32_t solid) const { return std::find(sides_.begin(), sides_.end(), solid) != sides_.end(); }
 
     /// Solids at the parts next to each part that it does not touch itself.
     void find_beside()
@@ -180,40 +191,52 @@ private:
     }
 
     /// Solids beside a piece: of its parts' walls, and closed sides of the domain.
-    void find_walls(const FacePiece<D>& piece)
+    std::vector<std::int32_t> walls_beside(const FacePiece<D>& piece) const
     {
-        near_ = sides_;
+        std::vector<std::int32_t> near = sides_;
+        const auto add = [&](std::int32_t solid) {
+            if (std::find(near.begin(), near.end(), solid) == near.end())
+                near.push_back(solid);
+        };
         for (const PartOrCell& side : {piece.low, piece.high})
             if (side.is_part())
                 for (const WallPatch<D>& patch : complex_.patches_of(side.number()))
-                    add_near(patch.solid);
+                    add(patch.solid);
         for (const PartOrCell& side : {piece.low, piece.high}) // walls across a plane of the grid that runs along the gap
             if (side.is_part())
                 for (auto at = std::lower_bound(beside_.begin(), beside_.end(), std::pair(side.number(), 0));
                      at != beside_.end() && at->first == side.number(); ++at)
-                    add_near(at->second);
+                    add(at->second);
+        return near;
     }
 
-    /// The image nearest to x, and the nearest one of those that face it; -1: none.
-    std::pair<int, int> facing(const Vec<D>& x)
+    struct FacingWalls {
+        std::array<int, 2> image;
+        std::array<Vec<D>, 2> normal;
+    };
+    /// The image nearest to x, and the nearest one of those that face it.
+    std::optional<FacingWalls> find_facing(const Vec<D>& x, const std::vector<std::int32_t>& near) const
     {
-        std::pair<int, int> found{-1, -1};
+        FacingWalls found{{-1, -1}, {}};
         for (int side = 0; side < 2; ++side) {
             double least = parameters.gap_end * planes_.dx;
-            for (const std::int32_t s : near_)
+            for (const std::int32_t s : near)
                 for (int k = first_[s]; k < first_[s + 1]; ++k) {
                     const int i = image_of_[k];
-                    if (side == 1 && i == found.first)
+                    const Vec<D> world = planes_.in_world(x);
+                    const Bounds<D>& bounds = images_[i].bounds;
+                    const double outside = (bounds.low - world).cwiseMax(world - bounds.high).maxCoeff(); // or less far
+                    if ((side == 1 && i == found.image[0]) || (outside > least && !images_[i].shape.shape().inside_out()))
                         continue;
-                    const SurfacePoint<D> at = images_[i].shape.closest(planes_.in_world(x));
-                    if (!(at.distance < least) || (side == 1 && at.normal.dot(normal_[0]) > -parameters.least_facing))
+                    const SurfacePoint<D> at = images_[i].shape.closest(world);
+                    if (!(at.distance < least) || (side == 1 && at.normal.dot(found.normal[0]) > -parameters.least_facing))
                         continue;
                     least = at.distance;
-                    (side == 0 ? found.first : found.second) = i;
-                    normal_[side] = at.normal;
+                    found.image[side] = i;
+                    found.normal[side] = at.normal;
                 }
-            if (found.first < 0)
-                break;
+            if (found.image[side] < 0)
+                return {};
         }
         return found;
     }
@@ -225,7 +248,8 @@ private:
         site.delta = grid_.spread(piece.axis, f[piece.axis]);
         site.e = unit<D>(piece.axis) - site.n[piece.axis] * site.n;
         site.way = site.delta * site.e;
-        Vec<D> nodes = piece.centroid; // their middle
+        Vec<D>& nodes = site.nodes;
+        nodes = piece.centroid;
         for (int t = 0; t < D; ++t)
             if (t != piece.axis)
                 nodes[t] = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx();
@@ -273,24 +297,25 @@ private:
             arm.resistance = delta / A;
             return;
         }
-        const ClosingFlow<D> closing = closing_flow(walls, piece.centroid, n, t0);
-        const double sigma = e.dot(closing.shares * way);
+        const GapShape<D> shape = shape_of_gap(walls, piece.centroid, n, here);
+        const double sigma = e.dot(shape.shares * way), bend = way.dot(shape.curvature * way);
         std::vector<GapLine<D>> lines = lines_of(piece, site);
         double sum = 0; // of the lines' areas
         for (const GapLine<D>& line : lines)
-            sum += line.width * line.section.thickness;
+            sum += line.width * line.thickness;
+        std::vector<std::vector<typename GapWay<D>::Point>> points;
         PairTwist<D> through = PairTwist<D>::Zero(); // the closing's flux at the face
         for (GapLine<D>& line : lines) {
             line.width *= A / sum;
-            line.flux = closing.flux(line.section, n, t0).dot(e) * (here.opening - frame.transpose() * here.slope);
-            through += line.width * line.flux;
+            GapWay<D> along(walls, line.place, way, n, line.thickness, frame);
+            points.push_back(along.points(middle - 0.5 + site.moved[0], middle + 0.5 + site.moved[1], sigma, bend));
+            through += line.width * along.at_face();
         }
-        for (const GapLine<D>& line : lines) {
-            GapWay<D> along(walls, line.place, way, n, line.section.thickness, frame);
-            const PairTwist<D> at_face = line.flux - line.section.thickness / A * through;
-            for (const auto& point : along.points(middle - 0.5 + site.moved[0], middle + 0.5 + site.moved[1], sigma)) {
-                const double w = delta * point.weight * line.width / point.thickness, scale = line.section.thickness / A;
-                const PairTwist<D> flux = at_face + point.flux;
+        for (std::size_t l = 0; l < lines.size(); ++l) {
+            const double scale = lines[l].thickness / A;
+            for (const auto& point : points[l]) {
+                const double w = delta * point.weight * lines[l].width / point.thickness;
+                const PairTwist<D> flux = point.flux - scale * through;
                 arm.resistance += scale * scale * w;
                 arm.flux += scale * w * flux;
                 arm.mass += w * flux * flux.transpose();
@@ -348,11 +373,11 @@ private:
             for (int k = 0; k < 3 && std::abs(to - from) > parameters.least_stretch; ++k) {
                 const Vec<D> place = piece.centroid + (from + GapWay<D>::node[k] * (to - from)) * site.line;
                 if (const auto section = site.walls.across(place, site.n))
-                    lines.push_back({place, GapWay<D>::weight[k] * std::abs(to - from), *section, PairTwist<D>::Zero()});
+                    lines.push_back({place, GapWay<D>::weight[k] * std::abs(to - from), section->thickness});
             }
         }
         if (lines.size() < 3)
-            lines.assign(1, {piece.centroid, 1.0, site.here, PairTwist<D>::Zero()});
+            lines.assign(1, {piece.centroid, 1.0, site.here.thickness});
         return lines;
     }
 
@@ -363,9 +388,8 @@ private:
     std::vector<Image<D>> images_;
     std::vector<Vec<D>> reference_;
     std::vector<int> first_, image_of_; ///< of each solid
-    std::vector<std::int32_t> sides_, near_;
+    std::vector<std::int32_t> sides_;
     std::vector<std::pair<std::int32_t, std::int32_t>> beside_; ///< part, solid
-    std::array<Vec<D>, 2> normal_;
 };
 
 } // namespace
@@ -373,19 +397,18 @@ private:
 template <int D>
 std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
 {
-    GapFinder<D> finder(grid, solids, complex);
-    std::vector<GapArm<D>> arms;
-    for (std::size_t k = 0; k < complex.pieces.size(); ++k)
-        if (auto arm = finder.arm_at(k))
+    const GapFinder<D> finder(grid, solids, complex);
+    return items_of<GapArm<D>>(static_cast<long>(complex.pieces.size()), [&](long k, std::vector<GapArm<D>>& arms) {
+        if (auto arm = finder.arm_at(static_cast<std::size_t>(k)))
             arms.push_back(*arm);
-    return arms;
+    });
 }
 
 template <int D>
 void for_each_gap(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
                   const std::function<void(const GapSite<D>&)>& visit)
 {
-    GapFinder<D> finder(grid, solids, complex);
+    const GapFinder<D> finder(grid, solids, complex);
     for (std::size_t k = 0; k < complex.pieces.size(); ++k)
         if (const auto site = finder.site_at(k))
             visit(*site);

@@ -7,10 +7,13 @@
 //     T = 1/2 (A/t_0) Delta int [q t_0/A + D(s) V]^2 / t(s) ds = 1/2 (R q^2 + 2 q c V + V B V),
 //     D(s) V = - sigma int_0^s dt/dt ds,     sigma = e Sigma nu
 //
+// In 3D on several lines side by side in the piece, and on each D counts from where the gap is thinnest along the way, less what all
+// together carry through the face.
+//
 // q is the flux relative to the mean motion of the walls, t the thickness along the mean normal n, e and nu the face's normal and the way
 // between the nodes without their parts along n. Sigma is the share of the closing that flows in each direction. In a gap whose thickness
-// is quadratic the flux is w grad t / tr Hess t, with the closing speed w: Sigma follows from the Hessian; where t is constant or linear
-// from its gradient, or it is the same in all directions.
+// is quadratic the flux is w grad t / tr Hess t, with the closing speed w, none along the way where the gap is thinnest on it: Sigma
+// follows from the Hessian; where t is constant or linear from its gradient, or it is the same in all directions.
 #pragma once
 
 #include "gapflow/complex/complex.hpp"

@@ -1,11 +1,13 @@
 // Gaps as the faces of the grid cut them: the walls, the thickness between them, and the way along a gap from node to node.
 #pragma once
 
+#include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/gap_arm.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/complex/placed.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -32,7 +34,7 @@ struct GapSection {
     Vec<D> middle;
     std::array<Vec<D>, 2> normal; ///< out of the walls
     PairTwist<D> opening;         ///< rate of the thickness
-    Vec<D> slope;                 ///< rate of the thickness where both walls move with the velocity U: slope . U
+    Vec<D> slope; ///< rate of the thickness where both walls move with the velocity U: slope . U; minus its gradient
 };
 
 /// Two walls that face each other. Places in cells.
@@ -43,7 +45,7 @@ public:
     std::array<Vec<D>, 2> reference;
     const GridPlanes<D>* planes;
 
-    /// Nothing where a wall ends, or where the walls overlap.
+    /// Nothing where a wall ends, or where the walls overlap. They are at least as far apart as places are told from each other.
     std::optional<GapSection<D>> across(Vec<D> x, const Vec<D>& n) const
     {
         GapSection<D> section;
@@ -59,9 +61,9 @@ public:
                 section.opening.template segment<twist_size<D>>(side * twist_size<D>) =
                     speed_along<D>(-at.normal / cosine[side], planes->in_cells(at.x), reference[side]);
             }
-            section.thickness = way[0] + way[1];
-            if (!(section.thickness > 0))
+            if (!(way[0] + way[1] > 0))
                 return {};
+            section.thickness = std::max(way[0] + way[1], place_unit);
             x += 0.5 * (way[1] - way[0]) * n;
             section.slope = -section.normal[0] / cosine[0] - section.normal[1] / cosine[1];
         }
@@ -70,24 +72,15 @@ public:
     }
 };
 
-/// Of the closing of a gap.
+/// In the plane of a gap.
 template <int D>
-struct ClosingFlow {
-    Mat<D> shares;        ///< that flow in each direction of the gap's plane, of trace 1
-    double curvature = 0; ///< trace of the thickness' Hessian
-
-    /// Flux at a place, over the rate at which the thickness t grows: -grad t / tr Hess t. A quadratic thickness that is positive everywhere has
-    /// at least the curvature |grad t|^2 / 2t: that of a wedge, whose flux goes with t. `thickness`: of the gap; without slope there is no flux.
-    Vec<D> flux(const GapSection<D>& at, const Vec<D>& n, double thickness) const
-    {
-        const Vec<D> slope = at.slope - n.dot(at.slope) * n;
-        const double faint = parameters.faint_curvature * thickness;
-        return at.thickness / (std::max(curvature * at.thickness, 0.5 * slope.squaredNorm()) + 2 * faint * faint) * slope;
-    }
+struct GapShape {
+    Mat<D> curvature; ///< the Hessian of the thickness, without its negative part
+    Mat<D> shares;    ///< of the closing that flow in each direction, of trace 1
 };
 
-ClosingFlow<2> closing_flow(const GapWalls<2>& walls, const Vec<2>& x, const Vec<2>& n, double thickness);
-ClosingFlow<3> closing_flow(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n, double thickness);
+GapShape<2> shape_of_gap(const GapWalls<2>& walls, const Vec<2>& x, const Vec<2>& n, const GapSection<2>& here);
+GapShape<3> shape_of_gap(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n, const GapSection<3>& here);
 
 /// Gauss points of 0 .. 1, and the weights of integrals from 0 to each of them.
 struct ThreePoints {
@@ -113,25 +106,34 @@ public:
     {
     }
 
-    /// Quadrature of the stretch from .. to of the way.
-    std::vector<Point> points(double from, double to, double sigma)
+    /// Quadrature of the stretch from .. to of the way. D is 0 where the gap is thinnest along the way: of a quadratic thickness there is no flux
+    /// across the line on which it does not change along the way. `bend`: second derivative of the thickness along the way.
+    std::vector<Point> points(double from, double to, double sigma, double bend)
     {
         std::array<double, 3> ends{from, 0.0, to}; // in any order
         std::sort(ends.begin(), ends.end());
+        const auto [thinnest, beyond] = find_thinnest(ends[0], ends[2], bend);
         breaks_.assign(1, ends[0]);
         for (const double end : ends)
             if (end > breaks_.back())
                 refine(breaks_.back(), thickness_at(breaks_.back()), end, thickness_at(end), halvings);
+        if (const auto after = std::lower_bound(breaks_.begin(), breaks_.end(), thinnest); *after != thinnest)
+            breaks_.insert(after, thinnest);
         std::vector<Point> result;
-        PairTwist<D> here = PairTwist<D>::Zero(), at_face = here;
+        PairTwist<D> here = PairTwist<D>::Zero(), zero = here;
+        const auto pass = [&](double s) {
+            if (s == 0)
+                at_face_ = here;
+            if (s == thinnest)
+                zero = here - sigma * beyond * at(s).first;
+        };
         for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
             const double length = breaks_[k + 1] - breaks_[k];
             std::array<PairTwist<D>, 3> rate;
             std::array<double, 3> t;
             for (int g = 0; g < 3; ++g)
                 std::tie(rate[g], t[g]) = at(breaks_[k] + node[g] * length);
-            if (breaks_[k] == 0)
-                at_face = here;
+            pass(breaks_[k]);
             if (breaks_[k] >= from && breaks_[k] < to)
                 for (int g = 0; g < 3; ++g) {
                     Point point{weight[g] * length, t[g], here};
@@ -142,12 +144,14 @@ public:
             for (int h = 0; h < 3; ++h)
                 here -= sigma * length * weight[h] * rate[h];
         }
-        if (breaks_.back() == 0)
-            at_face = here;
+        pass(breaks_.back());
         for (Point& point : result)
-            point.flux -= at_face;
+            point.flux -= zero;
+        at_face_ -= zero;
         return result;
     }
+    /// D at the face, after points().
+    const PairTwist<D>& at_face() const { return at_face_; }
 
 private:
     static constexpr int halvings = 30; ///< to the digits of a double
@@ -166,11 +170,44 @@ private:
             return {PairTwist<D>::Zero(), thickness_};
         return {found->opening - frame_.transpose() * found->slope, found->thickness};
     }
+    /// The place between low and high, and how far beyond it the gap is thinnest.
+    std::pair<double, double> find_thinnest(double low, double high, double bend) const
+    {
+        if constexpr (D == 2) // one line
+            return {0.0, 0.0};
+        double end[2] = {low, high}, growth[2];
+        for (int k = 0; k < 2; ++k) {
+            auto found = section(end[k]);
+            if (!found) {
+                end[k] = 0; // the face
+                found = section(0);
+            }
+            growth[k] = -found->slope.dot(way_);
+            if (k == 0 ? growth[0] >= 0 : growth[1] <= 0) {
+                const double curvature = std::max(bend, 0.5 * growth[k] * growth[k] / found->thickness);
+                return {end[k], growth[k] != 0 ? -growth[k] / std::max(curvature, std::abs(growth[k])) : 0.0};
+            }
+        }
+        for (int k = 0; k < halvings && end[1] - end[0] > parameters.least_stretch; ++k) {
+            const double share = k % 3 == 2 ? 0.5 : growth[0] / (growth[0] - growth[1]),
+                         middle = end[0] + share * (end[1] - end[0]);
+            const auto found = section(middle);
+            if (!found)
+                break;
+            const double here = -found->slope.dot(way_);
+            if (here == 0)
+                return {middle, 0.0};
+            const int side = here < 0 ? 0 : 1;
+            end[side] = middle;
+            growth[side] = here;
+        }
+        return {-growth[0] < growth[1] ? end[0] : end[1], 0.0};
+    }
     void refine(double from, double t_from, double to, double t_to, int depth)
     {
         const double middle = 0.5 * (from + to), t_middle = thickness_at(middle);
         const auto [least, most] = std::minmax({t_from, t_middle, t_to});
-        if (depth > 0 && most > parameters.widening * least) {
+        if (depth > 0 && most > parameters.widening * least && breaks_.size() < parameters.most_intervals) {
             refine(from, t_from, middle, t_middle, depth - 1);
             refine(middle, t_middle, to, t_to, depth - 1);
         } else
@@ -182,6 +219,7 @@ private:
     double thickness_;
     const Eigen::Matrix<double, D, 2 * twist_size<D>>& frame_;
     std::vector<double> breaks_;
+    PairTwist<D> at_face_;
 };
 
 /// A piece of a face in a gap.
@@ -190,6 +228,7 @@ struct GapSite {
     std::int32_t piece;
     std::array<std::int32_t, 2> solid;
     std::array<bool, 2> still; ///< closed sides of the domain: they never move
+    std::array<bool, 2> round; ///< balls that turn about their centres: that moves nothing
     GapWalls<D> walls;
     Vec<D> n;           ///< from the first wall to the second one
     GapSection<D> here; ///< at the piece's centroid
@@ -197,6 +236,7 @@ struct GapSite {
     double delta = 1; ///< distance of the nodes along the face's axis
     Vec<D> e = Vec<D>::Zero(), way = Vec<D>::Zero();
     double middle = 0;
+    Vec<D> nodes = Vec<D>::Zero(); ///< the middle between the two
     std::array<double, 2> moved{}; ///< of its two ends: nodes that mouths move
     // 3D: the piece lies around centroid + s line, from <= s <= to or the other way round.
     Vec<D> line = Vec<D>::Zero();

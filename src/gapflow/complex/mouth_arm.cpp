@@ -325,7 +325,7 @@ private:
                     cell_centre(grid_, complex_.index.index(complex_.cell_of(parts[side]))) + moved_.way(parts[side]);
                 const double way = std::max(0.0, -sign * out.dot(at - middle));
                 GapWay<2> along(walls, middle, out, n, h, frame);
-                for (const auto& point : along.points(side == 0 ? -way : 0.0, side == 0 ? 0.0 : way, 1.0)) {
+                for (const auto& point : along.points(side == 0 ? -way : 0.0, side == 0 ? 0.0 : way, 1.0, 0.0)) {
                     const double w = share * part * point.weight / point.thickness;
                     const PairTwist<2> flux = (carried + point.flux) / part;
                     arm.resistance += w;

@@ -42,6 +42,9 @@ struct ComplexParameters {
     double least_facing = 0.3;
     /// A gap's thickness changes by no more than this factor within an interval of three Gauss points: 1e-4 of the integral of 1/t.
     double widening = 1.6;
+    /// Intervals along one way: ten times as many as a gap of 1e-11 cells takes. Where walls touch along faces round-off alone parts them, and
+    /// their distance changes by any factor from place to place.
+    unsigned most_intervals = 400;
     /// Curvature, relative to 1/thickness, below which the closing of a gap flows along the gradient of the thickness (its square: in all
     /// directions alike): small against one, large against the round-off of second differences.
     double faint_curvature = 1e-3;

@@ -137,11 +137,19 @@ void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& o
         return block;
     };
     for (const PairInertia<D>& pair : pairs) {
+        std::vector<int> known; // components of the twists that the gap knows: the others' rows stay 0
+        for (int i = 0; i < 2 * T; ++i)
+            if (!pair.mass.col(i).isZero(0) || !pair.motion.col(i).isZero(0))
+                known.push_back(i);
+        if (known.empty())
+            continue;
         for (const bool all : {true, false}) {
-            const Eigen::SelfAdjointEigenSolver<PairMass<D>> modes(in_world(all ? pair.mass : pair.motion));
-            for (int k = 0; k < 2 * T; ++k) {
-                const Twist<D> a = modes.eigenvectors().col(k).template head<T>(),
-                               b = modes.eigenvectors().col(k).template tail<T>();
+            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+                Eigen::MatrixXd(in_world(all ? pair.mass : pair.motion)(known, known)));
+            for (std::size_t k = 0; k < known.size(); ++k) {
+                PairTwist<D> row = PairTwist<D>::Zero();
+                row(known) = modes.eigenvectors().col(k);
+                const Twist<D> a = row.template head<T>(), b = row.template tail<T>();
                 const double m = modes.eigenvalues()[k];
                 if (all && m != 0 && comm.root())
                     coupling.normal_inertia.push_back({pair.a, pair.b, a, b, m});

@@ -22,7 +22,7 @@ std::string sides(int dimension, const std::string& kind)
     return text;
 }
 
-// A thin plate over the whole domain, bodies that touch cells of all ranks, a sheet, one of a thousandth of the fluid's density.
+// A thin plate over the whole domain, balls with a gap, bodies that touch cells of all ranks, a sheet, one of a thousandth of the fluid's density.
 const std::string plane_domain = "gravity = [0.3, -9.81]\n[domain]\nsize = [1, 1]\ncells = [32, 32]\n";
 const std::string plane_bodies = R"(
 [[body]]
@@ -53,9 +53,15 @@ length = 0.15
 position = [0.05, 0.52]
 rotation = 1.1
 density = 100
+[[body]]
+name = "near_ball"
+shape = "ball"
+radius = 0.08
+position = [0.497, 0.93101]
+density = 0.001
 )";
 
-// The first box has edges in planes of the grid, the cylinder rims in cells of several ranks.
+// The first box has edges in planes of the grid, the cylinder rims in cells of several ranks; two balls and a capsule with gaps.
 const std::string space_domain = "gravity = [0.3, -9.81, 1]\n[domain]\nsize = [1, 1, 1]\ncells = [20, 20, 20]\n";
 const std::string space_bodies = R"(
 [[body]]
@@ -85,6 +91,20 @@ shape = "ball"
 radius = 0.12
 position = [0.2, 0.1, 0.8]
 density = 0.5
+[[body]]
+name = "near_ball"
+shape = "ball"
+radius = 0.13
+position = [0.2, 0.35001, 0.8]
+density = 0.001
+[[body]]
+name = "near_capsule"
+shape = "capsule"
+radius = 0.1
+length = 0.3
+position = [0.5, 0.3999, 0.7]
+rotation = [0.9, 0.1, 0.4, 0.0]
+density = 2
 )";
 
 void expect_one_result(const std::string& text)
