@@ -79,8 +79,13 @@ void check_scenes()
         const std::vector<GapArm<D>> found = find_gap_arms<D>(grid, scene.solids, complex);
         check_arms<D>(found);
         arms += found.size();
+        const std::vector<MouthArm<D>> mouths = find_mouth_arms<D>(grid, scene.solids, complex);
+        for (const MouthArm<D>& mouth : mouths)
+            EXPECT_TRUE(mouth.resistance > 0 && std::isfinite(mouth.resistance) && mouth.flux.allFinite() &&
+                        mouth.mass.allFinite())
+                << "scene " << seed;
         if (!walls) {
-            const double out = outflow_of_uniform_motion<D>(grid, complex, find_inertia<D>(grid, complex, found));
+            const double out = outflow_of_uniform_motion<D>(grid, complex, find_inertia<D>(grid, complex, found, mouths));
             EXPECT_LE(out, 1e-10) << "scene " << seed;
             worst = std::max(worst, out);
         }
