@@ -252,9 +252,8 @@ private:
         nodes = piece.centroid;
         for (int t = 0; t < D; ++t)
             if (t != piece.axis)
-                nodes[t] = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx();
-        nodes[piece.axis] =
-            (grid_.centre_place(piece.axis, f[piece.axis]) - grid_.anchor()[piece.axis]) / grid_.dx() - 0.5 * site.delta;
+                nodes[t] = planes_.centre_of(t, f[t]);
+        nodes[piece.axis] = planes_.centre_of(piece.axis, f[piece.axis]) - 0.5 * site.delta;
         site.middle = site.way.dot(nodes - piece.centroid) / site.way.squaredNorm();
         for (int side = 0; side < 2; ++side)
             if (const PartOrCell& at = side == 0 ? piece.low : piece.high; at.is_part())
@@ -338,7 +337,7 @@ private:
         int most = -1; // the face's direction nearest to m
         for (int t = 0; t < D; ++t)
             if (t != piece.axis) {
-                centre[t] = (grid_.centre_place(t, f[t]) - grid_.anchor()[t]) / grid_.dx();
+                centre[t] = planes_.centre_of(t, f[t]);
                 most = most < 0 || std::abs(m[t]) > std::abs(m[most]) ? t : most;
             }
         const auto in_face = [&](double s) { // the gap, which may be bent

@@ -17,12 +17,9 @@ Vec<2> left_of(const Vec<2>& x)
     return {-x[1], x[0]};
 }
 
-Vec<2> cell_centre(const Grid<2>& grid, const Index<2>& c)
+Vec<2> cell_centre(const GridPlanes<2>& planes, const Index<2>& c)
 {
-    Vec<2> x;
-    for (int axis = 0; axis < 2; ++axis)
-        x[axis] = (grid.centre_place(axis, c[axis]) - grid.anchor()[axis]) / grid.dx();
-    return x;
+    return {planes.centre_of(0, c[0]), planes.centre_of(1, c[1])};
 }
 
 /// Pieces of faces beside the parts.
@@ -107,7 +104,7 @@ struct MovedNode {
 /// lies there. Parts further behind a mouth keep theirs.
 class MovedNodes {
 public:
-    MovedNodes(const Grid<2>& grid, const Complex<2>& complex) : grid_(grid), complex_(complex)
+    MovedNodes(const Grid<2>& grid, const Complex<2>& complex) : planes_(grid), complex_(complex)
     {
         if (complex.mouths.empty())
             return;
@@ -165,7 +162,7 @@ private:
         if (!(distance > -half_diagonal && x > 0))
             return false;
         const double near = x < 1 ? x * x * (3 - 2 * x) : 1,
-                     way = inward.dot(centroid - cell_centre(grid_, complex_.cell_of_part(part)));
+                     way = inward.dot(centroid - cell_centre(planes_, complex_.cell_of_part(part)));
         if (way > 0)
             nodes_.push_back({part, near * way * inward, mouth.share * mouth.sides[side].gap});
         return true;
@@ -173,7 +170,7 @@ private:
 
     static constexpr double half_diagonal = 0.5 * std::numbers::sqrt2; // a centroid is no further from the cell's centre
 
-    const Grid<2>& grid_;
+    const GridPlanes<2> planes_;
     const Complex<2>& complex_;
     std::vector<MovedNode> nodes_;
 };
@@ -322,7 +319,7 @@ private:
             const double share = mouth.share * mouth.sides[side].gap, sign = side == 0 ? 1 : -1;
             if (share > 0) {
                 const Vec<2> at =
-                    cell_centre(grid_, complex_.index.index(complex_.cell_of(parts[side]))) + moved_.way(parts[side]);
+                    cell_centre(planes_, complex_.index.index(complex_.cell_of(parts[side]))) + moved_.way(parts[side]);
                 const double way = std::max(0.0, -sign * out.dot(at - middle));
                 GapWay<2> along(walls, middle, out, n, h, frame);
                 for (const auto& point : along.points(side == 0 ? -way : 0.0, side == 0 ? 0.0 : way, 1.0, 0.0)) {
@@ -343,7 +340,7 @@ private:
         arm.resistance += rest;
         Vec<2> way = Vec<2>::Zero();
         for (const auto& [row, weight] : arm.rows) {
-            Vec<2> place = cell_centre(grid_, complex_.index.index(complex_.cell_of(row)));
+            Vec<2> place = cell_centre(planes_, complex_.index.index(complex_.cell_of(row)));
             for (int axis = 0; axis < 2; ++axis)
                 if (grid_.periodic(axis))
                     place[axis] -=

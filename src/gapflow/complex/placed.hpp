@@ -58,6 +58,7 @@ struct GridPlanes {
                : plane > p.last() ? p[plane - p.cells()] + p.period()
                                   : p[plane];
     }
+    double centre_of(int axis, int cell) const { return 0.5 * (place_of(axis, cell) + place_of(axis, cell + 1)); }
     Vec<D> in_cells(const Vec<D>& x) const { return (x - anchor) / dx; }
     Vec<D> in_world(const Vec<D>& x) const { return anchor + dx * x; }
 };

@@ -61,7 +61,7 @@ position = [0.497, 0.93101]
 density = 0.001
 )";
 
-// The first box has edges in planes of the grid, the cylinder rims in cells of several ranks; two balls and a capsule with gaps.
+// The first box has edges in planes of the grid, the cylinder rims in cells of several ranks; two balls with a gap.
 const std::string space_domain = "gravity = [0.3, -9.81, 1]\n[domain]\nsize = [1, 1, 1]\ncells = [20, 20, 20]\n";
 const std::string space_bodies = R"(
 [[body]]
@@ -98,11 +98,11 @@ radius = 0.13
 position = [0.2, 0.35001, 0.8]
 density = 0.001
 [[body]]
-name = "near_capsule"
+name = "capsule"
 shape = "capsule"
 radius = 0.1
 length = 0.3
-position = [0.5, 0.3999, 0.7]
+position = [0.63, 0.44, 0.74]
 rotation = [0.9, 0.1, 0.4, 0.0]
 density = 2
 )";
