@@ -408,7 +408,7 @@ def gaps_in_the_plane(quick):
     exact = {row["h"]: row for row in table("I4_rectangles_box4.csv")}
     shifts = ((0.0, 0.0), (0.31, 0.17), (-0.23, 0.41), (0.47, -0.38), (-0.11, -0.27))
     for n in (64,) if quick else (64, 128):
-        for h in (0.05, 0.005, 1e-5) if quick else (0.1, 0.05, 0.02, 0.01, 0.005, 1e-3, 1e-4, 1e-5):
+        for h in (0.005, 1e-5) if quick else (0.1, 0.05, 0.02, 0.01, 0.005, 1e-3, 1e-4, 1e-5):
             for name, turns, target in (("along the grid", (0, 90), 1.0 if h <= 0.05 else 3.3), ("turned by 10, 25, 45, 62 degrees", (10, 25, 45, 62), 1.0 if h <= 0.02 else 3.3)):
                 opens, common, iterations = [], [], 0
                 for turn in turns:
@@ -420,11 +420,12 @@ def gaps_in_the_plane(quick):
                         iterations = max(iterations, *result["iterations"])
                 yield Row(GAPS, f"two rectangles, {n}², h = {h:g} ({h * n / 4:g} cells), {name}, {len(opens)} poses: opening", f"≤ {target:g} %",
                           f"{min(opens):+.2f} … {max(opens):+.2f} % (at most {iterations} iterations)", max(map(abs, opens)) <= target)
-                yield Row(GAPS, f"two rectangles, {n}², h = {h:g}, {name}: together along the normal and across", "≤ 2 %", f"{min(common):+.2f} … {max(common):+.2f} %", max(map(abs, common)) <= 2)
+                if not quick:
+                    yield Row(GAPS, f"two rectangles, {n}², h = {h:g}, {name}: together along the normal and across", "≤ 2 %", f"{min(common):+.2f} … {max(common):+.2f} %", max(map(abs, common)) <= 2)
     # As sides and corners pass lines of the grid.
     for name, turn, way in (("along the grid", 0, (0.02, 0.013)), ("turned by 25 degrees", 25, (0.017, 0.011))):
-        for h in (0.3, 0.03, 1e-3):
-            m = [opening(parts(rectangles(64, h * 4 / 64, (way[0] * k, way[1] * k), turn)), rotate((0.0, 1.0), turn)) for k in range(51 if quick else 201)]
+        for h in () if quick else (0.3, 0.03, 1e-3):
+            m = [opening(parts(rectangles(64, h * 4 / 64, (way[0] * k, way[1] * k), turn)), rotate((0.0, 1.0), turn)) for k in range(201)]
             jump = 100 * max(abs(b / a - 1) for a, b in zip(m, m[1:]))
             yield Row(GAPS, f"two rectangles, 64², gap of {h:g} cells, {name}, {len(m)} small shifts: largest change of the opening mass", "≤ 1 %", f"{jump:.2f} %", jump <= 1)
     for n, target in ((33, 0.6), (66, 0.3)):
