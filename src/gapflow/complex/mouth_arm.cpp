@@ -352,15 +352,25 @@ private:
         const double g = 1 / arm.resistance;
         arm.motion = -g * (own * uniform.transpose() + uniform * own.transpose() + uniform * uniform.transpose());
         arm.mass -= g * arm.flux * arm.flux.transpose();
-        for (int side = 0; side < 2; ++side)
-            if (solids_[mouth.solid[side]].wall) {
-                arm.flux.segment<T>(side * T).setZero();
-                for (PairMass<2>* mass : {&arm.mass, &arm.motion}) {
-                    mass->middleRows<T>(side * T).setZero();
-                    mass->middleCols<T>(side * T).setZero();
-                }
-            }
+        for (int side = 0; side < 2; ++side) { // round-off of what moves no wall
+            const PlacedShape<2>& shape = walls.shape[side];
+            if (solids_[mouth.solid[side]].wall)
+                still(arm, side * T, T);
+            else if (shape.shape().sphere_radius() &&
+                     (planes_.in_cells(shape.to_world(Vec<2>::Zero())) - walls.reference[side]).norm() < place_unit)
+                still(arm, side * T + 2, 1);
+        }
         return arm;
+    }
+
+    /// No energy of some components of the twists.
+    static void still(MouthArm<2>& arm, int first, int count)
+    {
+        arm.flux.segment(first, count).setZero();
+        for (PairMass<2>* mass : {&arm.mass, &arm.motion}) {
+            mass->middleRows(first, count).setZero();
+            mass->middleCols(first, count).setZero();
+        }
     }
 
     static void add_row(MouthArm<2>& arm, const PartOrCell& row, double weight)
