@@ -17,7 +17,7 @@ THIN = "Parts: thin plates"
 SHEET = "Parts: sheets, thin discs and square plates"
 SLIT = "Parts: slits and holes in thin walls"
 NEAR = "Parts: ball over a wall, two balls"
-GAPS = "Parts: gaps in 2D"
+IN_PLANE = "Parts: gaps in 2D"
 CURVED = "Parts: gaps of curved walls in space"
 SUMS = "Parts: uniform motion and sums"
 LIGHT = "Parts: light bodies"
@@ -418,16 +418,16 @@ def gaps_in_the_plane(quick):
                         opens.append(100 * (opening(result, up) / exact[h]["M_opening"] - 1))
                         common += [100 * (energy(result, {"upper": d, "lower": d}) / exact[h][f"M_common_{c}"] - 1) for d, c in ((up, "y"), (across, "x"))]
                         iterations = max(iterations, *result["iterations"])
-                yield Row(GAPS, f"two rectangles, {n}², h = {h:g} ({h * n / 4:g} cells), {name}, {len(opens)} poses: opening", f"≤ {target:g} %",
+                yield Row(IN_PLANE, f"two rectangles, {n}², h = {h:g} ({h * n / 4:g} cells), {name}, {len(opens)} poses: opening", f"≤ {target:g} %",
                           f"{min(opens):+.2f} … {max(opens):+.2f} % (at most {iterations} iterations)", max(map(abs, opens)) <= target)
                 if not quick:
-                    yield Row(GAPS, f"two rectangles, {n}², h = {h:g}, {name}: together along the normal and across", "≤ 2 %", f"{min(common):+.2f} … {max(common):+.2f} %", max(map(abs, common)) <= 2)
+                    yield Row(IN_PLANE, f"two rectangles, {n}², h = {h:g}, {name}: together along the normal and across", "≤ 2 %", f"{min(common):+.2f} … {max(common):+.2f} %", max(map(abs, common)) <= 2)
     # As sides and corners pass lines of the grid.
     for name, turn, way in (("along the grid", 0, (0.02, 0.013)), ("turned by 25 degrees", 25, (0.017, 0.011))):
         for h in () if quick else (0.3, 0.03, 1e-3):
             m = [opening(parts(rectangles(64, h * 4 / 64, (way[0] * k, way[1] * k), turn)), rotate((0.0, 1.0), turn)) for k in range(201)]
             jump = 100 * max(abs(b / a - 1) for a, b in zip(m, m[1:]))
-            yield Row(GAPS, f"two rectangles, 64², gap of {h:g} cells, {name}, {len(m)} small shifts: largest change of the opening mass", "≤ 1 %", f"{jump:.2f} %", jump <= 1)
+            yield Row(IN_PLANE, f"two rectangles, 64², gap of {h:g} cells, {name}, {len(m)} small shifts: largest change of the opening mass", "≤ 1 %", f"{jump:.2f} %", jump <= 1)
     for n, target in ((33, 0.6), (66, 0.3)):
         for gap in (1e-2, 1e-5) if quick else (0.1, 1e-2, 1e-3, 1e-5, 1e-7):
             normal, along = [], []
@@ -436,7 +436,7 @@ def gaps_in_the_plane(quick):
                     result, d = parts(in_container(n, gap, angle, shift)), rotate((1.0, 0.0), angle)
                     for values, direction in ((normal, d), (along, (-d[1], d[0]))):
                         values.append(100 * (energy(result, {"inner": direction}) / cylinder_exact(gap) - 1))
-            yield Row(GAPS, f"cylinder in a container, {n}², gap {gap:g}, {len(normal)} poses: normal; along", f"≤ {target} %",
+            yield Row(IN_PLANE, f"cylinder in a container, {n}², gap {gap:g}, {len(normal)} poses: normal; along", f"≤ {target} %",
                       f"{min(normal):+.2f} … {max(normal):+.2f}; {min(along):+.2f} … {max(along):+.2f} %", max(map(abs, normal + along)) <= target)
     worst = 0
     for turn in (0, 25, 45):
@@ -447,7 +447,7 @@ def gaps_in_the_plane(quick):
                 result = harness.added_mass(dict(domain=domain((4.0, 4.0), (64, 64)), solver=dict(tolerance=1e-13), gap=dict(model="parts"), body=bodies), accelerations=True)
                 whole = [f / (4 + math.pi * 1.6 ** 2) for f in (1.0, 0.5)]
                 worst = max(worst, max(abs(x - y) for a in result["accelerations"].values() for x, y in zip(a, whole + [0.0])) / whole[0])
-    yield Row(GAPS, "free container full of fluid with two neutral rectangles, gaps of 1 to 1e-3 cells, pushed: accelerations, against force over all mass", "1e-10", f"{worst:.1e}", worst < 1e-10)
+    yield Row(IN_PLANE, "free container full of fluid with two neutral rectangles, gaps of 1 to 1e-3 cells, pushed: accelerations, against force over all mass", "1e-10", f"{worst:.1e}", worst < 1e-10)
 
 
 GAP_TARGETS = ((4, 2.5), (8, 1.2)) # cells a radius, %
