@@ -1,4 +1,4 @@
-// Energy of the fluid in gaps that are narrower than a cell (theory, "Gaps").
+// Energy of the fluid in gaps that are narrower than a cell (gap-energy, "Arms").
 //
 // A piece of a face from which two walls that face each other are less than a cell apart is an arm of a gap. Along the way s from node to
 // node, in the plane of the gap, the flux changes by what the walls' closing takes. The velocity is taken as uniform across the gap and

@@ -1,4 +1,4 @@
-// Mouths: where a gap ends at a sharp corner in front of another wall (theory of the complex, "Mouths").
+// Mouths: where a gap ends at a sharp corner in front of another wall (gap-energy, "Mouths in 2D").
 //
 // A corner closer than a cell to another wall divides the fluid along the shortest line to that wall. Behind the line the fluid is that of a gap;
 // before it the flow spreads.

@@ -1,4 +1,4 @@
-// Energy of the flow through mouths (theory of the complex, "Mouths"): along the gap from its last node to the mouth, and out of it.
+// Energy of the flow through mouths (gap-energy, "Mouths in 2D"): along the gap from its last node to the mouth, and out of it.
 //
 //     T = 1/2 sum_sides [ gap int (q + D(s) V)^2 / t(s) ds + (1 - gap) R q^2 ] + q d V
 //
