@@ -279,15 +279,7 @@ private:
         const double delta = site.delta, middle = site.middle, t0 = here.thickness, A = piece.area;
         const Vec<D> axis = unit<D>(piece.axis);
 
-        // The walls' mean motion: their translation, and what of their rotation moves them along their normals.
-        Eigen::Matrix<double, D, 2 * twist_size<D>> frame;
-        for (int side = 0; side < 2; ++side) {
-            const Vec<D>& m = here.normal[side];
-            const Twist<D> turning = speed_along<D>(m, here.middle, walls.reference[side]);
-            auto columns = frame.template middleCols<twist_size<D>>(side * twist_size<D>);
-            columns.template leftCols<D>() = 0.5 * Mat<D>::Identity();
-            columns.template rightCols<spin_size<D>>() = 0.5 * m * turning.template tail<spin_size<D>>().transpose();
-        }
+        const Eigen::Matrix<double, D, 2 * twist_size<D>> frame = mean_motion<D>(walls, here.normal, here.middle);
         arm.motion = frame.transpose() * axis;
 
         arm.flux.setZero();
@@ -320,8 +312,7 @@ private:
                 arm.mass += w * flux * flux.transpose();
             }
         }
-        const double x = std::clamp((parameters.gap_end - t0) / (parameters.gap_end - parameters.gap_start), 0.0, 1.0);
-        arm.share = x * x * (3 - 2 * x);
+        arm.share = share_up_to(t0, parameters.gap_start, parameters.gap_end);
         arm.resistance = arm.share * arm.resistance + (1 - arm.share) * delta / A;
         arm.flux *= arm.share;
         arm.mass *= arm.share;

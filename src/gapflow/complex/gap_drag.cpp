@@ -394,8 +394,7 @@ GapDrag<D> drag_at(const GapSite<D>& site, const FacePiece<D>& piece, const Vec<
     for (int side = 0; side < 2; ++side)
         drag.motion.template segment<T>(side * T) =
             0.5 * speed_along<D>(unit<D>(piece.axis), piece.centroid, site.walls.reference[side]);
-    const double x = std::clamp((parameters.gap_end - t0) / (parameters.gap_end - parameters.gap_start), 0.0, 1.0);
-    drag.share = x * x * (3 - 2 * x);
+    drag.share = share_up_to(t0, parameters.gap_start, parameters.gap_end);
     if (site.along_face())
         drag.resistance = 12 * site.delta / (A * t0 * t0);
     else {

@@ -3,6 +3,7 @@
 
 #include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/gap_arm.hpp"
+#include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/complex/placed.hpp"
 
@@ -18,13 +19,19 @@ namespace gapflow {
 template <int D>
 Twist<D> speed_along(const Vec<D>& n, const Vec<D>& x, const Vec<D>& reference)
 {
-    Twist<D> row;
-    const Vec<D> r = x - reference;
-    if constexpr (D == 2)
-        row << n, r[0] * n[1] - r[1] * n[0];
-    else
-        row << n, r.cross(n);
-    return row;
+    return lever<D>(n, x - reference);
+}
+
+inline Vec<2> left_of(const Vec<2>& x)
+{
+    return {-x[1], x[0]};
+}
+
+/// 1 up to `start`, 0 from `end` on.
+inline double share_up_to(double thickness, double start, double end)
+{
+    const double x = std::clamp((end - thickness) / (end - start), 0.0, 1.0);
+    return x * x * (3 - 2 * x);
 }
 
 /// A gap along the line through x along n.
@@ -71,6 +78,22 @@ public:
         return section;
     }
 };
+
+/// Mean motion of the walls at x, by their twists: their translation, and what of their rotation moves them along their normals.
+template <int D>
+Eigen::Matrix<double, D, 2 * twist_size<D>> mean_motion(const GapWalls<D>& walls, const std::array<Vec<D>, 2>& normal,
+                                                        const Vec<D>& x)
+{
+    Eigen::Matrix<double, D, 2 * twist_size<D>> frame;
+    for (int side = 0; side < 2; ++side) {
+        const Vec<D>& m = normal[side];
+        const Twist<D> turning = speed_along<D>(m, x, walls.reference[side]);
+        auto columns = frame.template middleCols<twist_size<D>>(side * twist_size<D>);
+        columns.template leftCols<D>() = 0.5 * Mat<D>::Identity();
+        columns.template rightCols<spin_size<D>>() = 0.5 * m * turning.template tail<spin_size<D>>().transpose();
+    }
+    return frame;
+}
 
 /// In the plane of a gap.
 template <int D>

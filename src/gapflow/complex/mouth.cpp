@@ -1,5 +1,6 @@
 #include "gapflow/complex/mouth.hpp"
 
+#include "gapflow/complex/gap_way.hpp"
 #include "gapflow/complex/parameters.hpp"
 
 #include <algorithm>
@@ -9,18 +10,6 @@
 
 namespace gapflow {
 namespace {
-
-Vec<2> left_of(const Vec<2>& x)
-{
-    return {-x[1], x[0]};
-}
-
-/// 1 up to `start`, 0 from `end` on.
-double share_up_to(double thickness, double start, double end)
-{
-    const double x = std::clamp((end - thickness) / (end - start), 0.0, 1.0);
-    return x * x * (3 - 2 * x);
-}
 
 /// 1 + 1/2 + .. + 1/x, for all x >= 0.
 double harmonic_number(double x)

@@ -7,52 +7,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 namespace gapflow {
 namespace {
-
-Vec<2> left_of(const Vec<2>& x)
-{
-    return {-x[1], x[0]};
-}
 
 Vec<2> cell_centre(const GridPlanes<2>& planes, const Index<2>& c)
 {
     return {planes.centre_of(0, c[0]), planes.centre_of(1, c[1])};
 }
-
-/// Pieces of faces beside the parts.
-class PiecesOfParts {
-public:
-    explicit PiecesOfParts(const Complex<2>& complex) : first_(complex.parts() + 1, 0)
-    {
-        for (const bool count : {true, false}) {
-            std::vector<int> next = first_;
-            for (std::size_t k = 0; k < complex.pieces.size(); ++k)
-                for (const PartOrCell& side : {complex.pieces[k].low, complex.pieces[k].high})
-                    if (side.is_part() && complex.pieces[k].area > 0) {
-                        if (count)
-                            ++first_[side.number() + 1];
-                        else
-                            piece_[next[side.number()]++] = static_cast<std::int32_t>(k);
-                    }
-            if (count) {
-                for (int p = 0; p < complex.parts(); ++p)
-                    first_[p + 1] += first_[p];
-                piece_.resize(first_.back());
-            }
-        }
-    }
-    std::span<const std::int32_t> of(int part) const
-    {
-        return {piece_.data() + first_[part], static_cast<std::size_t>(first_[part + 1] - first_[part])};
-    }
-
-private:
-    std::vector<int> first_;
-    std::vector<std::int32_t> piece_;
-};
 
 /// What of a piece lies in a mouth in its plane. The rest, if any, leads to a wall that lies in the plane to round-off.
 double open_in(const GapMouth<2>& mouth, const FacePiece<2>& piece)
@@ -86,6 +48,50 @@ std::vector<std::pair<std::int32_t, int>> pieces_in_mouths(const Complex<2>& com
     return pieces;
 }
 
+/// Pieces of faces beside the parts, and those in mouths. Of a complex with mouths; else empty.
+class PiecesOfParts {
+public:
+    explicit PiecesOfParts(const Complex<2>& complex)
+    {
+        if (complex.mouths.empty())
+            return;
+        in_mouths_ = pieces_in_mouths(complex);
+        first_.assign(complex.parts() + 1, 0);
+        for (const bool count : {true, false}) {
+            std::vector<int> next = first_;
+            for (std::size_t k = 0; k < complex.pieces.size(); ++k)
+                for (const PartOrCell& side : {complex.pieces[k].low, complex.pieces[k].high})
+                    if (side.is_part() && complex.pieces[k].area > 0) {
+                        if (count)
+                            ++first_[side.number() + 1];
+                        else
+                            piece_[next[side.number()]++] = static_cast<std::int32_t>(k);
+                    }
+            if (count) {
+                for (int p = 0; p < complex.parts(); ++p)
+                    first_[p + 1] += first_[p];
+                piece_.resize(first_.back());
+            }
+        }
+    }
+    std::span<const std::int32_t> of(int part) const
+    {
+        return {piece_.data() + first_[part], static_cast<std::size_t>(first_[part + 1] - first_[part])};
+    }
+
+    const std::vector<std::pair<std::int32_t, int>>& in_mouths() const { return in_mouths_; }
+    bool in_mouth(std::int32_t piece) const
+    {
+        const auto at = std::lower_bound(in_mouths_.begin(), in_mouths_.end(), std::pair(piece, 0));
+        return at != in_mouths_.end() && at->first == piece;
+    }
+
+private:
+    std::vector<int> first_;
+    std::vector<std::int32_t> piece_;
+    std::vector<std::pair<std::int32_t, int>> in_mouths_;
+};
+
 /// What lies at the left and right of the way from the corner of a mouth in a plane.
 std::array<PartOrCell, 2> sides_of(const GapMouth<2>& mouth, const FacePiece<2>& piece)
 {
@@ -104,16 +110,8 @@ struct MovedNode {
 /// lies there. Parts further behind a mouth keep theirs.
 class MovedNodes {
 public:
-    MovedNodes(const Grid<2>& grid, const Complex<2>& complex) : planes_(grid), complex_(complex)
+    MovedNodes(const Grid<2>& grid, const Complex<2>& complex, const PiecesOfParts& pieces) : planes_(grid), complex_(complex)
     {
-        if (complex.mouths.empty())
-            return;
-        const PiecesOfParts pieces(complex);
-        const auto in_mouths = pieces_in_mouths(complex);
-        const auto in_mouth = [&](std::int32_t k) {
-            const auto at = std::lower_bound(in_mouths.begin(), in_mouths.end(), std::pair(k, 0));
-            return at != in_mouths.end() && at->first == k;
-        };
         const auto behind = [&](const GapMouth<2>& mouth, int side, const PartOrCell& first) {
             if (!(mouth.share * mouth.sides[side].gap > 0) || !first.is_part())
                 return;
@@ -123,7 +121,7 @@ public:
                     continue;
                 for (const std::int32_t piece : pieces.of(parts[k]))
                     for (const PartOrCell& next : {complex.pieces[piece].low, complex.pieces[piece].high})
-                        if (next.is_part() && !in_mouth(piece) &&
+                        if (next.is_part() && !pieces.in_mouth(piece) &&
                             std::find(parts.begin(), parts.end(), next.number()) == parts.end())
                             parts.push_back(next.number());
             }
@@ -133,7 +131,7 @@ public:
                 behind(complex.mouths[link.mouth], 0, PartOrCell::part(link.a));
                 behind(complex.mouths[link.mouth], 1, PartOrCell::part(link.b));
             }
-        for (const auto& [piece, m] : in_mouths)
+        for (const auto& [piece, m] : pieces.in_mouths())
             for (const int side : {0, 1})
                 behind(complex.mouths[m], side, sides_of(complex.mouths[m], complex.pieces[piece])[side]);
         std::sort(nodes_.begin(), nodes_.end(), [](const MovedNode& a, const MovedNode& b) {
@@ -209,7 +207,7 @@ double area_in_circle(const Vec<2>& low, const Vec<2>& high, const Vec<2>& centr
 class MouthArms {
 public:
     MouthArms(const Grid<2>& grid, std::span<const Solid<2>> solids, const Complex<2>& complex)
-        : grid_(grid), planes_(grid), solids_(solids), complex_(complex), moved_(grid, complex)
+        : grid_(grid), planes_(grid), solids_(solids), complex_(complex), pieces_(complex), moved_(grid, complex, pieces_)
     {
         if (complex.mouths.empty())
             return;
@@ -221,8 +219,6 @@ public:
             high[axis] = planes_.place[axis][complex.index.high()[axis]];
         }
         images_ = images(solids, planes_.in_world(low), planes_.in_world(high), period, 2 * grid.dx());
-        pieces_.emplace(complex);
-        in_planes_ = pieces_in_mouths(complex);
     }
 
     std::vector<MouthArm<2>> find()
@@ -235,7 +231,7 @@ public:
                                        link.covered > 0 ? 1 / link.conductance : 0.0)); // the corner's share is in it
                 arms.back().link = static_cast<std::int32_t>(k);
             }
-        for (const auto& [piece, mouth] : in_planes_)
+        for (const auto& [piece, mouth] : pieces_.in_mouths())
             arms.push_back(through_piece(piece, complex_.mouths[mouth]));
         return arms;
     }
@@ -257,15 +253,9 @@ private:
         return nearest;
     }
 
-    bool in_mouth(std::int32_t piece) const
-    {
-        const auto at = std::lower_bound(in_planes_.begin(), in_planes_.end(), std::pair(piece, 0));
-        return at != in_planes_.end() && at->first == piece;
-    }
-
     bool face_in_mouth(int axis, int face) const
     {
-        return std::any_of(in_planes_.begin(), in_planes_.end(), [&](const auto& in) {
+        return std::any_of(pieces_.in_mouths().begin(), pieces_.in_mouths().end(), [&](const auto& in) {
             return complex_.pieces[in.first].axis == axis && complex_.pieces[in.first].face == face;
         });
     }
@@ -305,13 +295,7 @@ private:
             return arm;
         const auto reference = [&](int k) { return planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift); };
         const GapWalls<2> walls{{images_[first].shape, images_[second].shape}, {reference(first), reference(second)}, &planes_};
-        Eigen::Matrix<double, 2, 2 * T> frame = Eigen::Matrix<double, 2, 2 * T>::Zero();
-        for (int side = 0; side < 2; ++side) {
-            const Vec<2> m = side == 0 ? n : -n;
-            auto columns = frame.middleCols<T>(side * T);
-            columns.leftCols<2>() = 0.5 * Mat<2>::Identity();
-            columns.rightCols<1>() = 0.5 * m * speed_along<2>(m, middle, walls.reference[side]).tail<1>();
-        }
+        const Eigen::Matrix<double, 2, 2 * T> frame = mean_motion<2>(walls, {n, -n}, middle);
         // The flux in the frame of the walls less that relative to the corner's solid.
         PairTwist<2> carried = -h * frame.transpose() * out;
         carried.head<T>() += h * speed_along<2>(out, middle, walls.reference[0]);
@@ -417,8 +401,8 @@ private:
             const PartOrCell at = targets[k].at;
             sum += targets[k].size;
             if (at.is_part())
-                for (const std::int32_t number : pieces_->of(at.number())) {
-                    if (in_mouth(number))
+                for (const std::int32_t number : pieces_.of(at.number())) {
+                    if (pieces_.in_mouth(number))
                         continue;
                     const FacePiece<2>& piece = complex_.pieces[number];
                     offer(piece.low);
@@ -459,10 +443,9 @@ private:
     const GridPlanes<2> planes_;
     std::span<const Solid<2>> solids_;
     const Complex<2>& complex_;
+    const PiecesOfParts pieces_;
     const MovedNodes moved_;
     std::vector<Image<2>> images_;
-    std::optional<PiecesOfParts> pieces_;
-    std::vector<std::pair<std::int32_t, int>> in_planes_;
 };
 
 } // namespace
@@ -482,7 +465,7 @@ template <>
 std::vector<std::pair<std::int32_t, Vec<2>>> moved_nodes(const Grid<2>& grid, const Complex<2>& complex)
 {
     std::vector<std::pair<std::int32_t, Vec<2>>> nodes;
-    const MovedNodes moved(grid, complex);
+    const MovedNodes moved(grid, complex, PiecesOfParts(complex));
     for (const MovedNode& m : moved.nodes())
         nodes.emplace_back(m.part, m.share * m.way);
     return nodes;
