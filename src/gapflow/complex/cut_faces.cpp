@@ -253,9 +253,7 @@ void cut_general(const CutFaces<D>& cut, const GridPlanes<D>& planes, const Dens
             if constexpr (D == 3) {
                 const FaceLine& line = general.line(link.fin);
                 slab.divisions.push_back({line.image, link.a, link.b, 0, link.open, 0, Vec<D>::Zero(), line.edge, line.sides});
-                continue;
-            }
-            if constexpr (D == 2) {
+            } else {
                 const SharpCorner& corner = general.corner(link.fin);
                 const bool own = link.fin < static_cast<int>(square.corners.size()); // the corner's cell
                 const double covered = own ? covered_way(corner, square).first : 0,

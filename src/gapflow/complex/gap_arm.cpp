@@ -74,14 +74,7 @@ public:
     GapFinder(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
         : grid_(grid), planes_(grid), complex_(complex), moved_(moved_nodes(grid, complex))
     {
-        Vec<D> period = Vec<D>::Zero(), low, high;
-        for (int axis = 0; axis < D; ++axis) {
-            if (grid.periodic(axis))
-                period[axis] = grid.size()[axis];
-            low[axis] = planes_.place[axis][complex.index.low[axis]];
-            high[axis] = planes_.place[axis][complex.index.high()[axis]];
-        }
-        images_ = images(solids, planes_.in_world(low), planes_.in_world(high), period, grid.dx());
+        images_ = images_at<D>(grid, planes_, complex.index, solids, grid.dx());
         first_.assign(solids.size() + 1, 0);
         for (const Image<D>& image : images_) {
             ++first_[image.solid + 1];

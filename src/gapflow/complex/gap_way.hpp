@@ -34,6 +34,21 @@ inline double share_up_to(double thickness, double start, double end)
     return x * x * (3 - 2 * x);
 }
 
+/// Images of the solids that come within `margin` of a complex's block.
+template <int D>
+std::vector<Image<D>> images_at(const Grid<D>& grid, const GridPlanes<D>& planes, const DenseIndex<D>& index,
+                                std::span<const Solid<D>> solids, double margin)
+{
+    Vec<D> period = Vec<D>::Zero(), low, high;
+    for (int axis = 0; axis < D; ++axis) {
+        if (grid.periodic(axis))
+            period[axis] = grid.size()[axis];
+        low[axis] = planes.place[axis][index.low[axis]];
+        high[axis] = planes.place[axis][index.high()[axis]];
+    }
+    return images(solids, planes.in_world(low), planes.in_world(high), period, margin);
+}
+
 /// A gap along the line through x along n.
 template <int D>
 struct GapSection {

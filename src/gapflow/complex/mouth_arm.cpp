@@ -209,16 +209,8 @@ public:
     MouthArms(const Grid<2>& grid, std::span<const Solid<2>> solids, const Complex<2>& complex)
         : grid_(grid), planes_(grid), solids_(solids), complex_(complex), pieces_(complex), moved_(grid, complex, pieces_)
     {
-        if (complex.mouths.empty())
-            return;
-        Vec<2> period = Vec<2>::Zero(), low, high;
-        for (int axis = 0; axis < 2; ++axis) {
-            if (grid.periodic(axis))
-                period[axis] = grid.size()[axis];
-            low[axis] = planes_.place[axis][complex.index.low[axis]];
-            high[axis] = planes_.place[axis][complex.index.high()[axis]];
-        }
-        images_ = images(solids, planes_.in_world(low), planes_.in_world(high), period, 2 * grid.dx());
+        if (!complex.mouths.empty())
+            images_ = images_at<2>(grid, planes_, complex.index, solids, 2 * grid.dx());
     }
 
     std::vector<MouthArm<2>> find()
