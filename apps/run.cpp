@@ -8,7 +8,7 @@
 #include "gapflow/output/run.hpp"
 #include "gapflow/output/run_folder.hpp"
 #include "gapflow/stepping/gap_notes.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <fmt/core.h>
 

@@ -11,7 +11,7 @@
 #include "gapflow/scene/scene.hpp"
 #include "gapflow/solver/solver.hpp"
 #include "gapflow/stepping/model.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // Steps a 2D scene to its end and prints the thickness and force of every film.
 #include <gapflow/core/error.hpp>
-#include <gapflow/stepping/simulation.hpp>
+#include <gapflow/step/simulation.hpp>
 
 #include <cstdio>
 

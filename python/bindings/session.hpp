@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gapflow/scene/scene.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -274,11 +274,20 @@ void add_pressure_impulse(const Coupling<D>& coupling, const UnknownVector<D>& p
     const int dofs = n * coupling.system.bodies;
     if (dofs == 0)
         return;
-    const std::vector<Twist<D>> impulse = impulses(coupling, p);
-    Eigen::VectorXd all(dofs);
-    for (std::size_t s = 0; s < twists.size(); ++s)
-        if (const int b = coupling.free_body[s]; b >= 0)
-            all.segment<n>(n * b) = impulse[s];
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(dofs);
+    const Communicator& comm = coupling.grid->comm();
+    if (comm.any(!coupling.gauge_cells.empty() || !coupling.gauge_nodes.empty())) {
+        for (const auto& entry : coupling.system.cell_flux)
+            all.segment<n>(n * entry.body) += p.cells(entry.row) * entry.flux;
+        for (const auto& entry : coupling.system.node_flux)
+            all.segment<n>(n * entry.body) += p.nodes[entry.row] * entry.flux;
+        comm.sum(std::span<double>(all.data(), all.size()));
+    } else {
+        const std::vector<Twist<D>> impulse = impulses(coupling, p);
+        for (std::size_t s = 0; s < twists.size(); ++s)
+            if (const int b = coupling.free_body[s]; b >= 0)
+                all.segment<n>(n * b) = impulse[s];
+    }
     project(coupling, all);
     Eigen::VectorXd held;
     add_response(coupling, coupling.system.response(all, &held), twists);

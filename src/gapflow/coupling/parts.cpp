@@ -16,59 +16,6 @@
 namespace gapflow {
 namespace {
 
-/// Numbers of the nodes of parts: those that are not the largest of their cell, but slivers between lines from sharp corners without a way out.
-/// In the order of the ranks that own their cells, and on a rank in that of its parts. -1: none.
-template <int D>
-std::vector<int> nodes_of_parts(const Grid<D>& grid, const Complex<D>& complex, CoupledSystem<D>& system)
-{
-    std::vector<char> leads_on(complex.parts(), 0);
-    for (const FacePiece<D>& piece : complex.pieces)
-        for (const PartOrCell& side : {piece.low, piece.high})
-            if (side.is_part() && piece.area > 0)
-                leads_on[side.number()] = 1;
-    for (const CornerLink<D>& link : complex.links)
-        if (link.conductance > 0)
-            leads_on[link.a] = leads_on[link.b] = 1;
-    // A node's place, the same on all ranks: its cell, and which of its parts.
-    using Place = std::array<long, 2>;
-    const auto place_of = [&](int p) {
-        return Place{grid.key(grid.wrapped(complex.cell_of_part(p))), p - complex.first_part[complex.part_cell[p]]};
-    };
-    std::vector<int> node(complex.parts(), -1);
-    std::vector<Place> own;
-    for (int p = 0; p < complex.parts(); ++p)
-        if (!complex.is_main(p) && leads_on[p] && grid.owns(complex.cell_of_part(p))) {
-            node[p] = static_cast<int>(own.size());
-            own.push_back(place_of(p));
-        }
-    system.nodes = static_cast<int>(own.size());
-    if (grid.comm().size() == 1)
-        return node;
-    const std::vector<std::vector<Place>> all = values_by_rank(grid.comm(), own);
-    std::vector<std::pair<Place, int>> others;
-    int first = 0;
-    system.nodes = 0;
-    for (int rank = 0; rank < grid.comm().size(); ++rank) {
-        if (rank == grid.comm().rank())
-            first = system.nodes;
-        for (const Place& place : all[rank])
-            others.emplace_back(place, system.nodes++);
-    }
-    std::sort(others.begin(), others.end());
-    system.own_node.assign(system.nodes, 0);
-    for (int p = 0; p < complex.parts(); ++p)
-        if (node[p] >= 0) {
-            node[p] += first;
-            system.own_node[node[p]] = 1;
-        } else if (!complex.is_main(p) && !grid.owns(complex.cell_of_part(p))) {
-            const Place place = place_of(p);
-            const auto other = std::lower_bound(others.begin(), others.end(), std::pair(place, 0));
-            if (other != others.end() && other->first == place)
-                node[p] = other->second;
-        }
-    return node;
-}
-
 /// A link between two nodes, or a node and a cell.
 struct PartLink {
     double conductance;
@@ -163,6 +110,59 @@ void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& o
 }
 
 } // namespace
+
+/// Numbers of the nodes of parts: those that are not the largest of their cell, but slivers between lines from sharp corners without a way out.
+/// In the order of the ranks that own their cells, and on a rank in that of its parts. -1: none.
+template <int D>
+std::vector<int> nodes_of_parts(const Grid<D>& grid, const Complex<D>& complex, CoupledSystem<D>& system)
+{
+    std::vector<char> leads_on(complex.parts(), 0);
+    for (const FacePiece<D>& piece : complex.pieces)
+        for (const PartOrCell& side : {piece.low, piece.high})
+            if (side.is_part() && piece.area > 0)
+                leads_on[side.number()] = 1;
+    for (const CornerLink<D>& link : complex.links)
+        if (link.conductance > 0)
+            leads_on[link.a] = leads_on[link.b] = 1;
+    // A node's place, the same on all ranks: its cell, and which of its parts.
+    using Place = std::array<long, 2>;
+    const auto place_of = [&](int p) {
+        return Place{grid.key(grid.wrapped(complex.cell_of_part(p))), p - complex.first_part[complex.part_cell[p]]};
+    };
+    std::vector<int> node(complex.parts(), -1);
+    std::vector<Place> own;
+    for (int p = 0; p < complex.parts(); ++p)
+        if (!complex.is_main(p) && leads_on[p] && grid.owns(complex.cell_of_part(p))) {
+            node[p] = static_cast<int>(own.size());
+            own.push_back(place_of(p));
+        }
+    system.nodes = static_cast<int>(own.size());
+    if (grid.comm().size() == 1)
+        return node;
+    const std::vector<std::vector<Place>> all = values_by_rank(grid.comm(), own);
+    std::vector<std::pair<Place, int>> others;
+    int first = 0;
+    system.nodes = 0;
+    for (int rank = 0; rank < grid.comm().size(); ++rank) {
+        if (rank == grid.comm().rank())
+            first = system.nodes;
+        for (const Place& place : all[rank])
+            others.emplace_back(place, system.nodes++);
+    }
+    std::sort(others.begin(), others.end());
+    system.own_node.assign(system.nodes, 0);
+    for (int p = 0; p < complex.parts(); ++p)
+        if (node[p] >= 0) {
+            node[p] += first;
+            system.own_node[node[p]] = 1;
+        } else if (!complex.is_main(p) && !grid.owns(complex.cell_of_part(p))) {
+            const Place place = place_of(p);
+            const auto other = std::lower_bound(others.begin(), others.end(), std::pair(place, 0));
+            if (other != others.end() && other->first == place)
+                node[p] = other->second;
+        }
+    return node;
+}
 
 template <int D>
 Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
@@ -366,6 +366,8 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
     return sum;
 }
 
+template std::vector<int> nodes_of_parts(const Grid<2>&, const Complex<2>&, CoupledSystem<2>&);
+template std::vector<int> nodes_of_parts(const Grid<3>&, const Complex<3>&, CoupledSystem<3>&);
 template std::vector<Twist<2>> energy_derivative(const Coupling<2>&, const Complex<2>&, const FaceDerivatives<2>&,
                                                  const UnknownVector<2>&, const std::vector<Twist<2>>&);
 template std::vector<Twist<3>> energy_derivative(const Coupling<3>&, const Complex<3>&, const FaceDerivatives<3>&,

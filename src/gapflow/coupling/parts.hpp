@@ -8,6 +8,10 @@
 
 namespace gapflow {
 
+/// Number of the node of each part, -1: none. Fills the nodes of the system. Collective.
+template <int D>
+std::vector<int> nodes_of_parts(const Grid<D>& grid, const Complex<D>& complex, CoupledSystem<D>& system);
+
 /// As couple(), without films. `mass` holds the generalised mass of each solid (used for free ones): the system has the bodies' own mass until
 /// add_seen_mass() completes it. One rank.
 template <int D>

@@ -395,6 +395,32 @@ void add_seen_mass(Coupling<D>& coupling)
 }
 
 template <int D>
+void enter_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, UnknownVector<D>& outflow)
+{
+    const Communicator& comm = coupling.grid->comm();
+    if (!comm.any(!coupling.gauge_cells.empty() || !coupling.gauge_nodes.empty()))
+        return;
+    const CoupledSystem<D>& system = coupling.system;
+    Eigen::VectorXd nodes = Eigen::VectorXd::Zero(system.nodes);
+    std::vector<Twist<D>> free(system.bodies);
+    for (std::size_t s = 0; s < twists.size(); ++s)
+        if (const int b = coupling.free_body[s]; b >= 0)
+            free[b] = twists[s];
+    for (const auto& entry : system.cell_flux)
+        outflow.cells(entry.row) += entry.flux.dot(free[entry.body]);
+    for (const auto& entry : system.node_flux)
+        nodes[entry.row] += entry.flux.dot(free[entry.body]);
+    for (const auto& entry : coupling.cell_flux)
+        if (coupling.free_body[entry.body] >= 0)
+            outflow.cells(entry.row) -= entry.flux.dot(twists[entry.body]);
+    for (const auto& entry : coupling.node_flux)
+        if (coupling.free_body[entry.body] >= 0)
+            nodes[entry.row] -= entry.flux.dot(twists[entry.body]);
+    comm.sum(std::span<double>(nodes.data(), nodes.size()));
+    outflow.nodes += nodes;
+}
+
+template <int D>
 void leave_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, UnknownVector<D>& p)
 {
     std::vector<int> solid(coupling.system.bodies);
@@ -414,6 +440,7 @@ void leave_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twist
                                         const Twist<D>&);                                                                      \
     template JacobiSteps<D> jacobi_steps<D>(const Coupling<D>&, int, const Twist<D>&);                                         \
     template void add_seen_mass<D>(Coupling<D>&);                                                                              \
+    template void enter_gauge<D>(const Coupling<D>&, const std::vector<Twist<D>>&, UnknownVector<D>&);                         \
     template void leave_gauge<D>(const Coupling<D>&, const std::vector<Twist<D>>&, UnknownVector<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

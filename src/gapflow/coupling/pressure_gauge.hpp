@@ -48,6 +48,10 @@ JacobiSteps<D> jacobi_steps(const Coupling<D>& coupling, int solid, const Twist<
 template <int D>
 void add_seen_mass(Coupling<D>& coupling);
 
+/// Outflow with the fluxes of the free bodies in the gauge of the system: += (K' - K) V. Collective.
+template <int D>
+void enter_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, UnknownVector<D>& outflow);
+
 /// The pressure p = p' - Y V of the free bodies' twists, from that of the system.
 template <int D>
 void leave_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, UnknownVector<D>& p);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gapflow/output/table.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <span>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gapflow/output/vtk.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <string>
 

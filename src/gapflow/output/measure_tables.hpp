@@ -3,7 +3,7 @@
 
 #include "gapflow/output/checkpoint.hpp"
 #include "gapflow/output/table.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <filesystem>
 #include <optional>

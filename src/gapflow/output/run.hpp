@@ -3,7 +3,7 @@
 
 #include "gapflow/output/run_files.hpp"
 #include "gapflow/output/schedule.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <limits>
 #include <memory>

@@ -7,7 +7,7 @@
 #include "gapflow/output/pvd.hpp"
 #include "gapflow/output/run_record.hpp"
 #include "gapflow/output/table.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <filesystem>
 #include <optional>

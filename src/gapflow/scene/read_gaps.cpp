@@ -113,10 +113,6 @@ void read_gaps(const Values& v, Purpose purpose, Scene& scene)
 {
     read_settings(v, "gap.", "contact.", true, roughness_of_auto(purpose, scene), scene.gap, scene.contact);
     scene.parts = v.text("gap.model") == "parts";
-    if (scene.parts && purpose == Purpose::run)
-        v.refuse("gap.model",
-                 "this version computes added masses with \"parts\" (gapflow added-mass, gapflow check), and no runs",
-                 "write \"film\" or \"none\"; runs with \"parts\" come with version 0.2");
     check_dry(v, "gap.", scene.gap, scene);
     if (scene.vapour_pressure)
         check_level(v, "fluid.vapour_pressure", scene);

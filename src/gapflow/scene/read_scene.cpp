@@ -136,6 +136,48 @@ void check_follow(const Values& v, const Scene& scene)
                  "name a body that moves, or leave domain.follow out");
 }
 
+/// [gap], and those of pairs.
+std::vector<const GapScene*> gaps_of(const Scene& scene)
+{
+    std::vector<const GapScene*> gaps{&scene.gap};
+    for (const PairScene& pair : scene.pairs)
+        gaps.push_back(&pair.gap);
+    return gaps;
+}
+
+/// Runs with parts are those of ideal fluid that bodies alone set moving.
+void check_parts(const Values& v, Purpose purpose, const Scene& scene)
+{
+    if (!scene.parts || purpose != Purpose::run)
+        return;
+    const std::string remedy = "leave it out, or write gap.model = \"film\"";
+    if (scene.viscosity > 0)
+        v.refuse("fluid.viscosity", "this version runs gap.model = \"parts\" without viscosity", remedy);
+    if (scene.fluid_velocity != Triple{})
+        v.refuse("fluid.velocity", "this version runs gap.model = \"parts\" in fluid that is at rest without bodies", remedy);
+    if (scene.pressure_gradient || scene.mean_velocity)
+        v.refuse(scene.pressure_gradient ? "fluid.pressure_gradient" : "fluid.mean_velocity",
+                 "this version runs gap.model = \"parts\" in fluid that is at rest without bodies", remedy);
+    if (scene.vapour_pressure)
+        v.refuse("fluid.vapour_pressure", "this version runs gap.model = \"parts\" without cavitation", remedy);
+    if (scene.follow)
+        v.refuse("domain.follow", "this version runs gap.model = \"parts\" on a grid that stays where it is", remedy);
+    for (int side = 0; side < 2 * scene.dimension; ++side) {
+        const SideScene::Kind kind = scene.sides[side].kind;
+        if (kind != SideScene::Kind::wall && kind != SideScene::Kind::open && kind != SideScene::Kind::periodic &&
+            kind != SideScene::Kind::far)
+            v.refuse("domain.sides." + side_names[side],
+                     "this version runs gap.model = \"parts\" with walls, open, far and periodic sides",
+                     "write one of these, or gap.model = \"film\"");
+    }
+    for (const GapScene* gap : gaps_of(scene)) {
+        if (gap->contact == GapScene::Contact::dry)
+            v.refuse("gap.contact", "this version runs gap.model = \"parts\" without dry contact", remedy);
+        if (gap->exit == GapScene::Exit::jet)
+            v.refuse("gap.exit", "this version runs gap.model = \"parts\" with reversible exits", remedy);
+    }
+}
+
 /// A side that moves has no place at which a flux could be measured.
 void check_sides_of_fluxes(const Values& v, const Scene& scene)
 {
@@ -166,6 +208,7 @@ Scene scene_of(Node document, const std::string& file, const Overrides& override
     read_bodies(document, keys, moves, scene);
     read_crowds(document, keys, moves, scene);
     check_follow(values, scene);
+    check_parts(values, purpose, scene);
     check_way_out(values, scene);
     read_pairs(values, keys, purpose, scene);
     read_measures(document, keys, scene);

@@ -62,7 +62,7 @@ public:
             of_pair_.push_back((a == bodies[0] && b == bodies[1]) || (a == bodies[1] && b == bodies[0]));
         }
         find_mouths(state);
-        for (std::size_t r = network_.rim.mouths.size(); r < here.system.links.size(); ++r)
+        for (std::size_t r = network_.rim.mouths.size(); r < here.system.links.size() && network_.nodes > 0; ++r)
             add_joint(state, here.system.links[r]);
     }
 

@@ -246,7 +246,7 @@ UnknownVector<D> net_outflow(const Coupling<D>& here, const State<D>& state, con
     } else {
         // Joints keep no flux of their own: it is the flux of the last projection.
         const std::vector<Link>& links = here.system.links;
-        for (std::size_t r = here.network.rim.mouths.size(); r < links.size(); ++r) {
+        for (std::size_t r = here.network.rim.mouths.size(); r < links.size() && here.network.nodes > 0; ++r) {
             double drop = 0;
             for (const auto& [node, weight] : links[r].nodes)
                 drop += weight * state.pressure.impulse.nodes[node];

@@ -4,6 +4,7 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/coupling/fluid_parts.hpp"
+#include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/stepping/flooding.hpp"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ void Projection<D>::assemble(bool voids_changed, bool links_changed)
     if (wet_)
         wet_->add_void_impulse(without_pressure_, held_impulse_);
     outflow(coupling, velocity_, without_pressure_, rhs_, &squares_);
+    enter_gauge(coupling, without_pressure_, rhs_);
     for (long i = 0; i < rhs_.cells.size(); ++i)
         rhs_.cells.data()[i] *= -1;
     rhs_.nodes *= -1;

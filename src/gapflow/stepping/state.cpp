@@ -53,6 +53,8 @@ State<D>::State(const Model<D>& model) : bodies(model.bodies)
     wrenches.assign(bodies.size(), Twist<D>::Zero());
     velocity.grid = FaceField<D>(model.grid);
     pressure.impulse.cells = CellField<D>(model.grid);
+    if (model.scene.parts)
+        potential.cells = CellField<D>(model.grid);
     if (model.viscous()) {
         pressure.bulk.pressure = pressure.bulk.known = CellField<D>(model.grid);
         pressure.force.assign(bodies.size(), Twist<D>::Zero());
@@ -122,6 +124,11 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         archive.each("from", ways.from, [](StateArchive& items, Pose<D>& pose) { list_pose(items, pose); });
     });
     list_field(archive, "velocity", grid, state.velocity.grid);
+    if (model.scene.parts)
+        archive.group("potential", [&] {
+            list_field(archive, "cells", grid, state.potential.cells);
+            archive("nodes", state.potential.nodes);
+        });
     PressureHistory<D>& pressure = state.pressure;
     list_field(archive, "pressure_impulse", grid, pressure.impulse.cells);
     archive.group("films", [&] {

@@ -79,6 +79,7 @@ struct State {
     std::vector<double> conductance;    ///< of the films' mouths in the last step, heads included; empty: their own
     FilmDebts<D> film_debts;            ///< energy that films gained in the last step: the next one takes it back
     std::vector<Vec<D>> film_increment; ///< acceleration of the films' elements in the last step, pressure and transport
+    UnknownVector<D> potential;         ///< times density, of the flow on parts (step/); films: none
     Drive<D> drive;
     SteadyWatch steady;
     Vec<D> grid_shift = Vec<D>::Zero();    ///< of a grid that follows a body, from its place at the scene's start

@@ -3,6 +3,7 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/stepping/closing_limit.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
 #include "gapflow/stepping/following.hpp"
 #include "gapflow/stepping/gap_limit.hpp"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace gapflow {
 
@@ -163,7 +165,9 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
             dt = std::min(dt, limit_of_oscillation(bodies[b], V[b], A[b], scene, dx, dt));
     const std::vector<Solid<D>>& solids = here.solids;
     std::map<FilmPair<D>, int> counted; // elements of each pair's films so far, as its memory has them
-    GapLimit<D> gaps(model, state, here, V, A, speed);
+    std::optional<GapLimit<D>> gaps; // of films
+    if (!scene.parts)
+        gaps.emplace(model, state, here, V, A, speed);
     for (const Film<D>& film : here.network.films) {
         const FilmMesh<D>& mesh = film.mesh;
         const int first = counted[film.pair];
@@ -175,7 +179,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
         dt = std::min(dt, limit_of_film_flow(mesh, master, *histories.at(film.pair), first, dx,
                                              (elastic ? least_film_length_of_rebound<D> : least_film_length<D>)*dx));
     }
-    dt = gaps.limited(dt);
+    dt = gaps ? gaps->limited(dt) : limit_of_closing(model, state, solids, V, A, dt);
     const double left = next_output - state.time, furthest = std::min(dt, left);
     if (const double touch = until_touch(model, state, solids, furthest); touch < furthest)
         dt = touch;
@@ -189,7 +193,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
         dt = left;
     else if (left < 2 * dt)
         dt = 0.5 * left;
-    ways = gaps.ways(dt);
+    ways = gaps ? gaps->ways(dt) : GapWays<D>();
     const double end = state.time + dt;
     return {state.steps + 1, state.time, dt, state.dt, next_output - end < 1e-12 * next_output ? next_output : end};
 }

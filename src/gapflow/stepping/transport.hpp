@@ -16,6 +16,7 @@ struct Intermediate {
     std::vector<double> mouth_factor; ///< on the conductance of every mouth
     FilmAccount<D> film_account;
     std::vector<Twist<D>> twists; ///< V* of all solids
+    std::vector<Twist<D>> forced; ///< after the forces of the step alone, where V* has more than these; else empty
 };
 
 /// u* in the configuration `there`, to which the state's bodies have moved; the twists are left empty. `state`: otherwise that

@@ -159,7 +159,8 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
     NearInertia<D> inertia;
     const std::vector<Twist<D>> expected = predicted_twists(model, state.bodies, step);
     if (contacts) {
-        contacts->prepare(model.twists(state.bodies), star.twists, expected, step.dt, step.last_dt);
+        contacts->prepare(model.twists(state.bodies), star.forced.empty() ? star.twists : star.forced, expected, step.dt,
+                          step.last_dt);
         inertia = inertia_of_contacts(model, there, state, mass);
     }
     if (voids)
@@ -183,7 +184,7 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
             ++report.solves;
             report.residual = solve.residual;
             state.light_bodies = projection.corrects_bodies() || solve.iterations > few_iterations;
-            if (!solve.converged && step.dt > 0 && !voids)
+            if (!solve.converged && step.dt > 0 && !voids && !model.scene.parts)
                 check_pockets(model, there, state, end.velocity, projection.without_pressure(), step);
             if (!solve.converged)
                 throw ComputationError("the pressure solve of step " + std::to_string(step.number) +
@@ -208,7 +209,7 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
         report.notes.push_back(std::string(voids ? "contacts and voids" : "contacts") + " did not settle within " +
                                std::to_string(Rounds::most_rounds) + " rounds of a step");
     end.twists = projection.twists();
-    if (step.dt > 0 && !voids)
+    if (step.dt > 0 && !voids && !model.scene.parts)
         check_pockets(model, there, state, end.velocity, projection.without_pressure(), step);
     if (contacts)
         check_crushing(there, *contacts, end.twists, step, report);

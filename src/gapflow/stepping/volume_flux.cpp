@@ -304,7 +304,7 @@ Sums films_through(const Flows<D>& flows, const Plane& plane)
             within += mouth.shape[i] * plane.side(middle + place_of(mouth.nodes[i]) - mouth.x);
         sums.add_film((flows.state().velocity.mouth[r] - carried_flux<D>(here, mouth, V)) * (beyond - within));
     }
-    for (std::size_t r = mouths.size(); r < here.system.links.size(); ++r) {
+    for (std::size_t r = mouths.size(); r < here.system.links.size() && here.network.nodes > 0; ++r) {
         const Link& link = here.system.links[r];
         const Vec<D> first = place_of(link.nodes.front().first), middle = plane.way(first);
         if (std::abs(plane.height(middle)) > plane.reach() + 4 * flows.grid().dx() || !plane.holds(middle))

@@ -1,5 +1,5 @@
 // Constrained and sprung bodies in fluid, through the whole time step.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

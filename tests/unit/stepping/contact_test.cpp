@@ -3,7 +3,7 @@
 #include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/stepping/contact_cones.hpp"
 #include "gapflow/stepping/contact_law.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

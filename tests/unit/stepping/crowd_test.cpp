@@ -2,7 +2,7 @@
 #include "gapflow/solver/null_space.hpp"
 #include "gapflow/solver/preconditioner.hpp"
 #include "gapflow/solver/vectors.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 #include "unit/stepping/coupled_scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Periodic boxes driven by a mean pressure gradient.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Far sides: as if the fluid went on.
 #include "gapflow/stepping/added_mass.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

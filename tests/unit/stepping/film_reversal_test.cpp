@@ -1,5 +1,5 @@
 // Plates that approach each other in ideal flow: the film stops them, and they part as they came.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The step's limit by gaps: a film that hardly changes its bodies' motion may change by any factor in a step, and acts as over many small steps.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

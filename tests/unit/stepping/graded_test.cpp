@@ -2,7 +2,7 @@
 #include "gapflow/scene/graded_widths.hpp"
 #include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/stepping/advection.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

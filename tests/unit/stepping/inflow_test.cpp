@@ -1,5 +1,5 @@
 // An inflow that changes in time: every step ends with the flow of its end.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Bodies that leave the domain through an open side, and bodies thinner than the extrapolated flow on their two sides: energy stays bounded.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Contacts that hold bodies against fluid which only their motion lets out.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include "temporary.hpp"
 

@@ -1,5 +1,5 @@
 // What a scene asks to be measured: values at points, volume fluxes, parts of forces.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

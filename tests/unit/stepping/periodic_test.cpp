@@ -1,5 +1,5 @@
 // A periodic side is no place: what happens at it happens elsewhere in the same way.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the first step expects.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/setup.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include "temporary.hpp"
 

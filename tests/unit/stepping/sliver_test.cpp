@@ -1,5 +1,5 @@
 // Faces that a body leaves open by a few hundredths: what squeezes through them does not feed itself.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What a simulation makes of bodies that touch or overlap at the start.
 #include "gapflow/core/error.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // A simulation that goes on from its stored state does what it would have done: bit for bit.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

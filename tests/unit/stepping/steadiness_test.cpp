@@ -1,5 +1,5 @@
 // When a flow counts as steady.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 #include "gapflow/stepping/steadiness.hpp"
 
 #include <gtest/gtest.h>

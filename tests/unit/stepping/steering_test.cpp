@@ -1,6 +1,6 @@
 // Forces and prescribed velocities that change between steps.
 #include "gapflow/core/error.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

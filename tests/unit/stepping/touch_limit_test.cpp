@@ -1,6 +1,6 @@
 // The step's limit by surfaces that meet on the way: no body passes a wall or another body, however long steps are.
 #include "gapflow/core/error.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

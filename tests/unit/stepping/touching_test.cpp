@@ -1,6 +1,6 @@
 // Bodies that touch in viscous fluid, with no roughness that would keep their films from closing: the solver finds pressure and motion.
 #include "gapflow/core/error.hpp"
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 #include "temporary.hpp"
 
 #include <gtest/gtest.h>

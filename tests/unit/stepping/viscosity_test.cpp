@@ -1,5 +1,5 @@
 // Viscous flow in time, against exact solutions.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Steps of so viscous fluid that forces on bodies lag behind: they follow the bodies, and no energy is gained.
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

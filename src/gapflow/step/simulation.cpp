@@ -1,7 +1,9 @@
-#include "gapflow/stepping/simulation.hpp"
+#include "gapflow/step/simulation.hpp"
 
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/text.hpp"
+#include "gapflow/step/advance.hpp"
+#include "gapflow/step/start.hpp"
 #include "gapflow/stepping/configuration.hpp"
 #include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
@@ -41,14 +43,20 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : model_
 {
     const Stopwatch watch;
     initial_report_.notes = thickness_warnings<D>(model_.scene, model_.bodies, model_.walls, scene.thin);
-    auto [here, V] = start(model_, state_, initial_report_, stages_);
+    std::vector<Twist<D>> V = model_.twists(state_.bodies);
+    if (scene.parts) {
+        instant_ = start_on_parts(model_, state_, initial_report_, stages_);
+    } else {
+        Start<D> begin = start(model_, state_, initial_report_, stages_);
+        here_ = std::move(begin.here);
+        V = std::move(begin.twists);
+    }
     if (scene.forces) {
         force_parts_.resize(state_.bodies.size());
         for (std::size_t b = 0; b < force_parts_.size(); ++b)
             force_parts_[b].buoyancy = buoyancy(model_, state_.bodies[b]);
     }
-    here_ = std::move(here);
-    beyond_ = timed(stages_, "continuation", [&] { return reconstruct(model_, *here_, state_, V); });
+    beyond_ = timed(stages_, "continuation", [&] { return reconstruct(model_, coupling(), state_, V); });
     report(V, initial_report_);
     initial_report_.seconds = watch.seconds();
 }
@@ -63,7 +71,7 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const St
     archive.finish();
     restore_configuration();
     const std::vector<Twist<D>> V = model_.twists(state_.bodies);
-    beyond_ = reconstruct(model_, *here_, state_, V);
+    beyond_ = reconstruct(model_, coupling(), state_, V);
     report(V, initial_report_);
 }
 
@@ -86,7 +94,10 @@ void Simulation<D>::restore_configuration()
 {
     if (model_.scene.follow)
         place_grid<D>(model_, Vec<D>(state_.grid_shift), Vec<D>(state_.grid_velocity), state_);
-    here_ = configure_stored(model_, state_, stages_);
+    if (model_.scene.parts)
+        instant_ = restored(model_, state_);
+    else
+        here_ = configure_stored(model_, state_, stages_);
     fill_velocity_ghosts(model_.grid, state_.velocity.grid, model_.sides(state_.time));
     exchange(model_.grid, state_.pressure.impulse.cells);
 }
@@ -99,7 +110,7 @@ StepReport Simulation<D>::step(double next_output)
         throw InputError("a step until " + number_text(next_output) + " goes back: the time is " + number_text(state_.time) +
                          " already; give a later one");
     StepReport report;
-    if (state_.steps == 0 && expects_anything(model_, *here_))
+    if (state_.steps == 0 && expects_anything(model_, coupling()))
         rehearse(next_output);
     const std::vector<Whereabouts> places = whereabouts(model_, state_.bodies);
     std::optional<EarlierFlow<D>> earlier;
@@ -107,7 +118,7 @@ StepReport Simulation<D>::step(double next_output)
         earlier.emplace(model_, state_);
     advance_followed(next_output, report);
     if (earlier)
-        report.unsteadiness = unsteadiness(model_, *here_, *earlier, state_);
+        report.unsteadiness = unsteadiness(model_, coupling(), *earlier, state_);
     follow_departures(places, report);
     this->report(model_.twists(state_.bodies), report);
     report.seconds = watch.seconds();
@@ -118,6 +129,7 @@ template <int D>
 void Simulation<D>::put_back(const State<D>& start)
 {
     here_.reset();
+    instant_.reset();
     state_ = start; // copied: who keeps a reference to a body has the same one afterwards
     restore_configuration();
 }
@@ -126,6 +138,10 @@ void Simulation<D>::put_back(const State<D>& start)
 template <int D>
 void Simulation<D>::advance_followed(double next_output, StepReport& report)
 {
+    if (model_.scene.parts) {
+        advance_on_parts(next_output, report);
+        return;
+    }
     std::optional<State<D>> start;
     if (model_.scene.max_step > followed_step(model_))
         start = state_;
@@ -154,12 +170,24 @@ void Simulation<D>::rehearse(double next_output)
     for (BulkViscosity viscosity : steps) {
         const State<D> start = state_;
         StepReport unused;
-        advance(next_output, viscosity, unused);
-        Expectations<D> found = expectations(model_, state_, *here_);
+        if (model_.scene.parts)
+            advance_on_parts(next_output, unused);
+        else
+            advance(next_output, viscosity, unused);
+        Expectations<D> found = expectations(model_, state_, coupling());
         put_back(start);
-        expect(std::move(found), *here_, state_);
-        beyond_ = reconstruct(model_, *here_, state_, model_.twists(state_.bodies));
+        expect(std::move(found), coupling(), state_);
+        beyond_ = reconstruct(model_, coupling(), state_, model_.twists(state_.bodies));
     }
+}
+
+template <int D>
+void Simulation<D>::advance_on_parts(double next_output, StepReport& report)
+{
+    GapWays<D> ways; // of films
+    const Step step = choose_step(model_, state_, coupling(), beyond_.histories, next_output, ways);
+    instant_ = gapflow::advance(model_, *instant_, step, state_, report, stages_);
+    beyond_ = timed(stages_, "continuation", [&] { return reconstruct(model_, coupling(), state_, model_.twists(state_.bodies)); });
 }
 
 // A time step to the new state and configuration.
@@ -223,8 +251,12 @@ void Simulation<D>::follow_departures(const std::vector<Whereabouts>& before, St
 template <int D>
 void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
 {
-    report_state(model_, *here_, state_, V, report);
-    for (std::string& note : blind_end_notes(*here_, blind_told_))
+    report_state(model_, coupling(), state_, V, report);
+    if (instant_) {
+        report.energy_fluid = instant_->energy;
+        report.divergence_max = largest_divergence(*instant_, state_.velocity);
+    }
+    for (std::string& note : blind_end_notes(coupling(), blind_told_))
         report.notes.push_back(std::move(note));
     if (model_.viscous() && state_.steps > 0)
         for (std::string& note : short_film_notes(model_.scene, *here_, state_.pressure.impulse))
@@ -257,13 +289,13 @@ double Simulation<D>::hydrostatic(const Vec<D>& x) const
 template <int D>
 std::vector<PointValues<D>> Simulation<D>::sample(std::span<const Vec<D>> points) const
 {
-    return sample_points(model_, *here_, state_, model_.twists(state_.bodies), points);
+    return sample_points(model_, coupling(), state_, model_.twists(state_.bodies), points);
 }
 
 template <int D>
 VolumeFlux Simulation<D>::volume_flux(const FluxScene& through) const
 {
-    return gapflow::volume_flux(model_, *here_, state_, model_.twists(state_.bodies), through);
+    return gapflow::volume_flux(model_, coupling(), state_, model_.twists(state_.bodies), through);
 }
 
 template <int D>
@@ -281,19 +313,23 @@ bool Simulation<D>::driven() const
 template <int D>
 std::vector<GapState> Simulation<D>::gaps() const
 {
-    return gap_states(model_, *here_, state_);
+    return gap_states(model_, coupling(), state_);
 }
 
 template <int D>
 CellField<D> Simulation<D>::outflow() const
 {
-    return net_outflow(*here_, state_, model_.twists(state_.bodies)).cells;
+    return instant_ ? net_outflow(*instant_, state_.velocity).cells
+                   : net_outflow(*here_, state_, model_.twists(state_.bodies)).cells;
 }
 
 template <int D>
 Budget<D> Simulation<D>::budget() const
 {
-    return gapflow::budget(model_, *here_, state_, model_.twists(state_.bodies));
+    Budget<D> sums = gapflow::budget(model_, coupling(), state_, model_.twists(state_.bodies));
+    if (instant_)
+        sums.energy_grid = instant_->energy;
+    return sums;
 }
 
 template <int D>

@@ -3,6 +3,7 @@
 
 #include "gapflow/core/communicator.hpp"
 #include "gapflow/core/timer.hpp"
+#include "gapflow/step/instant.hpp"
 #include "gapflow/stepping/core_check.hpp"
 #include "gapflow/stepping/force_parts.hpp"
 #include "gapflow/stepping/leaving.hpp"
@@ -42,7 +43,7 @@ public:
     const Grid<D>& grid() const { return model_.grid; }
     const std::vector<RigidBody<D>>& bodies() const { return state_.bodies; }
     /// Of the last step; none after a step that threw.
-    const Coupling<D>& coupling() const { return *here_; }
+    const Coupling<D>& coupling() const { return instant_ ? instant_->placed->coupling : *here_; }
     /// Fluid velocity: divergence-free on open faces, extrapolated into solids.
     const FluidVelocity<D>& velocity() const { return state_.velocity; }
     /// Reduced pressure (p - rho g.x), averaged over the last step: bulk and mixed cells, film nodes.
@@ -62,7 +63,7 @@ public:
     /// As gapflow::volume_flux(). Collective.
     VolumeFlux volume_flux(const FluxScene& through) const;
     /// See gapflow::outside_core.
-    std::optional<std::string> outside_core() const { return gapflow::outside_core(model_, *here_, state_.bodies); }
+    std::optional<std::string> outside_core() const { return gapflow::outside_core(model_, coupling(), state_.bodies); }
     /// Whether the flow has settled as time.until_steady asks.
     bool settled() const;
     /// Whether a mean pressure gradient drives the fluid along periodic axes.
@@ -87,12 +88,14 @@ private:
     void rehearse(double next_output);
     void advance_followed(double next_output, StepReport& report);
     void advance(double next_output, BulkViscosity viscosity, StepReport& report);
+    void advance_on_parts(double next_output, StepReport& report);
     void report(const std::vector<Twist<D>>& V, StepReport& report);
     void follow_departures(const std::vector<Whereabouts>& before, StepReport& report);
 
     Model<D> model_;
     State<D> state_;
-    std::optional<Coupling<D>> here_; ///< follows from the state, as `beyond_` does
+    std::optional<Coupling<D>> here_; ///< follows from the state, as `beyond_` does; of runs with films
+    std::optional<Instant<D>> instant_; ///< the same of runs on parts
     Reconstruction<D> beyond_;
     std::set<FilmPair<D>> blind_told_; ///< pairs whose films' blind ends have been reported
     ToldOfCrowds crowds_told_;

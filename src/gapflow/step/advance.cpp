@@ -1,0 +1,173 @@
+#include "gapflow/step/advance.hpp"
+
+#include "gapflow/body/forces.hpp"
+#include "gapflow/coupling/pressure_gauge.hpp"
+#include "gapflow/step/energy_change.hpp"
+#include "gapflow/step/pressure.hpp"
+#include "gapflow/stepping/force_parts.hpp"
+#include "gapflow/stepping/motion.hpp"
+#include "gapflow/stepping/unilateral.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gapflow {
+namespace {
+
+// Of the energy, by which a step may miss the work that is done: then its forces are found once more.
+constexpr double energy_accuracy = 1e-5;
+constexpr int most_passes = 6;
+
+/// Impulses of the fluid's forces on the fluid's own impulse over a step, of every solid: trapezium of dT/dx, and what is missing in their work.
+template <int D>
+struct StepForces {
+    std::vector<Twist<D>> mean;    ///< dt times the mean of `force`
+    std::vector<Twist<D>> missing; ///< correction
+};
+
+template <int D>
+std::vector<Twist<D>> trapezium(const std::vector<Twist<D>>& a, const std::vector<Twist<D>>& b, double dt)
+{
+    std::vector<Twist<D>> mean;
+    for (std::size_t s = 0; s < a.size(); ++s)
+        mean.push_back(0.5 * dt * (a[s] + b[s]));
+    return mean;
+}
+
+/// An impulse along the body's own momentum M V_m whose work on the mean twist V_m is given. Where the body turns back within the step, so that V_m is
+/// small, no larger than of a motion of half its speed.
+template <int D>
+Twist<D> impulse_of_work(const TwistMatrix<D>& mass, const Twist<D>& before, const Twist<D>& after, double work)
+{
+    const Twist<D> mean = 0.5 * (before + after), momentum = mass * mean;
+    const double square = mean.dot(momentum), least = 0.125 * (before.dot(mass * before) + after.dot(mass * after));
+    return square > 0 || least > 0 ? Twist<D>(work / std::max(square, least) * momentum) : Twist<D>(Twist<D>::Zero());
+}
+
+/// What the trapezium of the forces misses of 1/2 V (N' - N) V', for each free body.
+template <int D>
+std::vector<double> missing_work(const std::vector<RigidBody<D>>& bodies_before, const Instant<D>& before,
+                                 const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,
+                                 const std::vector<Twist<D>>& mean)
+{
+    std::vector<double> work = energy_change(*before.placed, before.flow, *after.placed, after.flow);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].motion != Motion::free) {
+            work[b] = 0;
+            continue;
+        }
+        const Twist<D>&V = before.flow.twists[b], &next = after.flow.twists[b];
+        const TwistMatrix<D> change = mass_matrix(bodies[b]) - mass_matrix(bodies_before[b]);
+        work[b] += 0.5 * V.dot(change * next) - 0.5 * (V + next).dot(mean[b]);
+    }
+    work.resize(bodies.size());
+    return work;
+}
+
+/// Twists before the fluid acts, with all impulses but its pressure's.
+template <int D>
+Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const Placed<D>& there,
+                             const std::vector<Twist<D>>& forced, const StepForces<D>& forces, const State<D>& state, double dt)
+{
+    Intermediate<D> star;
+    star.velocity.grid = FaceField<D>(model.grid);
+    star.twists = star.forced = forced;
+    const std::vector<Twist<D>> given = impulses_of_given(there.coupling, forced);
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        if (state.bodies[b].motion == Motion::free)
+            star.twists[b] += impulse_response(
+                state.bodies[b], Twist<D>(old.impulse[b] + forces.mean[b] + forces.missing[b] + given[b]), dt);
+    return star;
+}
+
+/// Mean of the fluid's force on every body: what the bodies' own momenta get.
+template <int D>
+std::vector<Twist<D>> fluid_wrenches(const Model<D>& model, const Instant<D>& old, const Instant<D>& now,
+                                     const StepForces<D>& forces, const std::vector<RigidBody<D>>& bodies, double dt)
+{
+    std::vector<Twist<D>> wrenches;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        wrenches.push_back(buoyancy(model, bodies[b]) +
+                           (forces.mean[b] + forces.missing[b] - (now.impulse[b] - old.impulse[b])) / dt);
+    return wrenches;
+}
+
+} // namespace
+
+template <int D>
+Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& step, State<D>& state, StepReport& report,
+                  StageTimers& timers)
+{
+    const auto timed = [&](const char* stage, auto&& f) {
+        const auto timer = timers.measure(stage);
+        return f();
+    };
+    const std::vector<RigidBody<D>> before = state.bodies;
+    state.bodies = timed("bodies", [&] { return moved(std::move(state.bodies), step); });
+    timed("contact", [&] { find_contacts(model, state, step); });
+    const std::vector<TwistMatrix<D>> mass = model.masses(state.bodies, step.dt);
+    Instant<D> now;
+    now.placed = timed("complex", [&] { return placed(model, state.bodies, mass); });
+    const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
+    const ContactSet<D> contacts = state.contacts;
+    StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt),
+                         std::vector<Twist<D>>(old.force.size(), Twist<D>::Zero())};
+    for (int pass = 1;; ++pass) {
+        state.contacts = contacts;
+        state.pressure.impulse = {CellField<D>(model.grid), {}};
+        Projected<D> end = project(model, now.placed->coupling,
+                                   intermediate(model, old, *now.placed, forced, forces, state, step.dt), mass, step, state,
+                                   report, timers);
+        now.flow.twists = std::move(end.twists);
+        now.flow.p = std::move(end.impulse);
+        leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
+        timed("forces", [&] { find_forces(now); });
+        if (pass == most_passes)
+            break;
+        StepForces<D> next{trapezium<D>(old.force, now.force, step.dt), {}};
+        next.missing.assign(old.force.size(), Twist<D>::Zero());
+        const std::vector<double> work =
+            timed("forces", [&] { return missing_work(before, old, state.bodies, now, next.mean); });
+        double change = 0;
+        for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+            if (state.bodies[b].motion != Motion::free)
+                continue;
+            const Twist<D>&V = old.flow.twists[b], &V_next = now.flow.twists[b];
+            next.missing[b] = impulse_of_work<D>(mass_matrix(state.bodies[b]), V, V_next, work[b]);
+            change += std::abs(0.5 * (V + V_next).dot(next.mean[b] + next.missing[b] - forces.mean[b] - forces.missing[b]));
+        }
+        double energy = now.energy;
+        for (const RigidBody<D>& body : before)
+            energy += body.motion == Motion::free ? kinetic_energy(body) : 0.0;
+        if (pass > 1 && change <= energy_accuracy * energy)
+            break;
+        forces = std::move(next);
+    }
+    state.dt = step.dt;
+    state.time = step.landing;
+    state.steps = step.number;
+    finish_bodies(model, now.flow.twists, step, state);
+    state.wrenches = fluid_wrenches(model, old, now, forces, state.bodies, step.dt);
+    FluidVelocity<D> velocity = face_velocities(now);
+    state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, step.dt);
+    state.velocity = std::move(velocity);
+    state.potential = now.flow.p;
+    return now;
+}
+
+template <int D>
+Instant<D> restored(const Model<D>& model, const State<D>& state)
+{
+    return instant_of<D>(placed(model, state.bodies, model.masses(state.bodies, state.dt)),
+                        {model.twists(state.bodies), state.potential, 0});
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template Instant<D> advance<D>(const Model<D>&, const Instant<D>&, const Step&, State<D>&, StepReport&, StageTimers&);       \
+    template Instant<D> restored<D>(const Model<D>&, const State<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,244 @@
+#include "gapflow/step/energy_change.hpp"
+
+#include "gapflow/step/nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+namespace gapflow {
+namespace {
+
+template <int D>
+class EnergyChange {
+public:
+    EnergyChange(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
+                 const PotentialFlow<D>& flow_after)
+        : grid_(*before.coupling.grid), V_{&flow_before.twists, &flow_after.twists}, place_{&before, &after},
+          p_{flow_before.p.cells, flow_after.p.cells}
+    {
+        for (int solid = 0; solid < static_cast<int>(V_[0]->size()); ++solid) {
+            double square = 0;
+            const double radius = bounding_radius(world_bounds(before.coupling.solids[solid].shape));
+            for (const auto* V : V_)
+                square += (*V)[solid].template head<D>().squaredNorm() +
+                          ((*V)[solid].template tail<spin_size<D>>().isZero(0)
+                               ? 0.0
+                               : radius * radius * (*V)[solid].template tail<spin_size<D>>().squaredNorm());
+            weight_.push_back(before.coupling.solids[solid].wall ? 0.0 : square);
+        }
+        fill(0, flow_before.p.nodes, flow_after.p.nodes);
+        fill(1, flow_before.p.nodes, flow_after.p.nodes);
+    }
+
+    std::vector<double> find()
+    {
+        result_.assign(V_[0]->size(), 0.0);
+        add_faces();
+        for (int place = 0; place < 2; ++place)
+            add_lists(place);
+        share_out();
+        add_masses();
+        grid_.comm().sum(result_);
+        return std::move(result_);
+    }
+
+private:
+    /// Values of both fields in the nodes of a place, and in the cells that the other place lacks. What only one place has, has its own value twice: B of the
+    /// other place does not depend on it.
+    void fill(int place, const Eigen::VectorXd& before, const Eigen::VectorXd& after)
+    {
+        const Placed<D>&own = *place_[place], &other = *place_[1 - place];
+        const NodeNumbers<D> numbers(other);
+        const std::array<const Eigen::VectorXd*, 2> values{&before, &after};
+        nodes_[place][place] = *values[place];
+        nodes_[place][1 - place] = *values[place];
+        cell_of_node_[place].assign(own.coupling.system.nodes, -1);
+        const Complex<D>& complex = own.complex;
+        for (int p = 0; p < complex.parts(); ++p)
+            if (const int node = own.node[p]; node >= 0) {
+                const long key = grid_.key(grid_.wrapped(complex.cell_of_part(p)));
+                cell_of_node_[place][node] = key;
+                if (const int there = numbers.find(grid_, complex, p); there >= 0)
+                    nodes_[place][1 - place][node] = (*values[1 - place])[there];
+            }
+        for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
+            if (own.coupling.system.component(c) >= 0 && other.coupling.system.component(c) < 0)
+                p_[1 - place](c) = p_[place](c);
+        });
+    }
+
+    void put(long cell, double value)
+    {
+        if (value != 0)
+            change_[cell] += value;
+    }
+
+    /// Faces of the grid.
+    void add_faces()
+    {
+        for (CellField<D>& field : p_)
+            exchange(grid_, field);
+        for (int axis = 0; axis < D; ++axis)
+            for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+                const double g =
+                    place_[1]->coupling.system.conductance(axis, f) - place_[0]->coupling.system.conductance(axis, f);
+                if (g == 0)
+                    return;
+                const Index<D> below = f - step<D>(axis);
+                const bool low = grid_.in_domain(grid_.wrapped(below)), high = grid_.in_domain(grid_.wrapped(f));
+                std::array<double, 2> difference;
+                for (int field = 0; field < 2; ++field)
+                    difference[field] = (high ? p_[field](f) : 0.0) - (low ? p_[field](below) : 0.0);
+                const double value = -0.5 * g * difference[0] * difference[1];
+                if (low)
+                    put(grid_.key(grid_.wrapped(below)), high ? 0.5 * value : value);
+                if (high)
+                    put(grid_.key(grid_.wrapped(f)), low ? 0.5 * value : value);
+            });
+    }
+
+    /// Nodes, links and walls of one place.
+    void add_lists(int place)
+    {
+        const double sign = place == 0 ? -1 : 1;
+        const Coupling<D>& coupling = place_[place]->coupling;
+        const CoupledSystem<D>& system = coupling.system;
+        const Eigen::VectorXd &a = nodes_[place][0], &b = nodes_[place][1];
+        for (int i = 0; i < system.nodes; ++i) {
+            if (!system.owns(i))
+                continue;
+            double rest = 0;
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, i); entry; ++entry) {
+                rest += entry.value();
+                if (const int j = static_cast<int>(entry.row()); j > i) {
+                    const double value = 0.5 * sign * entry.value() * (a[i] - a[j]) * (b[i] - b[j]);
+                    put(cell_of_node_[place][i], 0.5 * value);
+                    put(cell_of_node_[place][j], 0.5 * value);
+                }
+            }
+            put(cell_of_node_[place][i], -0.5 * sign * rest * a[i] * b[i]);
+        }
+        for (const Link& link : system.links) {
+            double sum_a = 0, sum_b = 0;
+            for (const auto& [node, weight] : link.nodes) {
+                sum_a += weight * a[node];
+                sum_b += weight * b[node];
+            }
+            for (const auto& [key, weight] : link.cells) {
+                sum_a += weight * p_[0](grid_.cell_of_key(key));
+                sum_b += weight * p_[1](grid_.cell_of_key(key));
+            }
+            put(link.nodes.empty() ? link.cells.front().first : cell_of_node_[place][link.nodes.front().first],
+                -0.5 * sign * link.conductance * sum_a * sum_b);
+        }
+        for (const auto& entry : coupling.cell_flux)
+            put(grid_.key(entry.row), -0.5 * sign *
+                                          (p_[0](entry.row) * entry.flux.dot((*V_[1])[entry.body]) +
+                                           p_[1](entry.row) * entry.flux.dot((*V_[0])[entry.body])));
+        for (const auto& entry : coupling.node_flux)
+            put(cell_of_node_[place][entry.row], -0.5 * sign *
+                                                     (a[entry.row] * entry.flux.dot((*V_[1])[entry.body]) +
+                                                      b[entry.row] * entry.flux.dot((*V_[0])[entry.body])));
+    }
+
+    /// D of the solids, and what gaps add to their masses.
+    void add_masses()
+    {
+        for (int place = 0; place < 2; ++place) {
+            const double sign = place == 0 ? -1 : 1;
+            const Coupling<D>& coupling = place_[place]->coupling;
+            if (grid_.comm().root())
+                for (std::size_t s = 0; s < result_.size(); ++s)
+                    result_[s] += 0.5 * sign * (*V_[0])[s].dot(coupling.seen_mass[s] * (*V_[1])[s]);
+            for (const NormalInertia<D>& gap : coupling.normal_inertia) {
+                std::array<double, 2> speed;
+                for (int k = 0; k < 2; ++k)
+                    speed[k] = gap.row_master.dot((*V_[k])[gap.master]) + gap.row_other.dot((*V_[k])[gap.other]);
+                const double value = 0.5 * sign * gap.mass * speed[0] * speed[1],
+                             all = weight_[gap.master] + weight_[gap.other];
+                if (!(all > 0))
+                    continue;
+                result_[gap.master] += value * weight_[gap.master] / all;
+                result_[gap.other] += value * weight_[gap.other] / all;
+            }
+        }
+    }
+
+    /// Squares of the speeds of the solids that have walls in a cell, at one of the two places.
+    using Shares = std::vector<std::pair<int, double>>;
+    void add_share(Shares& shares, int solid, double value) const
+    {
+        for (auto& [s, sum] : shares)
+            if (s == solid) {
+                sum += value;
+                return;
+            }
+        shares.emplace_back(solid, value);
+    }
+
+    void share_out()
+    {
+        std::unordered_map<long, Shares> beside;
+        for (const Placed<D>* at : place_)
+            for (int p = 0; p < at->complex.parts(); ++p) {
+                const Index<D> c = grid_.wrapped(at->complex.cell_of_part(p));
+                if (!grid_.in_domain(c))
+                    continue;
+                for (const WallPatch<D>& patch : at->complex.patches_of(p))
+                    if (weight_[patch.solid] > 0)
+                        add_share(beside[grid_.key(c)], patch.solid, weight_[patch.solid] * patch.area.norm());
+            }
+        Shares everywhere;
+        for (std::size_t s = 0; s < weight_.size(); ++s)
+            if (weight_[s] > 0)
+                everywhere.emplace_back(static_cast<int>(s), weight_[s]);
+        for (const auto& [key, value] : change_) {
+            Shares near;
+            for (int reach = 0; reach <= farthest && near.empty(); ++reach) {
+                const Index<D> c = grid_.cell_of_key(key);
+                for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 1), [&](const Index<D>& n) {
+                    const Index<D> w = grid_.wrapped(n);
+                    if (!grid_.in_domain(w))
+                        return;
+                    if (const auto found = beside.find(grid_.key(w)); found != beside.end())
+                        for (const auto& [solid, share] : found->second)
+                            add_share(near, solid, share);
+                });
+            }
+            const Shares& shares = near.empty() ? everywhere : near;
+            double all = 0;
+            for (const auto& [solid, share] : shares)
+                all += share;
+            for (const auto& [solid, share] : shares)
+                result_[solid] += value * share / all;
+        }
+    }
+
+    static constexpr int farthest = 3; ///< cells from a wall in which its motion changes weights and fluxes
+
+    const Grid<D>& grid_;
+    std::array<const std::vector<Twist<D>>*, 2> V_;
+    std::array<const Placed<D>*, 2> place_;
+    std::array<CellField<D>, 2> p_;                       ///< of each field
+    std::array<std::array<Eigen::VectorXd, 2>, 2> nodes_; ///< of each place and field
+    std::array<std::vector<long>, 2> cell_of_node_;       ///< of each place: keys
+    std::vector<double> weight_;                          ///< of each solid: square of its speed
+    std::map<long, double> change_;                       ///< of each cell
+    std::vector<double> result_;
+};
+
+} // namespace
+
+template <int D>
+std::vector<double> energy_change(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
+                                  const PotentialFlow<D>& flow_after)
+{
+    return EnergyChange<D>(before, flow_before, after, flow_after).find();
+}
+
+template std::vector<double> energy_change<2>(const Placed<2>&, const PotentialFlow<2>&, const Placed<2>&, const PotentialFlow<2>&);
+template std::vector<double> energy_change<3>(const Placed<3>&, const PotentialFlow<3>&, const Placed<3>&, const PotentialFlow<3>&);
+
+} // namespace gapflow

@@ -1,0 +1,100 @@
+#include "gapflow/step/instant.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gapflow {
+
+template <int D>
+void find_forces(Instant<D>& instant)
+{
+    const Placed<D>& at = *instant.placed;
+    const std::vector<Twist<D>>& V = instant.flow.twists;
+    instant.impulse = fluid_impulse(at, instant.flow);
+    instant.force = energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V);
+    instant.energy = 0;
+    for (std::size_t s = 0; s < V.size(); ++s) {
+        instant.energy += 0.5 * V[s].dot(instant.impulse[s]);
+        if constexpr (D == 3) {
+            const gapflow::Vec<3> omega = V[s].template tail<3>(), L = instant.impulse[s].template tail<3>();
+            instant.force[s].template tail<3>() += omega.cross(L);
+        }
+    }
+}
+
+template <int D>
+Instant<D> instant_of(std::unique_ptr<Placed<D>> placed, PotentialFlow<D> flow)
+{
+    Instant<D> instant{std::move(placed), std::move(flow), {}, {}};
+    find_forces(instant);
+    return instant;
+}
+
+template <int D>
+FluidVelocity<D> face_velocities(const Instant<D>& instant)
+{
+    FluidVelocity<D> u;
+    u.grid = FaceField<D>(*instant.placed->coupling.grid);
+    UnknownVector<D> p = instant.flow.p;
+    subtract_gradient(instant.placed->coupling, p, u);
+    return u;
+}
+
+template <int D>
+UnknownVector<D> net_outflow(const Instant<D>& instant, const FluidVelocity<D>& velocity)
+{
+    const Coupling<D>& coupling = instant.placed->coupling;
+    const Grid<D>& grid = *coupling.grid;
+    const UnknownVector<D>& p = instant.flow.p;
+    UnknownVector<D> rest;
+    outflow(coupling, velocity, instant.flow.twists, rest);
+    Eigen::VectorXd nodes = Eigen::VectorXd::Zero(coupling.system.nodes);
+    for (int i = 0; i < coupling.system.nodes; ++i)
+        if (coupling.system.owns(i))
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(coupling.system.film, i); entry; ++entry)
+                nodes[i] += entry.value() * p.nodes[entry.row()];
+    std::vector<double> drop(coupling.system.links.size(), 0.0);
+    for (std::size_t k = 0; k < drop.size(); ++k)
+        for (const auto& [key, weight] : coupling.system.links[k].cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+                drop[k] += weight * p.cells(c);
+    grid.comm().sum(drop);
+    grid.comm().sum(std::span<double>(nodes.data(), nodes.size()));
+    rest.nodes += nodes;
+    for (std::size_t k = 0; k < drop.size(); ++k) {
+        const Link& link = coupling.system.links[k];
+        for (const auto& [node, weight] : link.nodes)
+            drop[k] += weight * p.nodes[node];
+        for (const auto& [node, weight] : link.nodes)
+            rest.nodes[node] += link.conductance * weight * drop[k];
+        for (const auto& [key, weight] : link.cells)
+            if (const Index<D> c = grid.cell_of_key(key); grid.owns(c))
+                rest.cells(c) += link.conductance * weight * drop[k];
+    }
+    return rest;
+}
+
+template <int D>
+double largest_divergence(const Instant<D>& instant, const FluidVelocity<D>& velocity)
+{
+    const Grid<D>& grid = *instant.placed->coupling.grid;
+    const UnknownVector<D> rest = net_outflow(instant, velocity);
+    double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        worst = std::max(worst, std::abs(rest.cells(c)) / grid.relative_volume(c));
+    });
+    return grid.comm().max(worst) / std::pow(grid.dx(), D);
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void find_forces<D>(Instant<D>&);                                                                                  \
+    template Instant<D> instant_of<D>(std::unique_ptr<Placed<D>>, PotentialFlow<D>);                                             \
+    template FluidVelocity<D> face_velocities<D>(const Instant<D>&);                                                            \
+    template double largest_divergence<D>(const Instant<D>&, const FluidVelocity<D>&);                                          \
+    template UnknownVector<D> net_outflow<D>(const Instant<D>&, const FluidVelocity<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,41 @@
+// An instant of a run: the bodies in the fluid, the potential flow that belongs to their velocities, and the generalised forces of its energy.
+#pragma once
+
+#include "gapflow/step/potential_flow.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace gapflow {
+
+template <int D>
+struct Instant {
+    std::unique_ptr<Placed<D>> placed;
+    PotentialFlow<D> flow;
+    std::vector<Twist<D>> impulse; ///< dT/dV of the fluid's energy T, of every solid
+    /// Rate of that impulse at constant impulses of the bodies themselves: dT/dx at fixed twists and, in 3D, omega x the angular impulse (the axes of
+    /// twists do not turn with the body).
+    std::vector<Twist<D>> force;
+    double energy = 0; ///< T
+};
+
+/// Fills impulse and force. Collective.
+template <int D>
+Instant<D> instant_of(std::unique_ptr<Placed<D>> placed, PotentialFlow<D> flow);
+/// The same after the flow has changed.
+template <int D>
+void find_forces(Instant<D>& instant);
+
+/// Velocities of the fluid on the faces of the grid. Collective.
+template <int D>
+FluidVelocity<D> face_velocities(const Instant<D>& instant);
+
+/// Net outflow of every unknown's volume: what the solver's tolerance leaves. Collective.
+template <int D>
+UnknownVector<D> net_outflow(const Instant<D>& instant, const FluidVelocity<D>& velocity);
+
+/// Largest net outflow over the volume of a cell, 1/time. Collective.
+template <int D>
+double largest_divergence(const Instant<D>& instant, const FluidVelocity<D>& velocity);
+
+} // namespace gapflow

@@ -1,0 +1,124 @@
+#include "gapflow/step/potential_flow.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/coupling/pressure_gauge.hpp"
+
+#include <utility>
+
+namespace gapflow {
+namespace {
+
+template <int D>
+UnknownVector<D> zero(const Coupling<D>& coupling)
+{
+    return {CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
+}
+
+/// sum += K V of the solids that `counts`.
+template <int D, class Counts>
+void add_flux(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, const Counts& counts, UnknownVector<D>& sum)
+{
+    for (const auto& entry : coupling.cell_flux)
+        if (counts(entry.body))
+            sum.cells(entry.row) += entry.flux.dot(twists[entry.body]);
+    for (const auto& entry : coupling.node_flux)
+        if (counts(entry.body))
+            sum.nodes[entry.row] += entry.flux.dot(twists[entry.body]);
+}
+
+template <int D>
+void require(const SolveReport& solve)
+{
+    if (!solve.converged)
+        throw ComputationError("the pressure solve did not converge: " + solve.message + " (" +
+                               std::to_string(solve.iterations) + " iterations)");
+}
+
+template <int D>
+void scale(UnknownVector<D>& v, double factor)
+{
+    for (long i = 0; i < v.cells.size(); ++i)
+        v.cells.data()[i] *= factor;
+    v.nodes *= factor;
+}
+
+} // namespace
+
+template <int D>
+PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options)
+{
+    const Coupling<D> given = with_given_twists(at.coupling);
+    UnknownVector<D> rhs = zero(given);
+    add_flux(given, twists, [](int) { return true; }, rhs);
+    given.grid->comm().sum(std::span<double>(rhs.nodes.data(), rhs.nodes.size()));
+    scale(rhs, -1);
+    PotentialFlow<D> flow{std::move(twists), zero(given)};
+    const SolveReport solve = CoupledSolver<D>(given.system, options).solve(flow.p, rhs);
+    require<D>(solve);
+    flow.iterations = solve.iterations;
+    return flow;
+}
+
+template <int D>
+std::vector<Twist<D>> impulses_of_given(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists)
+{
+    const Communicator& comm = coupling.grid->comm();
+    std::vector<Twist<D>> impulse(twists.size(), Twist<D>::Zero());
+    const auto given = [&](int solid) { return coupling.free_body[solid] < 0; };
+    for (const NormalInertia<D>& gap : coupling.normal_inertia) {
+        const std::array<int, 2> solid{gap.master, gap.other};
+        const std::array<const Twist<D>*, 2> row{&gap.row_master, &gap.row_other};
+        double speed = 0;
+        for (int k = 0; k < 2; ++k)
+            if (given(solid[k]))
+                speed += row[k]->dot(twists[solid[k]]);
+        for (int k = 0; k < 2 && speed != 0; ++k)
+            if (!given(solid[k]))
+                impulse[solid[k]] -= gap.mass * speed * *row[k];
+    }
+    if (!coupling.gauge_cells.empty() || !coupling.gauge_nodes.empty()) {
+        UnknownVector<D> flux = zero(coupling);
+        add_flux(coupling, twists, given, flux);
+        std::vector<int> solid(coupling.system.bodies);
+        for (std::size_t s = 0; s < twists.size(); ++s)
+            if (coupling.free_body[s] >= 0)
+                solid[coupling.free_body[s]] = static_cast<int>(s);
+        for (const auto& entry : coupling.gauge_cells)
+            impulse[solid[entry.body]] -= flux.cells(entry.row) * entry.flux;
+        for (const auto& entry : coupling.gauge_nodes)
+            impulse[solid[entry.body]] -= flux.nodes[entry.row] * entry.flux;
+    }
+    if (!impulse.empty())
+        comm.sum(std::span<double>(impulse.data()->data(), impulse.size() * twist_size<D>));
+    return impulse;
+}
+
+template <int D>
+std::vector<Twist<D>> fluid_impulse(const Placed<D>& at, const PotentialFlow<D>& flow)
+{
+    const Coupling<D>& coupling = at.coupling;
+    std::vector<Twist<D>> impulse = impulses(coupling, flow.p);
+    for (std::size_t s = 0; s < impulse.size(); ++s)
+        impulse[s] = coupling.seen_mass[s] * flow.twists[s] - impulse[s];
+    std::vector<Twist<D>> gaps(impulse.size(), Twist<D>::Zero());
+    for (const NormalInertia<D>& gap : coupling.normal_inertia) {
+        const double speed = gap.row_master.dot(flow.twists[gap.master]) + gap.row_other.dot(flow.twists[gap.other]);
+        gaps[gap.master] += gap.mass * speed * gap.row_master;
+        gaps[gap.other] += gap.mass * speed * gap.row_other;
+    }
+    if (!gaps.empty())
+        coupling.grid->comm().sum(std::span<double>(gaps.data()->data(), gaps.size() * twist_size<D>));
+    for (std::size_t s = 0; s < impulse.size(); ++s)
+        impulse[s] += gaps[s];
+    return impulse;
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template PotentialFlow<D> flow_of_twists<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&);                \
+    template std::vector<Twist<D>> impulses_of_given<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                     \
+    template std::vector<Twist<D>> fluid_impulse<D>(const Placed<D>&, const PotentialFlow<D>&);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

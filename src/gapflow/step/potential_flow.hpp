@@ -1,0 +1,32 @@
+// Potential flow around moving bodies: L p + K V = 0 for the fluid, P = M V - K^T p for the bodies, P = dT/dV their impulse with that of
+// the fluid.
+#pragma once
+
+#include "gapflow/solver/solver.hpp"
+#include "gapflow/step/placed.hpp"
+
+#include <vector>
+
+namespace gapflow {
+
+template <int D>
+struct PotentialFlow {
+    std::vector<Twist<D>> twists; ///< of all solids
+    UnknownVector<D> p;           ///< density times the potential; velocities are grad p / density
+    int iterations = 0;
+};
+
+/// That of given twists. Collective.
+template <int D>
+PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options);
+
+/// What the motion of the solids that are not free adds to the free bodies' impulses in their rows of the system: by the masses of gaps between both, and
+/// in another gauge by the fluid's rows. 0 for the others. Collective.
+template <int D>
+std::vector<Twist<D>> impulses_of_given(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists);
+
+/// dT/dV of the fluid's energy alone, of all solids. Collective.
+template <int D>
+std::vector<Twist<D>> fluid_impulse(const Placed<D>& at, const PotentialFlow<D>& flow);
+
+} // namespace gapflow

@@ -1,0 +1,85 @@
+#include "gapflow/step/pressure.hpp"
+
+#include "gapflow/step/nodes.hpp"
+
+#include <map>
+#include <utility>
+
+namespace gapflow {
+namespace {
+
+/// Mean square of the velocity in a cell: of the means over the two faces along each axis, those that are open.
+template <int D>
+double square_of_speed(const CoupledSystem<D>& system, const FaceField<D>& u, const Index<D>& c)
+{
+    double sum = 0;
+    for (int axis = 0; axis < D; ++axis) {
+        double squares = 0;
+        int open = 0;
+        for (int end = 0; end < 2; ++end)
+            if (const Index<D> f = c + end * step<D>(axis); system.conductance(axis, f) > 0) {
+                squares += u(axis, f) * u(axis, f);
+                ++open;
+            }
+        if (open > 0)
+            sum += squares / open;
+    }
+    return sum;
+}
+
+} // namespace
+
+template <int D>
+UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& velocity_before, const Instant<D>& after,
+                                  const FaceField<D>& velocity_after, double dt)
+{
+    const Coupling<D>&old = before.placed->coupling, &here = after.placed->coupling;
+    const Grid<D>& grid = *here.grid;
+    UnknownVector<D> impulse{CellField<D>(grid), Eigen::VectorXd::Zero(here.system.nodes)};
+    CellField<D, std::int8_t> known(grid, std::int8_t(0));
+    const auto has = [](const Coupling<D>& c, const Index<D>& cell) { return c.system.component(cell) >= 0; };
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (!has(here, c) || !has(old, c))
+            return;
+        const double square =
+            0.5 * (square_of_speed(old.system, velocity_before, c) + square_of_speed(here.system, velocity_after, c));
+        impulse.cells(c) = after.flow.p.cells(c) - before.flow.p.cells(c) - 0.5 * dt * here.density * square;
+        known(c) = 1;
+    });
+    exchange(grid, impulse.cells, 1);
+    exchange(grid, known, 1);
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (!has(here, c) || known(c))
+            return;
+        double sum = 0;
+        int count = 0;
+        for (int axis = 0; axis < D; ++axis)
+            for (int side = 0; side < 2; ++side)
+                if (const Index<D> next = c + (2 * side - 1) * step<D>(axis);
+                    here.system.conductance(axis, Index<D>(c + side * step<D>(axis))) > 0 && grid.in_domain(grid.wrapped(next)) &&
+                    known(next)) {
+                    sum += impulse.cells(next);
+                    ++count;
+                }
+        impulse.cells(c) = count > 0 ? sum / count : 0.0;
+    });
+    const NodeNumbers<D> numbers(*before.placed);
+    const Complex<D>& complex = after.placed->complex;
+    for (int p = 0; p < complex.parts(); ++p) {
+        const int node = after.placed->node[p];
+        if (node < 0 || !here.system.owns(node))
+            continue;
+        const Index<D> c = complex.cell_of_part(p);
+        if (const int was = numbers.find(grid, complex, p); was >= 0)
+            impulse.nodes[node] = after.flow.p.nodes[node] - before.flow.p.nodes[was];
+        else if (has(here, c))
+            impulse.nodes[node] = impulse.cells(c);
+    }
+    grid.comm().sum(std::span<double>(impulse.nodes.data(), impulse.nodes.size()));
+    return impulse;
+}
+
+template UnknownVector<2> pressure_impulse<2>(const Instant<2>&, const FaceField<2>&, const Instant<2>&, const FaceField<2>&, double);
+template UnknownVector<3> pressure_impulse<3>(const Instant<3>&, const FaceField<3>&, const Instant<3>&, const FaceField<3>&, double);
+
+} // namespace gapflow

@@ -1,0 +1,56 @@
+#include "gapflow/step/start.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/stepping/core_requirement.hpp"
+#include "gapflow/stepping/force_parts.hpp"
+#include "gapflow/stepping/placement.hpp"
+#include "gapflow/stepping/start.hpp"
+#include "gapflow/stepping/weight_check.hpp"
+
+#include <utility>
+
+namespace gapflow {
+
+SolverOptions step_options(const Scene& scene)
+{
+    SolverOptions options;
+    options.tolerance = scene.tolerance;
+    options.backend = scene.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
+    return options;
+}
+
+template <int D>
+Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers)
+{
+    require_weight(model.scene, state.bodies);
+    if (model.driven())
+        throw InputError(model.scene.file + ": gap.model: bodies that are heavier or lighter than the fluid fall along a periodic axis, and this version "
+                                            "does not keep the mean velocity with \"parts\"; close an axis, or write gap.model = \"film\"");
+    for (std::string& warning : placement_warnings<D>(model.scene, state.bodies, model.walls))
+        report.notes.push_back(std::move(warning));
+    for (std::string& note : take_out_overlaps<D>(model.scene, model.grid, state.bodies, model.walls))
+        report.notes.push_back(std::move(note));
+    std::unique_ptr<Placed<D>> at;
+    {
+        const auto timer = timers.measure("complex");
+        at = placed(model, state.bodies, model.masses(state.bodies, 0));
+    }
+    require_fluid(model, at->coupling);
+    require_core(model, at->coupling, state.bodies);
+    const auto timer = timers.measure("solve");
+    PotentialFlow<D> flow = flow_of_twists(*at, model.twists(state.bodies), step_options(model.scene));
+    report.iterations = flow.iterations;
+    report.solves = 1;
+    Instant<D> instant = instant_of<D>(std::move(at), std::move(flow));
+    state.velocity = face_velocities(instant);
+    state.potential = instant.flow.p;
+    state.pressure.impulse = {CellField<D>(model.grid), Eigen::VectorXd::Zero(instant.flow.p.nodes.size())};
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        state.wrenches[b] = buoyancy(model, state.bodies[b]);
+    return instant;
+}
+
+template Instant<2> start_on_parts<2>(const Model<2>&, State<2>&, StepReport&, StageTimers&);
+template Instant<3> start_on_parts<3>(const Model<3>&, State<3>&, StepReport&, StageTimers&);
+
+} // namespace gapflow

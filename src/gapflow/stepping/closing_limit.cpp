@@ -1,0 +1,49 @@
+#include "gapflow/stepping/closing_limit.hpp"
+
+#include "gapflow/stepping/contact_rows.hpp"
+#include "gapflow/stepping/film_reversal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gapflow {
+
+template <int D>
+double limit_of_closing(const Model<D>& model, const State<D>& state, const std::vector<Solid<D>>& solids,
+                        const std::vector<Twist<D>>& V, const std::vector<Twist<D>>& A, double dt)
+{
+    const double dx = model.grid.dx(), part = model.scene.gap_cfl;
+    Vec<D> period = Vec<D>::Zero();
+    for (int axis = 0; axis < D; ++axis)
+        period[axis] = model.grid.periodic(axis) ? model.grid.size()[axis] : 0.0;
+    std::vector<double> way; // that a solid's surface goes at most
+    for (std::size_t s = 0; s < solids.size(); ++s) {
+        const double radius = bounding_radius<D>(world_bounds(solids[s].shape));
+        const Twist<D> expected = dt * V[s].cwiseAbs() + 0.5 * dt * dt * A[s].cwiseAbs();
+        const double turn = expected.template tail<spin_size<D>>().norm();
+        way.push_back(expected.template head<D>().norm() + (turn > 0 ? turn * std::min(radius, model.grid.size().norm()) : 0.0));
+    }
+    const auto reach = [&](int a, int b) { return (way[a] + way[b]) / part; };
+    const double largest = way.empty() ? 0.0 : 2 * *std::max_element(way.begin(), way.end()) / part;
+    const std::vector<ContactFeatures<D>>& features = state.contacts.features();
+    for (const ContactPoint<D>& point :
+         find_contacts<D>(solids, features, model.grid.origin(), model.grid.origin() + model.grid.size(), period, reach, largest,
+                          0.5 * dx)) {
+        const RelativeRow<D> row = relative_row<D>(point, solids, point.normal);
+        const auto rate = [&](const std::vector<Twist<D>>& twist) {
+            return std::abs(row.a.dot(twist[point.a]) + row.b.dot(twist[point.b]));
+        };
+        const double hold = model.scene.held_distance(solids[point.a].name, solids[point.b].name),
+                     h = std::max({point.distance, hold, smallest_limiting_gap * dx}), tiny = std::numeric_limits<double>::min();
+        dt = std::min({dt, part * h / std::max(rate(V), tiny), std::sqrt(2 * part * h / std::max(rate(A), tiny))});
+    }
+    return dt;
+}
+
+template double limit_of_closing<2>(const Model<2>&, const State<2>&, const std::vector<Solid<2>>&, const std::vector<Twist<2>>&,
+                                    const std::vector<Twist<2>>&, double);
+template double limit_of_closing<3>(const Model<3>&, const State<3>&, const std::vector<Solid<3>>&, const std::vector<Twist<3>>&,
+                                    const std::vector<Twist<3>>&, double);
+
+} // namespace gapflow
