@@ -74,6 +74,9 @@ void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
         log.info(fmt::format("smallest gap: {:.4g} ({:.3g} cells){}{}; roughness {}", smallest_gap, smallest_gap / dx,
                              run.smallest_gap_place().empty() ? "" : " ", run.smallest_gap_place(),
                              roughness_text(simulation.scene())));
+    if (simulation.scene().parts)
+        log.info(fmt::format("forces: the correction of their work added {:.2g} % of the largest energy, its magnitudes sum up to {:.2g} %",
+                             100 * simulation.correction().sum, 100 * simulation.correction().magnitude));
     std::string stages;
     for (const auto& [name, stage] : simulation.stages().stages())
         stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, stage.seconds);

@@ -12,7 +12,8 @@
 
 namespace gapflow {
 
-/// Pieces of faces that only the line from a sharp corner separates, taken together; and what lies beside them in the plane of the grid. A face is
+/// Pieces of a face that lead from one part to another one, lines from sharp corners not counted, taken together: so nothing jumps where a smooth wall comes
+/// through the face; and what lies beside them in the plane of the grid. A face is
 /// plain where all that is open of it joins the largest parts of two cells in one piece: Complex::main_area and main_of tell all of it.
 template <int D>
 class OpenAreas {
@@ -120,10 +121,10 @@ private:
     static constexpr std::int32_t none = -1;
 
     static std::int32_t decoded(std::int32_t first) { return first >= none ? first : -2 - first; }
-    int whole(const PartOrCell& side) const { return side.is_part() ? whole_[side.number()] : side.code; }
+    int whole(const PartOrCell& side) const { return side.is_part() && !whole_.empty() ? whole_[side.number()] : side.code; }
     bool same(std::int32_t a, std::int32_t b) const
     {
-        return a == b || (!whole_.empty() && whole(complex_.pieces[a].low) == whole(complex_.pieces[b].low) &&
+        return a == b || (whole(complex_.pieces[a].low) == whole(complex_.pieces[b].low) &&
                           whole(complex_.pieces[a].high) == whole(complex_.pieces[b].high));
     }
 

@@ -2,7 +2,7 @@
 
 namespace gapflow {
 
-std::vector<Column<StepReport>> step_columns(int dimension, bool driven, bool steady)
+std::vector<Column<StepReport>> step_columns(int dimension, bool driven, bool steady, bool parts)
 {
     using R = StepReport;
     std::vector<Column<R>> columns{
@@ -32,6 +32,8 @@ std::vector<Column<StepReport>> step_columns(int dimension, bool driven, bool st
         columns.insert(columns.end(), gradient, gradient + dimension);
         columns.insert(columns.end(), velocity, velocity + dimension);
     }
+    if (parts)
+        columns.push_back({"corrected_energy", &R::corrected_energy});
     if (steady)
         columns.push_back({unsteadiness_column, &R::unsteadiness});
     return columns;

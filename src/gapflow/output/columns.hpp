@@ -13,8 +13,8 @@ namespace gapflow {
 /// The last column of steps.csv in runs with time.until_steady.
 inline constexpr const char* unsteadiness_column = "unsteadiness";
 
-/// Of steps.csv. `driven`: those of a periodic box that a pressure gradient drives, too; `steady`: the unsteadiness.
-std::vector<Column<StepReport>> step_columns(int dimension, bool driven, bool steady = false);
+/// Of steps.csv. `driven`: those of a periodic box that a pressure gradient drives, too; `steady`: the unsteadiness; `parts`: the energy of the correction of forces.
+std::vector<Column<StepReport>> step_columns(int dimension, bool driven, bool steady = false, bool parts = false);
 /// Of gaps.csv, after step and time.
 std::span<const Column<GapState>> gap_columns();
 

@@ -81,6 +81,37 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
     return star;
 }
 
+/// The forces that follow from the flow at the step's end.
+template <int D>
+StepForces<D> forces_of(const Instant<D>& old, const std::vector<RigidBody<D>>& before, const Instant<D>& now,
+                        const std::vector<RigidBody<D>>& bodies, double dt)
+{
+    StepForces<D> forces{trapezium<D>(old.force, now.force, dt), std::vector<Twist<D>>(old.force.size(), Twist<D>::Zero())};
+    const std::vector<double> work = missing_work(before, old, bodies, now, forces.mean);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b].motion == Motion::free)
+            forces.missing[b] =
+                impulse_of_work<D>(mass_matrix(bodies[b]), old.flow.twists[b], now.flow.twists[b], work[b]);
+    return forces;
+}
+
+/// Work of impulses on the free bodies' mean twists, and the sum of its magnitudes.
+struct Work {
+    double sum = 0, magnitude = 0;
+};
+template <int D, class Impulse>
+Work work_of(const Impulse& impulse, const std::vector<RigidBody<D>>& bodies, const Instant<D>& old, const Instant<D>& now)
+{
+    Work work;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b].motion == Motion::free) {
+            const double own = 0.5 * (old.flow.twists[b] + now.flow.twists[b]).dot(impulse(b));
+            work.sum += own;
+            work.magnitude += std::abs(own);
+        }
+    return work;
+}
+
 /// Mean of the fluid's force on every body: what the bodies' own momenta get.
 template <int D>
 std::vector<Twist<D>> fluid_wrenches(const Model<D>& model, const Instant<D>& old, const Instant<D>& now,
@@ -123,27 +154,18 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
         now.flow.p = std::move(end.impulse);
         leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
         timed("forces", [&] { find_forces(now); });
-        if (pass == most_passes)
-            break;
-        StepForces<D> next{trapezium<D>(old.force, now.force, step.dt), {}};
-        next.missing.assign(old.force.size(), Twist<D>::Zero());
-        const std::vector<double> work =
-            timed("forces", [&] { return missing_work(before, old, state.bodies, now, next.mean); });
-        double change = 0;
-        for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-            if (state.bodies[b].motion != Motion::free)
-                continue;
-            const Twist<D>&V = old.flow.twists[b], &V_next = now.flow.twists[b];
-            next.missing[b] = impulse_of_work<D>(mass_matrix(state.bodies[b]), V, V_next, work[b]);
-            change += std::abs(0.5 * (V + V_next).dot(next.mean[b] + next.missing[b] - forces.mean[b] - forces.missing[b]));
-        }
+        StepForces<D> next = timed("forces", [&] { return forces_of(old, before, now, state.bodies, step.dt); });
+        const auto change = [&](std::size_t b) {
+            return Twist<D>(next.mean[b] + next.missing[b] - forces.mean[b] - forces.missing[b]);
+        };
         double energy = now.energy;
         for (const RigidBody<D>& body : before)
             energy += body.motion == Motion::free ? kinetic_energy(body) : 0.0;
-        if (pass > 1 && change <= energy_accuracy * energy)
+        if (pass == most_passes || (pass > 1 && work_of(change, state.bodies, old, now).magnitude <= energy_accuracy * energy))
             break;
         forces = std::move(next);
     }
+    report.corrected_energy = work_of([&](std::size_t b) { return forces.missing[b]; }, state.bodies, old, now).sum;
     state.dt = step.dt;
     state.time = step.landing;
     state.steps = step.number;

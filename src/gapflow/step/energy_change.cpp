@@ -187,8 +187,8 @@ private:
                 if (!grid_.in_domain(c))
                     continue;
                 for (const WallPatch<D>& patch : at->complex.patches_of(p))
-                    if (weight_[patch.solid] > 0)
-                        add_share(beside[grid_.key(c)], patch.solid, weight_[patch.solid] * patch.area.norm());
+                    if (const double share = weight_[patch.solid] * patch.area.norm(); share > 0)
+                        add_share(beside[grid_.key(c)], patch.solid, share);
             }
         Shares everywhere;
         for (std::size_t s = 0; s < weight_.size(); ++s)

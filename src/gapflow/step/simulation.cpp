@@ -21,6 +21,8 @@
 #include "gapflow/stepping/thickness_check.hpp"
 #include "gapflow/stepping/viscous_lag.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -255,6 +257,9 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
     if (instant_) {
         report.energy_fluid = instant_->energy;
         report.divergence_max = largest_divergence(*instant_, state_.velocity);
+        corrected_.sum += report.corrected_energy;
+        corrected_.magnitude += std::abs(report.corrected_energy);
+        largest_energy_ = std::max(largest_energy_, report.energy_fluid + report.energy_bodies);
     }
     for (std::string& note : blind_end_notes(coupling(), blind_told_))
         report.notes.push_back(std::move(note));

@@ -78,6 +78,16 @@ public:
     const StepReport& initial_report() const { return initial_report_; }
     /// Everything on which the next step depends, apart from the scene. Collective.
     StoredState state() const;
+    /// Of runs on parts, over the steps of this object: energy that the correction of the forces' work added, and the sum of its magnitudes, over the
+    /// largest energy.
+    struct Correction {
+        double sum = 0, magnitude = 0;
+    };
+    Correction correction() const
+    {
+        return largest_energy_ > 0 ? Correction{corrected_.sum / largest_energy_, corrected_.magnitude / largest_energy_}
+                                   : Correction{};
+    }
     /// Time spent in each stage so far.
     const StageTimers& stages() const { return stages_; }
 
@@ -102,6 +112,8 @@ private:
     std::vector<ForceParts<D>> force_parts_;
     StepReport initial_report_;
     StageTimers stages_;
+    Correction corrected_; ///< not over the energy
+    double largest_energy_ = 0;
 };
 
 } // namespace gapflow
