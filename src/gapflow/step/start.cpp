@@ -22,6 +22,9 @@ SolverOptions step_options(const Scene& scene)
 template <int D>
 Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers)
 {
+    if (model.grid.comm().size() > 1)
+        throw InputError(model.scene.file + ": gap.model: this version runs \"parts\" on one rank; run it without mpirun (threads work), or write "
+                                            "gap.model = \"film\"");
     require_weight(model.scene, state.bodies);
     if (model.driven())
         throw InputError(model.scene.file + ": gap.model: bodies that are heavier or lighter than the fluid fall along a periodic axis, and this version "
