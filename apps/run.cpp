@@ -7,8 +7,8 @@
 #include "gapflow/output/progress.hpp"
 #include "gapflow/output/run.hpp"
 #include "gapflow/output/run_folder.hpp"
-#include "gapflow/stepping/gap_notes.hpp"
 #include "gapflow/step/simulation.hpp"
+#include "gapflow/stepping/gap_notes.hpp"
 
 #include <fmt/core.h>
 
@@ -75,8 +75,9 @@ void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
                              run.smallest_gap_place().empty() ? "" : " ", run.smallest_gap_place(),
                              roughness_text(simulation.scene())));
     if (simulation.scene().parts)
-        log.info(fmt::format("forces: the correction of their work added {:.2g} % of the largest energy, its magnitudes sum up to {:.2g} %",
-                             100 * simulation.correction().sum, 100 * simulation.correction().magnitude));
+        log.info(fmt::format(
+            "forces: the correction of their work added {:.2g} % of the largest energy, its magnitudes sum up to {:.2g} %",
+            100 * simulation.correction().sum, 100 * simulation.correction().magnitude));
     std::string stages;
     for (const auto& [name, stage] : simulation.stages().stages())
         stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, stage.seconds);

@@ -10,8 +10,8 @@
 #include "gapflow/output/run_record.hpp"
 #include "gapflow/scene/scene.hpp"
 #include "gapflow/solver/solver.hpp"
-#include "gapflow/stepping/model.hpp"
 #include "gapflow/step/simulation.hpp"
+#include "gapflow/stepping/model.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

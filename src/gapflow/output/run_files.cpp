@@ -235,8 +235,7 @@ void RunFiles<D>::open_tables(const Simulation<D>& simulation, const RunPosition
     measures_.open(folder_, scene, from);
     const bool driven = simulation.driven();
     const auto last = from ? last_column(folder_ / "steps.csv") : std::nullopt; // a run that goes on keeps the table's columns
-    step_columns_ = step_columns(D, driven, last ? *last == unsteadiness_column : scene.until_steady.has_value(),
-                                 scene.parts);
+    step_columns_ = step_columns(D, driven, last ? *last == unsteadiness_column : scene.until_steady.has_value(), scene.parts);
     open(steps_, "steps.csv", names_of<StepReport>(step_columns_));
 }
 

@@ -26,7 +26,8 @@ std::vector<KeyInfo> gap_keys()
          "\"film\"",
          any,
          {"film", "none", "parts"},
-         "thin gaps carry films, or are left to the grid; parts: added masses with bodies of any thickness, no runs yet"},
+         "thin gaps carry films, or are left to the grid; parts: bodies of any thickness; added masses, and runs of ideal "
+         "fluid at rest but for the bodies"},
         {"gap.threshold",
          T::number_or_word,
          "cells",

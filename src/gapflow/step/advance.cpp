@@ -76,8 +76,8 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
     const std::vector<Twist<D>> given = impulses_of_given(there.coupling, forced);
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         if (state.bodies[b].motion == Motion::free)
-            star.twists[b] += impulse_response(
-                state.bodies[b], Twist<D>(old.impulse[b] + forces.mean[b] + forces.missing[b] + given[b]), dt);
+            star.twists[b] +=
+                impulse_response(state.bodies[b], Twist<D>(old.impulse[b] + forces.mean[b] + forces.missing[b] + given[b]), dt);
     return star;
 }
 
@@ -90,8 +90,7 @@ StepForces<D> forces_of(const Instant<D>& old, const std::vector<RigidBody<D>>& 
     const std::vector<double> work = missing_work(before, old, bodies, now, forces.mean);
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (bodies[b].motion == Motion::free)
-            forces.missing[b] =
-                impulse_of_work<D>(mass_matrix(bodies[b]), old.flow.twists[b], now.flow.twists[b], work[b]);
+            forces.missing[b] = impulse_of_work<D>(mass_matrix(bodies[b]), old.flow.twists[b], now.flow.twists[b], work[b]);
     return forces;
 }
 
@@ -128,7 +127,7 @@ std::vector<Twist<D>> fluid_wrenches(const Model<D>& model, const Instant<D>& ol
 
 template <int D>
 Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& step, State<D>& state, StepReport& report,
-                  StageTimers& timers)
+                   StageTimers& timers)
 {
     const auto timed = [&](const char* stage, auto&& f) {
         const auto timer = timers.measure(stage);
@@ -147,9 +146,9 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     for (int pass = 1;; ++pass) {
         state.contacts = contacts;
         state.pressure.impulse = {CellField<D>(model.grid), {}};
-        Projected<D> end = project(model, now.placed->coupling,
-                                   intermediate(model, old, *now.placed, forced, forces, state, step.dt), mass, step, state,
-                                   report, timers);
+        Projected<D> end =
+            project(model, now.placed->coupling, intermediate(model, old, *now.placed, forced, forces, state, step.dt), mass,
+                    step, state, report, timers);
         now.flow.twists = std::move(end.twists);
         now.flow.p = std::move(end.impulse);
         leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
@@ -182,11 +181,11 @@ template <int D>
 Instant<D> restored(const Model<D>& model, const State<D>& state)
 {
     return instant_of<D>(placed(model, state.bodies, model.masses(state.bodies, state.dt)),
-                        {model.twists(state.bodies), state.potential, 0});
+                         {model.twists(state.bodies), state.potential, 0});
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template Instant<D> advance<D>(const Model<D>&, const Instant<D>&, const Step&, State<D>&, StepReport&, StageTimers&);       \
+    template Instant<D> advance<D>(const Model<D>&, const Instant<D>&, const Step&, State<D>&, StepReport&, StageTimers&);     \
     template Instant<D> restored<D>(const Model<D>&, const State<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

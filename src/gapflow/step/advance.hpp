@@ -16,7 +16,7 @@ namespace gapflow {
 /// ComputationError as project(). Collective.
 template <int D>
 Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& step, State<D>& state, StepReport& report,
-                  StageTimers& timers);
+                   StageTimers& timers);
 
 /// The instant of the state's bodies with its potential. Collective.
 template <int D>

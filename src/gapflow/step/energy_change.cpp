@@ -238,7 +238,9 @@ std::vector<double> energy_change(const Placed<D>& before, const PotentialFlow<D
     return EnergyChange<D>(before, flow_before, after, flow_after).find();
 }
 
-template std::vector<double> energy_change<2>(const Placed<2>&, const PotentialFlow<2>&, const Placed<2>&, const PotentialFlow<2>&);
-template std::vector<double> energy_change<3>(const Placed<3>&, const PotentialFlow<3>&, const Placed<3>&, const PotentialFlow<3>&);
+template std::vector<double> energy_change<2>(const Placed<2>&, const PotentialFlow<2>&, const Placed<2>&,
+                                              const PotentialFlow<2>&);
+template std::vector<double> energy_change<3>(const Placed<3>&, const PotentialFlow<3>&, const Placed<3>&,
+                                              const PotentialFlow<3>&);
 
 } // namespace gapflow

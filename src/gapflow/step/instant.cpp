@@ -81,17 +81,16 @@ double largest_divergence(const Instant<D>& instant, const FluidVelocity<D>& vel
     const Grid<D>& grid = *instant.placed->coupling.grid;
     const UnknownVector<D> rest = net_outflow(instant, velocity);
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        worst = std::max(worst, std::abs(rest.cells(c)) / grid.relative_volume(c));
-    });
+    for_each_index<D>(grid.low(), grid.high(),
+                      [&](const Index<D>& c) { worst = std::max(worst, std::abs(rest.cells(c)) / grid.relative_volume(c)); });
     return grid.comm().max(worst) / std::pow(grid.dx(), D);
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void find_forces<D>(Instant<D>&);                                                                                  \
-    template Instant<D> instant_of<D>(std::unique_ptr<Placed<D>>, PotentialFlow<D>);                                             \
-    template FluidVelocity<D> face_velocities<D>(const Instant<D>&);                                                            \
-    template double largest_divergence<D>(const Instant<D>&, const FluidVelocity<D>&);                                          \
+    template void find_forces<D>(Instant<D>&);                                                                                 \
+    template Instant<D> instant_of<D>(std::unique_ptr<Placed<D>>, PotentialFlow<D>);                                           \
+    template FluidVelocity<D> face_velocities<D>(const Instant<D>&);                                                           \
+    template double largest_divergence<D>(const Instant<D>&, const FluidVelocity<D>&);                                         \
     template UnknownVector<D> net_outflow<D>(const Instant<D>&, const FluidVelocity<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

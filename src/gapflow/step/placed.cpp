@@ -22,9 +22,9 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
     result->coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
     add_seen_mass(result->coupling);
     if (observed) {
-        result->coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, result->coupling.solids, FractionMode::cut_cell);
-        result->coupling.fractions =
-            std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *result->coupling.clipper));
+        result->coupling.clipper =
+            std::make_shared<FaceClipper<D>>(model.grid, result->coupling.solids, FractionMode::cut_cell);
+        result->coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *result->coupling.clipper));
     }
     CoupledSystem<D> numbered;
     result->node = nodes_of_parts<D>(model.grid, complex, numbered);

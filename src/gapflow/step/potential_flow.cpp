@@ -49,7 +49,8 @@ PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twist
 {
     const Coupling<D> given = with_given_twists(at.coupling);
     UnknownVector<D> rhs = zero(given);
-    add_flux(given, twists, [](int) { return true; }, rhs);
+    add_flux(
+        given, twists, [](int) { return true; }, rhs);
     given.grid->comm().sum(std::span<double>(rhs.nodes.data(), rhs.nodes.size()));
     scale(rhs, -1);
     PotentialFlow<D> flow{std::move(twists), zero(given)};

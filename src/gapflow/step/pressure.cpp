@@ -56,8 +56,8 @@ UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& 
         for (int axis = 0; axis < D; ++axis)
             for (int side = 0; side < 2; ++side)
                 if (const Index<D> next = c + (2 * side - 1) * step<D>(axis);
-                    here.system.conductance(axis, Index<D>(c + side * step<D>(axis))) > 0 && grid.in_domain(grid.wrapped(next)) &&
-                    known(next)) {
+                    here.system.conductance(axis, Index<D>(c + side * step<D>(axis))) > 0 &&
+                    grid.in_domain(grid.wrapped(next)) && known(next)) {
                     sum += impulse.cells(next);
                     ++count;
                 }
@@ -79,7 +79,9 @@ UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& 
     return impulse;
 }
 
-template UnknownVector<2> pressure_impulse<2>(const Instant<2>&, const FaceField<2>&, const Instant<2>&, const FaceField<2>&, double);
-template UnknownVector<3> pressure_impulse<3>(const Instant<3>&, const FaceField<3>&, const Instant<3>&, const FaceField<3>&, double);
+template UnknownVector<2> pressure_impulse<2>(const Instant<2>&, const FaceField<2>&, const Instant<2>&, const FaceField<2>&,
+                                              double);
+template UnknownVector<3> pressure_impulse<3>(const Instant<3>&, const FaceField<3>&, const Instant<3>&, const FaceField<3>&,
+                                              double);
 
 } // namespace gapflow

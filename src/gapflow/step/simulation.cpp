@@ -189,7 +189,8 @@ void Simulation<D>::advance_on_parts(double next_output, StepReport& report)
     GapWays<D> ways; // of films
     const Step step = choose_step(model_, state_, coupling(), beyond_.histories, next_output, ways);
     instant_ = gapflow::advance(model_, *instant_, step, state_, report, stages_);
-    beyond_ = timed(stages_, "continuation", [&] { return reconstruct(model_, coupling(), state_, model_.twists(state_.bodies)); });
+    beyond_ =
+        timed(stages_, "continuation", [&] { return reconstruct(model_, coupling(), state_, model_.twists(state_.bodies)); });
 }
 
 // A time step to the new state and configuration.
@@ -325,7 +326,7 @@ template <int D>
 CellField<D> Simulation<D>::outflow() const
 {
     return instant_ ? net_outflow(*instant_, state_.velocity).cells
-                   : net_outflow(*here_, state_, model_.twists(state_.bodies)).cells;
+                    : net_outflow(*here_, state_, model_.twists(state_.bodies)).cells;
 }
 
 template <int D>

@@ -104,7 +104,7 @@ private:
 
     Model<D> model_;
     State<D> state_;
-    std::optional<Coupling<D>> here_; ///< follows from the state, as `beyond_` does; of runs with films
+    std::optional<Coupling<D>> here_;   ///< follows from the state, as `beyond_` does; of runs with films
     std::optional<Instant<D>> instant_; ///< the same of runs on parts
     Reconstruction<D> beyond_;
     std::set<FilmPair<D>> blind_told_; ///< pairs whose films' blind ends have been reported

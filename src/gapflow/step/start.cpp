@@ -23,12 +23,15 @@ template <int D>
 Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers)
 {
     if (model.grid.comm().size() > 1)
-        throw InputError(model.scene.file + ": gap.model: this version runs \"parts\" on one rank; run it without mpirun (threads work), or write "
-                                            "gap.model = \"film\"");
+        throw InputError(model.scene.file +
+                         ": gap.model: this version runs \"parts\" on one rank; run it without mpirun (threads work), or write "
+                         "gap.model = \"film\"");
     require_weight(model.scene, state.bodies);
     if (model.driven())
-        throw InputError(model.scene.file + ": gap.model: bodies that are heavier or lighter than the fluid fall along a periodic axis, and this version "
-                                            "does not keep the mean velocity with \"parts\"; close an axis, or write gap.model = \"film\"");
+        throw InputError(
+            model.scene.file +
+            ": gap.model: bodies that are heavier or lighter than the fluid fall along a periodic axis, and this version "
+            "does not keep the mean velocity with \"parts\"; close an axis, or write gap.model = \"film\"");
     for (std::string& warning : placement_warnings<D>(model.scene, state.bodies, model.walls))
         report.notes.push_back(std::move(warning));
     for (std::string& note : take_out_overlaps<D>(model.scene, model.grid, state.bodies, model.walls))

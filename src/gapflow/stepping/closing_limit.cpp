@@ -22,28 +22,30 @@ double limit_of_closing(const Model<D>& model, const State<D>& state, const std:
         const double radius = bounding_radius<D>(world_bounds(solids[s].shape));
         const Twist<D> expected = dt * V[s].cwiseAbs() + 0.5 * dt * dt * A[s].cwiseAbs();
         const double turn = expected.template tail<spin_size<D>>().norm();
-        way.push_back(expected.template head<D>().norm() + (turn > 0 ? turn * std::min(radius, model.grid.size().norm()) : 0.0));
+        way.push_back(expected.template head<D>().norm() +
+                      (turn > 0 ? turn * std::min(radius, model.grid.size().norm()) : 0.0));
     }
     const auto reach = [&](int a, int b) { return (way[a] + way[b]) / part; };
     const double largest = way.empty() ? 0.0 : 2 * *std::max_element(way.begin(), way.end()) / part;
     const std::vector<ContactFeatures<D>>& features = state.contacts.features();
     for (const ContactPoint<D>& point :
-         find_contacts<D>(solids, features, model.grid.origin(), model.grid.origin() + model.grid.size(), period, reach, largest,
-                          0.5 * dx)) {
+         find_contacts<D>(solids, features, model.grid.origin(), model.grid.origin() + model.grid.size(), period, reach,
+                          largest, 0.5 * dx)) {
         const RelativeRow<D> row = relative_row<D>(point, solids, point.normal);
         const auto rate = [&](const std::vector<Twist<D>>& twist) {
             return std::abs(row.a.dot(twist[point.a]) + row.b.dot(twist[point.b]));
         };
         const double hold = model.scene.held_distance(solids[point.a].name, solids[point.b].name),
-                     h = std::max({point.distance, hold, smallest_limiting_gap * dx}), tiny = std::numeric_limits<double>::min();
+                     h = std::max({point.distance, hold, smallest_limiting_gap * dx}),
+                     tiny = std::numeric_limits<double>::min();
         dt = std::min({dt, part * h / std::max(rate(V), tiny), std::sqrt(2 * part * h / std::max(rate(A), tiny))});
     }
     return dt;
 }
 
-template double limit_of_closing<2>(const Model<2>&, const State<2>&, const std::vector<Solid<2>>&, const std::vector<Twist<2>>&,
-                                    const std::vector<Twist<2>>&, double);
-template double limit_of_closing<3>(const Model<3>&, const State<3>&, const std::vector<Solid<3>>&, const std::vector<Twist<3>>&,
-                                    const std::vector<Twist<3>>&, double);
+template double limit_of_closing<2>(const Model<2>&, const State<2>&, const std::vector<Solid<2>>&,
+                                    const std::vector<Twist<2>>&, const std::vector<Twist<2>>&, double);
+template double limit_of_closing<3>(const Model<3>&, const State<3>&, const std::vector<Solid<3>>&,
+                                    const std::vector<Twist<3>>&, const std::vector<Twist<3>>&, double);
 
 } // namespace gapflow

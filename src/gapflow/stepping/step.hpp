@@ -33,7 +33,7 @@ struct StepReport {
     double unsteadiness =
         std::numeric_limits<double>::quiet_NaN(); ///< where time.until_steady asks for it (stepping/steadiness)
     double corrected_energy = 0; ///< of runs on parts: energy that the correction of the forces' work adds in the step
-    bool leaving = false;                         ///< a body came to be on its way out of the domain in this step
+    bool leaving = false;        ///< a body came to be on its way out of the domain in this step
     double seconds = 0;
     std::vector<std::string> notes; ///< for the user, once each: thin bodies, contacts that do not converge, blind film ends
 };

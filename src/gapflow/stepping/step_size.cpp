@@ -165,7 +165,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
             dt = std::min(dt, limit_of_oscillation(bodies[b], V[b], A[b], scene, dx, dt));
     const std::vector<Solid<D>>& solids = here.solids;
     std::map<FilmPair<D>, int> counted; // elements of each pair's films so far, as its memory has them
-    std::optional<GapLimit<D>> gaps; // of films
+    std::optional<GapLimit<D>> gaps;    // of films
     if (!scene.parts)
         gaps.emplace(model, state, here, V, A, speed);
     for (const Film<D>& film : here.network.films) {

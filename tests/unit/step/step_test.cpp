@@ -124,7 +124,8 @@ TEST(EnergyChange, SumsUpToThatOfTheImpulses3D)
 TEST(EnergyChange, IsEachBodysOwn)
 {
     Scene both = box_of_fluid(2, 40, SideScene::Kind::wall);
-    both.bodies = {body("left", BodyScene::ShapeKind::ball, {0.213, 0.231}), body("right", BodyScene::ShapeKind::ball, {0.787, 0.764})};
+    both.bodies = {body("left", BodyScene::ShapeKind::ball, {0.213, 0.231}),
+                   body("right", BodyScene::ShapeKind::ball, {0.787, 0.764})};
     for (BodyScene& one : both.bodies)
         one.radius = 2 * both.spacing();
     const Model<2> model(both, Communicator(), Task::motion);

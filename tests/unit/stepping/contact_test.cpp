@@ -1,9 +1,9 @@
 // Contact inside the coupled solve: rest, impact, friction, stacks.
 #include "gapflow/scene/parse_scene.hpp"
+#include "gapflow/step/simulation.hpp"
 #include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/stepping/contact_cones.hpp"
 #include "gapflow/stepping/contact_law.hpp"
-#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

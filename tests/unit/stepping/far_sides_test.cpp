@@ -1,6 +1,6 @@
 // Far sides: as if the fluid went on.
-#include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/step/simulation.hpp"
+#include "gapflow/stepping/added_mass.hpp"
 
 #include <gtest/gtest.h>
 

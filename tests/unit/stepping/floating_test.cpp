@@ -1,6 +1,6 @@
 // Floats in a water level, a side of the kind "surface": draught, energy, frequency, notes.
-#include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/step/simulation.hpp"
+#include "gapflow/stepping/added_mass.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Runs on graded grids.
 #include "gapflow/scene/graded_widths.hpp"
+#include "gapflow/step/simulation.hpp"
 #include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/stepping/advection.hpp"
-#include "gapflow/step/simulation.hpp"
 
 #include <gtest/gtest.h>
 

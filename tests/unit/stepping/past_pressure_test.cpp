@@ -1,6 +1,6 @@
 // What the last step's pressure does on the way through the next one.
-#include "gapflow/stepping/past_pressure.hpp"
 #include "gapflow/step/simulation.hpp"
+#include "gapflow/stepping/past_pressure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // What is refused or told of before the first step.
 #include "gapflow/core/error.hpp"
+#include "gapflow/step/simulation.hpp"
 #include "gapflow/stepping/placement.hpp"
 #include "gapflow/stepping/setup.hpp"
-#include "gapflow/step/simulation.hpp"
 
 #include "temporary.hpp"
 

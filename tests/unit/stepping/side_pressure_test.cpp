@@ -1,6 +1,6 @@
 // Pressure sides: what they drive, and that equal pressures all around drive nothing.
-#include "gapflow/stepping/side_pressure.hpp"
 #include "gapflow/step/simulation.hpp"
+#include "gapflow/stepping/side_pressure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Bodies that the grid is too coarse for: who is told of, who is refused.
 #include "gapflow/core/error.hpp"
-#include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/step/simulation.hpp"
+#include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/stepping/thickness_check.hpp"
 
 #include <gmock/gmock.h>

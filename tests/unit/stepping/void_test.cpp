@@ -1,6 +1,6 @@
 // Voids in films: dry contact holds and lets go at the exact pull, void volume is kept, cavitation bounds the pressure.
-#include "gapflow/stepping/added_mass.hpp"
 #include "gapflow/step/simulation.hpp"
+#include "gapflow/stepping/added_mass.hpp"
 
 #include <gtest/gtest.h>
 
