@@ -35,34 +35,33 @@ std::vector<Twist<D>> trapezium(const std::vector<Twist<D>>& a, const std::vecto
     return mean;
 }
 
-/// An impulse along the body's own momentum M V_m whose work on the mean twist V_m is given. Where the body turns back within the step, so that V_m is
-/// small, no larger than of a motion of half its speed.
+/// Impulses of the free bodies that do the work which the trapezium of the forces, `mean`, misses of 1/2 V (N' - N) V': in each group of bodies in proportion to their own
+/// momenta M V_m, V_m the mean twist. Where bodies turn back within the step, so that their energy at V_m is small, no larger than at half their speeds.
 template <int D>
-Twist<D> impulse_of_work(const TwistMatrix<D>& mass, const Twist<D>& before, const Twist<D>& after, double work)
+std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_before, const Instant<D>& before,
+                                       const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,
+                                       const std::vector<Twist<D>>& mean)
 {
-    const Twist<D> mean = 0.5 * (before + after), momentum = mass * mean;
-    const double square = mean.dot(momentum), least = 0.125 * (before.dot(mass * before) + after.dot(mass * after));
-    return square > 0 || least > 0 ? Twist<D>(work / std::max(square, least) * momentum) : Twist<D>(Twist<D>::Zero());
-}
-
-/// What the trapezium of the forces misses of 1/2 V (N' - N) V', for each free body.
-template <int D>
-std::vector<double> missing_work(const std::vector<RigidBody<D>>& bodies_before, const Instant<D>& before,
-                                 const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,
-                                 const std::vector<Twist<D>>& mean)
-{
-    std::vector<double> work = energy_change(*before.placed, before.flow, *after.placed, after.flow);
+    EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow);
+    std::vector<double> square(change.work.size(), 0.0);
+    std::vector<Twist<D>> impulse(mean.size(), Twist<D>::Zero());
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (bodies[b].motion != Motion::free) {
-            work[b] = 0;
+        const int group = change.group[b];
+        if (group < 0)
             continue;
-        }
-        const Twist<D>&V = before.flow.twists[b], &next = after.flow.twists[b];
-        const TwistMatrix<D> change = mass_matrix(bodies[b]) - mass_matrix(bodies_before[b]);
-        work[b] += 0.5 * V.dot(change * next) - 0.5 * (V + next).dot(mean[b]);
+        const Twist<D>&V = before.flow.twists[b], &next = after.flow.twists[b], middle = 0.5 * (V + next);
+        change.work[group] -= middle.dot(mean[b]);
+        if (bodies[b].motion != Motion::free)
+            continue;
+        const TwistMatrix<D> mass = mass_matrix(bodies[b]);
+        change.work[group] += 0.5 * V.dot((mass - mass_matrix(bodies_before[b])) * next);
+        impulse[b] = mass * middle;
+        square[group] += std::max(middle.dot(impulse[b]), 0.125 * (V.dot(mass * V) + next.dot(mass * next)));
     }
-    work.resize(bodies.size());
-    return work;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (const int group = change.group[b]; group >= 0 && square[group] > 0)
+            impulse[b] *= change.work[group] / square[group];
+    return impulse;
 }
 
 /// Twists before the fluid acts, with all impulses but its pressure's.
@@ -86,11 +85,8 @@ template <int D>
 StepForces<D> forces_of(const Instant<D>& old, const std::vector<RigidBody<D>>& before, const Instant<D>& now,
                         const std::vector<RigidBody<D>>& bodies, double dt)
 {
-    StepForces<D> forces{trapezium<D>(old.force, now.force, dt), std::vector<Twist<D>>(old.force.size(), Twist<D>::Zero())};
-    const std::vector<double> work = missing_work(before, old, bodies, now, forces.mean);
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-        if (bodies[b].motion == Motion::free)
-            forces.missing[b] = impulse_of_work<D>(mass_matrix(bodies[b]), old.flow.twists[b], now.flow.twists[b], work[b]);
+    StepForces<D> forces{trapezium<D>(old.force, now.force, dt), {}};
+    forces.missing = missing_impulses(before, old, bodies, now, forces.mean);
     return forces;
 }
 
@@ -139,6 +135,7 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     const std::vector<TwistMatrix<D>> mass = model.masses(state.bodies, step.dt);
     Instant<D> now;
     now.placed = timed("complex", [&] { return placed(model, state.bodies, mass); });
+    now.displaced = timed("forces", [&] { return displaced(model, state.bodies, *now.placed); });
     const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
     const ContactSet<D> contacts = state.contacts;
     StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt),
@@ -180,7 +177,7 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
 template <int D>
 Instant<D> restored(const Model<D>& model, const State<D>& state)
 {
-    return instant_of<D>(placed(model, state.bodies, model.masses(state.bodies, state.dt)),
+    return instant_of<D>(model, state.bodies, placed(model, state.bodies, model.masses(state.bodies, state.dt)),
                          {model.twists(state.bodies), state.potential, 0});
 }
 

@@ -1,5 +1,6 @@
 #include "gapflow/step/energy_change.hpp"
 
+#include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/step/nodes.hpp"
 
 #include <algorithm>
@@ -11,12 +12,12 @@ namespace gapflow {
 namespace {
 
 template <int D>
-class EnergyChange {
+class ChangeOfEnergy {
 public:
-    EnergyChange(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
+    ChangeOfEnergy(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
                  const PotentialFlow<D>& flow_after)
         : grid_(*before.coupling.grid), V_{&flow_before.twists, &flow_after.twists}, place_{&before, &after},
-          p_{flow_before.p.cells, flow_after.p.cells}
+          p_{flow_before.p.cells, flow_after.p.cells}, together_(static_cast<int>(V_[0]->size()))
     {
         for (int solid = 0; solid < static_cast<int>(V_[0]->size()); ++solid) {
             double square = 0;
@@ -32,7 +33,7 @@ public:
         fill(1, flow_before.p.nodes, flow_after.p.nodes);
     }
 
-    std::vector<double> find()
+    EnergyChange find()
     {
         result_.assign(V_[0]->size(), 0.0);
         add_faces();
@@ -41,7 +42,16 @@ public:
         share_out();
         add_masses();
         grid_.comm().sum(result_);
-        return std::move(result_);
+        EnergyChange change;
+        int count = 0;
+        change.group = together_.numbers(count);
+        change.work.assign(count, 0.0);
+        for (std::size_t s = 0; s < result_.size(); ++s) {
+            change.work[change.group[s]] += result_[s];
+            if (!(weight_[s] > 0))
+                change.group[s] = -1;
+        }
+        return change;
     }
 
 private:
@@ -162,6 +172,8 @@ private:
                     continue;
                 result_[gap.master] += value * weight_[gap.master] / all;
                 result_[gap.other] += value * weight_[gap.other] / all;
+                if (weight_[gap.master] > 0 && weight_[gap.other] > 0)
+                    together_.join(gap.master, gap.other);
             }
         }
     }
@@ -208,6 +220,8 @@ private:
                 });
             }
             const Shares& shares = near.empty() ? everywhere : near;
+            for (const auto& [solid, share] : shares)
+                together_.join(shares.front().first, solid);
             double all = 0;
             for (const auto& [solid, share] : shares)
                 all += share;
@@ -227,20 +241,21 @@ private:
     std::vector<double> weight_;                          ///< of each solid: square of its speed
     std::map<long, double> change_;                       ///< of each cell
     std::vector<double> result_;
+    DisjointSets together_; ///< solids that have changes in common
 };
 
 } // namespace
 
 template <int D>
-std::vector<double> energy_change(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
-                                  const PotentialFlow<D>& flow_after)
+EnergyChange energy_change(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
+                           const PotentialFlow<D>& flow_after)
 {
-    return EnergyChange<D>(before, flow_before, after, flow_after).find();
+    return ChangeOfEnergy<D>(before, flow_before, after, flow_after).find();
 }
 
-template std::vector<double> energy_change<2>(const Placed<2>&, const PotentialFlow<2>&, const Placed<2>&,
+template EnergyChange energy_change<2>(const Placed<2>&, const PotentialFlow<2>&, const Placed<2>&,
                                               const PotentialFlow<2>&);
-template std::vector<double> energy_change<3>(const Placed<3>&, const PotentialFlow<3>&, const Placed<3>&,
+template EnergyChange energy_change<3>(const Placed<3>&, const PotentialFlow<3>&, const Placed<3>&,
                                               const PotentialFlow<3>&);
 
 } // namespace gapflow

@@ -15,10 +15,15 @@
 
 namespace gapflow {
 
-/// 1/2 V (N' - N) V' of the fluid, as a sum over solids: each takes what changes beside it, in proportion to the squares of the speeds of those that
-/// are there. Collective.
+/// 1/2 V (N' - N) V' of the fluid, as a sum over groups of solids: what changes beside several of them belongs to all of these.
+struct EnergyChange {
+    std::vector<double> work; ///< of each group
+    std::vector<int> group;   ///< of each solid; -1: a wall, or one that does not move
+};
+
+/// Collective.
 template <int D>
-std::vector<double> energy_change(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
+EnergyChange energy_change(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
                                   const PotentialFlow<D>& flow_after);
 
 } // namespace gapflow

@@ -13,6 +13,7 @@ void find_forces(Instant<D>& instant)
     const std::vector<Twist<D>>& V = instant.flow.twists;
     instant.impulse = fluid_impulse(at, instant.flow);
     instant.force = energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V);
+    replace_forces(instant.displaced, instant.flow, instant.force);
     instant.energy = 0;
     for (std::size_t s = 0; s < V.size(); ++s) {
         instant.energy += 0.5 * V[s].dot(instant.impulse[s]);
@@ -24,9 +25,11 @@ void find_forces(Instant<D>& instant)
 }
 
 template <int D>
-Instant<D> instant_of(std::unique_ptr<Placed<D>> placed, PotentialFlow<D> flow)
+Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, std::unique_ptr<Placed<D>> placed,
+                      PotentialFlow<D> flow)
 {
-    Instant<D> instant{std::move(placed), std::move(flow), {}, {}};
+    std::vector<Displaced<D>> aside = displaced(model, bodies, *placed);
+    Instant<D> instant{std::move(placed), std::move(aside), std::move(flow), {}, {}};
     find_forces(instant);
     return instant;
 }
@@ -88,7 +91,7 @@ double largest_divergence(const Instant<D>& instant, const FluidVelocity<D>& vel
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void find_forces<D>(Instant<D>&);                                                                                 \
-    template Instant<D> instant_of<D>(std::unique_ptr<Placed<D>>, PotentialFlow<D>);                                           \
+    template Instant<D> instant_of<D>(const Model<D>&, const std::vector<RigidBody<D>>&, std::unique_ptr<Placed<D>>, PotentialFlow<D>);                                           \
     template FluidVelocity<D> face_velocities<D>(const Instant<D>&);                                                           \
     template double largest_divergence<D>(const Instant<D>&, const FluidVelocity<D>&);                                         \
     template UnknownVector<D> net_outflow<D>(const Instant<D>&, const FluidVelocity<D>&);

@@ -1,7 +1,7 @@
 // An instant of a run: the bodies in the fluid, the potential flow that belongs to their velocities, and the generalised forces of its energy.
 #pragma once
 
-#include "gapflow/step/potential_flow.hpp"
+#include "gapflow/step/displaced.hpp"
 
 #include <memory>
 #include <vector>
@@ -11,6 +11,7 @@ namespace gapflow {
 template <int D>
 struct Instant {
     std::unique_ptr<Placed<D>> placed;
+    std::vector<Displaced<D>> displaced; ///< for the forces of solids with mouths
     PotentialFlow<D> flow;
     std::vector<Twist<D>> impulse; ///< dT/dV of the fluid's energy T, of every solid
     /// Rate of that impulse at constant impulses of the bodies themselves: dT/dx at fixed twists and, in 3D, omega x the angular impulse (the axes of
@@ -19,10 +20,10 @@ struct Instant {
     double energy = 0; ///< T
 };
 
-/// Fills impulse and force. Collective.
+/// Of bodies and their flow. Collective.
 template <int D>
-Instant<D> instant_of(std::unique_ptr<Placed<D>> placed, PotentialFlow<D> flow);
-/// The same after the flow has changed.
+Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, std::unique_ptr<Placed<D>> placed, PotentialFlow<D> flow);
+/// Impulse, force and energy after the flow has changed.
 template <int D>
 void find_forces(Instant<D>& instant);
 

@@ -47,7 +47,7 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
     PotentialFlow<D> flow = flow_of_twists(*at, model.twists(state.bodies), step_options(model.scene));
     report.iterations = flow.iterations;
     report.solves = 1;
-    Instant<D> instant = instant_of<D>(std::move(at), std::move(flow));
+    Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow));
     state.velocity = face_velocities(instant);
     state.potential = instant.flow.p;
     state.pressure.impulse = {CellField<D>(model.grid), Eigen::VectorXd::Zero(instant.flow.p.nodes.size())};

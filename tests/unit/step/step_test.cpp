@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -101,11 +102,12 @@ void check_identity()
             whole += 0.5 * (V[s].dot(P_next[s]) - next[s].dot(P[s]));
             scale += std::abs(V[s].dot(P_next[s]));
         }
-        const std::vector<double> parts = energy_change(*before, a, *after, b);
-        for (double part : parts)
+        const EnergyChange change = energy_change(*before, a, *after, b);
+        for (double part : change.work)
             sum += part;
         EXPECT_NEAR(sum, whole, 1e-9 * scale) << "trial " << trial;
-        EXPECT_EQ(parts[2], 0) << "a body at rest does no work";
+        EXPECT_EQ(change.group[0], change.group[1]) << "neighbours";
+        EXPECT_EQ(change.group[2], -1) << "a body at rest does no work";
         EXPECT_GT(std::abs(whole), 1e-4 * scale);
     }
 }
@@ -144,7 +146,11 @@ TEST(EnergyChange, IsEachBodysOwn)
                    after = placed(model, moved, model.masses(moved, 0.0));
         return energy_change(*before, flow_of_twists(*before, V, exact()), *after, flow_of_twists(*after, V, exact()));
     };
-    const std::vector<double> one = change(true, false), other = change(false, true), all = change(true, true);
+    const auto of = [](const EnergyChange& found, int solid) { return found.group[solid] < 0 ? 0.0 : found.work[found.group[solid]]; };
+    const EnergyChange first = change(true, false), second = change(false, true), both_move = change(true, true);
+    const std::array<double, 2> one{of(first, 0), of(first, 1)}, other{of(second, 0), of(second, 1)},
+        all{of(both_move, 0), of(both_move, 1)};
+    EXPECT_NE(both_move.group[0], both_move.group[1]);
     const double largest = std::max(std::abs(one[0]), std::abs(other[1]));
     EXPECT_GT(std::abs(one[0] - other[1]), 0.5 * largest); // exchanged they would not do
     EXPECT_NEAR(all[0], one[0], 0.1 * largest);
