@@ -149,6 +149,7 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
         now.flow.twists = std::move(end.twists);
         now.flow.p = std::move(end.impulse);
         leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
+        settle_weak_rows(*now.placed, now.flow);
         timed("forces", [&] { find_forces(now); });
         StepForces<D> next = timed("forces", [&] { return forces_of(old, before, now, state.bodies, step.dt); });
         const auto change = [&](std::size_t b) {

@@ -2,10 +2,11 @@
 
 #include "gapflow/complex/gap_arm.hpp"
 #include "gapflow/complex/mouth_arm.hpp"
-#include "gapflow/step/nodes.hpp"
+#include "gapflow/step/matching.hpp"
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace gapflow {
 namespace {
@@ -13,71 +14,108 @@ namespace {
 // Cells, and radians over the body's radius in cells, to each side: small against a cell, so that the difference is the derivative; large against the tilt at
 // which a wall that is nearly parallel to a plane of the grid passes it, so that this is no spike.
 constexpr double small_way = 1e-3;
-constexpr int relaxations = 3; // of rows that the displaced place alone has: chains of them are short
+constexpr int relaxations = 4; // chains of slivers are short
 
 } // namespace
 
 template <int D>
-EnergyTerms<D>::EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, const std::vector<int>& node, const Placed<D>& near)
-    : grid_(of.grid), cells_(grid_->cells().template cast<long>().prod()), node_there_(of.system.nodes, -1),
-      seen_(of.seen_mass), gaps_(of.normal_inertia)
+EnergyTerms<D>::EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, const std::vector<int>& node,
+                            const Placed<D>& near)
+    : grid_(of.grid), cells_(grid_->cells().template cast<long>().prod()), known_(cells_ + near.coupling.system.nodes),
+      value_of_node_(of.system.nodes, -1), seen_(of.seen_mass), gaps_(of.normal_inertia)
 {
     const Grid<D>& grid = *grid_;
     const CoupledSystem<D>&system = of.system, &other = near.coupling.system;
-    const NodeNumbers<D> numbers(near);
-    for (int p = 0; p < complex.parts(); ++p)
-        if (node[p] >= 0)
-            node_there_[node[p]] = numbers.find(grid, complex, p);
-    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
-        if (system.component(c) >= 0 && other.component(c) < 0)
-            fresh_.push_back({grid.key(c), 0, {}});
-    });
-    std::sort(fresh_.begin(), fresh_.end(), [](const Fresh& a, const Fresh& b) { return a.row < b.row; });
-    for (int i = 0; i < system.nodes; ++i)
-        if (node_there_[i] < 0)
-            fresh_.push_back({row_of_node(i), 0, {}});
+    const std::vector<MatchedPart> there = matched_parts(grid, complex, near.complex);
+    for (int part = 0; part < complex.parts(); ++part) {
+        const Index<D> c = grid.wrapped(complex.cell_of_part(part));
+        if (!grid.owns(c) || (node[part] < 0 && !complex.is_main(part)))
+            continue;
+        const MatchedPart& match = there[part];
+        const long key = grid.key(c);
+        const bool to_main = match.kind == MatchedPart::Kind::main && other.component(c) >= 0,
+                   to_node = match.kind == MatchedPart::Kind::other && near.node[match.part] >= 0;
+        if (node[part] < 0 && to_main)
+            continue;
+        const long local = known_ + static_cast<long>(local_.size());
+        local_.push_back({to_main ? key : to_node ? cells_ + near.node[match.part] : -1, 0, {}});
+        if (node[part] >= 0)
+            value_of_node_[node[part]] = local;
+        else
+            local_value_.emplace_back(key, local);
+    }
+    std::sort(local_value_.begin(), local_value_.end());
+    add_faces(system, other);
+    add_links(system);
+    for (const auto& entry : of.cell_flux)
+        fluxes_.push_back({value_of_cell(entry.row), entry.body, entry.flux});
+    for (const auto& entry : of.node_flux)
+        fluxes_.push_back({value_of_node_[entry.row], entry.body, entry.flux});
+}
 
+template <int D>
+long EnergyTerms<D>::value_of_cell(const Index<D>& c) const
+{
+    const long key = grid_->key(c);
+    const auto found = std::lower_bound(local_value_.begin(), local_value_.end(), std::pair(key, -1L));
+    return found != local_value_.end() && found->first == key ? found->second : key;
+}
+
+/// What changes; the other place's own terms are taken off.
+template <int D>
+void EnergyTerms<D>::add_faces(const CoupledSystem<D>& system, const CoupledSystem<D>& other)
+{
+    const Grid<D>& grid = *grid_;
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
             const double g = system.conductance(axis, f), before = other.conductance(axis, f);
-            if (g == before)
-                return;
             const Index<D> below = grid.wrapped(Index<D>(f - step<D>(axis))), above = grid.wrapped(f);
-            const long a = grid.in_domain(below) ? grid.key(below) : -1, b = grid.in_domain(above) ? grid.key(above) : -1;
-            const bool missing = (a >= 0 && fresh(a)) || (b >= 0 && fresh(b));
-            add_pair(a >= 0 ? a : b, a >= 0 ? b : -1, missing ? g : g - before);
+            long a = grid.in_domain(below) ? value_of_cell(below) : -1, b = grid.in_domain(above) ? value_of_cell(above) : -1;
+            const bool same = a == (a >= 0 ? grid.key(below) : -1) && b == (b >= 0 ? grid.key(above) : -1);
+            if (same && g == before)
+                return;
+            const auto add = [&](long low, long high, double conductance) {
+                if (conductance != 0)
+                    add_pair(low >= 0 ? low : high, low >= 0 ? high : -1, conductance);
+            };
+            if (same) {
+                add(a, b, g - before);
+                return;
+            }
+            add(a, b, g);
+            add(a >= 0 ? grid.key(below) : -1, b >= 0 ? grid.key(above) : -1, -before);
         });
+}
+
+template <int D>
+void EnergyTerms<D>::add_links(const CoupledSystem<D>& system)
+{
     for (int i = 0; i < system.nodes; ++i) {
         double rest = 0;
         for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, i); entry; ++entry) {
             rest += entry.value();
             if (const int j = static_cast<int>(entry.row()); j > i)
-                add_pair(row_of_node(i), row_of_node(j), -entry.value());
+                add_pair(value_of_node_[i], value_of_node_[j], -entry.value());
         }
         if (rest != 0)
-            add_pair(row_of_node(i), -1, rest);
+            add_pair(value_of_node_[i], -1, rest);
     }
     for (const Link& link : system.links) {
         Sum sum{link.conductance, {}};
         for (const auto& [i, weight] : link.nodes)
-            sum.rows.emplace_back(row_of_node(i), weight);
-        sum.rows.insert(sum.rows.end(), link.cells.begin(), link.cells.end());
-        if (sum.rows.size() == 2 && sum.rows[0].second == 1 && sum.rows[1].second == -1)
-            add_pair(sum.rows[0].first, sum.rows[1].first, link.conductance);
-        else
-            sums_.push_back(std::move(sum));
+            sum.values.emplace_back(value_of_node_[i], weight);
+        for (const auto& [key, weight] : link.cells)
+            sum.values.emplace_back(value_of_cell(grid_->cell_of_key(key)), weight);
+        for (const auto& [own, weight] : sum.values)
+            if (own >= known_) {
+                Local& row = local_[own - known_];
+                row.diagonal += sum.conductance * weight * weight;
+                for (const auto& [other, factor] : sum.values)
+                    if (other != own)
+                        row.others.emplace_back(other, -sum.conductance * weight * factor);
+            }
+        sums_.push_back(std::move(sum));
     }
-    for (const auto& entry : of.cell_flux)
-        fluxes_.push_back({grid.key(entry.row), entry.body, entry.flux});
-    for (const auto& entry : of.node_flux)
-        fluxes_.push_back({row_of_node(entry.row), entry.body, entry.flux});
-}
-
-template <int D>
-typename EnergyTerms<D>::Fresh* EnergyTerms<D>::fresh(long row)
-{
-    const auto found = std::lower_bound(fresh_.begin(), fresh_.end(), row, [](const Fresh& f, long r) { return f.row < r; });
-    return found != fresh_.end() && found->row == row ? &*found : nullptr;
 }
 
 template <int D>
@@ -85,41 +123,47 @@ void EnergyTerms<D>::add_pair(long a, long b, double conductance)
 {
     pairs_.push_back({a, b, conductance});
     for (const auto& [own, other] : {std::pair(a, b), std::pair(b, a)})
-        if (Fresh* row = own >= 0 ? fresh(own) : nullptr) {
-            row->diagonal += conductance;
+        if (own >= known_) {
+            local_[own - known_].diagonal += conductance;
             if (other >= 0)
-                row->others.emplace_back(other, conductance);
+                local_[own - known_].others.emplace_back(other, conductance);
         }
 }
 
 template <int D>
-double EnergyTerms<D>::value(long row, const PotentialFlow<D>& flow, const std::vector<double>& fresh_value) const
+double EnergyTerms<D>::value(long number, const PotentialFlow<D>& flow, const std::vector<double>& local) const
 {
-    const auto found = std::lower_bound(fresh_.begin(), fresh_.end(), row, [](const Fresh& f, long r) { return f.row < r; });
-    if (found != fresh_.end() && found->row == row)
-        return fresh_value[found - fresh_.begin()];
-    return row < cells_ ? flow.p.cells(grid_->cell_of_key(row)) : flow.p.nodes[node_there_[row - cells_]];
+    return number < cells_   ? flow.p.cells(grid_->cell_of_key(number))
+           : number < known_ ? flow.p.nodes[number - cells_]
+                             : local[number - known_];
+}
+
+template <int D>
+std::vector<double> EnergyTerms<D>::local_values(const PotentialFlow<D>& flow) const
+{
+    std::vector<double> local(local_.size(), 0.0), inflow(local_.size(), 0.0);
+    for (std::size_t k = 0; k < local_.size(); ++k)
+        if (local_[k].start >= 0)
+            local[k] = value(local_[k].start, flow, local);
+    for (const Flux& entry : fluxes_)
+        if (entry.value >= known_)
+            inflow[entry.value - known_] -= entry.flux.dot(flow.twists[entry.solid]);
+    for (int sweep = 0; sweep < relaxations; ++sweep)
+        for (std::size_t k = 0; k < local_.size(); ++k) {
+            double sum = inflow[k];
+            for (const auto& [number, conductance] : local_[k].others)
+                sum += conductance * value(number, flow, local);
+            if (local_[k].diagonal > 0)
+                local[k] = sum / local_[k].diagonal;
+        }
+    return local;
 }
 
 template <int D>
 double EnergyTerms<D>::energy(const PotentialFlow<D>& flow) const
 {
-    std::vector<double> fresh_value(fresh_.size(), 0.0), inflow(fresh_.size(), 0.0);
-    const auto at = [&](long row) { return value(row, flow, fresh_value); };
-    for (const Flux& entry : fluxes_) {
-        const auto found =
-            std::lower_bound(fresh_.begin(), fresh_.end(), entry.row, [](const Fresh& f, long r) { return f.row < r; });
-        if (found != fresh_.end() && found->row == entry.row)
-            inflow[found - fresh_.begin()] -= entry.flux.dot(flow.twists[entry.solid]);
-    }
-    for (int sweep = 0; sweep < relaxations; ++sweep)
-        for (std::size_t k = 0; k < fresh_.size(); ++k) {
-            double sum = inflow[k];
-            for (const auto& [row, conductance] : fresh_[k].others)
-                sum += conductance * at(row);
-            if (fresh_[k].diagonal > 0)
-                fresh_value[k] = sum / fresh_[k].diagonal;
-        }
+    const std::vector<double> local = local_values(flow);
+    const auto at = [&](long number) { return value(number, flow, local); };
     double energy = 0;
     for (const Pair& pair : pairs_) {
         const double drop = at(pair.a) - (pair.b >= 0 ? at(pair.b) : 0.0);
@@ -127,12 +171,12 @@ double EnergyTerms<D>::energy(const PotentialFlow<D>& flow) const
     }
     for (const Sum& sum : sums_) {
         double drop = 0;
-        for (const auto& [row, weight] : sum.rows)
-            drop += weight * at(row);
+        for (const auto& [number, weight] : sum.values)
+            drop += weight * at(number);
         energy -= 0.5 * sum.conductance * drop * drop;
     }
     for (const Flux& entry : fluxes_)
-        energy -= at(entry.row) * entry.flux.dot(flow.twists[entry.solid]);
+        energy -= at(entry.value) * entry.flux.dot(flow.twists[entry.solid]);
     for (std::size_t s = 0; s < seen_.size(); ++s)
         energy += 0.5 * flow.twists[s].dot(seen_[s] * flow.twists[s]);
     for (const NormalInertia<D>& gap : gaps_) {

@@ -15,46 +15,50 @@ namespace gapflow {
 template <int D>
 class EnergyTerms {
 public:
-    /// `of`: of the displaced solids; `near`: the other one, whose nodes are `numbers`.
+    /// `of`: of the displaced solids; `near`: the other one.
     EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, const std::vector<int>& node, const Placed<D>& near);
 
     /// Of potentials and twists at the other place.
     double energy(const PotentialFlow<D>& flow) const;
 
 private:
+    // Values: the other place's cells by their keys, its nodes, and local ones: of this place's nodes, and of cells that are no cells there. From what they are
+    // there, these are relaxed: the energy is stationary in the potentials, but two parts between which a sliver becomes a passage are not what they were.
     struct Pair {
-        long a, b; ///< rows; b -1: a side of the domain
+        long a, b; ///< values; b -1: a side of the domain
         double conductance;
     };
     struct Sum {
         double conductance;
-        std::vector<std::pair<long, double>> rows;
+        std::vector<std::pair<long, double>> values;
     };
     struct Flux {
-        long row;
+        long value;
         int solid;
         Twist<D> flux;
     };
-    /// A row that the other place lacks. Its potential is what its neighbours' and its walls' flux make it.
-    struct Fresh {
-        long row;
+    struct Local {
+        long start = -1; ///< value at the other place
         double diagonal = 0;
-        std::vector<std::pair<long, double>> others; ///< conductances
+        std::vector<std::pair<long, double>> others; ///< minus the entries of L
     };
 
-    long row_of_node(int node) const { return cells_ + node; }
-    Fresh* fresh(long row);
-    double value(long row, const PotentialFlow<D>& flow, const std::vector<double>& fresh_value) const;
+    long value_of_cell(const Index<D>& c) const;
     void add_pair(long a, long b, double conductance);
+    void add_faces(const CoupledSystem<D>& system, const CoupledSystem<D>& other);
+    void add_links(const CoupledSystem<D>& system);
+    std::vector<double> local_values(const PotentialFlow<D>& flow) const;
+    double value(long number, const PotentialFlow<D>& flow, const std::vector<double>& local) const;
 
     const Grid<D>* grid_;
-    long cells_;
+    long cells_, known_;
+    std::vector<std::pair<long, long>> local_value_; ///< of cells that have one, by keys
+    std::vector<long> value_of_node_;
     std::vector<Pair> pairs_;
     std::vector<Sum> sums_;
     std::vector<Flux> fluxes_;
-    std::vector<Fresh> fresh_;            ///< sorted
-    std::vector<int> node_there_;         ///< of each node: that of the other place, or -1
-    std::vector<TwistMatrix<D>> seen_;    ///< of each solid
+    std::vector<Local> local_;
+    std::vector<TwistMatrix<D>> seen_; ///< of each solid
     std::vector<NormalInertia<D>> gaps_;
 };
 

@@ -1,7 +1,7 @@
 #include "gapflow/step/energy_change.hpp"
 
 #include "gapflow/core/disjoint_sets.hpp"
-#include "gapflow/step/nodes.hpp"
+#include "gapflow/step/matching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,10 @@ template <int D>
 class ChangeOfEnergy {
 public:
     ChangeOfEnergy(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
-                 const PotentialFlow<D>& flow_after)
+                   const PotentialFlow<D>& flow_after)
         : grid_(*before.coupling.grid), V_{&flow_before.twists, &flow_after.twists}, place_{&before, &after},
-          p_{flow_before.p.cells, flow_after.p.cells}, together_(static_cast<int>(V_[0]->size()))
+          cells_{{{flow_before.p.cells, flow_before.p.cells}, {flow_after.p.cells, flow_after.p.cells}}},
+          together_(static_cast<int>(V_[0]->size()))
     {
         for (int solid = 0; solid < static_cast<int>(V_[0]->size()); ++solid) {
             double square = 0;
@@ -29,8 +30,8 @@ public:
                                : radius * radius * (*V)[solid].template tail<spin_size<D>>().squaredNorm());
             weight_.push_back(before.coupling.solids[solid].wall ? 0.0 : square);
         }
-        fill(0, flow_before.p.nodes, flow_after.p.nodes);
-        fill(1, flow_before.p.nodes, flow_after.p.nodes);
+        for (int place = 0; place < 2; ++place)
+            fill(place, {&flow_before.p, &flow_after.p});
     }
 
     EnergyChange find()
@@ -55,28 +56,35 @@ public:
     }
 
 private:
-    /// Values of both fields in the nodes of a place, and in the cells that the other place lacks. What only one place has, has its own value twice: B of the
-    /// other place does not depend on it.
-    void fill(int place, const Eigen::VectorXd& before, const Eigen::VectorXd& after)
+    /// Values of both fields in the rows of a place. What only one place has, has its own value twice: B of the other place does not depend on it.
+    void fill(int place, const std::array<const UnknownVector<D>*, 2>& p)
     {
-        const Placed<D>&own = *place_[place], &other = *place_[1 - place];
-        const NodeNumbers<D> numbers(other);
-        const std::array<const Eigen::VectorXd*, 2> values{&before, &after};
-        nodes_[place][place] = *values[place];
-        nodes_[place][1 - place] = *values[place];
-        cell_of_node_[place].assign(own.coupling.system.nodes, -1);
+        const int from = 1 - place; // the other field belongs to the other place
+        const Placed<D>&own = *place_[place], &other = *place_[from];
         const Complex<D>& complex = own.complex;
-        for (int p = 0; p < complex.parts(); ++p)
-            if (const int node = own.node[p]; node >= 0) {
-                const long key = grid_.key(grid_.wrapped(complex.cell_of_part(p)));
-                cell_of_node_[place][node] = key;
-                if (const int there = numbers.find(grid_, complex, p); there >= 0)
-                    nodes_[place][1 - place][node] = (*values[1 - place])[there];
-            }
+        const std::vector<MatchedPart> there = matched_parts(grid_, complex, other.complex);
         for_each_index<D>(grid_.low(), grid_.high(), [&](const Index<D>& c) {
-            if (own.coupling.system.component(c) >= 0 && other.coupling.system.component(c) < 0)
-                p_[1 - place](c) = p_[place](c);
+            if (other.coupling.system.component(c) >= 0)
+                cells_[place][from](c) = p[from]->cells(c);
         });
+        nodes_[place][place] = nodes_[place][from] = p[place]->nodes;
+        cell_of_node_[place].assign(own.coupling.system.nodes, -1);
+        for (int part = 0; part < complex.parts(); ++part) {
+            const Index<D> c = grid_.wrapped(complex.cell_of_part(part));
+            const int node = own.node[part];
+            if (node >= 0)
+                cell_of_node_[place][node] = grid_.key(c);
+            if (!grid_.owns(c) || (node < 0 && !complex.is_main(part)))
+                continue;
+            double& value = node >= 0 ? nodes_[place][from][node] : cells_[place][from](c);
+            const MatchedPart& match = there[part];
+            if (match.kind == MatchedPart::Kind::other && other.node[match.part] >= 0)
+                value = p[from]->nodes[other.node[match.part]];
+            else if (match.kind == MatchedPart::Kind::main && other.coupling.system.component(c) >= 0)
+                value = p[from]->cells(c);
+            else
+                value = node >= 0 ? p[place]->nodes[node] : p[place]->cells(c);
+        }
     }
 
     void put(long cell, double value)
@@ -88,20 +96,22 @@ private:
     /// Faces of the grid.
     void add_faces()
     {
-        for (CellField<D>& field : p_)
-            exchange(grid_, field);
+        for (auto& fields : cells_)
+            for (CellField<D>& field : fields)
+                exchange(grid_, field);
         for (int axis = 0; axis < D; ++axis)
             for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
-                const double g =
-                    place_[1]->coupling.system.conductance(axis, f) - place_[0]->coupling.system.conductance(axis, f);
-                if (g == 0)
-                    return;
                 const Index<D> below = f - step<D>(axis);
                 const bool low = grid_.in_domain(grid_.wrapped(below)), high = grid_.in_domain(grid_.wrapped(f));
-                std::array<double, 2> difference;
-                for (int field = 0; field < 2; ++field)
-                    difference[field] = (high ? p_[field](f) : 0.0) - (low ? p_[field](below) : 0.0);
-                const double value = -0.5 * g * difference[0] * difference[1];
+                std::array<std::array<double, 3>, 2> of; // conductance and both fields' differences, at both places
+                for (int place = 0; place < 2; ++place) {
+                    const auto drop = [&](const CellField<D>& p) { return (high ? p(f) : 0.0) - (low ? p(below) : 0.0); };
+                    of[place] = {place_[place]->coupling.system.conductance(axis, f), drop(cells_[place][0]),
+                                 drop(cells_[place][1])};
+                }
+                if (of[0] == of[1]) // else fused products would leave round-off everywhere
+                    return;
+                const double value = -0.5 * (of[1][0] * of[1][1] * of[1][2] - of[0][0] * of[0][1] * of[0][2]);
                 if (low)
                     put(grid_.key(grid_.wrapped(below)), high ? 0.5 * value : value);
                 if (high)
@@ -137,16 +147,16 @@ private:
                 sum_b += weight * b[node];
             }
             for (const auto& [key, weight] : link.cells) {
-                sum_a += weight * p_[0](grid_.cell_of_key(key));
-                sum_b += weight * p_[1](grid_.cell_of_key(key));
+                sum_a += weight * cells_[place][0](grid_.cell_of_key(key));
+                sum_b += weight * cells_[place][1](grid_.cell_of_key(key));
             }
             put(link.nodes.empty() ? link.cells.front().first : cell_of_node_[place][link.nodes.front().first],
                 -0.5 * sign * link.conductance * sum_a * sum_b);
         }
         for (const auto& entry : coupling.cell_flux)
             put(grid_.key(entry.row), -0.5 * sign *
-                                          (p_[0](entry.row) * entry.flux.dot((*V_[1])[entry.body]) +
-                                           p_[1](entry.row) * entry.flux.dot((*V_[0])[entry.body])));
+                                          (cells_[place][0](entry.row) * entry.flux.dot((*V_[1])[entry.body]) +
+                                           cells_[place][1](entry.row) * entry.flux.dot((*V_[0])[entry.body])));
         for (const auto& entry : coupling.node_flux)
             put(cell_of_node_[place][entry.row], -0.5 * sign *
                                                      (a[entry.row] * entry.flux.dot((*V_[1])[entry.body]) +
@@ -235,7 +245,7 @@ private:
     const Grid<D>& grid_;
     std::array<const std::vector<Twist<D>>*, 2> V_;
     std::array<const Placed<D>*, 2> place_;
-    std::array<CellField<D>, 2> p_;                       ///< of each field
+    std::array<std::array<CellField<D>, 2>, 2> cells_;    ///< of each place and field
     std::array<std::array<Eigen::VectorXd, 2>, 2> nodes_; ///< of each place and field
     std::array<std::vector<long>, 2> cell_of_node_;       ///< of each place: keys
     std::vector<double> weight_;                          ///< of each solid: square of its speed
@@ -253,9 +263,7 @@ EnergyChange energy_change(const Placed<D>& before, const PotentialFlow<D>& flow
     return ChangeOfEnergy<D>(before, flow_before, after, flow_after).find();
 }
 
-template EnergyChange energy_change<2>(const Placed<2>&, const PotentialFlow<2>&, const Placed<2>&,
-                                              const PotentialFlow<2>&);
-template EnergyChange energy_change<3>(const Placed<3>&, const PotentialFlow<3>&, const Placed<3>&,
-                                              const PotentialFlow<3>&);
+template EnergyChange energy_change<2>(const Placed<2>&, const PotentialFlow<2>&, const Placed<2>&, const PotentialFlow<2>&);
+template EnergyChange energy_change<3>(const Placed<3>&, const PotentialFlow<3>&, const Placed<3>&, const PotentialFlow<3>&);
 
 } // namespace gapflow

@@ -24,6 +24,6 @@ struct EnergyChange {
 /// Collective.
 template <int D>
 EnergyChange energy_change(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
-                                  const PotentialFlow<D>& flow_after);
+                           const PotentialFlow<D>& flow_after);
 
 } // namespace gapflow

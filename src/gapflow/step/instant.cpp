@@ -91,7 +91,8 @@ double largest_divergence(const Instant<D>& instant, const FluidVelocity<D>& vel
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void find_forces<D>(Instant<D>&);                                                                                 \
-    template Instant<D> instant_of<D>(const Model<D>&, const std::vector<RigidBody<D>>&, std::unique_ptr<Placed<D>>, PotentialFlow<D>);                                           \
+    template Instant<D> instant_of<D>(const Model<D>&, const std::vector<RigidBody<D>>&, std::unique_ptr<Placed<D>>,           \
+                                      PotentialFlow<D>);                                                                       \
     template FluidVelocity<D> face_velocities<D>(const Instant<D>&);                                                           \
     template double largest_divergence<D>(const Instant<D>&, const FluidVelocity<D>&);                                         \
     template UnknownVector<D> net_outflow<D>(const Instant<D>&, const FluidVelocity<D>&);

@@ -22,7 +22,8 @@ struct Instant {
 
 /// Of bodies and their flow. Collective.
 template <int D>
-Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, std::unique_ptr<Placed<D>> placed, PotentialFlow<D> flow);
+Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, std::unique_ptr<Placed<D>> placed,
+                      PotentialFlow<D> flow);
 /// Impulse, force and energy after the flow has changed.
 template <int D>
 void find_forces(Instant<D>& instant);

@@ -1,12 +1,18 @@
 #include "gapflow/step/potential_flow.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/coupling/fluid_rows.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gapflow {
 namespace {
+
+constexpr double weak_row = 1e-2; // conductance over that of a face of the grid, below which a row is settled by itself
+constexpr int weak_sweeps = 4;    // slivers that are joined with each other hardly are: their faces are as small as they
 
 template <int D>
 UnknownVector<D> zero(const Coupling<D>& coupling)
@@ -57,7 +63,51 @@ PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twist
     const SolveReport solve = CoupledSolver<D>(given.system, options).solve(flow.p, rhs);
     require<D>(solve);
     flow.iterations = solve.iterations;
+    settle_weak_rows(at, flow);
     return flow;
+}
+
+template <int D>
+void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow)
+{
+    const Coupling<D>& coupling = at.coupling;
+    const Complex<D>& complex = at.complex;
+    const FluidRows<D> L(coupling);
+    const double weak = weak_row * std::pow(coupling.grid->dx(), D - 2) / coupling.density;
+    struct Row {
+        long row;
+        double diagonal, flux;
+    };
+    std::vector<Row> rows;
+    const auto offer = [&](long row) {
+        if (const double diagonal = L.diagonal(row); diagonal > 0 && diagonal < weak)
+            rows.push_back({row, diagonal, 0});
+    };
+    for (int c = 0; c < complex.cut_cells(); ++c)
+        if (const Index<D> cell = complex.index.index(complex.cut_cell[c]); coupling.grid->owns(cell))
+            offer(L.row(cell));
+    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.row < b.row; });
+    for (int node = 0; node < coupling.system.nodes; ++node)
+        if (coupling.system.owns(node))
+            offer(L.row(node));
+    if (rows.empty())
+        return;
+    const auto add = [&](long row, double flux) {
+        const auto found = std::lower_bound(rows.begin(), rows.end(), row, [](const Row& r, long n) { return r.row < n; });
+        if (found != rows.end() && found->row == row)
+            found->flux += flux;
+    };
+    for (const auto& entry : coupling.cell_flux)
+        add(L.row(entry.row), entry.flux.dot(flow.twists[entry.body]));
+    for (const auto& entry : coupling.node_flux)
+        add(L.row(entry.row), entry.flux.dot(flow.twists[entry.body]));
+    const auto p = [&](long row) -> double& { return L.is_cell(row) ? flow.p.cells(L.cell(row)) : flow.p.nodes[L.node(row)]; };
+    for (int sweep = 0; sweep < weak_sweeps; ++sweep)
+        for (const Row& row : rows) {
+            double sum = -row.flux;
+            L.for_each(row.row, [&](long other, double value) { sum -= other == row.row ? 0.0 : value * p(other); });
+            p(row.row) = sum / row.diagonal;
+        }
 }
 
 template <int D>
@@ -116,6 +166,7 @@ std::vector<Twist<D>> fluid_impulse(const Placed<D>& at, const PotentialFlow<D>&
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template PotentialFlow<D> flow_of_twists<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&);                \
+    template void settle_weak_rows<D>(const Placed<D>&, PotentialFlow<D>&);                                                    \
     template std::vector<Twist<D>> impulses_of_given<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                     \
     template std::vector<Twist<D>> fluid_impulse<D>(const Placed<D>&, const PotentialFlow<D>&);
 GAPFLOW_INSTANTIATE(2)

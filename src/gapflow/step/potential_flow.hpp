@@ -25,6 +25,11 @@ PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twist
 template <int D>
 std::vector<Twist<D>> impulses_of_given(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists);
 
+/// Potentials of rows with small conductances, slivers between walls and planes of the grid, from their own equations: the solver's tolerance is that of all rows
+/// together, and leaves them undetermined, but what walls displace there is the square of their gradients. One rank.
+template <int D>
+void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow);
+
 /// dT/dV of the fluid's energy alone, of all solids. Collective.
 template <int D>
 std::vector<Twist<D>> fluid_impulse(const Placed<D>& at, const PotentialFlow<D>& flow);

@@ -1,9 +1,6 @@
 #include "gapflow/step/pressure.hpp"
 
-#include "gapflow/step/nodes.hpp"
-
-#include <map>
-#include <utility>
+#include "gapflow/step/matching.hpp"
 
 namespace gapflow {
 namespace {
@@ -63,15 +60,17 @@ UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& 
                 }
         impulse.cells(c) = count > 0 ? sum / count : 0.0;
     });
-    const NodeNumbers<D> numbers(*before.placed);
     const Complex<D>& complex = after.placed->complex;
+    const std::vector<MatchedPart> was = matched_parts(grid, complex, before.placed->complex);
     for (int p = 0; p < complex.parts(); ++p) {
         const int node = after.placed->node[p];
         if (node < 0 || !here.system.owns(node))
             continue;
         const Index<D> c = complex.cell_of_part(p);
-        if (const int was = numbers.find(grid, complex, p); was >= 0)
-            impulse.nodes[node] = after.flow.p.nodes[node] - before.flow.p.nodes[was];
+        if (was[p].kind == MatchedPart::Kind::other && before.placed->node[was[p].part] >= 0)
+            impulse.nodes[node] = after.flow.p.nodes[node] - before.flow.p.nodes[before.placed->node[was[p].part]];
+        else if (was[p].kind == MatchedPart::Kind::main && has(old, c))
+            impulse.nodes[node] = after.flow.p.nodes[node] - before.flow.p.cells(c);
         else if (has(here, c))
             impulse.nodes[node] = impulse.cells(c);
     }

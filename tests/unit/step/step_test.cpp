@@ -146,7 +146,9 @@ TEST(EnergyChange, IsEachBodysOwn)
                    after = placed(model, moved, model.masses(moved, 0.0));
         return energy_change(*before, flow_of_twists(*before, V, exact()), *after, flow_of_twists(*after, V, exact()));
     };
-    const auto of = [](const EnergyChange& found, int solid) { return found.group[solid] < 0 ? 0.0 : found.work[found.group[solid]]; };
+    const auto of = [](const EnergyChange& found, int solid) {
+        return found.group[solid] < 0 ? 0.0 : found.work[found.group[solid]];
+    };
     const EnergyChange first = change(true, false), second = change(false, true), both_move = change(true, true);
     const std::array<double, 2> one{of(first, 0), of(first, 1)}, other{of(second, 0), of(second, 1)},
         all{of(both_move, 0), of(both_move, 1)};
