@@ -40,8 +40,9 @@ struct ComplexParameters {
     double mouth_start = 0.8;
     /// Cosine of the least angle between a wall and the gap's normal: beyond, the walls do not face each other.
     double least_facing = 0.3;
-    /// A gap's thickness changes by no more than this factor within an interval of three Gauss points: 1e-4 of the integral of 1/t.
-    double widening = 1.6;
+    /// A gap's thickness changes by no more than this factor within an interval of five Gauss points: 1e-4 of the integral of 1/t. Of a quadratic
+    /// thickness it changes by 4.3 at most, since intervals double in length away from the thinnest place: 1e-6 of the integral.
+    double widening = 5;
     /// Intervals along one way: ten times as many as a gap of 1e-11 cells takes. Where walls touch along faces round-off alone parts them, and
     /// their distance changes by any factor from place to place.
     unsigned most_intervals = 400;
