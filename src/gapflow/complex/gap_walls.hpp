@@ -97,6 +97,15 @@ public:
         }
         return Mat<D>::Zero();
     }
+    /// At a point on the round border of a face: the direction normal to the border, in the face; of either sign. Nothing where borders are straight.
+    std::optional<Vec<D>> across_border(const WallPoint<D, double>& at) const
+    {
+        const auto bar = shape_.shape().round_bar();
+        if (D == 2 || !bar || !bar->flat)
+            return {};
+        const Vec<D> axis = shape_.rotation().col(0), from = at.x - in_cells(shape_.to_world(Vec<D>::Zero()));
+        return at.face >= 2 ? axis : Vec<D>(from - axis.dot(from) * axis).normalized();
+    }
 
 private:
     /// A capsule's patches meet without an edge.
@@ -330,6 +339,8 @@ public:
         Vec<D> out; // in the face, normal to its border
         if constexpr (D == 2)
             out = Vec<2>(-n[1], n[0]);
+        else if (const auto round = wall(side).across_border(walls_.nearest(side, values_of<D>(x))))
+            out = *round;
         else { // a little beyond, the direction from the border to a place is normal to it
             Vec<3> way;
             for (int k = 0; k < 3; ++k)
