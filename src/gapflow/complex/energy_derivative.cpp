@@ -26,8 +26,8 @@ public:
     EnergyDerivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                      const Potentials<D>& p, const Potentials<D>& next, std::span<const Twist<D>> twists,
                      const DerivedGaps<D>& gaps)
-        : grid_(grid), complex_(complex), derivatives_(derivatives), p_(p), next_(next), twists_(twists), gaps_(gaps), areas_(complex),
-          by_area_(complex.pieces.size(), 0), by_moment_(complex.pieces.size(), Vec<D>::Zero()),
+        : grid_(grid), complex_(complex), derivatives_(derivatives), p_(p), next_(next), twists_(twists), gaps_(gaps),
+          areas_(complex), by_area_(complex.pieces.size(), 0), by_moment_(complex.pieces.size(), Vec<D>::Zero()),
           by_patch_(complex.patches.size(), Twist<D>::Zero()), result_(twists.size(), Twist<D>::Zero())
     {
         if (!gaps.arms.empty()) {
@@ -197,8 +197,7 @@ private:
                      next = add_lent(loan.next, loan.of_next(), U, by_speed),
                      after = loan.more > 0 ? add_lent(loan.after, loan.of_after(), U, by_speed) : 0.0;
         const double further = whole.more > 0 ? -own + 2 * next - after : 0.0, by_more = part_after * further,
-                     by_size =
-                         part * (next - own) + (whole.more > 0 ? 0.5 * bearing(loan.own, loan.after) * by_more : 0.0);
+                     by_size = part * (next - own) + (whole.more > 0 ? 0.5 * bearing(loan.own, loan.after) * by_more : 0.0);
         const auto add_plain = [&](std::int32_t piece, double by) {
             if (piece >= 0)
                 by_plain_[piece] += by;
@@ -285,8 +284,7 @@ private:
         const Index<D> face = complex_.index.index(piece.face);
         Vec<D> centre;
         for (int axis = 0; axis < D; ++axis) {
-            const double place =
-                axis == piece.axis ? grid_.face_place(axis, face[axis]) : grid_.centre_place(axis, face[axis]);
+            const double place = axis == piece.axis ? grid_.face_place(axis, face[axis]) : grid_.centre_place(axis, face[axis]);
             centre[axis] = (place - grid_.anchor()[axis]) / grid_.dx();
         }
         return centre;
@@ -402,10 +400,9 @@ std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& co
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<Twist<D>> energy_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,             \
                                                      const Potentials<D>&, std::span<const Twist<D>>,                          \
-                                                     std::span<const std::vector<WeightedTwist<D>>>,                           \
-                                                     const DerivedGaps<D>&);                                                   \
+                                                     std::span<const std::vector<WeightedTwist<D>>>, const DerivedGaps<D>&);   \
     template std::vector<Twist<D>> layer_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,              \
-                                                    const Potentials<D>&, const Potentials<D>&, int, const Twist<D>&,         \
+                                                    const Potentials<D>&, const Potentials<D>&, int, const Twist<D>&,          \
                                                     const DerivedGaps<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -30,6 +30,7 @@ public:
         first_.assign(solids.size() + 1, 0);
         for (const Image<D>& image : images_) {
             ++first_[image.solid + 1];
+            wall_.emplace_back(image.shape, planes_);
             reference_.push_back(planes_.in_cells(solids[image.solid].centre + image.shift));
         }
         for (std::size_t s = 0; s < solids.size(); ++s) {
@@ -104,8 +105,7 @@ public:
         for (int axis = 0; axis < D; ++axis)
             centroid[axis] = Number::variable(piece.centroid[axis], GapTerms<D>::centroid + axis);
         const auto place = place_at(piece, FacingWalls<D, MovingWalls<D>>(MovingWalls<D>(site->walls, twist)), centroid);
-        const auto terms =
-            integrate<MovingWalls<D>>(*place, piece, centroid, Number::variable(piece.area, GapTerms<D>::area));
+        const auto terms = integrate<MovingWalls<D>>(*place, piece, centroid, Number::variable(piece.area, GapTerms<D>::area));
         return {terms->share, terms->resistance, terms->flux, terms->motion, terms->mass};
     }
 
@@ -185,17 +185,18 @@ private:
     std::optional<Facing> find_facing(const Vec<D>& x, const std::vector<std::int32_t>& near) const
     {
         Facing found{{-1, -1}, {}};
+        const Vec<D> world = planes_.in_world(x);
+        const double dx = planes_.dx;
         for (int side = 0; side < 2; ++side) {
-            double least = parameters.gap_end * planes_.dx;
+            double least = parameters.gap_end;
             for (const std::int32_t s : near)
                 for (int k = first_[s]; k < first_[s + 1]; ++k) {
                     const int i = image_of_[k];
-                    const Vec<D> world = planes_.in_world(x);
                     const Bounds<D>& bounds = images_[i].bounds;
                     const double outside = (bounds.low - world).cwiseMax(world - bounds.high).maxCoeff(); // or less far
-                    if ((side == 1 && i == found.image[0]) || (outside > least && !images_[i].shape.shape().inside_out()))
+                    if ((side == 1 && i == found.image[0]) || (outside > least * dx && !images_[i].shape.shape().inside_out()))
                         continue;
-                    const SurfacePoint<D> at = images_[i].shape.closest(world);
+                    const WallPoint<D, double> at = wall_[i].nearest(x);
                     if (!(at.distance < least) || (side == 1 && at.normal.dot(found.normal[0]) > -parameters.least_facing))
                         continue;
                     least = at.distance;
@@ -208,10 +209,7 @@ private:
         return found;
     }
 
-    GapWalls<D> walls_of(int a, int b) const
-    {
-        return {{images_[a].shape, images_[b].shape}, {reference_[a], reference_[b]}, planes_};
-    }
+    GapWalls<D> walls_of(int a, int b) const { return {{wall_[a], wall_[b]}, {reference_[a], reference_[b]}}; }
 
     /// Nothing where the walls are a cell apart or do not face each other.
     template <class Walls>
@@ -252,8 +250,7 @@ private:
                 if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
                                                         [](const auto& m, std::int32_t p) { return m.first < p; });
                     moved != moved_.end() && moved->first == at.number())
-                    place.moved[side] =
-                        place.way.dot(moved->second.template cast<S>()) / place.way.squaredNorm();
+                    place.moved[side] = place.way.dot(moved->second.template cast<S>()) / place.way.squaredNorm();
         // Parts one above the other at a mouth that runs through both may change their order: a quarter of the way stays.
         if (const S closer = place.moved[0] - place.moved[1]; closer > 0.75)
             for (S& moved : place.moved)
@@ -412,6 +409,7 @@ private:
     const Complex<D>& complex_;
     const std::vector<std::pair<std::int32_t, Vec<D>>> moved_;
     std::vector<Image<D>> images_;
+    std::vector<GapWall<D>> wall_; ///< of each image
     std::vector<Vec<D>> reference_;
     std::vector<int> first_, image_of_; ///< of each solid
     std::vector<std::int32_t> sides_;

@@ -52,11 +52,16 @@ struct WallPoint {
 template <int D>
 class GapWall {
 public:
-    GapWall(const PlacedShape<D>& shape, const GridPlanes<D>& planes) : shape_(shape), anchor_(planes.anchor), dx_(planes.dx)
+    GapWall(const PlacedShape<D>& shape, const GridPlanes<D>& grid) : shape_(shape), anchor_(grid.anchor), dx_(grid.dx)
     {
         if (const auto radius = shape.shape().sphere_radius()) {
-            radius_ = *radius / planes.dx;
+            radius_ = *radius / dx_;
             centre_ = in_cells(shape.to_world(Vec<D>::Zero()));
+        } else if (const auto planes = shape.shape().planes();
+                   planes.size() == 1 && !shape.shape().complement() && !shape.shape().inside_out()) {
+            flat_ = true;
+            normal_ = shape.rotation() * planes[0].normal;
+            centre_ = in_cells(shape.to_world(planes[0].offset * planes[0].normal));
         }
     }
 
@@ -70,6 +75,10 @@ public:
                 const Vec<D> way = (x - centre_) / length;
                 return {centre_ + radius_ * way, sign * way, sign * (length - radius_), true, 0};
             }
+        if (flat_) {
+            const double distance = normal_.dot(x - centre_);
+            return {x - distance * normal_, normal_, distance, true, 0};
+        }
         const Vec<D> world = anchor_ + dx_ * x;
         const SurfacePoint<D> at = shape_.closest(world);
         if (const int own = face_of(at.patch); face < 0 || (at.feature == Feature::face && own == face))
@@ -88,8 +97,7 @@ public:
             return sign / (radius_ + sign * at.distance) * across;
         if (const auto bar = shape.round_bar()) {
             const double radius = bar->radius / dx_;
-            const Vec<D> axis = shape_.rotation().col(0),
-                         from = at.x - in_cells(shape_.to_world(Vec<D>::Zero()));
+            const Vec<D> axis = shape_.rotation().col(0), from = at.x - in_cells(shape_.to_world(Vec<D>::Zero()));
             const bool side = bar->flat ? at.face >= 2 : std::abs(axis.dot(from)) < bar->half / dx_;
             if (side ? D == 2 : bar->flat)
                 return Mat<D>::Zero();
@@ -120,8 +128,11 @@ private:
     PlacedShape<D> shape_;
     Vec<D> anchor_;
     double dx_;
-    Vec<D> centre_ = Vec<D>::Zero(); ///< of a ball
-    double radius_ = 0;              ///< 0: no ball
+    // In closed form: balls, and half-spaces.
+    double radius_ = 0; ///< 0: no ball
+    bool flat_ = false;
+    Vec<D> centre_ = Vec<D>::Zero(); ///< of a ball; a point of the plane
+    Vec<D> normal_ = Vec<D>::Zero(); ///< of the plane
 };
 
 /// Why there is no section of a gap at a place: of one pass and one side, or of both (2), where the walls meet.
@@ -142,8 +153,8 @@ public:
 
     std::array<Vec<D>, 2> reference;
 
-    StillWalls(const std::array<PlacedShape<D>, 2>& shape, const std::array<Vec<D>, 2>& reference_, const GridPlanes<D>& planes)
-        : reference(reference_), wall_{GapWall<D>(shape[0], planes), GapWall<D>(shape[1], planes)}
+    StillWalls(const std::array<GapWall<D>, 2>& wall, const std::array<Vec<D>, 2>& reference_)
+        : reference(reference_), wall_(wall)
     {
     }
 

@@ -93,7 +93,8 @@ Eigen::Matrix<S, 2, 2> positive_part(const Eigen::Matrix<S, 2, 2>& A)
 
 /// `here`: the gap at x.
 template <int D, class Walls>
-GapShape<D, typename Walls::Scalar> shape_of_gap(const FacingWalls<D, Walls>& walls, const PlaceOf<D, typename Walls::Scalar>& x,
+GapShape<D, typename Walls::Scalar> shape_of_gap(const FacingWalls<D, Walls>& walls,
+                                                 const PlaceOf<D, typename Walls::Scalar>& x,
                                                  const PlaceOf<D, typename Walls::Scalar>& n, const SectionOf<D, Walls>& here)
 {
     using S = typename Walls::Scalar;
@@ -154,8 +155,8 @@ struct FivePoints {
                 if (other != h) {
                     ++degree;
                     for (int power = degree; power >= 0; --power)
-                        factors[power] = ((power > 0 ? factors[power - 1] : 0.0) - node[other] * factors[power]) /
-                                         (node[h] - node[other]);
+                        factors[power] =
+                            ((power > 0 ? factors[power - 1] : 0.0) - node[other] * factors[power]) / (node[h] - node[other]);
                 }
             for (int g = 0; g < points; ++g) {
                 double sum = 0;
@@ -167,8 +168,7 @@ struct FivePoints {
     }
 };
 
-/// Rows and thickness along a gap, and their integrals over pieces of it. Beyond the end of a wall the gap goes on as it is there, at rest; beyond a
-/// place where the walls meet as it is at the face.
+/// Rows and thickness along a gap, and their integrals over pieces of it. Beyond the end of a wall the gap goes on as it is at the face, at rest.
 template <int D, class Walls = StillWalls<D>>
 class GapWay {
 public:
@@ -195,7 +195,7 @@ public:
         constexpr int n = FivePoints::points;
         const End low = end_towards(std::min(from, S(0.0))), high = end_towards(std::max(to, S(0.0)));
         meets_ = low.meet || high.meet;
-        const Thinnest thinnest = find_thinnest(low.at, high.at, bend);
+        const Thinnest thinnest = find_thinnest(low, high, bend);
         set_breaks({from, low.at, S(0.0), high.at, to}, low.at, high.at, thinnest);
         std::vector<Point> result;
         result.reserve(n * breaks_.size());
@@ -203,8 +203,11 @@ public:
         const auto pass = [&](const S& s) {
             if (s == 0.0)
                 at_face_ = here;
-            if (D == 3 && s == thinnest.at)
-                zero = here - sigma * thinnest.beyond * at(s).first;
+            if (D == 3 && s == thinnest.at) {
+                zero = here;
+                if (thinnest.beyond != 0.0)
+                    zero -= sigma * thinnest.beyond * at(s).first;
+            }
         };
         for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
             const S length = breaks_[k + 1] - breaks_[k];
@@ -212,7 +215,7 @@ public:
             std::array<S, n> t;
             if (breaks_[k] < low.at || breaks_[k + 1] > high.at) {
                 rate.fill(Walls::none());
-                t.fill(breaks_[k] < low.at ? low.thickness : high.thickness);
+                t.fill(thickness_);
             } else {
                 for (int g = 0; g < n; ++g)
                     std::tie(rate[g], t[g]) = at(breaks_[k] + rule.node[g] * length);
@@ -265,26 +268,36 @@ private:
         return still().profile(values_of<D>(start_) + s * values_of<D>(way_), values_of<D>(n_), stop);
     }
 
+    /// Of the stretch on which the walls face each other.
     struct End {
-        S at, thickness; ///< of the gap beyond
+        S at, growth, thickness; ///< there
         bool meet = false;
     };
     /// `limit`, or where a wall ends before it, or where the walls meet.
     End end_towards(const S& limit) const
     {
         GapStop stop;
-        if (still_at(value_of(limit), &stop))
-            return {limit, S(0.0)};
+        const auto found = still_at(value_of(limit), &stop);
+        if constexpr (std::is_same_v<S, double>)
+            if (found)
+                return end_at(limit, found);
+        if (found)
+            return end_at(limit, walls_.profile(start_ + limit * way_, n_));
         double in = 0, out = value_of(limit);
         for (double middle = 0.5 * out; middle != in && middle != out; middle = 0.5 * (in + out))
             (still_at(middle, &stop) ? in : out) = middle;
-        End end{S(in), thickness_, stop.meet()};
+        S at = S(in);
         if constexpr (!std::is_same_v<S, double>)
-            end.at = S::root(in, walls_.margin(start_ + S::along(in) * way_, n_, stop));
-        if (!stop.meet())
-            if (const auto there = walls_.profile(start_ + end.at * way_, n_))
-                end.thickness = there->thickness;
+            at = S::root(in, walls_.margin(start_ + S::along(in) * way_, n_, stop));
+        End end = end_at(at, walls_.profile(start_ + at * way_, n_));
+        end.meet = stop.meet();
         return end;
+    }
+    End end_at(const S& at, const std::optional<GapProfile<D, Walls>>& there) const
+    {
+        if (!there)
+            return {at, S(0.0), thickness_};
+        return {at, S(-there->slope.dot(way_)), there->thickness};
     }
 
     struct Thinnest {
@@ -292,41 +305,34 @@ private:
         S beyond; ///< and how far beyond it the gap is thinnest
         S length; ///< from `at` to where the thickness of a quadratic gap is zero, at complex places too
     };
-    Thinnest find_thinnest(const S& low, const S& high, const S& bend) const
+    Thinnest find_thinnest(const End& low, const End& high, const S& bend) const
     {
         using std::abs;
-        const S end[2] = {low, high};
-        S growth[2], thickness[2];
-        for (int k = 0; k < 2; ++k) {
-            const auto found = walls_.profile(start_ + end[k] * way_, n_);
-            growth[k] = found ? S(-found->slope.dot(way_)) : S(0.0);
-            thickness[k] = found ? found->thickness : thickness_;
-        }
-        const S curvature = high > low ? std::max(S(0.0), S((growth[1] - growth[0]) / (high - low))) : S(0.0);
-        for (int k = 0; k < 2; ++k)
-            if (const S &g = growth[k], t = thickness[k]; k == 0 ? g >= 0.0 : g <= 0.0) {
-                Thinnest result{end[k], S(0.0), length_of(t, g, curvature)};
+        const S curvature = high.at > low.at ? std::max(S(0.0), S((high.growth - low.growth) / (high.at - low.at))) : S(0.0);
+        for (const End* end : {&low, &high})
+            if (const S& g = end->growth; end == &low ? g >= 0.0 : g <= 0.0) {
+                Thinnest result{end->at, S(0.0), length_of(end->thickness, g, curvature)};
                 if (g != 0.0)
-                    result.beyond = -g / std::max({bend, S(0.5 * g * g / t), S(abs(g))});
+                    result.beyond = -g / std::max({bend, S(0.5 * g * g / end->thickness), S(abs(g))});
                 return result;
             }
-        Thinnest result{root_of_growth(low, high, growth[0], growth[1]), S(0.0), S(0.0)};
-        const auto found = walls_.profile(start_ + result.at * way_, n_);
-        result.length = length_of(found ? found->thickness : thickness_, S(0.0), curvature);
-        return result;
+        const auto [at, thickness] = root_of_growth(low, high);
+        return {at, S(0.0), length_of(thickness, S(0.0), curvature)};
     }
-    /// A false position that lets neither end stand.
-    S root_of_growth(const S& low, const S& high, const S& at_low, const S& at_high) const
+    /// Place and thickness: a false position that lets neither end stand.
+    std::pair<S, S> root_of_growth(const End& low, const End& high) const
     {
         const Vec<D> way = values_of<D>(way_);
-        double end[2] = {value_of(low), value_of(high)}, weight[2] = {value_of(at_low), value_of(at_high)}, place = end[0];
+        double end[2] = {value_of(low.at), value_of(high.at)}, weight[2] = {value_of(low.growth), value_of(high.growth)},
+               place = end[0], thickness = value_of(thickness_);
         for (int k = 0, last = -1; k < most_steps; ++k) {
             const double before = std::exchange(place, end[0] + weight[0] / (weight[0] - weight[1]) * (end[1] - end[0]));
             const auto found = still_at(place);
-            if (!found || std::abs(place - before) < 16 * std::numeric_limits<double>::epsilon())
+            if (!found)
                 break;
+            thickness = found->thickness;
             const double here = -found->slope.dot(way);
-            if (here == 0)
+            if (here == 0 || std::abs(place - before) < 16 * std::numeric_limits<double>::epsilon())
                 break;
             const int side = here < 0 ? 0 : 1;
             end[side] = place;
@@ -336,9 +342,12 @@ private:
             last = side;
         }
         if constexpr (!std::is_same_v<S, double>)
-            if (const auto section = walls_.profile(start_ + S::along(place) * way_, n_))
-                return S::root(place, section->slope.dot(way_));
-        return S(place);
+            if (const auto found = walls_.profile(start_ + S::along(place) * way_, n_)) {
+                const S at = S::root(place, found->slope.dot(way_));
+                const auto there = walls_.profile(start_ + at * way_, n_);
+                return {at, there ? there->thickness : thickness_};
+            }
+        return {S(place), S(thickness)};
     }
     static S length_of(const S& t, const S& growth, const S& curvature)
     {

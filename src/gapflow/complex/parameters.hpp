@@ -38,7 +38,8 @@ struct ComplexParameters {
     /// Distance of a corner from another wall up to which the resistance of its link is that of a gap's mouth; at gap_end it is that of the corner
     /// alone. The law of the mouth holds where the gap is thinner than the sector into which it opens, about a cell.
     double mouth_start = 0.8;
-    /// Cosine of the least angle between a wall and the gap's normal: beyond, the walls do not face each other.
+    /// Cosine of the largest angle between a wall and the gap's normal, and between the walls: beyond, they do not face each other. A face's energy goes
+    /// over to a plain one's from twice that on.
     double least_facing = 0.3;
     /// A gap's thickness changes by no more than this factor within an interval of five Gauss points: 1e-4 of the integral of 1/t. Of a quadratic
     /// thickness it changes by 4.3 at most, since intervals double in length away from the thinnest place: 1e-6 of the integral.

@@ -390,8 +390,8 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
         }
         if (layers.empty())
             layers = layer_inertias(coupling);
-        LimitRate<D> limit = limit_rate<D>(coupling.solids[s], coupling.density, whole,
-                                            layers[s] - coupling.gap_deficit[s], twists[s]);
+        LimitRate<D> limit =
+            limit_rate<D>(coupling.solids[s], coupling.density, whole, layers[s] - coupling.gap_deficit[s], twists[s]);
         sum[s].template tail<spin_size<D>>() += limit.turn / (unit * std::pow(dx, D));
         for (WeightedTwist<D>& of : limit.seen)
             of.z = twist_in_cells(of.z);

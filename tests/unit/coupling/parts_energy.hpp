@@ -31,8 +31,7 @@ struct PartsEnergy {
     PartsEnergy(const Grid<D>& grid, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists_,
                 bool with_derivatives)
         : complex(build_complex<D>(grid, solids, with_derivatives ? &derivatives : nullptr, nullptr, false)),
-          arms(find_gap_arms<D>(grid, solids, complex)),
-          inertia(find_inertia<D>(grid, complex, arms)),
+          arms(find_gap_arms<D>(grid, solids, complex)), inertia(find_inertia<D>(grid, complex, arms)),
           coupling(couple_parts<D>(grid, solids, {}, 1.3, complex, inertia)),
           twists(twists_), p{CellField<D>(grid), Eigen::VectorXd::Zero(coupling.system.nodes)}
     {
