@@ -220,7 +220,7 @@ public:
                 for (int g = 0; g < n; ++g)
                     std::tie(rate[g], t[g]) = at(breaks_[k] + rule.node[g] * length);
                 const auto [least, most] = std::minmax_element(t.begin(), t.end());
-                if (*most > parameters.widening * *least && breaks_.size() < parameters.most_intervals &&
+                if (*most > parameters.way_widening * *least && breaks_.size() < parameters.most_intervals &&
                     length > parameters.least_stretch) {
                     breaks_.insert(breaks_.begin() + static_cast<long>(k) + 1, S(breaks_[k] + 0.5 * length));
                     --k;
