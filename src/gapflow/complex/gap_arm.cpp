@@ -352,7 +352,7 @@ private:
             GapStop stop;
             bool found = false;
             const auto in_face = [&](double x) {
-                const auto section = still.profile(start + x * way, normal, &stop);
+                const auto section = still.profile(step_along<D>(start, x, way), normal, &stop);
                 found = section.has_value();
                 return found && !(beyond(*section, normal) > 0);
             };
@@ -370,7 +370,7 @@ private:
             if constexpr (std::is_same_v<S, double>)
                 return in;
             else {
-                const Place x = centroid + S::along(in) * m;
+                const Place x = step_along<D, S>(centroid, S::along(in), m);
                 const auto section = leaves ? walls.profile(x, n) : std::nullopt;
                 return S::root(in, section ? beyond(*section, n) : walls.margin(x, n, stop));
             }
@@ -394,7 +394,7 @@ private:
         if constexpr (D == 3) {
             const S &from = place.from, length = place.to - from;
             for (int k = 0; k < 3 && abs(length) > parameters.least_stretch; ++k) {
-                const PlaceOf<D, S> at = centroid + (from + ThreePoints::node[k] * length) * place.line;
+                const PlaceOf<D, S> at = step_along<D, S>(centroid, S(from + ThreePoints::node[k] * length), place.line);
                 if (const auto section = place.walls.profile(at, place.n))
                     lines.push_back({at, ThreePoints::weight[k] * abs(length), section->thickness});
             }

@@ -39,6 +39,16 @@ SpinOf<D, S> moment_of(const PlaceOf<D, S>& a, const PlaceOf<D, S>& b)
         return a.cross(b);
 }
 
+/// x + s way. By components: Eigen leaves copies of its loop, which other folders compile with contracted products (tools/check-copies).
+template <int D, class S>
+PlaceOf<D, S> step_along(const PlaceOf<D, S>& x, const S& s, const PlaceOf<D, S>& way)
+{
+    PlaceOf<D, S> result;
+    for (int k = 0; k < D; ++k)
+        result[k] = x[k] + s * way[k];
+    return result;
+}
+
 /// Nearest point of a wall.
 template <int D, class S>
 struct WallPoint {
@@ -73,13 +83,13 @@ public:
             if (const double length = (x - centre_).norm(); length > 0) {
                 const double sign = shape_.shape().inside_out() ? -1 : 1;
                 const Vec<D> way = (x - centre_) / length;
-                return {centre_ + radius_ * way, sign * way, sign * (length - radius_), true, 0};
+                return {step_along<D>(centre_, radius_, way), Vec<D>(sign * way), sign * (length - radius_), true, 0};
             }
         if (flat_) {
             const double distance = normal_.dot(x - centre_);
-            return {x - distance * normal_, normal_, distance, true, 0};
+            return {step_along<D>(x, -distance, normal_), normal_, distance, true, 0};
         }
-        const Vec<D> world = anchor_ + dx_ * x;
+        const Vec<D> world = step_along<D>(anchor_, dx_, x);
         const SurfacePoint<D> at = shape_.closest(world);
         if (const int own = face_of(at.patch); face < 0 || (at.feature == Feature::face && own == face))
             return {in_cells(at.x), at.normal, at.distance / dx_, at.feature == Feature::face, own};
@@ -358,7 +368,8 @@ public:
                 way[k] = at.x[k].rate[Scalar::variables - 1];
             out = way;
             for (const double little : {parameters.tangent_share, -parameters.tangent_share})
-                if (const WallPoint<3, double> beyond = walls_.nearest(side, values_of<3>(x) + little / way.norm() * way);
+                if (const WallPoint<3, double> beyond =
+                        walls_.nearest(side, step_along<3>(values_of<3>(x), little / way.norm(), way));
                     !beyond.on_face)
                     out = beyond.normal - n.dot(beyond.normal) * n;
         }

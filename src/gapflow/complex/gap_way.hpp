@@ -110,7 +110,7 @@ GapShape<D, typename Walls::Scalar> shape_of_gap(const FacingWalls<D, Walls>& wa
             S sum = 0;
             int found = 0;
             for (const double s : {-h, h})
-                if (const auto at = walls.profile(x + s * d, n)) {
+                if (const auto at = walls.profile(step_along<D, S>(x, S(s), d), n)) {
                     sum += at->thickness - t + s * here.slope.dot(d);
                     ++found;
                 }
@@ -265,7 +265,7 @@ private:
     /// The still walls' way.
     std::optional<GapProfile<D, StillWalls<D>>> still_at(double s, GapStop* stop = nullptr) const
     {
-        return still().profile(values_of<D>(start_) + s * values_of<D>(way_), values_of<D>(n_), stop);
+        return still().profile(step_along<D>(values_of<D>(start_), s, values_of<D>(way_)), values_of<D>(n_), stop);
     }
 
     /// Of the stretch on which the walls face each other.
@@ -282,14 +282,14 @@ private:
             if (found)
                 return end_at(limit, found);
         if (found)
-            return end_at(limit, walls_.profile(start_ + limit * way_, n_));
+            return end_at(limit, walls_.profile(step_along<D, S>(start_, limit, way_), n_));
         double in = 0, out = value_of(limit);
         for (double middle = 0.5 * out; middle != in && middle != out; middle = 0.5 * (in + out))
             (still_at(middle, &stop) ? in : out) = middle;
         S at = S(in);
         if constexpr (!std::is_same_v<S, double>)
-            at = S::root(in, walls_.margin(start_ + S::along(in) * way_, n_, stop));
-        End end = end_at(at, walls_.profile(start_ + at * way_, n_));
+            at = S::root(in, walls_.margin(step_along<D, S>(start_, S::along(in), way_), n_, stop));
+        End end = end_at(at, walls_.profile(step_along<D, S>(start_, at, way_), n_));
         end.meet = stop.meet();
         return end;
     }
@@ -342,9 +342,9 @@ private:
             last = side;
         }
         if constexpr (!std::is_same_v<S, double>)
-            if (const auto found = walls_.profile(start_ + S::along(place) * way_, n_)) {
+            if (const auto found = walls_.profile(step_along<D, S>(start_, S::along(place), way_), n_)) {
                 const S at = S::root(place, found->slope.dot(way_));
-                const auto there = walls_.profile(start_ + at * way_, n_);
+                const auto there = walls_.profile(step_along<D, S>(start_, at, way_), n_);
                 return {at, there ? there->thickness : thickness_};
             }
         return {S(place), S(thickness)};
@@ -388,7 +388,7 @@ private:
     /// Opening in the frame of the walls' mean motion, and thickness.
     std::pair<Row, S> at(const S& s) const
     {
-        const auto found = walls_.across(start_ + s * way_, n_);
+        const auto found = walls_.across(step_along<D, S>(start_, s, way_), n_);
         if (!found)
             return {Walls::none(), thickness_};
         return {found->opening - Walls::along(frame_, found->slope), found->thickness};
