@@ -931,8 +931,8 @@ def crowd(quick):
 
 def energy_derivative(quick):
     """dT/dx in closed form against central differences of T, all components of all bodies: random poses of single bodies of every kind, of needles whose D is limited, of pairs that overlap and
-    of pairs with gaps of 0.05 to 0.3 cells; good: all components within 1e-5 of the largest one."""
-    for dimension, kinds, all_poses in ((2, 13, 1000), (3, 15, 500)):
+    of pairs with gaps of 0.05 to 0.3 cells, and of walls that face each other over gaps of 1e-3 to 0.3 cells; good: all components within 1e-5 of the largest one."""
+    for dimension, kinds, all_poses in ((2, 16, 1000), (3, 18, 500)):
         poses = -(-(30 if quick else all_poses) // kinds)
         found, _ = harness.unit_figures("unit_coupling", f"EnergyDerivative.IsThatOfDifferences{dimension}D", GAPFLOW_POSES=str(poses))
         count, good, jump = int(found["poses"]), int(found["good"]), float(found["jump"])

@@ -24,11 +24,21 @@ public:
 
     /// Of q . K V - 1/2 p . L p - next . diag(L) p with q = p + next.
     EnergyDerivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                     const Potentials<D>& p, const Potentials<D>& next, std::span<const Twist<D>> twists)
-        : grid_(grid), complex_(complex), derivatives_(derivatives), p_(p), next_(next), twists_(twists), areas_(complex),
-          by_area_(complex.pieces.size(), 0), by_moment_(complex.pieces.size(), Vec<D>::Zero()),
+                     const Potentials<D>& p, const Potentials<D>& next, std::span<const Twist<D>> twists,
+                     const DerivedGaps<D>& gaps)
+        : grid_(grid), complex_(complex), derivatives_(derivatives), p_(p), next_(next), twists_(twists), gaps_(gaps),
+          areas_(complex), by_area_(complex.pieces.size(), 0), by_moment_(complex.pieces.size(), Vec<D>::Zero()),
           by_patch_(complex.patches.size(), Twist<D>::Zero()), result_(twists.size(), Twist<D>::Zero())
     {
+        if (!gaps.arms.empty()) {
+            plain_.assign(complex.pieces.size(), 1.0);
+            by_plain_.assign(complex.pieces.size(), 0.0);
+            is_gap_.assign(complex.pieces.size(), 0);
+        }
+        for (const GapArm<D>& arm : gaps.arms) {
+            plain_[arm.piece] = 1 - arm.share;
+            is_gap_[arm.piece] = 1;
+        }
     }
 
     std::vector<Twist<D>> find(std::span<const std::vector<WeightedTwist<D>>> seen)
@@ -38,6 +48,7 @@ public:
         if (!seen.empty())
             add_seen_volume(seen);
         add_loans();
+        add_gaps(!seen.empty());
         by_motion_of_pieces();
         by_motion_of_walls();
         by_motion_of_links();
@@ -57,6 +68,8 @@ private:
     void add_flow()
     {
         for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
+            if (!is_gap_.empty() && is_gap_[k])
+                continue;
             const FacePiece<D>& piece = complex_.pieces[k];
             const Index<D> f = complex_.index.index(piece.face);
             double over = grid_.spread(piece.axis, f[piece.axis]);
@@ -158,8 +171,24 @@ private:
         }
     }
 
-    void add_loan(const Loan<D>& loan, const std::vector<WallShare<D>>& shares)
+    /// What of an area's energy is not a gap's; its number among the pieces, -1: all is plain.
+    std::int32_t gap_of(const Area& area) const
     {
+        if (plain_.empty() || area.face < 0)
+            return -1;
+        return area.piece >= 0 ? area.piece : areas_.first(axis_, area.face);
+    }
+    double plain(std::int32_t piece) const { return piece >= 0 ? plain_[piece] : 1.0; }
+
+    void add_loan(const Loan<D>& whole, const std::vector<WallShare<D>>& shares)
+    {
+        const std::int32_t own_gap = gap_of(whole.own), next_gap = gap_of(whole.next),
+                           after_gap = whole.more > 0 ? gap_of(whole.after) : -1;
+        const double lends = plain(own_gap), bears = plain(next_gap), bears_after = plain(after_gap), part = lends * bears,
+                     part_after = part * bears_after;
+        Loan<D> loan = whole;
+        loan.size *= part;
+        loan.more *= part_after;
         double U = 0;
         for (const WallShare<D>& share : shares)
             U += share.speed(axis_, twists_[share.solid]);
@@ -167,11 +196,19 @@ private:
         const double own = add_lent(loan.own, -loan.given(), U, by_speed),
                      next = add_lent(loan.next, loan.of_next(), U, by_speed),
                      after = loan.more > 0 ? add_lent(loan.after, loan.of_after(), U, by_speed) : 0.0;
-        const double by_more = loan.more > 0 ? -own + 2 * next - after : 0.0,
-                     by_size = next - own + (loan.more > 0 ? 0.5 * bearing(loan.own, loan.after) * by_more : 0.0);
+        const double further = whole.more > 0 ? -own + 2 * next - after : 0.0, by_more = part_after * further,
+                     by_size = part * (next - own) + (whole.more > 0 ? 0.5 * bearing(loan.own, loan.after) * by_more : 0.0);
+        const auto add_plain = [&](std::int32_t piece, double by) {
+            if (piece >= 0)
+                by_plain_[piece] += by;
+        };
+        const double simple = whole.size * (next - own), beyond = whole.more * further;
+        add_plain(own_gap, bears * simple + bears * bears_after * beyond);
+        add_plain(next_gap, lends * simple + lends * bears_after * beyond);
+        add_plain(after_gap, part * beyond);
         add_bearing(loan.own, loan.next, 0.5 * loan.own.area * std::abs(loan.offset) * by_size);
-        if (loan.more > 0)
-            add_bearing(loan.own, loan.after, 0.5 * loan.size * by_more);
+        if (whole.more > 0)
+            add_bearing(loan.own, loan.after, 0.5 * whole.size * by_more);
         for_each_piece(loan.own, [&](std::int32_t k) {
             by_moment_[k][loan.along] += 0.5 * bearing(loan.own, loan.next) * (loan.offset > 0 ? 1 : -1) * by_size;
         });
@@ -205,18 +242,60 @@ private:
         });
     }
 
+    /// Energies of faces in gaps; `whole`: with those of the walls alone.
+    void add_gaps(bool whole)
+    {
+        using Number = typename GapTerms<D>::Number;
+        constexpr int T = twist_size<D>;
+        for (const GapArm<D>& arm : gaps_.arms) {
+            const FacePiece<D>& piece = complex_.pieces[arm.piece];
+            const Index<D> f = complex_.index.index(piece.face);
+            const double delta = grid_.spread(piece.axis, f[piece.axis]), d = q_of(piece.low) - q_of(piece.high);
+            const Number A = Number::variable(piece.area, GapTerms<D>::area);
+            PairTwist<D> twist;
+            twist << twists_[arm.solid[0]], twists_[arm.solid[1]];
+            const GapTerms<D> gap = gaps_.derivatives->of(arm, twist);
+            const Number &c = gap.flux, &U = gap.motion;
+            Number energy = A * U * d - (d * (c + delta * U) + loss(piece.low, piece.high)) / gap.resistance -
+                            by_plain_[arm.piece] * gap.share;
+            if (whole)
+                energy += 0.5 * gap.mass + 0.5 * delta * A * U * U - 0.5 * (c + delta * U) * (c + delta * U) / gap.resistance;
+            for (const WeightedPair<D>& of : gaps_.motion) {
+                PairTwist<D> z = of.z;
+                if (arm.solid[0] == of.b && arm.solid[1] == of.a)
+                    z << of.z.template tail<T>(), of.z.template head<T>();
+                else if (arm.solid[0] != of.a || arm.solid[1] != of.b)
+                    continue;
+                const GapTerms<D> at = gaps_.derivatives->of(arm, z);
+                const Number a = delta / at.resistance;
+                energy -= of.weight * (a * at.flux * at.motion + 0.5 * delta * (a - A) * at.motion * at.motion);
+            }
+            for (int side = 0; side < 2; ++side)
+                result_[arm.solid[side]] += Eigen::Map<const Twist<D>>(&energy.rate[side * T]);
+            Vec<D> by_centroid = Eigen::Map<const Vec<D>>(&energy.rate[GapTerms<D>::centroid]) / piece.area;
+            by_centroid[piece.axis] = 0;
+            by_area_[arm.piece] += energy.rate[GapTerms<D>::area] - by_centroid.dot(piece.centroid - face_centre(piece));
+            by_moment_[arm.piece] += by_centroid;
+        }
+    }
+
+    Vec<D> face_centre(const FacePiece<D>& piece) const
+    {
+        const Index<D> face = complex_.index.index(piece.face);
+        Vec<D> centre;
+        for (int axis = 0; axis < D; ++axis) {
+            const double place = axis == piece.axis ? grid_.face_place(axis, face[axis]) : grid_.centre_place(axis, face[axis]);
+            centre[axis] = (place - grid_.anchor()[axis]) / grid_.dx();
+        }
+        return centre;
+    }
+
     /// All that depends on areas and first moments, and the walls' by closure.
     void by_motion_of_pieces()
     {
         for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
             const FacePiece<D>& piece = complex_.pieces[k];
-            const Index<D> face = complex_.index.index(piece.face);
-            Vec<D> centre;
-            for (int axis = 0; axis < D; ++axis) {
-                const double place =
-                    axis == piece.axis ? grid_.face_place(axis, face[axis]) : grid_.centre_place(axis, face[axis]);
-                centre[axis] = (place - grid_.anchor()[axis]) / grid_.dx();
-            }
+            const Vec<D> centre = face_centre(piece);
             for (const PieceRate<D>& rate : derivatives_.of(k)) {
                 double by_area = by_area_[k];
                 Vec<D> by_moment = by_moment_[k];
@@ -284,7 +363,11 @@ private:
     const FaceDerivatives<D>& derivatives_;
     const Potentials<D>&p_, &next_;
     std::span<const Twist<D>> twists_;
+    const DerivedGaps<D>& gaps_;
     OpenAreas<D> areas_;
+    // Of each piece, where there are gaps: what of its energy is not a gap's, dE by it, and whether there is one.
+    std::vector<double> plain_, by_plain_;
+    std::vector<char> is_gap_;
     int axis_ = 0; ///< of the face that lends
     // dE by areas, first moments and walls.
     std::vector<double> by_area_;
@@ -298,27 +381,29 @@ private:
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                                         const Potentials<D>& potentials, std::span<const Twist<D>> twists,
-                                        std::span<const std::vector<WeightedTwist<D>>> seen)
+                                        std::span<const std::vector<WeightedTwist<D>>> seen, const DerivedGaps<D>& gaps)
 {
     const Potentials<D> none{std::vector<double>(complex.parts(), 0), std::vector<double>(complex.index.count, 0)};
-    return EnergyDerivative<D>(grid, complex, derivatives, potentials, none, twists).find(seen);
+    return EnergyDerivative<D>(grid, complex, derivatives, potentials, none, twists, gaps).find(seen);
 }
 
 template <int D>
 std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                                       const Potentials<D>& step, const Potentials<D>& next, int solid, const Twist<D>& z)
+                                       const Potentials<D>& step, const Potentials<D>& next, int solid, const Twist<D>& z,
+                                       const DerivedGaps<D>& gaps)
 {
     std::vector<Twist<D>> twists(complex.seen_mass.size(), Twist<D>::Zero());
     twists[solid] = z;
-    return EnergyDerivative<D>(grid, complex, derivatives, step, next, twists).find({});
+    return EnergyDerivative<D>(grid, complex, derivatives, step, next, twists, gaps).find({});
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<Twist<D>> energy_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,             \
                                                      const Potentials<D>&, std::span<const Twist<D>>,                          \
-                                                     std::span<const std::vector<WeightedTwist<D>>>);                          \
+                                                     std::span<const std::vector<WeightedTwist<D>>>, const DerivedGaps<D>&);   \
     template std::vector<Twist<D>> layer_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,              \
-                                                    const Potentials<D>&, const Potentials<D>&, int, const Twist<D>&);
+                                                    const Potentials<D>&, const Potentials<D>&, int, const Twist<D>&,          \
+                                                    const DerivedGaps<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

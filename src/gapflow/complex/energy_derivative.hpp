@@ -15,12 +15,19 @@
 //
 //     1/2 d(z . W z) = (y + y') . dK z - 1/2 y . dL y - y' . d(diag L) y.
 //
+// The energy of a face in a gap is, with c, B and U of the twists and d = p_low - p_high,
+//
+//     E_f = -(d + c + Delta U)^2 / 2R + A U d + 1/2 B + 1/2 A Delta U^2.
+//
+// R, c, .. are functions of the two walls' places and of the piece's area and centroid (GapDerivatives).
+//
 // Where an edge or a rim begins or ends to divide a cell, or
 // another area bears what is lent, T may jump; the derivative is that of one side.
 #pragma once
 
 #include "gapflow/complex/area_derivative.hpp"
 #include "gapflow/complex/complex.hpp"
+#include "gapflow/complex/gap_arm.hpp"
 
 #include <span>
 #include <vector>
@@ -46,17 +53,34 @@ struct WeightedTwist {
     Twist<D> z;
 };
 
+/// weight/2 z . Q z of a pair of twists, Q the terms of two solids' gaps that make uniform motion exact (PairInertia::motion).
+template <int D>
+struct WeightedPair {
+    std::int32_t a, b;
+    double weight;
+    PairTwist<D> z;
+};
+
+/// The gaps of the energy that is derived.
+template <int D>
+struct DerivedGaps {
+    std::span<const GapArm<D>> arms;
+    const GapDerivatives<D>* derivatives = nullptr; ///< where there are arms
+    std::vector<WeightedPair<D>> motion;            ///< added to the energy
+};
+
 /// dT by each solid's place (cells) and by its rotation (radians) about its reference point, at fixed twists (cells and radians a unit of time); T over the
 /// fluid's density, in cells^(D + 2) a unit of time squared. Without the solids' own masses. `seen`: of each solid, what of D counts; with its
 /// whole D its twist with the weight 1.
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                                         const Potentials<D>& potentials, std::span<const Twist<D>> twists,
-                                        std::span<const std::vector<WeightedTwist<D>>> seen);
+                                        std::span<const std::vector<WeightedTwist<D>>> seen, const DerivedGaps<D>& gaps);
 
 /// 1/2 d(z . W z) of one solid's twist z, by each solid's place; y and y' in `step` and `next`.
 template <int D>
 std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                                       const Potentials<D>& step, const Potentials<D>& next, int solid, const Twist<D>& z);
+                                       const Potentials<D>& step, const Potentials<D>& next, int solid, const Twist<D>& z,
+                                       const DerivedGaps<D>& gaps);
 
 } // namespace gapflow

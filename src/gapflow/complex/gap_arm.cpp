@@ -10,63 +10,15 @@
 namespace gapflow {
 namespace {
 
-/// A symmetric matrix without its negative part.
-Mat<2> positive_part(const Mat<2>& A)
-{
-    const double mean = 0.5 * A.trace(), radius = std::hypot(0.5 * (A(0, 0) - A(1, 1)), A(0, 1));
-    if (mean >= radius)
-        return A;
-    if (mean <= -radius)
-        return Mat<2>::Zero();
-    return (mean + radius) / (2 * radius) * (A - (mean - radius) * Mat<2>::Identity());
-}
+/// A way along a gap, at its place in a face.
+template <int D, class S>
+struct GapLine {
+    PlaceOf<D, S> place;
+    S width;
+    S thickness;
+};
 
 } // namespace
-
-GapShape<2> shape_of_gap(const GapWalls<2>&, const Vec<2>&, const Vec<2>& n, const GapSection<2>&)
-{
-    return {Mat<2>::Zero(), Mat<2>::Identity() - n * n.transpose()};
-}
-GapShape<3> shape_of_gap(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n, const GapSection<3>& here)
-{
-    const Vec<3> u = n.unitOrthogonal(), v = n.cross(u);
-    const double h = 0.5, t = here.thickness;
-    // Second derivative along d; where a wall ends on one side of x from the slope there.
-    const auto second = [&](const Vec<3>& d) {
-        double sum = 0;
-        int found = 0;
-        for (const double s : {-h, h})
-            if (const std::optional<GapSection<3>> section = walls.across(x + s * d, n)) {
-                sum += section->thickness - t + s * here.slope.dot(d);
-                ++found;
-            }
-        return found ? 2 * sum / (found * h * h) : 0.0;
-    };
-    const double r = std::sqrt(0.5);
-    Mat<2> hess;
-    hess(0, 0) = second(u);
-    hess(1, 1) = second(v);
-    hess(0, 1) = hess(1, 0) = 0.5 * (second(r * (u + v)) - second(r * (u - v)));
-    const Vec<2> gradient(here.slope.dot(u), here.slope.dot(v));
-    const double e = parameters.faint_curvature;
-    const Mat<2> curvature = positive_part(hess);
-    Mat<2> shares = curvature;
-    shares += e / t * gradient * gradient.transpose() + e * e * t * Mat<2>::Identity();
-    shares /= shares.trace();
-    Eigen::Matrix<double, 3, 2> plane;
-    plane << u, v;
-    return {plane * curvature * plane.transpose(), plane * shares * plane.transpose()};
-}
-
-namespace {
-
-/// A way along a gap, at its place in a face.
-template <int D>
-struct GapLine {
-    Vec<D> place;
-    double width;
-    double thickness;
-};
 
 template <int D>
 class GapFinder {
@@ -78,6 +30,7 @@ public:
         first_.assign(solids.size() + 1, 0);
         for (const Image<D>& image : images_) {
             ++first_[image.solid + 1];
+            wall_.emplace_back(image.shape, planes_);
             reference_.push_back(planes_.in_cells(solids[image.solid].centre + image.shift));
         }
         for (std::size_t s = 0; s < solids.size(); ++s) {
@@ -100,24 +53,18 @@ public:
         const std::vector<std::int32_t> near = walls_beside(piece);
         if (near.size() < 2)
             return {};
-        const std::optional<FacingWalls> facing = find_facing(piece.centroid, near);
+        const std::optional<Facing> facing = find_facing(piece.centroid, near);
         if (!facing)
             return {};
         const auto [a, b] = facing->image;
-        const GapWalls<D> walls{{images_[a].shape, images_[b].shape}, {reference_[a], reference_[b]}, &planes_};
-        const Vec<D> n = (facing->normal[0] - facing->normal[1]).normalized();
-        const std::optional<GapSection<D>> here = walls.across(piece.centroid, n);
-        if (!here || here->thickness > parameters.gap_end)
+        const auto place = place_at(piece, walls_of(a, b), piece.centroid);
+        if (!place)
             return {};
-        GapSite<D> site{static_cast<std::int32_t>(number),
-                        {images_[a].solid, images_[b].solid},
-                        {is_side(images_[a].solid), is_side(images_[b].solid)},
-                        {centred_ball(a), centred_ball(b)},
-                        walls,
-                        n,
-                        *here};
-        find_way(piece, site);
-        return site;
+        return GapSite<D>{*place,
+                          static_cast<std::int32_t>(number),
+                          {images_[a].solid, images_[b].solid},
+                          {is_side(images_[a].solid), is_side(images_[b].solid)},
+                          {centred_ball(a), centred_ball(b)}};
     }
 
     std::optional<GapArm<D>> arm_at(std::size_t number) const
@@ -125,14 +72,41 @@ public:
         const std::optional<GapSite<D>> site = site_at(number);
         if (!site)
             return {};
-        GapArm<D> arm{static_cast<std::int32_t>(number), site->solid, 0, 0, {}, {}, {}};
-        integrate(complex_.pieces[number], *site, arm);
+        const FacePiece<D>& piece = complex_.pieces[number];
+        const auto terms = integrate<StillWalls<D>>(*site, piece, piece.centroid, piece.area);
+        if (!terms)
+            return {};
+        GapArm<D> arm{static_cast<std::int32_t>(number),
+                      site->solid,
+                      terms->share,
+                      terms->resistance,
+                      terms->flux,
+                      terms->motion,
+                      terms->mass};
         for (int side = 0; side < 2; ++side) // round-off of what moves no wall
             if (site->still[side])
                 still(arm, side * twist_size<D>, twist_size<D>);
             else if (site->round[side])
                 still(arm, side * twist_size<D> + D, spin_size<D>);
         return arm;
+    }
+
+    GapTerms<D> terms_of(const GapArm<D>& arm, PairTwist<D> twist) const
+    {
+        using Number = typename GapTerms<D>::Number;
+        const FacePiece<D>& piece = complex_.pieces[arm.piece];
+        const std::optional<GapSite<D>> site = site_at(arm.piece);
+        for (int side = 0; side < 2; ++side)
+            if (site->still[side])
+                twist.template segment<twist_size<D>>(side * twist_size<D>).setZero();
+            else if (site->round[side])
+                twist.template segment<spin_size<D>>(side * twist_size<D> + D).setZero();
+        PlaceOf<D, Number> centroid;
+        for (int axis = 0; axis < D; ++axis)
+            centroid[axis] = Number::variable(piece.centroid[axis], GapTerms<D>::centroid + axis);
+        const auto place = place_at(piece, FacingWalls<D, MovingWalls<D>>(MovingWalls<D>(site->walls, twist)), centroid);
+        const auto terms = integrate<MovingWalls<D>>(*place, piece, centroid, Number::variable(piece.area, GapTerms<D>::area));
+        return {terms->share, terms->resistance, terms->flux, terms->motion, terms->mass};
     }
 
 private:
@@ -203,25 +177,26 @@ private:
         return near;
     }
 
-    struct FacingWalls {
+    struct Facing {
         std::array<int, 2> image;
         std::array<Vec<D>, 2> normal;
     };
     /// The image nearest to x, and the nearest one of those that face it.
-    std::optional<FacingWalls> find_facing(const Vec<D>& x, const std::vector<std::int32_t>& near) const
+    std::optional<Facing> find_facing(const Vec<D>& x, const std::vector<std::int32_t>& near) const
     {
-        FacingWalls found{{-1, -1}, {}};
+        Facing found{{-1, -1}, {}};
+        const Vec<D> world = planes_.in_world(x);
+        const double dx = planes_.dx;
         for (int side = 0; side < 2; ++side) {
-            double least = parameters.gap_end * planes_.dx;
+            double least = parameters.gap_end;
             for (const std::int32_t s : near)
                 for (int k = first_[s]; k < first_[s + 1]; ++k) {
                     const int i = image_of_[k];
-                    const Vec<D> world = planes_.in_world(x);
                     const Bounds<D>& bounds = images_[i].bounds;
                     const double outside = (bounds.low - world).cwiseMax(world - bounds.high).maxCoeff(); // or less far
-                    if ((side == 1 && i == found.image[0]) || (outside > least && !images_[i].shape.shape().inside_out()))
+                    if ((side == 1 && i == found.image[0]) || (outside > least * dx && !images_[i].shape.shape().inside_out()))
                         continue;
-                    const SurfacePoint<D> at = images_[i].shape.closest(world);
+                    const WallPoint<D, double> at = wall_[i].nearest(x);
                     if (!(at.distance < least) || (side == 1 && at.normal.dot(found.normal[0]) > -parameters.least_facing))
                         continue;
                     least = at.distance;
@@ -234,133 +209,198 @@ private:
         return found;
     }
 
-    /// The way from node to node, and the line across it.
-    void find_way(const FacePiece<D>& piece, GapSite<D>& site) const
+    GapWalls<D> walls_of(int a, int b) const { return {{wall_[a], wall_[b]}, {reference_[a], reference_[b]}}; }
+
+    /// Nothing where the walls are a cell apart or do not face each other.
+    template <class Walls>
+    std::optional<GapPlace<D, Walls>> place_at(const FacePiece<D>& piece, FacingWalls<D, Walls> walls,
+                                               const PlaceOf<D, typename Walls::Scalar>& centroid) const
     {
+        using Place = PlaceOf<D, typename Walls::Scalar>;
+        const std::array<Place, 2> normal{walls.nearest(0, centroid).normal, walls.nearest(1, centroid).normal};
+        const Place n = (normal[0] - normal[1]).normalized();
+        const auto here = walls.across(centroid, n);
+        if (!here || here->thickness > parameters.gap_end)
+            return {};
+        walls.keep_faces(values_of<D>(here->middle));
+        GapPlace<D, Walls> place{walls, n, *here, -normal[0].dot(normal[1])};
+        find_way(piece, centroid, place);
+        return place;
+    }
+
+    /// The way from node to node, and the line across it.
+    template <class Walls>
+    void find_way(const FacePiece<D>& piece, const PlaceOf<D, typename Walls::Scalar>& centroid,
+                  GapPlace<D, Walls>& place) const
+    {
+        using S = typename Walls::Scalar;
         const Index<D> f = complex_.index.index(piece.face);
-        site.delta = grid_.spread(piece.axis, f[piece.axis]);
-        site.e = unit<D>(piece.axis) - site.n[piece.axis] * site.n;
-        site.way = site.delta * site.e;
-        Vec<D>& nodes = site.nodes;
-        nodes = piece.centroid;
+        place.delta = grid_.spread(piece.axis, f[piece.axis]);
+        place.e = unit<D>(piece.axis).template cast<S>() - place.n[piece.axis] * place.n;
+        place.way = place.delta * place.e;
+        auto& nodes = place.nodes;
+        nodes = centroid;
         for (int t = 0; t < D; ++t)
             if (t != piece.axis)
                 nodes[t] = planes_.centre_of(t, f[t]);
-        nodes[piece.axis] = planes_.centre_of(piece.axis, f[piece.axis]) - 0.5 * site.delta;
-        site.middle = site.way.dot(nodes - piece.centroid) / site.way.squaredNorm();
+        nodes[piece.axis] = planes_.centre_of(piece.axis, f[piece.axis]) - 0.5 * place.delta;
+        place.middle = place.way.dot(nodes - centroid) / place.way.squaredNorm();
         for (int side = 0; side < 2; ++side)
             if (const PartOrCell& at = side == 0 ? piece.low : piece.high; at.is_part())
                 if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
                                                         [](const auto& m, std::int32_t p) { return m.first < p; });
                     moved != moved_.end() && moved->first == at.number())
-                    site.moved[side] = site.way.dot(moved->second) / site.way.squaredNorm();
+                    place.moved[side] = place.way.dot(moved->second.template cast<S>()) / place.way.squaredNorm();
         // Parts one above the other at a mouth that runs through both may change their order: a quarter of the way stays.
-        if (const double closer = site.moved[0] - site.moved[1]; closer > 0.75)
-            for (double& moved : site.moved)
+        if (const S closer = place.moved[0] - place.moved[1]; closer > 0.75)
+            for (S& moved : place.moved)
                 moved *= 0.75 / closer;
-        if (site.along_face())
+        if (place.along_face())
             return;
         if constexpr (D == 3)
-            find_line(piece, site);
+            find_line(piece, centroid, place);
     }
 
-    void integrate(const FacePiece<D>& piece, const GapSite<D>& site, GapArm<D>& arm) const
+    template <class Walls>
+    struct Terms {
+        typename Walls::Scalar share, resistance;
+        typename Walls::Row flux, motion;
+        typename Walls::Square mass;
+    };
+    /// `A`: of the piece. Nothing where the walls meet on the way.
+    template <class Walls>
+    std::optional<Terms<Walls>> integrate(const GapPlace<D, Walls>& place, const FacePiece<D>& piece,
+                                          const PlaceOf<D, typename Walls::Scalar>& centroid,
+                                          const typename Walls::Scalar& A) const
     {
-        const GapWalls<D>& walls = site.walls;
-        const GapSection<D>& here = site.here;
-        const Vec<D>&n = site.n, &e = site.e, &way = site.way;
-        const double delta = site.delta, middle = site.middle, t0 = here.thickness, A = piece.area;
-        const Vec<D> axis = unit<D>(piece.axis);
+        using S = typename Walls::Scalar;
+        using Row = typename Walls::Row;
+        using Place = PlaceOf<D, S>;
+        const auto& walls = place.walls;
+        const SectionOf<D, Walls>& here = place.here;
+        const Place &n = place.n, &e = place.e, &way = place.way;
+        const double delta = place.delta;
+        const S& middle = place.middle;
 
-        const Eigen::Matrix<double, D, 2 * twist_size<D>> frame = mean_motion<D>(walls, here.normal, here.middle);
-        arm.motion = frame.transpose() * axis;
-
-        arm.flux.setZero();
-        arm.mass.setZero();
-        if (site.along_face()) {
+        const typename Walls::Frame frame = mean_motion(walls, here.normal, here.middle);
+        Terms<Walls> arm{S(0.0), S(0.0), Walls::none(), Walls::along(frame, unit<D>(piece.axis).template cast<S>()),
+                         Walls::no_square()};
+        if (place.along_face()) {
             arm.resistance = delta / A;
-            return;
+            return arm;
         }
-        const GapShape<D> shape = shape_of_gap(walls, piece.centroid, n, here);
-        const double sigma = e.dot(shape.shares * way), bend = way.dot(shape.curvature * way);
-        std::vector<GapLine<D>> lines = lines_of(piece, site);
-        double sum = 0; // of the lines' areas
-        for (const GapLine<D>& line : lines)
+        const GapShape<D, S> shape = shape_of_gap<D, Walls>(walls, centroid, n, here);
+        const S sigma = e.dot(shape.shares * way), bend = way.dot(shape.curvature * way);
+        std::vector<GapLine<D, S>> lines = lines_of(centroid, place);
+        S sum = S(0.0); // of the lines' areas
+        for (const auto& line : lines)
             sum += line.width * line.thickness;
-        std::vector<std::vector<typename GapWay<D>::Point>> points;
-        PairTwist<D> through = PairTwist<D>::Zero(); // the closing's flux at the face
-        for (GapLine<D>& line : lines) {
+        std::vector<std::vector<typename GapWay<D, Walls>::Point>> points;
+        Row through = Walls::none(); // the closing's flux at the face
+        for (auto& line : lines) {
             line.width *= A / sum;
-            GapWay<D> along(walls, line.place, way, n, line.thickness, frame);
-            points.push_back(along.points(middle - 0.5 + site.moved[0], middle + 0.5 + site.moved[1], sigma, bend));
+            GapWay<D, Walls> along(walls, line.place, way, n, line.thickness, frame);
+            points.push_back(along.points(middle - 0.5 + place.moved[0], middle + 0.5 + place.moved[1], sigma, bend));
+            if (along.meets())
+                return {};
             through += line.width * along.at_face();
         }
         for (std::size_t l = 0; l < lines.size(); ++l) {
-            const double scale = lines[l].thickness / A;
+            const S scale = lines[l].thickness / A;
             for (const auto& point : points[l]) {
-                const double w = delta * point.weight * lines[l].width / point.thickness;
-                const PairTwist<D> flux = point.flux - scale * through;
+                const S w = delta * point.weight * lines[l].width / point.thickness;
+                const Row flux = point.flux - scale * through;
                 arm.resistance += scale * scale * w;
                 arm.flux += scale * w * flux;
-                arm.mass += w * flux * flux.transpose();
+                arm.mass += w * Walls::product(flux, flux);
             }
         }
-        arm.share = share_up_to(t0, parameters.gap_start, parameters.gap_end);
-        arm.resistance = arm.share * arm.resistance + (1 - arm.share) * delta / A;
+        arm.share = share_up_to(here.thickness, parameters.gap_start, parameters.gap_end) *
+                    share_up_to(S(-place.facing), -2 * parameters.least_facing, -parameters.least_facing);
+        arm.resistance = arm.share * arm.resistance + (1.0 - arm.share) * delta / A;
         arm.flux *= arm.share;
         arm.mass *= arm.share;
+        return arm;
     }
 
     /// The chord of a face through its piece's centroid, along the gap.
-    void find_line(const FacePiece<D>& piece, GapSite<D>& site) const
+    template <class Walls>
+    void find_line(const FacePiece<D>& piece, const PlaceOf<D, typename Walls::Scalar>& centroid,
+                   GapPlace<D, Walls>& place) const
     {
-        const Vec<D>& n = site.n;
-        const Vec<D> m = n.cross(unit<D>(piece.axis)).normalized();
+        using S = typename Walls::Scalar;
+        using std::abs;
+        using Place = PlaceOf<D, S>;
+        const auto& walls = place.walls;
+        const Place &n = place.n, m = n.cross(unit<D>(piece.axis).template cast<S>()).normalized();
         const Index<D> f = complex_.index.index(piece.face);
         Vec<D> centre = piece.centroid;
         int most = -1; // the face's direction nearest to m
         for (int t = 0; t < D; ++t)
             if (t != piece.axis) {
                 centre[t] = planes_.centre_of(t, f[t]);
-                most = most < 0 || std::abs(m[t]) > std::abs(m[most]) ? t : most;
+                most = most < 0 || abs(m[t]) > abs(m[most]) ? t : most;
             }
-        const auto in_face = [&](double s) { // the gap, which may be bent
-            const auto section = site.walls.across(piece.centroid + s * m, n);
-            for (int t = 0; section && t < D; ++t)
-                if (t != piece.axis && t != most &&
-                    std::abs(section->middle[t] - centre[t]) > 0.5 * (1 + section->thickness * std::abs(n[t])))
-                    return false;
-            return section.has_value();
+        const int other = 3 - piece.axis - most;
+        // Beyond the face: the gap may be bent.
+        const auto beyond = [&](const auto& section, const auto& normal) {
+            return abs(section.middle[other] - centre[other]) - 0.5 * (1.0 + section.thickness * abs(normal[other]));
         };
-        const auto end = [&](double s) {
-            if (in_face(s))
+        const GapWalls<D>& still = still_of(walls);
+        const Vec<D> start = values_of<D>(centroid), way = values_of<D>(m), normal = values_of<D>(n);
+        const auto end = [&](const S& s) { // `s`, or where the line leaves the face or a wall ends before it
+            GapStop stop;
+            bool found = false;
+            const auto in_face = [&](double x) {
+                const auto section = still.profile(step_along<D>(start, x, way), normal, &stop);
+                found = section.has_value();
+                return found && !(beyond(*section, normal) > 0);
+            };
+            double in = 0, out = value_of(s);
+            if (in_face(out))
                 return s;
-            double in = 0, out = s;
-            for (int k = 0; k < 10; ++k)
-                (in_face(0.5 * (in + out)) ? in : out) = 0.5 * (in + out);
-            return in;
+            bool leaves = found; // not: a wall ends
+            for (double middle = 0.5 * out; middle != in && middle != out; middle = 0.5 * (in + out))
+                if (in_face(middle))
+                    in = middle;
+                else {
+                    out = middle;
+                    leaves = found;
+                }
+            if constexpr (std::is_same_v<S, double>)
+                return in;
+            else {
+                const Place x = step_along<D, S>(centroid, S::along(in), m);
+                const auto section = leaves ? walls.profile(x, n) : std::nullopt;
+                return S::root(in, section ? beyond(*section, n) : walls.margin(x, n, stop));
+            }
         };
-        const double from = (centre[most] - piece.centroid[most] - 0.5) / m[most],
-                     to = (centre[most] - piece.centroid[most] + 0.5) / m[most];
-        site.line = m;
-        site.from = end(from);
-        site.to = end(to);
+        place.line = m;
+        place.from = end((centre[most] - centroid[most] - 0.5) / m[most]);
+        place.to = end((centre[most] - centroid[most] + 0.5) / m[most]);
     }
 
+    static const GapWalls<D>& still_of(const GapWalls<D>& walls) { return walls; }
+    static const GapWalls<D>& still_of(const FacingWalls<D, MovingWalls<D>>& walls) { return walls.still(); }
+
     /// Across a piece: the nodes of a Gauss rule on its line.
-    std::vector<GapLine<D>> lines_of(const FacePiece<D>& piece, const GapSite<D>& site) const
+    template <class Walls>
+    std::vector<GapLine<D, typename Walls::Scalar>> lines_of(const PlaceOf<D, typename Walls::Scalar>& centroid,
+                                                             const GapPlace<D, Walls>& place) const
     {
-        std::vector<GapLine<D>> lines;
+        using S = typename Walls::Scalar;
+        using std::abs;
+        std::vector<GapLine<D, S>> lines;
         if constexpr (D == 3) {
-            const double from = site.from, to = site.to;
-            for (int k = 0; k < 3 && std::abs(to - from) > parameters.least_stretch; ++k) {
-                const Vec<D> place = piece.centroid + (from + GapWay<D>::node[k] * (to - from)) * site.line;
-                if (const auto section = site.walls.across(place, site.n))
-                    lines.push_back({place, GapWay<D>::weight[k] * std::abs(to - from), section->thickness});
+            const S &from = place.from, length = place.to - from;
+            for (int k = 0; k < 3 && abs(length) > parameters.least_stretch; ++k) {
+                const PlaceOf<D, S> at = step_along<D, S>(centroid, S(from + ThreePoints::node[k] * length), place.line);
+                if (const auto section = place.walls.profile(at, place.n))
+                    lines.push_back({at, ThreePoints::weight[k] * abs(length), section->thickness});
             }
         }
         if (lines.size() < 3)
-            lines.assign(1, {piece.centroid, 1.0, site.here.thickness});
+            lines.assign(1, {centroid, S(1.0), place.here.thickness});
         return lines;
     }
 
@@ -369,13 +409,12 @@ private:
     const Complex<D>& complex_;
     const std::vector<std::pair<std::int32_t, Vec<D>>> moved_;
     std::vector<Image<D>> images_;
+    std::vector<GapWall<D>> wall_; ///< of each image
     std::vector<Vec<D>> reference_;
     std::vector<int> first_, image_of_; ///< of each solid
     std::vector<std::int32_t> sides_;
     std::vector<std::pair<std::int32_t, std::int32_t>> beside_; ///< part, solid
 };
-
-} // namespace
 
 template <int D>
 std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
@@ -397,6 +436,20 @@ void for_each_gap(const Grid<D>& grid, std::span<const Solid<D>> solids, const C
             visit(*site);
 }
 
+template <int D>
+GapDerivatives<D>::GapDerivatives(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
+    : finder_(std::make_shared<GapFinder<D>>(grid, solids, complex))
+{
+}
+
+template <int D>
+GapTerms<D> GapDerivatives<D>::of(const GapArm<D>& arm, const PairTwist<D>& twist) const
+{
+    return finder_->terms_of(arm, twist);
+}
+
+template class GapDerivatives<2>;
+template class GapDerivatives<3>;
 template std::vector<GapArm<2>> find_gap_arms(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&);
 template std::vector<GapArm<3>> find_gap_arms(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&);
 template void for_each_gap(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&,

@@ -17,7 +17,9 @@
 #pragma once
 
 #include "gapflow/complex/complex.hpp"
+#include "gapflow/complex/dual.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -43,5 +45,31 @@ struct GapArm {
 /// Of all pieces of the complex that lie in gaps, in their order.
 template <int D>
 std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
+
+/// What an arm is of one pair of twists, with the derivatives by the places and angles of its two solids, one after the other, and by area and
+/// centroid of its piece.
+template <int D>
+struct GapTerms {
+    static constexpr int area = 2 * twist_size<D>, centroid = area + 1;
+    using Number = Dual<centroid + D + 1>;
+
+    Number share, resistance, flux, motion, mass;
+};
+
+template <int D>
+class GapFinder;
+
+/// Of complexes without mouths.
+template <int D>
+class GapDerivatives {
+public:
+    /// Keeps references to its arguments.
+    GapDerivatives(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
+    /// `arm`: one of find_gap_arms.
+    GapTerms<D> of(const GapArm<D>& arm, const PairTwist<D>& twist) const;
+
+private:
+    std::shared_ptr<const GapFinder<D>> finder_;
+};
 
 } // namespace gapflow

@@ -150,8 +150,8 @@ std::optional<std::array<Vec<2>, 2>> crossings(const GapWalls<2>& walls, const V
     std::array<Vec<2>, 2> found{x, x};
     for (int side = 0; side < 2; ++side)
         for (int k = 0;; ++k) {
-            const SurfacePoint<2> at = walls.shape[side].closest(walls.planes->in_world(found[side]));
-            const double slope = at.normal.dot(along), step = at.distance / walls.planes->dx / slope;
+            const WallPoint<2, double> at = walls.nearest(side, found[side]);
+            const double slope = at.normal.dot(along), step = at.distance / slope;
             if (!(std::abs(slope) > parameters.parallel) || !(std::abs(step) < 2) || k == 20)
                 return {};
             found[side] -= step * along;
@@ -398,7 +398,7 @@ GapDrag<D> drag_at(const GapSite<D>& site, const FacePiece<D>& piece, const Vec<
     if (site.along_face())
         drag.resistance = 12 * site.delta / (A * t0 * t0);
     else {
-        GapShape<D> closing = shape_of_gap(site.walls, piece.centroid, site.n, site.here);
+        GapShape<D> closing = shape_of_gap<D, StillWalls<D>>(site.walls, piece.centroid, site.n, site.here);
         if constexpr (D == 3)
             if (peak && !(closing.curvature.trace() > 0)) // beside the end of a wall
                 closing.shares = peak->hessian / peak->hessian.trace();
@@ -645,8 +645,7 @@ void order_walls(GapSite<D>& site)
         return;
     std::swap(site.solid[0], site.solid[1]);
     std::swap(site.still[0], site.still[1]);
-    std::swap(site.walls.shape[0], site.walls.shape[1]);
-    std::swap(site.walls.reference[0], site.walls.reference[1]);
+    site.walls.swap();
     site.n = -site.n;
     std::swap(site.round[0], site.round[1]);
     std::swap(site.here.normal[0], site.here.normal[1]);
@@ -668,9 +667,8 @@ public:
         for (const double side : {-0.5, 0.5}) {
             const Vec<2> end = piece.centroid + side * piece.area * unit<2>(1 - piece.axis);
             double least = 1;
-            for (const PlacedShape<2>& shape : site.walls.shape)
-                least =
-                    std::min(least, std::abs(shape.closest(site.walls.planes->in_world(end)).distance) / site.walls.planes->dx);
+            for (const int wall : {0, 1})
+                least = std::min(least, std::abs(site.walls.nearest(wall, end).distance));
             if (least < parameters.joint_distance)
                 continue;
             const auto middle = foot<2>(site.walls, end, site.n);
@@ -730,11 +728,9 @@ bool same_walls(const GapSite<D>& a, const GapSite<D>& b)
 template <int D>
 GapDrags<D> find_gap_drag(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
 {
-    const GridPlanes<D> planes(grid);
     std::vector<GapSite<D>> sites;
     for_each_gap<D>(grid, solids, complex, [&](const GapSite<D>& site) {
         sites.push_back(site);
-        sites.back().walls.planes = &planes;
         order_walls(sites.back());
     });
     std::vector<std::optional<Peak>> peaks;

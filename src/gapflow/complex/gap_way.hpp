@@ -1,26 +1,17 @@
-// Gaps as the faces of the grid cut them: the walls, the thickness between them, and the way along a gap from node to node.
+// Gaps as the faces of the grid cut them: the way along a gap from node to node, and the integrals along it.
 #pragma once
 
-#include "gapflow/complex/facet_cut.hpp"
-#include "gapflow/complex/gap_arm.hpp"
-#include "gapflow/complex/lever.hpp"
-#include "gapflow/complex/parameters.hpp"
-#include "gapflow/complex/placed.hpp"
+#include "gapflow/complex/gap_walls.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace gapflow {
-
-/// n . v of a solid's twist at x.
-template <int D>
-Twist<D> speed_along(const Vec<D>& n, const Vec<D>& x, const Vec<D>& reference)
-{
-    return lever<D>(n, x - reference);
-}
 
 inline Vec<2> left_of(const Vec<2>& x)
 {
@@ -28,9 +19,10 @@ inline Vec<2> left_of(const Vec<2>& x)
 }
 
 /// 1 up to `start`, 0 from `end` on.
-inline double share_up_to(double thickness, double start, double end)
+template <class S>
+S share_up_to(const S& thickness, double start, double end)
 {
-    const double x = std::clamp((end - thickness) / (end - start), 0.0, 1.0);
+    const S x = std::clamp(S((end - thickness) / (end - start)), S(0.0), S(1.0));
     return x * x * (3 - 2 * x);
 }
 
@@ -49,51 +41,6 @@ std::vector<Image<D>> images_at(const Grid<D>& grid, const GridPlanes<D>& planes
     return images(solids, planes.in_world(low), planes.in_world(high), period, margin);
 }
 
-/// A gap along the line through x along n.
-template <int D>
-struct GapSection {
-    double thickness;
-    Vec<D> middle;
-    std::array<Vec<D>, 2> normal; ///< out of the walls
-    PairTwist<D> opening;         ///< rate of the thickness
-    Vec<D> slope; ///< rate of the thickness where both walls move with the velocity U: slope . U; minus its gradient
-};
-
-/// Two walls that face each other. Places in cells.
-template <int D>
-class GapWalls {
-public:
-    std::array<PlacedShape<D>, 2> shape;
-    std::array<Vec<D>, 2> reference;
-    const GridPlanes<D>* planes;
-
-    /// Nothing where a wall ends, or where the walls overlap. They are at least as far apart as places are told from each other.
-    std::optional<GapSection<D>> across(Vec<D> x, const Vec<D>& n) const
-    {
-        GapSection<D> section;
-        for (int pass = 0; pass < 2; ++pass) { // the second one from the middle
-            std::array<double, 2> way, cosine;
-            for (int side = 0; side < 2; ++side) {
-                const SurfacePoint<D> at = shape[side].closest(planes->in_world(x));
-                cosine[side] = (side == 0 ? 1 : -1) * n.dot(at.normal);
-                if (at.feature != Feature::face || cosine[side] < parameters.least_facing)
-                    return {};
-                way[side] = at.distance / planes->dx / cosine[side];
-                section.normal[side] = at.normal;
-                section.opening.template segment<twist_size<D>>(side * twist_size<D>) =
-                    speed_along<D>(-at.normal / cosine[side], planes->in_cells(at.x), reference[side]);
-            }
-            if (!(way[0] + way[1] > 0))
-                return {};
-            section.thickness = std::max(way[0] + way[1], place_unit);
-            x += 0.5 * (way[1] - way[0]) * n;
-            section.slope = -section.normal[0] / cosine[0] - section.normal[1] / cosine[1];
-        }
-        section.middle = x;
-        return section;
-    }
-};
-
 /// Mean motion of the walls at x, by their twists: their translation, and what of their rotation moves them along their normals.
 template <int D>
 Eigen::Matrix<double, D, 2 * twist_size<D>> mean_motion(const GapWalls<D>& walls, const std::array<Vec<D>, 2>& normal,
@@ -109,18 +56,84 @@ Eigen::Matrix<double, D, 2 * twist_size<D>> mean_motion(const GapWalls<D>& walls
     }
     return frame;
 }
+template <int D>
+typename MovingWalls<D>::Frame mean_motion(const FacingWalls<D, MovingWalls<D>>& walls,
+                                           const std::array<typename MovingWalls<D>::Place, 2>& normal,
+                                           const typename MovingWalls<D>::Place& x)
+{
+    using S = typename MovingWalls<D>::Scalar;
+    typename MovingWalls<D>::Frame frame = MovingWalls<D>::Frame::Constant(S(0));
+    for (int side = 0; side < 2; ++side) {
+        const auto turning = moment_of<D, S>(x - walls.reference_of(side), normal[side]);
+        for (int k = 0; k < D; ++k)
+            frame[k] += walls.row(side, 0.5 * PlaceOf<D, S>(unit<D>(k).template cast<S>()), 0.5 * normal[side][k] * turning);
+    }
+    return frame;
+}
 
 /// In the plane of a gap.
-template <int D>
+template <int D, class S = double>
 struct GapShape {
-    Mat<D> curvature; ///< the Hessian of the thickness, without its negative part
-    Mat<D> shares;    ///< of the closing that flow in each direction, of trace 1
+    Eigen::Matrix<S, D, D> curvature; ///< the Hessian of the thickness, without its negative part
+    Eigen::Matrix<S, D, D> shares;    ///< of the closing that flow in each direction, of trace 1
 };
 
-GapShape<2> shape_of_gap(const GapWalls<2>& walls, const Vec<2>& x, const Vec<2>& n, const GapSection<2>& here);
-GapShape<3> shape_of_gap(const GapWalls<3>& walls, const Vec<3>& x, const Vec<3>& n, const GapSection<3>& here);
+/// A symmetric matrix without its negative part.
+template <class S>
+Eigen::Matrix<S, 2, 2> positive_part(const Eigen::Matrix<S, 2, 2>& A)
+{
+    using std::hypot;
+    const S mean = 0.5 * A.trace(), radius = hypot(S(0.5 * (A(0, 0) - A(1, 1))), A(0, 1));
+    if (mean >= radius)
+        return A;
+    if (mean <= -radius)
+        return Eigen::Matrix<S, 2, 2>::Zero();
+    return (mean + radius) / (2 * radius) * (A - (mean - radius) * Eigen::Matrix<S, 2, 2>::Identity());
+}
 
-/// Gauss points of 0 .. 1, and the weights of integrals from 0 to each of them.
+/// `here`: the gap at x.
+template <int D, class Walls>
+GapShape<D, typename Walls::Scalar> shape_of_gap(const FacingWalls<D, Walls>& walls,
+                                                 const PlaceOf<D, typename Walls::Scalar>& x,
+                                                 const PlaceOf<D, typename Walls::Scalar>& n, const SectionOf<D, Walls>& here)
+{
+    using S = typename Walls::Scalar;
+    using Place = PlaceOf<D, S>;
+    if constexpr (D == 2)
+        return {Eigen::Matrix<S, 2, 2>::Zero(), Eigen::Matrix<S, 2, 2>::Identity() - n * n.transpose()};
+    else {
+        const Place u = n.unitOrthogonal(), v = n.cross(u);
+        const S t = here.thickness;
+        const double h = 0.5;
+        // Second derivative along d; where a wall ends on one side of x from the slope there.
+        const auto second = [&](const Place& d) {
+            S sum = 0;
+            int found = 0;
+            for (const double s : {-h, h})
+                if (const auto at = walls.profile(step_along<D, S>(x, S(s), d), n)) {
+                    sum += at->thickness - t + s * here.slope.dot(d);
+                    ++found;
+                }
+            return found ? S(2.0 / (found * h * h) * sum) : S(0.0);
+        };
+        const double r = std::sqrt(0.5);
+        Eigen::Matrix<S, 2, 2> hess;
+        hess(0, 0) = second(u);
+        hess(1, 1) = second(v);
+        hess(0, 1) = hess(1, 0) = 0.5 * (second(r * (u + v)) - second(r * (u - v)));
+        const PlaceOf<2, S> gradient(here.slope.dot(u), here.slope.dot(v));
+        const double e = parameters.faint_curvature;
+        const Eigen::Matrix<S, 2, 2> curvature = positive_part<S>(hess);
+        Eigen::Matrix<S, 2, 2> shares = curvature;
+        shares += e / t * gradient * gradient.transpose() + e * e * t * Eigen::Matrix<S, 2, 2>::Identity();
+        shares /= shares.trace();
+        Eigen::Matrix<S, 3, 2> plane;
+        plane << u, v;
+        return {plane * curvature * plane.transpose(), plane * shares * plane.transpose()};
+    }
+}
+
+/// Gauss's points of 0 .. 1, and the weights of integrals from 0 to each of them.
 struct ThreePoints {
     static constexpr double root = 3.872983346207417; // of 15
     static constexpr std::array<double, 3> node{0.5 - root / 10, 0.5, 0.5 + root / 10}, weight{5.0 / 18, 4.0 / 9, 5.0 / 18};
@@ -128,159 +141,298 @@ struct ThreePoints {
                                                                        {5.0 / 36 + root / 24, 2.0 / 9, 5.0 / 36 - root / 24},
                                                                        {5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36}}};
 };
+struct FivePoints {
+    static constexpr int points = 5;
+    std::array<double, points> node{0.046910077030668, 0.23076534494715845, 0.5, 0.7692346550528415, 0.953089922969332},
+        weight{0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.11846344252809454};
+    std::array<std::array<double, points>, points> up_to{};
 
-/// Rows and thickness along a gap, and their integrals over pieces of it.
-template <int D>
-class GapWay : public ThreePoints {
+    constexpr FivePoints()
+    {
+        for (int h = 0; h < points; ++h) {
+            std::array<double, points> factors{1}; // of Lagrange's polynomial, by powers
+            for (int other = 0, degree = 0; other < points; ++other)
+                if (other != h) {
+                    ++degree;
+                    for (int power = degree; power >= 0; --power)
+                        factors[power] =
+                            ((power > 0 ? factors[power - 1] : 0.0) - node[other] * factors[power]) / (node[h] - node[other]);
+                }
+            for (int g = 0; g < points; ++g) {
+                double sum = 0;
+                for (int power = points - 1; power >= 0; --power)
+                    sum = (sum + factors[power] / (power + 1)) * node[g];
+                up_to[g][h] = sum;
+            }
+        }
+    }
+};
+
+/// Rows and thickness along a gap, and their integrals over pieces of it. Beyond the end of a wall the gap goes on as it is at the face, at rest.
+template <int D, class Walls = StillWalls<D>>
+class GapWay {
 public:
+    using S = typename Walls::Scalar;
+    using Row = typename Walls::Row;
+    using Place = PlaceOf<D, S>;
+
     struct Point {
-        double weight, thickness;
-        PairTwist<D> flux; ///< D
+        S weight, thickness;
+        Row flux; ///< D
     };
 
-    GapWay(const GapWalls<D>& walls, const Vec<D>& start, const Vec<D>& way, const Vec<D>& n, double thickness,
-           const Eigen::Matrix<double, D, 2 * twist_size<D>>& frame)
+    /// Keeps references to its arguments, but the thickness, which is that at `start`.
+    GapWay(const FacingWalls<D, Walls>& walls, const Place& start, const Place& way, const Place& n, const S& thickness,
+           const typename Walls::Frame& frame)
         : walls_(walls), start_(start), way_(way), n_(n), thickness_(thickness), frame_(frame)
     {
     }
 
     /// Quadrature of the stretch from .. to of the way. D is 0 where the gap is thinnest along the way: of a quadratic thickness there is no flux
-    /// across the line on which it does not change along the way. `bend`: second derivative of the thickness along the way.
-    std::vector<Point> points(double from, double to, double sigma, double bend)
+    /// across the line on which it does not change along the way; in 2D at the face. `bend`: second derivative of the thickness along the way.
+    std::vector<Point> points(const S& from, const S& to, const S& sigma, const S& bend)
     {
-        std::array<double, 3> ends{from, 0.0, to}; // in any order
-        std::sort(ends.begin(), ends.end());
-        const auto [thinnest, beyond] = find_thinnest(ends[0], ends[2], bend);
-        breaks_.assign(1, ends[0]);
-        for (const double end : ends)
-            if (end > breaks_.back())
-                refine(breaks_.back(), thickness_at(breaks_.back()), end, thickness_at(end), halvings);
-        if (const auto after = std::lower_bound(breaks_.begin(), breaks_.end(), thinnest); *after != thinnest)
-            breaks_.insert(after, thinnest);
+        constexpr int n = FivePoints::points;
+        const End low = end_towards(std::min(from, S(0.0))), high = end_towards(std::max(to, S(0.0)));
+        meets_ = low.meet || high.meet;
+        const Thinnest thinnest = find_thinnest(low, high, bend);
+        set_breaks({from, low.at, S(0.0), high.at, to}, low.at, high.at, thinnest);
         std::vector<Point> result;
-        PairTwist<D> here = PairTwist<D>::Zero(), zero = here;
-        const auto pass = [&](double s) {
-            if (s == 0)
+        result.reserve(n * breaks_.size());
+        Row here = Walls::none(), zero = here;
+        const auto pass = [&](const S& s) {
+            if (s == 0.0)
                 at_face_ = here;
-            if (s == thinnest)
-                zero = here - sigma * beyond * at(s).first;
+            if (D == 3 && s == thinnest.at) {
+                zero = here;
+                if (thinnest.beyond != 0.0)
+                    zero -= sigma * thinnest.beyond * at(s).first;
+            }
         };
         for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
-            const double length = breaks_[k + 1] - breaks_[k];
-            std::array<PairTwist<D>, 3> rate;
-            std::array<double, 3> t;
-            for (int g = 0; g < 3; ++g)
-                std::tie(rate[g], t[g]) = at(breaks_[k] + node[g] * length);
+            const S length = breaks_[k + 1] - breaks_[k];
+            std::array<Row, n> rate;
+            std::array<S, n> t;
+            if (breaks_[k] < low.at || breaks_[k + 1] > high.at) {
+                rate.fill(Walls::none());
+                t.fill(thickness_);
+            } else {
+                for (int g = 0; g < n; ++g)
+                    std::tie(rate[g], t[g]) = at(breaks_[k] + rule.node[g] * length);
+                const auto [least, most] = std::minmax_element(t.begin(), t.end());
+                if (*most > parameters.way_widening * *least && breaks_.size() < parameters.most_intervals &&
+                    length > parameters.least_stretch) {
+                    breaks_.insert(breaks_.begin() + static_cast<long>(k) + 1, S(breaks_[k] + 0.5 * length));
+                    --k;
+                    continue;
+                }
+            }
             pass(breaks_[k]);
             if (breaks_[k] >= from && breaks_[k] < to)
-                for (int g = 0; g < 3; ++g) {
-                    Point point{weight[g] * length, t[g], here};
-                    for (int h = 0; h < 3; ++h)
-                        point.flux -= sigma * length * collocation[g][h] * rate[h];
+                for (int g = 0; g < n; ++g) {
+                    Point point{rule.weight[g] * length, t[g], here};
+                    for (int h = 0; h < n; ++h)
+                        point.flux -= sigma * length * rule.up_to[g][h] * rate[h];
                     result.push_back(point);
                 }
-            for (int h = 0; h < 3; ++h)
-                here -= sigma * length * weight[h] * rate[h];
+            for (int h = 0; h < n; ++h)
+                here -= sigma * length * rule.weight[h] * rate[h];
         }
         pass(breaks_.back());
+        if (D == 2)
+            zero = at_face_;
         for (Point& point : result)
             point.flux -= zero;
         at_face_ -= zero;
         return result;
     }
     /// D at the face, after points().
-    const PairTwist<D>& at_face() const { return at_face_; }
+    const Row& at_face() const { return at_face_; }
+    /// Whether the walls meet on the way, after points(): it leads nowhere.
+    bool meets() const { return meets_; }
 
 private:
-    static constexpr int halvings = 30; ///< to the digits of a double
+    static constexpr FivePoints rule{};
+    static constexpr int most_steps = 30; ///< of a root's search
 
-    std::optional<GapSection<D>> section(double s) const { return walls_.across(start_ + s * way_, n_); }
-    double thickness_at(double s) const
+    const GapWalls<D>& still() const
     {
-        const auto found = section(s);
-        return found ? found->thickness : thickness_;
+        if constexpr (std::is_same_v<S, double>)
+            return walls_;
+        else
+            return walls_.still();
     }
-    /// Opening in the frame of the walls' mean motion, and thickness; where a wall has ended as at the face, at rest.
-    std::pair<PairTwist<D>, double> at(double s) const
+    /// The still walls' way.
+    std::optional<GapProfile<D, StillWalls<D>>> still_at(double s, GapStop* stop = nullptr) const
     {
-        const auto found = section(s);
-        if (!found)
-            return {PairTwist<D>::Zero(), thickness_};
-        return {found->opening - frame_.transpose() * found->slope, found->thickness};
+        return still().profile(step_along<D>(values_of<D>(start_), s, values_of<D>(way_)), values_of<D>(n_), stop);
     }
-    /// The place between low and high, and how far beyond it the gap is thinnest.
-    std::pair<double, double> find_thinnest(double low, double high, double bend) const
+
+    /// Of the stretch on which the walls face each other.
+    struct End {
+        S at, growth, thickness; ///< there
+        bool meet = false;
+    };
+    /// `limit`, or where a wall ends before it, or where the walls meet.
+    End end_towards(const S& limit) const
     {
-        if constexpr (D == 2) // one line
-            return {0.0, 0.0};
-        double end[2] = {low, high}, growth[2];
-        for (int k = 0; k < 2; ++k) {
-            auto found = section(end[k]);
-            if (!found) {
-                end[k] = 0; // the face
-                found = section(0);
+        GapStop stop;
+        const auto found = still_at(value_of(limit), &stop);
+        if constexpr (std::is_same_v<S, double>)
+            if (found)
+                return end_at(limit, found);
+        if (found)
+            return end_at(limit, walls_.profile(step_along<D, S>(start_, limit, way_), n_));
+        double in = 0, out = value_of(limit);
+        for (double middle = 0.5 * out; middle != in && middle != out; middle = 0.5 * (in + out))
+            (still_at(middle, &stop) ? in : out) = middle;
+        S at = S(in);
+        if constexpr (!std::is_same_v<S, double>)
+            at = S::root(in, walls_.margin(step_along<D, S>(start_, S::along(in), way_), n_, stop));
+        End end = end_at(at, walls_.profile(step_along<D, S>(start_, at, way_), n_));
+        end.meet = stop.meet();
+        return end;
+    }
+    End end_at(const S& at, const std::optional<GapProfile<D, Walls>>& there) const
+    {
+        if (!there)
+            return {at, S(0.0), thickness_};
+        return {at, S(-there->slope.dot(way_)), there->thickness};
+    }
+
+    struct Thinnest {
+        S at;     ///< the place between the ends
+        S beyond; ///< and how far beyond it the gap is thinnest
+        S length; ///< from `at` to where the thickness of a quadratic gap is zero, at complex places too
+    };
+    Thinnest find_thinnest(const End& low, const End& high, const S& bend) const
+    {
+        using std::abs;
+        const S curvature = high.at > low.at ? std::max(S(0.0), S((high.growth - low.growth) / (high.at - low.at))) : S(0.0);
+        for (const End* end : {&low, &high})
+            if (const S& g = end->growth; end == &low ? g >= 0.0 : g <= 0.0) {
+                Thinnest result{end->at, S(0.0), length_of(end->thickness, g, curvature)};
+                if (g != 0.0)
+                    result.beyond = -g / std::max({bend, S(0.5 * g * g / end->thickness), S(abs(g))});
+                return result;
             }
-            growth[k] = -found->slope.dot(way_);
-            if (k == 0 ? growth[0] >= 0 : growth[1] <= 0) {
-                const double curvature = std::max(bend, 0.5 * growth[k] * growth[k] / found->thickness);
-                return {end[k], growth[k] != 0 ? -growth[k] / std::max(curvature, std::abs(growth[k])) : 0.0};
-            }
-        }
-        for (int k = 0; k < halvings && end[1] - end[0] > parameters.least_stretch; ++k) {
-            const double share = k % 3 == 2 ? 0.5 : growth[0] / (growth[0] - growth[1]),
-                         middle = end[0] + share * (end[1] - end[0]);
-            const auto found = section(middle);
+        const auto [at, thickness] = root_of_growth(low, high);
+        return {at, S(0.0), length_of(thickness, S(0.0), curvature)};
+    }
+    /// Place and thickness: a false position that lets neither end stand.
+    std::pair<S, S> root_of_growth(const End& low, const End& high) const
+    {
+        const Vec<D> way = values_of<D>(way_);
+        double end[2] = {value_of(low.at), value_of(high.at)}, weight[2] = {value_of(low.growth), value_of(high.growth)},
+               place = end[0], thickness = value_of(thickness_);
+        for (int k = 0, last = -1; k < most_steps; ++k) {
+            const double before = std::exchange(place, end[0] + weight[0] / (weight[0] - weight[1]) * (end[1] - end[0]));
+            const auto found = still_at(place);
             if (!found)
                 break;
-            const double here = -found->slope.dot(way_);
-            if (here == 0)
-                return {middle, 0.0};
+            thickness = found->thickness;
+            const double here = -found->slope.dot(way);
+            if (here == 0 || std::abs(place - before) < 16 * std::numeric_limits<double>::epsilon())
+                break;
             const int side = here < 0 ? 0 : 1;
-            end[side] = middle;
-            growth[side] = here;
+            end[side] = place;
+            weight[side] = here;
+            if (side == last)
+                weight[1 - side] *= 0.5;
+            last = side;
         }
-        return {-growth[0] < growth[1] ? end[0] : end[1], 0.0};
+        if constexpr (!std::is_same_v<S, double>)
+            if (const auto found = walls_.profile(step_along<D, S>(start_, S::along(place), way_), n_)) {
+                const S at = S::root(place, found->slope.dot(way_));
+                const auto there = walls_.profile(step_along<D, S>(start_, at, way_), n_);
+                return {at, there ? there->thickness : thickness_};
+            }
+        return {S(place), S(thickness)};
     }
-    void refine(double from, double t_from, double to, double t_to, int depth)
+    static S length_of(const S& t, const S& growth, const S& curvature)
     {
-        const double middle = 0.5 * (from + to), t_middle = thickness_at(middle);
-        const auto [least, most] = std::minmax({t_from, t_middle, t_to});
-        if (depth > 0 && most > parameters.widening * least && breaks_.size() < parameters.most_intervals) {
-            refine(from, t_from, middle, t_middle, depth - 1);
-            refine(middle, t_middle, to, t_to, depth - 1);
-        } else
-            breaks_.push_back(to);
+        using std::abs;
+        using std::sqrt;
+        const S square = growth * growth - 2.0 * curvature * t;
+        return square > 0.0      ? S(2.0 * t / (abs(growth) + sqrt(square)))
+               : curvature > 0.0 ? S(sqrt(S(2.0 * t / curvature)))
+                                 : S(std::numeric_limits<double>::infinity());
     }
 
-    const GapWalls<D>& walls_;
-    const Vec<D>&start_, &way_, &n_;
-    double thickness_;
-    const Eigen::Matrix<double, D, 2 * twist_size<D>>& frame_;
-    std::vector<double> breaks_;
-    PairTwist<D> at_face_;
+    /// At all ends, and between low and high at lengths from the thinnest place that double: as far from where the thickness is zero as the
+    /// intervals are long.
+    void set_breaks(std::array<S, 5> ends, const S& low, const S& high, const Thinnest& thinnest)
+    {
+        std::sort(ends.begin(), ends.end());
+        breaks_.assign(1, ends[0]);
+        for (const S& end : ends)
+            if (end > breaks_.back())
+                breaks_.push_back(end);
+        const auto add = [&](const S& s) {
+            const auto after = std::lower_bound(breaks_.begin(), breaks_.end(), s);
+            if (after == breaks_.end() || *after != s)
+                breaks_.insert(after, s);
+        };
+        add(thinnest.at);
+        if (!(thinnest.length > parameters.least_stretch))
+            return;
+        for (const double side : {-1.0, 1.0})
+            for (S from = thinnest.length;; from = 2.0 * from + thinnest.length) {
+                const S s = thinnest.at + side * from;
+                if (!(side < 0 ? s > low : s < high))
+                    break;
+                add(s);
+            }
+    }
+
+    /// Opening in the frame of the walls' mean motion, and thickness.
+    std::pair<Row, S> at(const S& s) const
+    {
+        const auto found = walls_.across(step_along<D, S>(start_, s, way_), n_);
+        if (!found)
+            return {Walls::none(), thickness_};
+        return {found->opening - Walls::along(frame_, found->slope), found->thickness};
+    }
+
+    const FacingWalls<D, Walls>& walls_;
+    const Place &start_, &way_, &n_;
+    S thickness_;
+    const typename Walls::Frame& frame_;
+    std::vector<S> breaks_;
+    Row at_face_ = Walls::none();
+    bool meets_ = false;
+};
+
+/// Place of a piece of a face in a gap.
+template <int D, class Walls>
+struct GapPlace {
+    using S = typename Walls::Scalar;
+    using Place = PlaceOf<D, S>;
+
+    FacingWalls<D, Walls> walls;
+    Place n;                  ///< from the first wall to the second one
+    SectionOf<D, Walls> here; ///< at the piece's centroid
+    S facing;                 ///< cosine of the angle between the walls there
+    // The way from node to node is centroid + s way, middle - 1/2 <= s <= middle + 1/2.
+    double delta = 1; ///< distance of the nodes along the face's axis
+    Place e = Place::Constant(S(0.0)), way = Place::Constant(S(0.0));
+    S middle = S(0.0);
+    Place nodes = Place::Constant(S(0.0)); ///< the middle between the two
+    std::array<S, 2> moved{};              ///< of its two ends: nodes that mouths move
+    // 3D: the piece lies around centroid + s line, from <= s <= to or the other way round.
+    Place line = Place::Constant(S(0.0));
+    S from = S(0.0), to = S(0.0);
+
+    bool along_face() const { return !(value_of(S(way.squaredNorm())) > parameters.parallel * parameters.parallel); }
 };
 
 /// A piece of a face in a gap.
 template <int D>
-struct GapSite {
+struct GapSite : GapPlace<D, StillWalls<D>> {
     std::int32_t piece;
     std::array<std::int32_t, 2> solid;
     std::array<bool, 2> still; ///< closed sides of the domain: they never move
     std::array<bool, 2> round; ///< balls that turn about their centres: that moves nothing
-    GapWalls<D> walls;
-    Vec<D> n;           ///< from the first wall to the second one
-    GapSection<D> here; ///< at the piece's centroid
-    // The way from node to node is centroid + s way, middle - 1/2 <= s <= middle + 1/2.
-    double delta = 1; ///< distance of the nodes along the face's axis
-    Vec<D> e = Vec<D>::Zero(), way = Vec<D>::Zero();
-    double middle = 0;
-    Vec<D> nodes = Vec<D>::Zero(); ///< the middle between the two
-    std::array<double, 2> moved{}; ///< of its two ends: nodes that mouths move
-    // 3D: the piece lies around centroid + s line, from <= s <= to or the other way round.
-    Vec<D> line = Vec<D>::Zero();
-    double from = 0, to = 0;
-
-    bool along_face() const { return !(way.norm() > parameters.parallel); }
 };
 
 /// Of all pieces of the complex that lie in gaps, in their order.

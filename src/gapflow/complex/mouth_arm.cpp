@@ -286,7 +286,8 @@ private:
         if (first < 0 || second < 0)
             return arm;
         const auto reference = [&](int k) { return planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift); };
-        const GapWalls<2> walls{{images_[first].shape, images_[second].shape}, {reference(first), reference(second)}, &planes_};
+        const GapWalls<2> walls{{GapWall<2>(images_[first].shape, planes_), GapWall<2>(images_[second].shape, planes_)},
+                                {reference(first), reference(second)}};
         const Eigen::Matrix<double, 2, 2 * T> frame = mean_motion<2>(walls, {n, -n}, middle);
         // The flux in the frame of the walls less that relative to the corner's solid.
         PairTwist<2> carried = -h * frame.transpose() * out;
@@ -329,7 +330,7 @@ private:
         arm.motion = -g * (own * uniform.transpose() + uniform * own.transpose() + uniform * uniform.transpose());
         arm.mass -= g * arm.flux * arm.flux.transpose();
         for (int side = 0; side < 2; ++side) { // round-off of what moves no wall
-            const PlacedShape<2>& shape = walls.shape[side];
+            const PlacedShape<2>& shape = walls.wall(side).shape();
             if (solids_[mouth.solid[side]].wall)
                 still(arm, side * T, T);
             else if (shape.shape().sphere_radius() &&

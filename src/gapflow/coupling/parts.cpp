@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace gapflow {
@@ -65,6 +66,26 @@ TwistMatrix<D> mass_in_world(const Coupling<D>& coupling, const TwistMatrix<D>& 
     return lengths.asDiagonal() * mass * lengths.asDiagonal();
 }
 
+/// A gap's mass, of twists in cells.
+template <int D>
+PairMass<D> gap_mass_in_world(const Coupling<D>& coupling, const PairMass<D>& mass)
+{
+    const double dx = coupling.grid->dx();
+    PairMass<D> block = coupling.density * std::pow(dx, D) * mass;
+    for (int side = 0; side < 2; ++side) {
+        block.template middleRows<spin_size<D>>(side * twist_size<D> + D) *= dx;
+        block.template middleCols<spin_size<D>>(side * twist_size<D> + D) *= dx;
+    }
+    return block;
+}
+
+/// Of a symmetric matrix.
+using Modes = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+[[gnu::noinline]] Modes modes_of(const Eigen::MatrixXd& mass)
+{
+    return Modes(mass);
+}
+
 /// The mass that gaps add, of all ranks: as sums of squares of rows of twists, on one rank.
 template <int D>
 void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& own)
@@ -74,15 +95,6 @@ void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& o
     std::vector<PairInertia<D>> pairs = comm.size() == 1 ? own : all_values(comm, own);
     merge_pairs(pairs);
     coupling.gap_deficit.assign(coupling.solids.size(), TwistMatrix<D>::Zero());
-    const double dx = coupling.grid->dx();
-    const auto in_world = [&](const PairMass<D>& mass) {
-        PairMass<D> block = coupling.density * std::pow(dx, D) * mass;
-        for (int side = 0; side < 2; ++side) {
-            block.template middleRows<spin_size<D>>(side * T + D) *= dx;
-            block.template middleCols<spin_size<D>>(side * T + D) *= dx;
-        }
-        return block;
-    };
     for (const PairInertia<D>& pair : pairs) {
         std::vector<int> known; // components of the twists that the gap knows: the others' rows stay 0
         for (int i = 0; i < 2 * T; ++i)
@@ -91,8 +103,7 @@ void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& o
         if (known.empty())
             continue;
         for (const bool all : {true, false}) {
-            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-                Eigen::MatrixXd(in_world(all ? pair.mass : pair.motion)(known, known)));
+            const Modes modes = modes_of(gap_mass_in_world(coupling, all ? pair.mass : pair.motion)(known, known));
             for (std::size_t k = 0; k < known.size(); ++k) {
                 PairTwist<D> row = PairTwist<D>::Zero();
                 row(known) = modes.eigenvectors().col(k);
@@ -107,6 +118,37 @@ void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& o
             }
         }
     }
+}
+
+/// -weight/2 z . dG z of the deficit G of a solid by its gaps, as a sum over pairs of weight/2 z . dQ z. G is twice the solid's block of the negative
+/// part of each Q, whose derivative by Q are divided differences.
+template <int D>
+void add_deficit(const Coupling<D>& coupling, std::span<const PairInertia<D>> pairs, int solid, const WeightedTwist<D>& of,
+                 std::vector<WeightedPair<D>>& to)
+{
+    constexpr int T = twist_size<D>;
+    for (const PairInertia<D>& pair : pairs)
+        for (int side = 0; side < 2; ++side) {
+            if ((side == 0 ? pair.a : pair.b) != solid)
+                continue;
+            const Modes modes = modes_of(gap_mass_in_world(coupling, pair.motion));
+            PairTwist<D> z; // along the modes
+            for (int k = 0; k < 2 * T; ++k)
+                z[k] = of.z.dot(modes.eigenvectors().col(k).template segment<T>(side * T));
+            PairMass<D> by_motion = PairMass<D>::Zero();
+            for (int i = 0; i < 2 * T; ++i)
+                for (int j = 0; j < 2 * T; ++j) {
+                    const double a = modes.eigenvalues()[std::min(i, j)], b = modes.eigenvalues()[std::max(i, j)]; // a <= b
+                    const double factor = (b <= 0 ? 1.0 : a >= 0 ? 0.0 : a / (a - b)) * z[i] * z[j];
+                    const PairTwist<D> scaled = factor * modes.eigenvectors().col(i);
+                    for (int k = 0; k < 2 * T; ++k)
+                        by_motion.col(k) += modes.eigenvectors()(k, j) * scaled;
+                }
+            const Modes parts = modes_of(by_motion);
+            for (int k = 0; k < 2 * T; ++k)
+                if (parts.eigenvalues()[k] != 0)
+                    to.push_back({pair.a, pair.b, 2 * of.weight * parts.eigenvalues()[k], parts.eigenvectors().col(k)});
+        }
 }
 
 } // namespace
@@ -311,7 +353,8 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex,
                                         const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
-                                        const std::vector<Twist<D>>& twists)
+                                        const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms,
+                                        std::span<const PairInertia<D>> pairs)
 {
     const double dx = coupling.grid->dx(), unit = coupling.density * dx * dx;
     CoupledSystem<D> unused;
@@ -331,6 +374,11 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
         twist.template head<D>() /= dx;
         return twist;
     };
+    DerivedGaps<D> gaps{arms, nullptr, {}};
+    std::optional<GapDerivatives<D>> gap_derivatives;
+    if (!arms.empty())
+        gaps.derivatives = &gap_derivatives.emplace(*coupling.grid, coupling.solids, complex);
+    std::vector<WeightedPair<D>> deficits;
     std::vector<Twist<D>> V, sum(twists.size(), Twist<D>::Zero());
     std::vector<std::vector<WeightedTwist<D>>> seen;
     for (std::size_t s = 0; s < twists.size(); ++s) {
@@ -342,23 +390,28 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
         }
         if (layers.empty())
             layers = layer_inertias(coupling);
-        LimitRate<D> limit = limit_rate<D>(coupling.solids[s], coupling.density, whole, layers[s], twists[s]);
+        LimitRate<D> limit =
+            limit_rate<D>(coupling.solids[s], coupling.density, whole, layers[s] - coupling.gap_deficit[s], twists[s]);
         sum[s].template tail<spin_size<D>>() += limit.turn / (unit * std::pow(dx, D));
         for (WeightedTwist<D>& of : limit.seen)
             of.z = twist_in_cells(of.z);
         seen.push_back(std::move(limit.seen));
         for (const WeightedTwist<D>& of : limit.layer) {
+            add_deficit(coupling, pairs, static_cast<int>(s), of, deficits);
             const JacobiSteps<D> steps = jacobi_steps(coupling, static_cast<int>(s), of.z);
             const std::vector<Twist<D>> rate =
                 layer_derivative<D>(*coupling.grid, complex, derivatives, in_cells(steps.first, 1 / unit),
-                                    in_cells(steps.next, 1 / unit), static_cast<int>(s), twist_in_cells(of.z));
+                                    in_cells(steps.next, 1 / unit), static_cast<int>(s), twist_in_cells(of.z), gaps);
             for (std::size_t k = 0; k < rate.size(); ++k)
                 sum[k] += of.weight * rate[k];
         }
     }
+    for (WeightedPair<D>& of : deficits)
+        of.z.template head<D>() /= dx, of.z.template segment<D>(twist_size<D>) /= dx;
+    gaps.motion = std::move(deficits);
     const std::vector<Twist<D>> flow =
         energy_derivative<D>(*coupling.grid, complex, derivatives, in_cells(p, -1 / unit), std::span<const Twist<D>>(V),
-                             std::span<const std::vector<WeightedTwist<D>>>(seen));
+                             std::span<const std::vector<WeightedTwist<D>>>(seen), gaps);
     for (std::size_t s = 0; s < sum.size(); ++s) {
         sum[s] = unit * std::pow(dx, D) * (sum[s] + flow[s]);
         sum[s].template head<D>() /= dx;
@@ -369,9 +422,11 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
 template std::vector<int> nodes_of_parts(const Grid<2>&, const Complex<2>&, CoupledSystem<2>&);
 template std::vector<int> nodes_of_parts(const Grid<3>&, const Complex<3>&, CoupledSystem<3>&);
 template std::vector<Twist<2>> energy_derivative(const Coupling<2>&, const Complex<2>&, const FaceDerivatives<2>&,
-                                                 const UnknownVector<2>&, const std::vector<Twist<2>>&);
+                                                 const UnknownVector<2>&, const std::vector<Twist<2>>&,
+                                                 std::span<const GapArm<2>>, std::span<const PairInertia<2>>);
 template std::vector<Twist<3>> energy_derivative(const Coupling<3>&, const Complex<3>&, const FaceDerivatives<3>&,
-                                                 const UnknownVector<3>&, const std::vector<Twist<3>>&);
+                                                 const UnknownVector<3>&, const std::vector<Twist<3>>&,
+                                                 std::span<const GapArm<3>>, std::span<const PairInertia<3>>);
 template Coupling<2> couple_parts(const Grid<2>&, std::vector<Solid<2>>, const std::vector<TwistMatrix<2>>&, double,
                                   const Complex<2>&, const Inertia<2>&);
 template Coupling<3> couple_parts(const Grid<3>&, std::vector<Solid<3>>, const std::vector<TwistMatrix<3>>&, double,

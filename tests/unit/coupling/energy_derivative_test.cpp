@@ -107,6 +107,38 @@ std::vector<std::pair<std::string, Make<D>>> kinds()
         {"needle", one(needle)},
         {"needle and capsule, gap 0.3", two(needle, capsule, 0.3)},
     };
+    // Walls that face each other over a gap of 1e-3 to 0.3 cells.
+    const auto gap = [](R& random) { return std::pow(10.0, number(random, -3, -0.5)) / (D == 2 ? 16 : 8); };
+    list.push_back({"two balls, narrow gap", [=](Scene<D>& scene, R& random) {
+                        const double a = number(random, 0.08, 0.2), b = number(random, 0.08, 0.2);
+                        const Pose<D> at = random_pose<D>(random);
+                        const Vec<D> way = at.rotation * unit<D>(0);
+                        Pose<D> first = at, second = at;
+                        first.position -= a * way;
+                        second.position += (b + gap(random)) * way;
+                        scene.add("a", make_ball<D>(a), first);
+                        scene.add("b", make_ball<D>(b), second);
+                    }});
+    list.push_back({"ball in a container, narrow gap", [=](Scene<D>& scene, R& random) {
+                        const double a = number(random, 0.1, 0.2), b = number(random, 0.3, 0.4);
+                        const Pose<D> at = random_pose<D>(random);
+                        Pose<D> inner = at;
+                        inner.position += (b - a - gap(random)) * (at.rotation * unit<D>(0));
+                        scene.add("ball", make_ball<D>(a), inner);
+                        scene.add("container", make_inside_out<D>(make_ball<D>(b)), at);
+                    }});
+    list.push_back({"ball over a box, narrow gap", [=](Scene<D>& scene, R& random) {
+                        const double radius = number(random, 0.1, 0.2), width = number(random, 0.1, 0.3);
+                        const Pose<D> at = random_pose<D>(random);
+                        Pose<D> over = at;
+                        Vec<D> place = 0.3 * number(random, -1, 1) * width * unit<D>(1);
+                        place[0] = 0.05 + radius + gap(random);
+                        over.position += at.rotation * place;
+                        Vec<D> size = Vec<D>::Constant(width);
+                        size[0] = 0.1;
+                        scene.add("box", make_box<D>(size), at);
+                        scene.add("ball", make_ball<D>(radius), over);
+                    }});
     if constexpr (D == 3) {
         const auto cylinder = [](R& random) { return make_cylinder(number(random, 0.05, 0.2), number(random, 0.1, 0.4)); };
         list.push_back({"cylinder", one(cylinder)});
