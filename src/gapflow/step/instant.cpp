@@ -12,7 +12,7 @@ void find_forces(Instant<D>& instant)
     const Placed<D>& at = *instant.placed;
     const std::vector<Twist<D>>& V = instant.flow.twists;
     instant.impulse = fluid_impulse(at, instant.flow);
-    instant.force = energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V);
+    instant.force = energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs);
     replace_forces(instant.displaced, instant.flow, instant.force);
     instant.energy = 0;
     for (std::size_t s = 0; s < V.size(); ++s) {

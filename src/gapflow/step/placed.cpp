@@ -17,8 +17,10 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
     const std::vector<Solid<D>> solids = model.solids(bodies);
     result->complex = build_complex<D>(model.grid, solids, &result->derivatives);
     const Complex<D>& complex = result->complex;
-    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, find_gap_arms<D>(model.grid, solids, complex),
-                                               find_mouth_arms<D>(model.grid, solids, complex));
+    result->arms = find_gap_arms<D>(model.grid, solids, complex);
+    const Inertia<D> inertia =
+        find_inertia<D>(model.grid, complex, result->arms, find_mouth_arms<D>(model.grid, solids, complex));
+    result->pairs = inertia.pairs;
     result->coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
     add_seen_mass(result->coupling);
     if (observed) {

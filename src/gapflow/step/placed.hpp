@@ -14,6 +14,8 @@ template <int D>
 struct Placed {
     Complex<D> complex;
     FaceDerivatives<D> derivatives;
+    std::vector<GapArm<D>> arms;
+    std::vector<PairInertia<D>> pairs; ///< what gaps add to the masses of two solids
     std::vector<int> node; ///< of each part, -1: none
     Coupling<D> coupling;  ///< with the masses of the bodies at these places
 };
