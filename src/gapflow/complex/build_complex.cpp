@@ -1,4 +1,5 @@
 #include "gapflow/complex/cells.hpp"
+#include "gapflow/complex/edge_mouth.hpp"
 #include "gapflow/complex/join_faces.hpp"
 #include "gapflow/complex/mouth.hpp"
 #include "gapflow/complex/part_borders.hpp"
@@ -40,13 +41,17 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
         low[axis] = planes.place[axis][complex.index.low[axis]];
         high[axis] = planes.place[axis][complex.index.high()[axis]];
     }
-    // Edges divide faces of the cells beside theirs, corners cells between them and other walls.
-    low -= Vec<D>::Constant(D == 3 ? 1 : 2);
-    high += Vec<D>::Constant(D == 3 ? 1 : 2);
+    // Corners and edges divide cells between them and other walls.
+    low -= Vec<D>::Constant(2);
+    high += Vec<D>::Constant(2);
     std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
     if constexpr (D == 2)
         if (mouths)
             complex.mouths = find_mouths(planes, solids, placed);
+    std::optional<EdgeMouths> edge_mouths;
+    if constexpr (D == 3)
+        if (mouths)
+            edge_mouths.emplace(planes, solids, placed);
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives || borders);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
     std::vector<CellSlab<D>> slabs(cut.slabs.size());
@@ -65,6 +70,9 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     std::vector<PieceSource> sources;
     joining.sources = derivatives ? &sources : nullptr;
     joining.join_faces();
+    if constexpr (D == 3)
+        if (edge_mouths)
+            edge_mouths->add_to(complex);
     if (derivatives) {
         face_derivatives<D>(planes, complex.index, placed, cut, sources, *derivatives);
     }

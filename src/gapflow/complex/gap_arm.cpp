@@ -234,6 +234,17 @@ private:
         return found;
     }
 
+    /// A node is moved to another distance from the gap's end: by how much of the way that is. Faces along the end know nothing of it.
+    static double share_of_way(const Vec<D>& way, const Vec<D>& moved)
+    {
+        const double share = way.dot(moved) / way.squaredNorm();
+        if constexpr (D == 2)
+            return share;
+        const double cosine = way.dot(moved) / (way.norm() * std::max(moved.norm(), parameters.least_stretch)),
+                     least = parameters.least_facing;
+        return share / std::max(cosine * cosine, least * least);
+    }
+
     /// The way from node to node, and the line across it.
     void find_way(const FacePiece<D>& piece, GapSite<D>& site) const
     {
@@ -250,10 +261,10 @@ private:
         site.middle = site.way.dot(nodes - piece.centroid) / site.way.squaredNorm();
         for (int side = 0; side < 2; ++side)
             if (const PartOrCell& at = side == 0 ? piece.low : piece.high; at.is_part())
-                if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
-                                                        [](const auto& m, std::int32_t p) { return m.first < p; });
-                    moved != moved_.end() && moved->first == at.number())
-                    site.moved[side] = site.way.dot(moved->second) / site.way.squaredNorm();
+                for (auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
+                                                   [](const auto& m, std::int32_t p) { return m.first < p; });
+                     moved != moved_.end() && moved->first == at.number(); ++moved)
+                    site.moved[side] += share_of_way(site.way, moved->second);
         // Parts one above the other at a mouth that runs through both may change their order: a quarter of the way stays.
         if (const double closer = site.moved[0] - site.moved[1]; closer > 0.75)
             for (double& moved : site.moved)

@@ -145,12 +145,13 @@ public:
     }
 
     /// Quadrature of the stretch from .. to of the way. D is 0 where the gap is thinnest along the way: of a quadratic thickness there is no flux
-    /// across the line on which it does not change along the way. `bend`: second derivative of the thickness along the way.
-    std::vector<Point> points(double from, double to, double sigma, double bend)
+    /// across the line on which it does not change along the way. `bend`: second derivative of the thickness along the way. `from_start`: D is 0 at
+    /// the start, as in 2D.
+    std::vector<Point> points(double from, double to, double sigma, double bend, bool from_start = D == 2)
     {
         std::array<double, 3> ends{from, 0.0, to}; // in any order
         std::sort(ends.begin(), ends.end());
-        const auto [thinnest, beyond] = find_thinnest(ends[0], ends[2], bend);
+        const auto [thinnest, beyond] = from_start ? std::pair(0.0, 0.0) : find_thinnest(ends[0], ends[2], bend);
         breaks_.assign(1, ends[0]);
         for (const double end : ends)
             if (end > breaks_.back())
@@ -211,8 +212,6 @@ private:
     /// The place between low and high, and how far beyond it the gap is thinnest.
     std::pair<double, double> find_thinnest(double low, double high, double bend) const
     {
-        if constexpr (D == 2) // one line
-            return {0.0, 0.0};
         double end[2] = {low, high}, growth[2];
         for (int k = 0; k < 2; ++k) {
             auto found = section(end[k]);

@@ -47,6 +47,8 @@ void mark_sharp(const DenseIndex<3>& index, const SharpSolid& sharp, int image, 
     };
     for (const EdgeCell& edge : sharp.edge_cells)
         mark_around(edge.cell);
+    for (const EdgeCell& way : sharp.way_cells)
+        mark_around(way.cell);
     for (const RimPiece& piece : sharp.pieces)
         mark_around(piece.cell);
 }
