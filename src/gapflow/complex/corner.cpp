@@ -573,8 +573,8 @@ SectorLine way_line(const SharpSolid& solid, const EdgeWay& way, int d, double a
             keep(a, b, end, -1);
     };
     cut(edge.outward, 0, SectorLine::End::corner);
-    cut(along, -way.at.front() + touching, SectorLine::End::junction);
-    cut(-along, way.at.back() + touching, SectorLine::End::junction);
+    cut(along, -way.at.front(), SectorLine::End::junction);
+    cut(-along, way.at.back(), SectorLine::End::junction);
     if (line.empty())
         return line;
     // Behind the other wall; where the way's length bends between two places, to the first crossing.

@@ -104,6 +104,18 @@ EdgeMouths::Place EdgeMouths::place(int image, int number, double s) const
     return place;
 }
 
+bool EdgeMouths::covered(int image, const Vec<3>& x) const
+{
+    for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
+        const PlacedSolid<3>& other = placed_[i];
+        if (i != image &&
+            (other.inverse || ((x.array() >= other.low.array()).all() && (x.array() <= other.high.array()).all())) &&
+            !(other.shape.closest(planes_.in_world(x)).distance > 0))
+            return true;
+    }
+    return false;
+}
+
 void EdgeMouths::find_way(int image, int number)
 {
     const SharpEdge& edge = placed_[image].sharp.edges[number];
@@ -133,6 +145,8 @@ void EdgeMouths::find_way(int image, int number)
     std::vector<Place> places;
     for (int k = first; k <= last; ++k) {
         at.push_back(k * (length / all));
+        if (covered(image, edge.from + at.back() * along))
+            return; // solids that overlap have no gap there
         places.push_back(place(image, number, at.back()));
     }
     if (at.size() > 1)

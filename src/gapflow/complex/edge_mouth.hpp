@@ -32,6 +32,8 @@ private:
     int edge_at(int image, const Vec<3>& x) const;
     Vec<3> bisector(int image, int edge) const;
     static double beyond(const Vec<3>& bisector, double angle, const Vec<3>& way);
+    /// Whether another solid covers a place.
+    bool covered(int image, const Vec<3>& x) const;
     void find_way(int image, int edge);
     void add_way(int image, int edge, const std::vector<double>& at, const std::vector<Place>& places);
     void add_cells(SharpSolid& sharp, const EdgeWay& way) const;
