@@ -73,7 +73,7 @@ TEST(EdgeMouths, WhatLeavesArrives)
     std::uniform_real_distribution<double> number(0, 1);
     const auto vector = [&] { return Vec<3>(number(random) - 0.5, number(random) - 0.5, number(random) - 0.5); };
     int arms = 0;
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < 12; ++k) {
         Scene<3> scene(grid);
         add_boxes(scene, std::pow(10, -6 * number(random)), turned(vector(), 6.28 * number(random)),
                   Vec<3>(8, 8, 8) + vector(), {4 * number(random) - 2, 4 * number(random) - 2});
@@ -90,7 +90,7 @@ TEST(EdgeMouths, WhatLeavesArrives)
             EXPECT_TRUE(arm.flux.allFinite() && arm.mass.allFinite()) << k;
         }
     }
-    EXPECT_GT(arms, 600);
+    EXPECT_GT(arms, 200);
 }
 
 } // namespace
