@@ -27,6 +27,15 @@ DenseIndex<D>::DenseIndex(const Grid<D>& grid)
     wraps = around;
 }
 
+/// Whether a block holds all of the domain, and no image lies beyond its sides.
+bool sees_all(const Grid<3>& grid, const DenseIndex<3>& index)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (grid.periodic(axis) || index.low[axis] > 0 || index.high()[axis] < grid.cells()[axis])
+            return false;
+    return true;
+}
+
 template <int D>
 Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives,
                          std::vector<PartFace<D>>* borders, bool mouths)
@@ -50,7 +59,7 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
             complex.mouths = find_mouths(planes, solids, placed);
     std::optional<EdgeMouths> edge_mouths;
     if constexpr (D == 3)
-        if (mouths)
+        if (mouths && sees_all(grid, complex.index)) // an edge's plane depends on all that lies along it
             edge_mouths.emplace(planes, solids, placed);
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives || borders);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
