@@ -575,7 +575,8 @@ private:
         const SharpEdge& edge = sharp.edges[number];
         const WayInCell way = way_in_cell(sharp, sharp.ways[edge.way], low, high);
         const double open = share * way.area;
-        CornerLink<3> link{-1, -1, solids_[image].solid, open, open, 0, edge.from + way.at * edge.along(), mouth_of(sharp, number)};
+        CornerLink<3> link{
+            -1, -1, solids_[image].solid, open, open, 0, edge.from + way.at * edge.along(), mouth_of(sharp, number)};
         if (passes(edge, low, high)) {
             const EdgeInCell own = edge_in_cell(sharp, sectors, number, c, low, high);
             link.covered = own.covered;

@@ -132,7 +132,7 @@ struct GapMouth {
         Vec<D> at, normal;
     };
     std::array<std::array<Wall, 2>, 2> walls{}; ///< half a cell to each side: the two walls there
-    std::int32_t piece = -1; ///< of the face, where it lies in a plane
+    std::int32_t piece = -1;                    ///< of the face, where it lies in a plane
 };
 
 template <int D>

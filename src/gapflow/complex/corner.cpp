@@ -223,7 +223,8 @@ BisectorPolygons bisector_polygons(const SharpSolid& solid, const CellSectors& s
     double from, to;
     part_in_cell(edge, low, high, from, to);
     const Vec<3> way = edge.to - edge.from, along = way.normalized(),
-                 outward = edge.turned() ? edge.outward : (a.normal + b.normal).normalized(), p = edge.from + 0.5 * (from + to) * way;
+                 outward = edge.turned() ? edge.outward : (a.normal + b.normal).normalized(),
+                 p = edge.from + 0.5 * (from + to) * way;
     const double reach = 2 * (high - low).norm();
     std::vector<Vec<2>> polygon{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}};
     const auto keep = [&](std::vector<Vec<2>>& poly, const Vec<3>& n, double value) { // where value at p + n . (x - p) >= 0
@@ -460,9 +461,9 @@ SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int 
     const double steepness = difference.norm();
     if (steepness < parameters.parallel)
         return line;
-    line.start = middle - (edge.turned() ? across.dot(in_space(middle) - edge.from)
-                                         : height(edge.a, middle) - height(edge.b, middle)) /
-                              (steepness * steepness) * difference;
+    line.start =
+        middle - (edge.turned() ? across.dot(in_space(middle) - edge.from) : height(edge.a, middle) - height(edge.b, middle)) /
+                     (steepness * steepness) * difference;
     line.direction = Vec<2>(-difference[1], difference[0]) / steepness;
     if (line.direction.dot(edge.turned() ? out : slope(edge.a)) < 0)
         line.direction = -line.direction;

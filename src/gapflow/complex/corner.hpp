@@ -109,7 +109,7 @@ struct SharpSolid {
 /// What divides a cell.
 struct CellSectors {
     InlineVector<int, 4> facets, edges;
-    InlineVector<int, 4> group;      ///< of each facet: those that edges in the cell join have one number
+    InlineVector<int, 4> group; ///< of each facet: those that edges in the cell join have one number
     InlineVector<int, 2> rims;
     InlineVector<int, 2> ways; ///< edges whose planes lead through the cell to another wall; they are not among `edges`
 

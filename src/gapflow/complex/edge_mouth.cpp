@@ -186,8 +186,9 @@ void EdgeMouths::add_way(int image, int number, const std::vector<double>& at, c
         for (int k = std::max(0, first - 1); k <= std::min<int>(last + 1, static_cast<int>(places.size()) - 1); ++k) {
             const double cosine = places[k].distance > 0 ? places[k].direction.dot(edge.outward) : 0.0;
             way.at.push_back(at[k]);
-            way.length.push_back(std::min(places[k].distance > 0 ? places[k].distance / std::max(cosine, parameters.least_facing)
-                                                                 : MouthWalls<3>::turning_end,
+            way.length.push_back(std::min(places[k].distance > 0
+                                              ? places[k].distance / std::max(cosine, parameters.least_facing)
+                                              : MouthWalls<3>::turning_end,
                                           MouthWalls<3>::turning_end));
         }
         double bend = 0;
@@ -195,8 +196,9 @@ void EdgeMouths::add_way(int image, int number, const std::vector<double>& at, c
             bend = std::max(bend, std::abs(way.length[k - 1] - 2 * way.length[k] + way.length[k + 1]));
         way.beyond += bend;
         for (int axis = 0; axis < 3; ++axis)
-            if (const int plane = planes_.cell_of(axis, edge.from[axis]);
-                edge.from[axis] == planes_.place_of(axis, plane) && edge.to[axis] == edge.from[axis] && edge.outward[axis] == 0) {
+            if (const int plane = planes_.cell_of(axis, edge.from[axis]); edge.from[axis] == planes_.place_of(axis, plane) &&
+                                                                          edge.to[axis] == edge.from[axis] &&
+                                                                          edge.outward[axis] == 0) {
                 way.axis = axis;
                 way.plane = plane;
             }
@@ -251,8 +253,8 @@ GapMouth<3> EdgeMouths::section(int image, int number, const Place& place) const
     const SharpSolid& sharp = placed_[image].sharp;
     const SharpEdge& edge = sharp.edges[number];
     const double h = place.distance / std::max(place.direction.dot(edge.outward), parameters.least_facing);
-    GapMouth<3> mouth{{placed_[image].solid, walls_.solid_of(place.wall)}, place.at, place.at + h * edge.outward, h, place.share,
-                      1, {}};
+    GapMouth<3> mouth{
+        {placed_[image].solid, walls_.solid_of(place.wall)}, place.at, place.at + h * edge.outward, h, place.share, 1, {}};
     mouth.across = sharp.across(number).normalized();
     mouth.radius = walls_.room(image, place.wall, 0.5 * (mouth.at + mouth.end), std::max(1.0, h));
     for (int side = 0; side < 2; ++side) {

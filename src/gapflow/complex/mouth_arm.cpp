@@ -219,12 +219,13 @@ std::pair<double, Vec<3>> volume_of(const Facets& facets)
 }
 
 /// Centroid of what lies of a part's cell in the gap on one side of a mouth; nothing where it lies on the other one.
-std::optional<Vec<2>> centroid_in_gap(const Complex<2>& complex, const GridPlanes<2>&, const GapMouth<2>&, int, std::int32_t part)
+std::optional<Vec<2>> centroid_in_gap(const Complex<2>& complex, const GridPlanes<2>&, const GapMouth<2>&, int,
+                                      std::int32_t part)
 {
     return complex.part_centroid[part];
 }
-std::optional<Vec<3>> centroid_in_gap(const Complex<3>& complex, const GridPlanes<3>& planes, const GapMouth<3>& mouth, int side,
-                                      std::int32_t part)
+std::optional<Vec<3>> centroid_in_gap(const Complex<3>& complex, const GridPlanes<3>& planes, const GapMouth<3>& mouth,
+                                      int side, std::int32_t part)
 {
     const Index<3> c = complex.cell_of_part(part);
     Vec<3> low, high, shift = Vec<3>::Zero();
@@ -253,7 +254,8 @@ std::optional<Vec<3>> centroid_in_gap(const Complex<3>& complex, const GridPlane
 template <int D>
 class MovedNodes {
 public:
-    MovedNodes(const Grid<D>& grid, const Complex<D>& complex, const PiecesOfParts<D>& pieces) : planes_(grid), complex_(complex)
+    MovedNodes(const Grid<D>& grid, const Complex<D>& complex, const PiecesOfParts<D>& pieces)
+        : planes_(grid), complex_(complex)
     {
         const auto behind = [&](const GapMouth<D>& mouth, int side, const PartOrCell& first) {
             if (!(mouth.share * mouth.sides[side].gap > 0) || !first.is_part())
@@ -288,7 +290,7 @@ public:
     {
         Vec<D> way = Vec<D>::Zero();
         for (auto at = std::lower_bound(nodes_.begin(), nodes_.end(), part.code,
-                                        [](const MovedNode<D>& m, std::int32_t p) { return m.part < p; });
+                                        [](const MovedNode<D>&m, std::int32_t p) { return m.part < p; });
              at != nodes_.end() && at->part == part.code; ++at)
             way += at->way;
         return way;
@@ -322,7 +324,8 @@ private:
         const std::optional<Vec<D>> in_gap = centroid_in_gap(complex_, planes_, mouth, side, part);
         if (!in_gap)
             return false;
-        const Vec<D> inward = (side == 0 ? 1 : -1) * left_of_mouth(mouth, mouth.end - mouth.at).normalized(), &centroid = *in_gap;
+        const Vec<D> inward = (side == 0 ? 1 : -1) * left_of_mouth(mouth, mouth.end - mouth.at).normalized(),
+                     &centroid = *in_gap;
         const double distance = inward.dot(centroid - 0.5 * (mouth.at + mouth.end)), x = 2 - distance / half_diagonal;
         if (!(distance > -half_diagonal && x > 0))
             return false;
@@ -576,8 +579,8 @@ private:
             Vec<3> apex = edge;
             for (int axis = 0; axis < 3; ++axis)
                 if (grid_.periodic(axis))
-                    apex[axis] += planes_.place[axis].period() *
-                                  std::round((centre[axis] - edge[axis]) / planes_.place[axis].period());
+                    apex[axis] +=
+                        planes_.place[axis].period() * std::round((centre[axis] - edge[axis]) / planes_.place[axis].period());
             double size = 0;
             std::array<bool, 6> known{};
             const auto add_face = [&](int axis, int end, double area) {
@@ -609,8 +612,8 @@ private:
 
     /// Over what of the circle about the mouth is joined with a part within the circle. Where the mouth has a share only, the rest of the flux leaves into
     /// the part itself: of the energy of both together the product of the two is missing in the sum of their resistances, about the outlet's.
-    void spread_out(const GapMouth<D>& mouth, int side, const PartOrCell& from, const Vec<D>& centre, double weight, double part,
-                    MouthArm<D>& arm)
+    void spread_out(const GapMouth<D>& mouth, int side, const PartOrCell& from, const Vec<D>& centre, double weight,
+                    double part, MouthArm<D>& arm)
     {
         const double outlet = mouth.sides[side].outlet, share = mouth.share;
         struct Target {

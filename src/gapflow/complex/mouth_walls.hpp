@@ -103,7 +103,8 @@ public:
 
 private:
     /// By how much a wall turns away from the direction `along` at x, seen at a distance; behind: into the solid.
-    double turn_of(const PlacedShape<D>& shape, const Vec<D>& x, const Vec<D>& along, const Vec<D>& behind, double distance) const
+    double turn_of(const PlacedShape<D>& shape, const Vec<D>& x, const Vec<D>& along, const Vec<D>& behind,
+                   double distance) const
     {
         const auto away = [&](const Vec<D>& y) {
             return shape.closest(planes_.in_world(y)).distance / (planes_.dx * distance);
