@@ -1,4 +1,5 @@
 #include "gapflow/complex/cells.hpp"
+#include "gapflow/complex/edge_mouth.hpp"
 #include "gapflow/complex/join_faces.hpp"
 #include "gapflow/complex/mouth.hpp"
 #include "gapflow/complex/part_borders.hpp"
@@ -26,6 +27,15 @@ DenseIndex<D>::DenseIndex(const Grid<D>& grid)
     wraps = around;
 }
 
+/// Whether a block holds all of the domain, and no image lies beyond its sides.
+bool sees_all(const Grid<3>& grid, const DenseIndex<3>& index)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (grid.periodic(axis) || index.low[axis] > 0 || index.high()[axis] < grid.cells()[axis])
+            return false;
+    return true;
+}
+
 template <int D>
 Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, FaceDerivatives<D>* derivatives,
                          std::vector<PartFace<D>>* borders, bool mouths)
@@ -40,13 +50,17 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
         low[axis] = planes.place[axis][complex.index.low[axis]];
         high[axis] = planes.place[axis][complex.index.high()[axis]];
     }
-    // Edges divide faces of the cells beside theirs, corners cells between them and other walls.
-    low -= Vec<D>::Constant(D == 3 ? 1 : 2);
-    high += Vec<D>::Constant(D == 3 ? 1 : 2);
+    // Corners and edges divide cells between them and other walls.
+    low -= Vec<D>::Constant(2);
+    high += Vec<D>::Constant(2);
     std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
     if constexpr (D == 2)
         if (mouths)
             complex.mouths = find_mouths(planes, solids, placed);
+    std::optional<EdgeMouths> edge_mouths;
+    if constexpr (D == 3)
+        if (mouths && sees_all(grid, complex.index)) // an edge's plane depends on all that lies along it
+            edge_mouths.emplace(planes, solids, placed);
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives || borders);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
     std::vector<CellSlab<D>> slabs(cut.slabs.size());
@@ -65,6 +79,9 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     std::vector<PieceSource> sources;
     joining.sources = derivatives ? &sources : nullptr;
     joining.join_faces();
+    if constexpr (D == 3)
+        if (edge_mouths)
+            edge_mouths->add_to(complex);
     if (derivatives) {
         face_derivatives<D>(planes, complex.index, placed, cut, sources, *derivatives);
     }

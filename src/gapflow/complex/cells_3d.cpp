@@ -493,7 +493,7 @@ private:
                 int a = label[find(first[q] + division.a)], b = label[find(first[q] + division.b)];
                 if (a == b || a < 0 || b < 0)
                     continue;
-                if (a > b)
+                if (a > b && !leads(solids_[division.image].sharp, division.edge))
                     std::swap(a, b);
                 // Of a periodic domain's last cell the faces on its far side see another image.
                 auto known = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) {
@@ -526,11 +526,17 @@ private:
                 }
             if (image < 0)
                 continue;
-            const EdgeInCell edge = edge_in_cell(solids_[image].sharp, sectors, pair.edge, c, low, high);
             double all = 0;
             for (const Pair& other : pairs)
                 if (other.edge == pair.edge && solids_[other.image].solid == solids_[pair.image].solid)
                     all += other.open;
+            if (leads(solids_[image].sharp, pair.edge)) {
+                result.links.push_back(way_link(image, sectors, pair.edge, c, low, high, pair.open / all));
+                result.links.back().a = part + pair.a;
+                result.links.back().b = part + pair.b;
+                continue;
+            }
+            const EdgeInCell edge = edge_in_cell(solids_[image].sharp, sectors, pair.edge, c, low, high);
             const double open = pair.open / all * edge.open;
             if (cut_.for_derivatives && edge.covered / edge.length > parameters.least_covered) {
                 const double conductance = corner_conductance(edge.angle, open, edge.covered / edge.length);
@@ -548,13 +554,41 @@ private:
             }
             result.links.push_back({part + pair.a, part + pair.b, solids_[image].solid,
                                     corner_conductance(edge.angle, open, edge.covered / edge.length), open, edge.covered,
-                                    edge.at});
+                                    edge.at, mouth_of(solids_[image].sharp, pair.edge)});
         }
+    }
+    /// Whether an edge, not a rim, divides up to another wall.
+    static bool leads(const SharpSolid& sharp, int edge)
+    {
+        return edge < static_cast<int>(sharp.edges.size()) && sharp.edges[edge].leads();
+    }
+    static int mouth_of(const SharpSolid& sharp, int edge)
+    {
+        const bool has = edge < static_cast<int>(sharp.edges.size()) && sharp.edges[edge].way >= 0;
+        return has ? sharp.ways[sharp.edges[edge].way].number : -1;
+    }
+    /// A share of the way from an edge to another wall, with the law of the corner in the edge's own cell. The parts are unset.
+    CornerLink<3> way_link(int image, const CellSectors& sectors, int number, const Index<3>& c, const Vec<3>& low,
+                           const Vec<3>& high, double share) const
+    {
+        const SharpSolid& sharp = solids_[image].sharp;
+        const SharpEdge& edge = sharp.edges[number];
+        const WayInCell way = way_in_cell(sharp, sharp.ways[edge.way], low, high);
+        const double open = share * way.area;
+        CornerLink<3> link{
+            -1, -1, solids_[image].solid, open, open, 0, edge.from + way.at * edge.along(), mouth_of(sharp, number)};
+        if (passes(edge, low, high)) {
+            const EdgeInCell own = edge_in_cell(sharp, sectors, number, c, low, high);
+            link.covered = own.covered;
+            link.conductance = corner_conductance(own.angle, open, own.covered / own.length);
+        }
+        return link;
     }
     static bool divided_by(const SharpSolid& sharp, const CellSectors& sectors, int edge)
     {
         const int edges = static_cast<int>(sharp.edges.size());
-        return edge < edges ? std::find(sectors.edges.begin(), sectors.edges.end(), edge) != sectors.edges.end()
+        return edge < edges ? std::find(sectors.edges.begin(), sectors.edges.end(), edge) != sectors.edges.end() ||
+                                  std::find(sectors.ways.begin(), sectors.ways.end(), edge) != sectors.ways.end()
                             : std::find(sectors.rims.begin(), sectors.rims.end(), edge - edges) != sectors.rims.end();
     }
 

@@ -125,6 +125,14 @@ struct GapMouth {
     double radius;                     ///< of the sector into which the flow spreads
     std::array<GapMouthSide, 2> sides; ///< 2D: at the left and right of the way from the corner
     int axis = -1, plane = 0;          ///< where it lies in a plane of the grid, whose faces it is then; else axis -1
+    // 3D: of an edge in one cell or face, at the middle of what lies there.
+    Vec<D> across = Vec<D>::Zero(); ///< normal to edge and line, of unit length: to the left
+    double area = 0;
+    struct Wall {
+        Vec<D> at, normal;
+    };
+    std::array<std::array<Wall, 2>, 2> walls{}; ///< half a cell to each side: the two walls there
+    std::int32_t piece = -1;                    ///< of the face, where it lies in a plane
 };
 
 template <int D>
@@ -148,7 +156,7 @@ struct Complex {
     /// Faces that solids cut, and those that do not lead to the largest part.
     std::vector<FacePiece<D>> pieces;
     std::vector<CornerLink<D>> links;
-    std::vector<GapMouth<D>> mouths; ///< 2D
+    std::vector<GapMouth<D>> mouths; ///< 3D: one of each link or piece
 
     /// Whether a piece is part of main_area.
     bool joins_main(const FacePiece<D>& piece) const { return is_main(piece.low) && is_main(piece.high); }

@@ -108,6 +108,9 @@ int bound_of(const SharpSolid& solid, const CellSectors& sectors, const SharpEdg
         return sectors.group[std::find(sectors.facets.begin(), sectors.facets.end(), facet) - sectors.facets.begin()];
     };
     const SharpFacet& facet = solid.facets[k];
+    for (const int e : sectors.ways)
+        if (solid.edges[e].a == k || solid.edges[e].b == k)
+            return 0;
     if (group(k) != group(edge.a) || facet.in_plane_of(solid.facets[edge.a]) || facet.in_plane_of(solid.facets[edge.b]))
         return 0;
     return facet.height(0.5 * (edge.from + edge.to)) > parameters.joint_distance ? -1 : 1;
@@ -130,10 +133,32 @@ std::span<const EdgeCell> SharpSolid::edges_in(const Index<3>& cell) const
     return items_in(edge_cells, cell);
 }
 
+std::span<const EdgeCell> SharpSolid::ways_in(const Index<3>& cell) const
+{
+    return items_in(way_cells, cell);
+}
+
+Vec<3> SharpSolid::across(int number) const
+{
+    const SharpEdge& edge = edges[number];
+    const Vec<3> bisector = facets[edge.a].normal - facets[edge.b].normal;
+    if (!edge.turned())
+        return bisector;
+    const Vec<3> normal = edge.along().cross(edge.outward);
+    return normal.dot(bisector) < 0 ? Vec<3>(-normal) : normal;
+}
+
 void SharpSolid::sort_by_cell()
 {
+    sort_items(way_cells);
     sort_items(pieces);
     sort_items(edge_cells);
+}
+
+bool passes(const SharpEdge& edge, const Vec<3>& low, const Vec<3>& high)
+{
+    double from, to;
+    return part_in_cell(edge, low, high, from, to);
 }
 
 CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Vec<3>& low, const Vec<3>& high)
@@ -162,18 +187,20 @@ CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Ve
     for (const EdgeCell& in_cell : solid.edges_in(cell)) {
         double from, to;
         const SharpEdge& edge = solid.edges[in_cell.edge];
-        if (!part_in_cell(edge, low, high, from, to))
+        if (!edge.divides || !part_in_cell(edge, low, high, from, to))
             continue;
         const bool known = std::any_of(sectors.edges.begin(), sectors.edges.end(), [&](int e) { // on the same line
             return solid.edges[e].a == edge.a && solid.edges[e].b == edge.b;
         });
         if (known)
             continue;
-        sectors.edges.push_back(in_cell.edge);
-        sectors.lengths.push_back((to - from) * (edge.to - edge.from).norm());
+        if (!edge.leads())
+            sectors.edges.push_back(in_cell.edge);
         const int a = add(edge.a), b = add(edge.b);
         merge(sectors.group[a], sectors.group[b]);
     }
+    for (const EdgeCell& way : solid.ways_in(cell))
+        sectors.ways.push_back(way.edge);
     return sectors;
 }
 
@@ -195,7 +222,8 @@ BisectorPolygons bisector_polygons(const SharpSolid& solid, const CellSectors& s
     const SharpFacet &a = solid.facets[edge.a], &b = solid.facets[edge.b];
     double from, to;
     part_in_cell(edge, low, high, from, to);
-    const Vec<3> way = edge.to - edge.from, along = way.normalized(), outward = (a.normal + b.normal).normalized(),
+    const Vec<3> way = edge.to - edge.from, along = way.normalized(),
+                 outward = edge.turned() ? edge.outward : (a.normal + b.normal).normalized(),
                  p = edge.from + 0.5 * (from + to) * way;
     const double reach = 2 * (high - low).norm();
     std::vector<Vec<2>> polygon{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}};
@@ -209,7 +237,7 @@ BisectorPolygons bisector_polygons(const SharpSolid& solid, const CellSectors& s
     std::vector<Vec<2>> behind = polygon;
     clip(polygon, {0, 1}, 0);
     for (const int k : sectors.facets)
-        if (const int bound = bound_of(solid, sectors, edge, k))
+        if (const int bound = edge.leads() ? 0 : bound_of(solid, sectors, edge, k))
             keep(polygon, bound * (a.normal - solid.facets[k].normal), bound * (a.height(p) - solid.facets[k].height(p)));
     clip(behind, {0, -1}, 0);
     clip(behind, {1, 0}, (p - edge.from).dot(along));
@@ -329,8 +357,9 @@ EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int
     if (number < edges) {
         const SharpEdge& edge = solid.edges[number];
         const auto [open, covered] = bisector_areas(solid, sectors, number, low, high);
-        const auto at = std::find(sectors.edges.begin(), sectors.edges.end(), number) - sectors.edges.begin();
-        return {edge.angle, sectors.lengths[at], open, covered, 0.5 * (edge.from + edge.to)};
+        double from, to;
+        part_in_cell(edge, low, high, from, to);
+        return {edge.angle, (to - from) * (edge.to - edge.from).norm(), open, covered, 0.5 * (edge.from + edge.to)};
     }
     const SharpRim& rim = solid.rims[number - edges];
     EdgeInCell sum{std::numbers::pi / 2, 0, 0, 0, Vec<3>::Zero()};
@@ -419,13 +448,24 @@ SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int 
         return solid.facets[k].height(y);
     };
     SectorLine line;
-    const Vec<2> difference = slope(edge.a) - slope(edge.b), middle = 0.5 * (low + high);
+    const Vec<3> across = solid.across(number);
+    const Vec<2> difference = edge.turned() ? Vec<2>(across[u], across[v]) : Vec<2>(slope(edge.a) - slope(edge.b)),
+                 middle = 0.5 * (low + high), out(edge.outward[u], edge.outward[v]);
+    const auto in_space = [&](const Vec<2>& x) {
+        Vec<3> y;
+        y[u] = x[0];
+        y[v] = x[1];
+        y[d] = at;
+        return y;
+    };
     const double steepness = difference.norm();
     if (steepness < parameters.parallel)
         return line;
-    line.start = middle - (height(edge.a, middle) - height(edge.b, middle)) / (steepness * steepness) * difference;
+    line.start =
+        middle - (edge.turned() ? across.dot(in_space(middle) - edge.from) : height(edge.a, middle) - height(edge.b, middle)) /
+                     (steepness * steepness) * difference;
     line.direction = Vec<2>(-difference[1], difference[0]) / steepness;
-    if (line.direction.dot(slope(edge.a)) < 0)
+    if (line.direction.dot(edge.turned() ? out : slope(edge.a)) < 0)
         line.direction = -line.direction;
     line.from = -std::numeric_limits<double>::infinity();
     line.to = -line.from;
@@ -444,7 +484,10 @@ SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int 
         keep(line.start[axis] - low[axis], line.direction[axis], SectorLine::End::border, low_side, low_side);
         keep(high[axis] - line.start[axis], -line.direction[axis], SectorLine::End::border, high_side, high_side);
     }
-    keep(height(edge.a, line.start), slope(edge.a).dot(line.direction), SectorLine::End::corner, -1, -1);
+    if (edge.turned())
+        keep(edge.outward.dot(in_space(line.start) - edge.from), out.dot(line.direction), SectorLine::End::corner, -1, -1);
+    else
+        keep(height(edge.a, line.start), slope(edge.a).dot(line.direction), SectorLine::End::corner, -1, -1);
     for (const int k : sectors.facets)
         if (const int bound = bound_of(solid, sectors, edge, k))
             keep(bound * (height(edge.a, line.start) - height(k, line.start)),
@@ -452,9 +495,119 @@ SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int 
     return line;
 }
 
+double EdgeWay::length_at(double s) const
+{
+    const std::size_t k = std::clamp<std::size_t>(std::upper_bound(at.begin(), at.end(), s) - at.begin(), 1, at.size() - 1);
+    const double share = (s - at[k - 1]) / (at[k] - at[k - 1]);
+    return (1 - share) * length[k - 1] + share * length[k];
+}
+
+WayInCell way_in_cell(const SharpSolid& solid, const EdgeWay& way, const Vec<3>& low, const Vec<3>& high)
+{
+    const SharpEdge& edge = solid.edges[way.edge];
+    const Vec<3> along = edge.along();
+    WayInCell sum;
+    for (std::size_t k = 0; k + 1 < way.at.size(); ++k) {
+        std::vector<Vec<2>> polygon{
+            {way.at[k], 0}, {way.at[k + 1], 0}, {way.at[k + 1], way.length[k + 1]}, {way.at[k], way.length[k]}};
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec<2> n(along[axis], edge.outward[axis]);
+            clip(polygon, n, edge.from[axis] - low[axis]);
+            clip(polygon, -n, high[axis] - edge.from[axis]);
+        }
+        for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+            const Vec<2> p = polygon[i] - polygon[0], q = polygon[i + 1] - polygon[0];
+            const double A = 0.5 * std::abs(p[0] * q[1] - p[1] * q[0]);
+            sum.area += A;
+            sum.at += A * (polygon[0][0] + polygon[i][0] + polygon[i + 1][0]) / 3;
+        }
+    }
+    if (sum.area > 0)
+        sum.at /= sum.area;
+    return sum;
+}
+
+SectorLine way_line(const SharpSolid& solid, const EdgeWay& way, int d, double at, const Vec<2>& low, const Vec<2>& high)
+{
+    const SharpEdge& edge = solid.edges[way.edge];
+    const int u = (d + 1) % 3, v = (d + 2) % 3;
+    const Vec<3> across = solid.across(way.edge), along = edge.along();
+    const auto in_plane = [&](const Vec<3>& x) { return Vec<2>(x[u], x[v]); };
+    const auto from_edge = [&](const Vec<2>& x) {
+        Vec<3> y;
+        y[u] = x[0];
+        y[v] = x[1];
+        y[d] = at;
+        return Vec<3>(y - edge.from);
+    };
+    SectorLine line;
+    const Vec<2> slope = in_plane(across), middle = 0.5 * (low + high);
+    const double steepness = slope.norm();
+    if (steepness < parameters.parallel)
+        return line;
+    line.start = middle - across.dot(from_edge(middle)) / (steepness * steepness) * slope;
+    line.direction = Vec<2>(slope[1], -slope[0]) / steepness;
+    line.from = -std::numeric_limits<double>::infinity();
+    line.to = -line.from;
+    const auto keep = [&](double a, double b, SectorLine::End end, int border) {
+        const int moved = keep_positive(a, b, line.from, line.to);
+        if (moved < 0) {
+            line.from_end = end;
+            line.from_edge = border;
+        } else if (moved > 0) {
+            line.to_end = end;
+            line.to_edge = border;
+        }
+    };
+    for (int axis = 0; axis < 2; ++axis) {
+        keep(line.start[axis] - low[axis], line.direction[axis], SectorLine::End::border, axis == 0 ? 3 : 0);
+        keep(high[axis] - line.start[axis], -line.direction[axis], SectorLine::End::border, axis == 0 ? 1 : 2);
+    }
+    // Ends on the border to round-off lie there.
+    const double touching = parameters.joint_distance;
+    const auto cut = [&](const Vec<3>& n, double more, SectorLine::End end) { // where n . x + more >= 0
+        const double a = n.dot(from_edge(line.start)) + more, b = in_plane(n).dot(line.direction);
+        if (std::abs(b) < parameters.parallel) {
+            if (a < -touching)
+                line.to = line.from;
+        } else if (const double place = -a / b; b > 0 ? place > line.from + touching : place < line.to - touching)
+            keep(a, b, end, -1);
+    };
+    cut(edge.outward, 0, SectorLine::End::corner);
+    cut(along, -way.at.front(), SectorLine::End::junction);
+    cut(-along, way.at.back(), SectorLine::End::junction);
+    if (line.empty())
+        return line;
+    // Behind the other wall; where the way's length bends between two places, to the first crossing.
+    const auto over = [&](double t) {
+        const Vec<3> x = from_edge(line.at(t));
+        return edge.outward.dot(x) - way.length_at(along.dot(x)) - way.beyond;
+    };
+    const double first = over(line.from), last = over(line.to);
+    if (first > 0 && last > 0)
+        line.to = line.from;
+    else if (first > 0 || last > 0) {
+        double in = first > 0 ? line.to : line.from, out = first > 0 ? line.from : line.to;
+        for (int k = 0; k < 60 && std::abs(out - in) > parameters.least_stretch; ++k)
+            (over(0.5 * (in + out)) > 0 ? out : in) = 0.5 * (in + out);
+        (first > 0 ? line.from : line.to) = in;
+        (first > 0 ? line.from_end : line.to_end) = SectorLine::End::junction;
+        (first > 0 ? line.from_edge : line.to_edge) = -1;
+    }
+    return line;
+}
+
 double bisector_crossing(const SharpSolid& solid, int number, int axis, const Vec<3>& x)
 {
-    const SharpFacet &a = solid.facets[solid.edges[number].a], &b = solid.facets[solid.edges[number].b];
+    const SharpEdge& edge = solid.edges[number];
+    if (edge.turned()) {
+        const Vec<3> n = solid.across(number);
+        double sum = 0;
+        for (const int other : {(axis + 1) % 3, (axis + 2) % 3})
+            sum -= n[other] * (x[other] - edge.from[other]);
+        return edge.from[axis] + sum / n[axis];
+    }
+    const SharpFacet &a = solid.facets[edge.a], &b = solid.facets[edge.b];
     const Vec<3> n = a.normal - b.normal;
     double sum = b.normal.dot(a.at - b.at);
     for (const int across : {(axis + 1) % 3, (axis + 2) % 3})

@@ -46,6 +46,24 @@ struct SharpEdge {
     int a, b; ///< facets
     Vec<3> from, to;
     double angle; ///< of the solid
+    /// Of unit length and normal to the edge, within the plane by which it divides where that is not the bisector plane: to another wall (rim.hpp). Else zero.
+    Vec<3> outward = Vec<3>::Zero();
+    int way = -1;        ///< of the gap that ends there, see SharpSolid::ways
+    bool divides = true; ///< the cells through which it passes
+    Vec<3> along() const { return (to - from).normalized(); }
+    bool turned() const { return !outward.isZero(0); }
+    /// Whether its plane leads to another wall, through all cells on the way.
+    bool leads() const { return way >= 0 && turned(); }
+};
+
+/// The way from an edge to another wall (edge_mouth.hpp), by its length at places along the edge.
+struct EdgeWay {
+    int edge, number;               ///< number: of all ways
+    std::vector<double> at, length; ///< straight between these places
+    double beyond;                  ///< by which it ends behind the other wall
+    int axis = -1, plane = 0;       ///< where it lies in a plane of the grid, which it does not divide; else axis -1
+
+    double length_at(double s) const;
 };
 
 /// A round edge between a flat end and the side of a cylinder. The cone on which the heights over both are equal divides its cells.
@@ -76,23 +94,31 @@ struct SharpSolid {
     std::vector<int> facet_of;        ///< of a mesh: the SharpFacet to which each of its facets belongs; -1: none
     std::vector<SharpRim> rims;       ///< the number of a rim as an edge: from edges.size() on
     std::vector<RimPiece> pieces;     ///< sorted by cell and rim
+    std::vector<EdgeWay> ways;
+    std::vector<EdgeCell> way_cells; ///< through which the ways lead, sorted by cell
 
     bool empty() const { return edges.empty() && pieces.empty(); }
     std::span<const RimPiece> pieces_in(const Index<3>& cell) const;
     std::span<const EdgeCell> edges_in(const Index<3>& cell) const;
+    std::span<const EdgeCell> ways_in(const Index<3>& cell) const;
+    /// Normal of an edge's dividing plane, towards its first facet.
+    Vec<3> across(int edge) const;
     void sort_by_cell();
 };
 
 /// What divides a cell.
 struct CellSectors {
     InlineVector<int, 4> facets, edges;
-    InlineVector<int, 4> group;      ///< of each facet: those that edges in the cell join have one number
-    InlineVector<double, 4> lengths; ///< of each edge within the cell
+    InlineVector<int, 4> group; ///< of each facet: those that edges in the cell join have one number
     InlineVector<int, 2> rims;
+    InlineVector<int, 2> ways; ///< edges whose planes lead through the cell to another wall; they are not among `edges`
 
-    bool empty() const { return edges.empty() && rims.empty(); }
+    bool empty() const { return edges.empty() && rims.empty() && ways.empty(); }
 };
 CellSectors cell_sectors(const SharpSolid& solid, const Index<3>& cell, const Vec<3>& low, const Vec<3>& high);
+
+/// Whether an edge passes through the inside of a cell.
+bool passes(const SharpEdge& edge, const Vec<3>& low, const Vec<3>& high);
 
 /// An edge, or a rim by its chords, in a cell.
 struct EdgeInCell {
@@ -103,6 +129,13 @@ struct EdgeInCell {
 };
 EdgeInCell edge_in_cell(const SharpSolid& solid, const CellSectors& sectors, int edge, const Index<3>& cell, const Vec<3>& low,
                         const Vec<3>& high);
+
+/// What of an edge's way to another wall lies in a cell, or in a rectangle of no thickness.
+struct WayInCell {
+    double area = 0;
+    double at = 0; ///< mean place along the edge
+};
+WayInCell way_in_cell(const SharpSolid& solid, const EdgeWay& way, const Vec<3>& low, const Vec<3>& high);
 
 /// By the twist of the solid about its reference point.
 struct EdgeRates {
@@ -125,7 +158,10 @@ struct SectorLine {
 SectorLine sector_line(const SharpSolid& solid, const CellSectors& sectors, int edge, int d, double at, const Vec<2>& low,
                        const Vec<2>& high);
 
-/// Where an edge's bisector plane cuts the grid line along `axis` through x: the same number whichever face asks.
+/// Where the way of an edge to another wall cuts the face; from `from` to `to` the edge's first facet lies at its left.
+SectorLine way_line(const SharpSolid& solid, const EdgeWay& way, int d, double at, const Vec<2>& low, const Vec<2>& high);
+
+/// Where an edge's dividing plane cuts the grid line along `axis` through x: the same number whichever face asks.
 double bisector_crossing(const SharpSolid& solid, int edge, int axis, const Vec<3>& x);
 
 /// On a face of the grid: the chord of the curve in which a rim's cone cuts it.

@@ -209,6 +209,20 @@ private:
         return found;
     }
 
+    /// A node is moved to another distance from the gap's end: by how much of the way that is. Faces along the end know nothing of it.
+    template <class Place>
+    static typename Place::Scalar share_of_way(const Place& way, const Vec<D>& moved)
+    {
+        using S = typename Place::Scalar;
+        const S share = way.dot(moved.template cast<S>()) / way.squaredNorm();
+        if constexpr (D == 2)
+            return share;
+        const Vec<D> still = values_of<D>(way);
+        const double cosine = still.dot(moved) / (still.norm() * std::max(moved.norm(), parameters.least_stretch)),
+                     least = parameters.least_facing;
+        return share / std::max(cosine * cosine, least * least);
+    }
+
     GapWalls<D> walls_of(int a, int b) const { return {{wall_[a], wall_[b]}, {reference_[a], reference_[b]}}; }
 
     /// Nothing where the walls are a cell apart or do not face each other.
@@ -247,10 +261,10 @@ private:
         place.middle = place.way.dot(nodes - centroid) / place.way.squaredNorm();
         for (int side = 0; side < 2; ++side)
             if (const PartOrCell& at = side == 0 ? piece.low : piece.high; at.is_part())
-                if (const auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
-                                                        [](const auto& m, std::int32_t p) { return m.first < p; });
-                    moved != moved_.end() && moved->first == at.number())
-                    place.moved[side] = place.way.dot(moved->second.template cast<S>()) / place.way.squaredNorm();
+                for (auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
+                                                   [](const auto& m, std::int32_t p) { return m.first < p; });
+                     moved != moved_.end() && moved->first == at.number(); ++moved)
+                    place.moved[side] += share_of_way(place.way, moved->second);
         // Parts one above the other at a mouth that runs through both may change their order: a quarter of the way stays.
         if (const S closer = place.moved[0] - place.moved[1]; closer > 0.75)
             for (S& moved : place.moved)

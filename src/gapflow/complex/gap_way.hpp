@@ -189,8 +189,9 @@ public:
     }
 
     /// Quadrature of the stretch from .. to of the way. D is 0 where the gap is thinnest along the way: of a quadratic thickness there is no flux
-    /// across the line on which it does not change along the way; in 2D at the face. `bend`: second derivative of the thickness along the way.
-    std::vector<Point> points(const S& from, const S& to, const S& sigma, const S& bend)
+    /// across the line on which it does not change along the way. `bend`: second derivative of the thickness along the way. `from_start`: D is 0 at
+    /// the face, as in 2D.
+    std::vector<Point> points(const S& from, const S& to, const S& sigma, const S& bend, bool from_start = D == 2)
     {
         constexpr int n = FivePoints::points;
         const End low = end_towards(std::min(from, S(0.0))), high = end_towards(std::max(to, S(0.0)));
@@ -203,7 +204,7 @@ public:
         const auto pass = [&](const S& s) {
             if (s == 0.0)
                 at_face_ = here;
-            if (D == 3 && s == thinnest.at) {
+            if (!from_start && s == thinnest.at) {
                 zero = here;
                 if (thinnest.beyond != 0.0)
                     zero -= sigma * thinnest.beyond * at(s).first;
@@ -239,7 +240,7 @@ public:
                 here -= sigma * length * rule.weight[h] * rate[h];
         }
         pass(breaks_.back());
-        if (D == 2)
+        if (from_start)
             zero = at_face_;
         for (Point& point : result)
             point.flux -= zero;

@@ -253,6 +253,47 @@ void add_edge_lines(const SharpSolid& sharp, const DividedCells& cells, int imag
     }
 }
 
+/// Of edges near other walls: between the two.
+void add_way_lines(const SharpSolid& sharp, const DividedCells& cells, int image, int k, const Section& section, int d,
+                   double at, Square& square, std::vector<FaceLine>& face_lines)
+{
+    for (const EdgeWay& way : sharp.ways) {
+        int sides = 0;
+        for (int side = 0; side < 2; ++side) {
+            const auto& ways = cells[side][k].ways;
+            if (std::find(ways.begin(), ways.end(), way.edge) != ways.end())
+                sides |= 1 << side;
+        }
+        if (sides == 0)
+            continue;
+        const SectorLine line = way_line(sharp, way, d, at, square.low, square.high);
+        if (line.empty())
+            continue;
+        const SharpEdge& edge = sharp.edges[way.edge];
+        SquareLine portion{k, line.at(line.from), line.at(line.to), {}, {}, true};
+        for (const bool end : {false, true}) {
+            Vec<2>& x = end ? portion.to : portion.from;
+            const SectorLine::End kind = end ? line.to_end : line.from_end;
+            OnEdge& border = end ? portion.to_border : portion.from_border;
+            if (kind == SectorLine::End::border) {
+                const int b = end ? line.to_edge : line.from_edge;
+                Vec<2> crossing = x;
+                crossing[b % 2] = bisector_crossing(
+                    sharp, way.edge, edge_axis<3>(d, b),
+                    in_space<3>(d, at, {b == 1 ? square.high[0] : square.low[0], b == 2 ? square.high[1] : square.low[1]}));
+                border = border_at(square, b, crossing);
+                put_on_border(square, border, x);
+            } else if (kind == SectorLine::End::corner)
+                x = sharp.facet_of.empty() ? section_corner(section, edge.a, edge.b, x)
+                                           : section_corner(square.solids[k], sharp, edge.a, edge.b, x);
+            if (border.edge < 0)
+                move_to_end(square, k, x);
+        }
+        square.lines.push_back(portion);
+        face_lines.push_back({image, way.edge, sides});
+    }
+}
+
 void add_rim_lines(const SharpSolid& sharp, const DividedCells& cells, int image, int k, const Section& section, int d,
                    double at, Square& square, std::vector<FaceLine>& face_lines)
 {
@@ -290,6 +331,7 @@ void add_lines(const Grid<3>& grid, const GridPlanes<3>& planes, const std::vect
     const double at = planes.place[d][f[d]];
     for (int k = 0; k < static_cast<int>(images.size()); ++k) {
         const SharpSolid& sharp = solids[images[k]].sharp;
+        add_way_lines(sharp, cells, images[k], k, sections[k], d, at, square, face_lines);
         add_edge_lines(sharp, cells, images[k], k, sections[k], d, at, square, face_lines);
         add_rim_lines(sharp, cells, images[k], k, sections[k], d, at, square, face_lines);
     }

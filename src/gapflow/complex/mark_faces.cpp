@@ -47,6 +47,8 @@ void mark_sharp(const DenseIndex<3>& index, const SharpSolid& sharp, int image, 
     };
     for (const EdgeCell& edge : sharp.edge_cells)
         mark_around(edge.cell);
+    for (const EdgeCell& way : sharp.way_cells)
+        mark_around(way.cell);
     for (const RimPiece& piece : sharp.pieces)
         mark_around(piece.cell);
 }
@@ -355,8 +357,8 @@ public:
             low_[axis] = from;
             high_[axis] = to;
             if (!solid_.inverse) {
-                // One cell more: the surface's bounds are not rounded; in 2D also the cells into which lines from corners lead.
-                constexpr int margin = D == 3 ? 1 : 3;
+                // One cell more: the surface's bounds are not rounded; and the cells into which corners and edges divide.
+                constexpr int margin = 3;
                 if (solid_.low[axis] > p[to] + margin || solid_.high[axis] < p[from] - margin)
                     return {};
                 low_[axis] = std::clamp(planes_.cell_of(axis, solid_.low[axis]) - margin, from, to - 1);

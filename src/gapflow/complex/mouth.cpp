@@ -1,6 +1,6 @@
 #include "gapflow/complex/mouth.hpp"
 
-#include "gapflow/complex/gap_way.hpp"
+#include "gapflow/complex/mouth_walls.hpp"
 #include "gapflow/complex/parameters.hpp"
 
 #include <algorithm>
@@ -21,28 +21,18 @@ double harmonic_number(double x)
     return std::numbers::egamma + sum + std::log(y) - 0.5 / y - z * (1.0 / 12 - z * (1.0 / 120 - z / 252));
 }
 
-/// The wall of another solid, or of an image or a side of the domain.
-struct OtherWall {
-    int image = -1, side = -1; ///< among the placed solids; among the solids
-    SurfacePoint<2> nearest;   ///< in the world
-    double distance = std::numeric_limits<double>::infinity();
-};
-
 class MouthFinder {
 public:
     MouthFinder(const GridPlanes<2>& planes, std::span<const Solid<2>> solids, std::vector<PlacedSolid<2>>& placed)
-        : planes_(planes), solids_(solids), placed_(placed)
+        : planes_(planes), placed_(placed), walls_(planes, solids, placed)
     {
-        for (std::size_t s = 0; s < solids.size(); ++s)
-            if (solids[s].wall)
-                sides_.push_back(static_cast<int>(s));
     }
 
     std::vector<GapMouth<2>> find()
     {
         struct Found {
             int image, corner;
-            OtherWall wall;
+            OtherWall<2> wall;
         };
         for (PlacedSolid<2>& solid : placed_)
             for (SharpCorner& corner : solid.corners)
@@ -50,7 +40,7 @@ public:
         std::vector<Found> found;
         for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
             for (int k = 0; k < static_cast<int>(placed_[i].corners.size()); ++k)
-                if (const OtherWall wall = nearest_wall(i, placed_[i].corners[k]); wall.distance < turning_end)
+                if (const OtherWall<2> wall = walls_.nearest(i, placed_[i].corners[k].at); wall.distance < turning_end)
                     found.push_back({i, k, wall});
         for (const Found& f : found)
             add(f.image, f.corner, f.wall);
@@ -58,28 +48,6 @@ public:
     }
 
 private:
-    OtherWall nearest_wall(int image, const SharpCorner& corner) const
-    {
-        OtherWall wall;
-        const Vec<2> x = planes_.in_world(corner.at);
-        const auto offer = [&](const PlacedShape<2>& shape, int i, int side) {
-            const SurfacePoint<2> point = shape.closest(x);
-            if (const double distance = point.distance / planes_.dx; distance > 0 && distance < wall.distance)
-                wall = {i, side, point, distance};
-        };
-        for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
-            const PlacedSolid<2>& other = placed_[i];
-            if (i == image)
-                continue;
-            const double outside = (other.low - corner.at).cwiseMax(corner.at - other.high).maxCoeff();
-            if (other.inverse || outside < turning_end)
-                offer(other.shape, i, -1);
-        }
-        for (const int s : sides_)
-            offer(solids_[s].shape, -1, s);
-        return wall;
-    }
-
     /// The corner of a solid at a place, -1: none.
     int corner_at(int image, const Vec<2>& x) const
     {
@@ -100,12 +68,7 @@ private:
         return way.norm() * std::sin(std::clamp(0.5 * (std::numbers::pi - corner.angle) - angle, 0.0, 0.5 * std::numbers::pi));
     }
 
-    const PlacedShape<2>& shape_of(const OtherWall& wall) const
-    {
-        return wall.image >= 0 ? placed_[wall.image].shape : solids_[wall.side].shape;
-    }
-
-    void add(int image, int number, const OtherWall& wall)
+    void add(int image, int number, const OtherWall<2>& wall)
     {
         SharpCorner& corner = placed_[image].corners[number];
         const double share = share_up_to(wall.distance, parameters.mouth_start, parameters.gap_end);
@@ -133,21 +96,11 @@ private:
         corner.outward = ((1 - turned) * corner.bisector + turned * direction).normalized();
         if (!(share > 0))
             return;
-        GapMouth<2> mouth{
-            {placed_[image].solid, wall.image >= 0 ? placed_[wall.image].solid : wall.side}, corner.at, end, 0, share, 1, {}};
-        const double radius = room(image, wall, 0.5 * (corner.at + end), std::max(1.0, h));
+        GapMouth<2> mouth{{placed_[image].solid, walls_.solid_of(wall)}, corner.at, end, 0, share, 1, {}};
+        const double radius = walls_.room(image, wall, 0.5 * (corner.at + end), std::max(1.0, h));
         mouth.radius = radius;
-        for (int side = 0; side < 2; ++side) {
-            const Vec<2> along = (side == 0 ? 1 : -1) * left_of(direction);
-            const std::array<double, 2> turns{turn_of(placed_[image].shape, corner.at, along, -direction, radius),
-                                              turn_of(shape_of(wall), end, along, direction, radius)};
-            double wider = 0; // half a cell away
-            for (const double angle : turns)
-                wider += 0.5 * std::tan(std::clamp(angle, -steepest, steepest));
-            mouth.sides[side].gap = share_up_to(wider, parameters.gap_start, parameters.gap_end);
-            if (mouth.sides[side].gap < 1)
-                mouth.sides[side].outlet = std::max(0.0, outlet_resistance(h, turns, radius));
-        }
+        for (int side = 0; side < 2; ++side)
+            mouth.sides[side] = walls_.side(image, wall, corner.at, end, (side == 0 ? 1 : -1) * left_of(direction), radius);
         corner.own = 1 - share;
         corner.mouth = static_cast<int>(mouths_.size());
         mouth.length = h / std::max(corner.outward.dot(direction), parameters.least_facing);
@@ -164,35 +117,6 @@ private:
             corner.mouth = -1;
         } else
             add_lines(placed_[image], number);
-    }
-
-    /// Up to `radius`, but no further than to a third wall.
-    double room(int image, const OtherWall& wall, const Vec<2>& x, double radius) const
-    {
-        const auto offer = [&](const PlacedShape<2>& shape) {
-            radius = std::min(radius, std::max(0.0, shape.closest(planes_.in_world(x)).distance / planes_.dx));
-        };
-        for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
-            const PlacedSolid<2>& other = placed_[i];
-            if (i != image && i != wall.image &&
-                (other.inverse || (other.low - x).cwiseMax(x - other.high).maxCoeff() < radius))
-                offer(other.shape);
-        }
-        for (const int s : sides_)
-            if (s != wall.side)
-                offer(solids_[s].shape);
-        return radius;
-    }
-
-    /// By how much a wall turns away from the direction `along` at x, seen at a distance; behind: into the solid.
-    double turn_of(const PlacedShape<2>& shape, const Vec<2>& x, const Vec<2>& along, const Vec<2>& behind,
-                   double distance) const
-    {
-        const auto away = [&](const Vec<2>& y) {
-            return shape.closest(planes_.in_world(y)).distance / (planes_.dx * distance);
-        };
-        return std::asin(std::clamp(away(x + distance * along), -1.0, 1.0)) +
-               std::asin(std::clamp(away(x + distance * behind), 0.0, 1.0));
     }
 
     /// The cells beside the corner's own through which its line passes.
@@ -236,14 +160,11 @@ private:
         }
     }
 
-    static constexpr double steepest = 1.4; // any larger turn is no gap
-    /// Up to there lines turn from the way to the other wall to the bisector.
-    static constexpr double turning_end = 2 * parameters.gap_end - parameters.gap_start;
+    static constexpr double turning_end = MouthWalls<2>::turning_end;
 
     const GridPlanes<2>& planes_;
-    std::span<const Solid<2>> solids_;
     std::vector<PlacedSolid<2>>& placed_;
-    std::vector<int> sides_;
+    const MouthWalls<2> walls_;
     std::vector<GapMouth<2>> mouths_;
 };
 

@@ -7,13 +7,28 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace gapflow {
 namespace {
 
-Vec<2> cell_centre(const GridPlanes<2>& planes, const Index<2>& c)
+template <int D>
+Vec<D> cell_centre(const GridPlanes<D>& planes, const Index<D>& c)
 {
-    return {planes.centre_of(0, c[0]), planes.centre_of(1, c[1])};
+    Vec<D> centre;
+    for (int axis = 0; axis < D; ++axis)
+        centre[axis] = planes.centre_of(axis, c[axis]);
+    return centre;
+}
+
+/// To the left of the way n from the corner of a mouth.
+Vec<2> left_of_mouth(const GapMouth<2>&, const Vec<2>& n)
+{
+    return left_of(n);
+}
+Vec<3> left_of_mouth(const GapMouth<3>& mouth, const Vec<3>&)
+{
+    return mouth.across;
 }
 
 /// What of a piece lies in a mouth in its plane. The rest, if any, leads to a wall that lies in the plane to round-off.
@@ -22,6 +37,11 @@ double open_in(const GapMouth<2>& mouth, const FacePiece<2>& piece)
     const int along = 1 - piece.axis;
     const double from = std::min(mouth.at[along], mouth.end[along]), to = std::max(mouth.at[along], mouth.end[along]);
     return std::min(to, piece.centroid[along] + 0.5 * piece.area) - std::max(from, piece.centroid[along] - 0.5 * piece.area);
+}
+
+double open_in(const GapMouth<3>& mouth, const FacePiece<3>&)
+{
+    return mouth.area;
 }
 
 /// Pieces of faces in whose plane a mouth lies, and their mouths; sorted.
@@ -48,10 +68,23 @@ std::vector<std::pair<std::int32_t, int>> pieces_in_mouths(const Complex<2>& com
     return pieces;
 }
 
+std::vector<std::pair<std::int32_t, int>> pieces_in_mouths(const Complex<3>& complex)
+{
+    std::vector<std::pair<std::int32_t, int>> pieces;
+    for (std::size_t m = 0; m < complex.mouths.size(); ++m)
+        if (complex.mouths[m].piece >= 0)
+            pieces.emplace_back(complex.mouths[m].piece, static_cast<int>(m));
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+                 pieces.end());
+    return pieces;
+}
+
 /// Pieces of faces beside the parts, and those in mouths. Of a complex with mouths; else empty.
+template <int D>
 class PiecesOfParts {
 public:
-    explicit PiecesOfParts(const Complex<2>& complex)
+    explicit PiecesOfParts(const Complex<D>& complex)
     {
         if (complex.mouths.empty())
             return;
@@ -99,20 +132,132 @@ std::array<PartOrCell, 2> sides_of(const GapMouth<2>& mouth, const FacePiece<2>&
     return low_is_left ? std::array<PartOrCell, 2>{piece.low, piece.high} : std::array<PartOrCell, 2>{piece.high, piece.low};
 }
 
+std::array<PartOrCell, 2> sides_of(const GapMouth<3>& mouth, const FacePiece<3>& piece)
+{
+    return mouth.across[piece.axis] < 0 ? std::array<PartOrCell, 2>{piece.low, piece.high}
+                                        : std::array<PartOrCell, 2>{piece.high, piece.low};
+}
+
 /// How far a node of a part behind a mouth is moved.
+template <int D>
 struct MovedNode {
     std::int32_t part;
-    Vec<2> way;   ///< from the cell's centre
+    Vec<D> way;   ///< from the cell's centre
     double share; ///< of it in the nodes of the gap's faces
 };
 
+/// Convex polygons of a convex body's surface, in any direction of turning.
+using Facets = std::vector<std::vector<Vec<3>>>;
+
+Facets box_facets(const Vec<3>& low, const Vec<3>& high)
+{
+    Facets facets;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const Vec<3>& end : {low, high}) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            std::vector<Vec<3>> facet(4, end);
+            for (int k = 0; k < 4; ++k) {
+                facet[k][u] = k == 1 || k == 2 ? high[u] : low[u];
+                facet[k][v] = k >= 2 ? high[v] : low[v];
+            }
+            facets.push_back(facet);
+        }
+    return facets;
+}
+
+/// What of a convex body lies where n . (x - at) >= 0.
+void keep_in_front(Facets& facets, const Vec<3>& n, const Vec<3>& at)
+{
+    Facets kept;
+    std::vector<Vec<3>> cut; // in the plane
+    for (const std::vector<Vec<3>>& facet : facets) {
+        std::vector<Vec<3>> polygon;
+        for (std::size_t k = 0; k < facet.size(); ++k) {
+            const Vec<3>&p = facet[k], &q = facet[(k + 1) % facet.size()];
+            const double a = n.dot(p - at), b = n.dot(q - at);
+            if (a >= 0)
+                polygon.push_back(p);
+            if ((a >= 0) != (b >= 0)) {
+                polygon.push_back(p + a / (a - b) * (q - p));
+                cut.push_back(polygon.back());
+            }
+        }
+        if (polygon.size() > 2)
+            kept.push_back(polygon);
+    }
+    if (cut.size() > 2) {
+        Vec<3> middle = Vec<3>::Zero();
+        for (const Vec<3>& x : cut)
+            middle += x / static_cast<double>(cut.size());
+        const Vec<3> u = n.unitOrthogonal(), v = n.cross(u);
+        std::sort(cut.begin(), cut.end(), [&](const Vec<3>& x, const Vec<3>& y) {
+            return std::atan2(v.dot(x - middle), u.dot(x - middle)) < std::atan2(v.dot(y - middle), u.dot(y - middle));
+        });
+        kept.push_back(cut);
+    }
+    facets = kept;
+}
+
+/// Volume and centroid of a convex body.
+std::pair<double, Vec<3>> volume_of(const Facets& facets)
+{
+    Vec<3> inside = Vec<3>::Zero(), moment = inside;
+    double volume = 0, count = 0;
+    for (const auto& facet : facets)
+        for (const Vec<3>& x : facet) {
+            inside += x;
+            ++count;
+        }
+    inside /= std::max(count, 1.0);
+    for (const auto& facet : facets)
+        for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
+            const double v = std::abs((facet[0] - inside).dot((facet[k] - inside).cross(facet[k + 1] - inside))) / 6;
+            volume += v;
+            moment += 0.25 * v * (inside + facet[0] + facet[k] + facet[k + 1]);
+        }
+    return {volume, volume > 0 ? Vec<3>(moment / volume) : inside};
+}
+
+/// Centroid of what lies of a part's cell in the gap on one side of a mouth; nothing where it lies on the other one.
+std::optional<Vec<2>> centroid_in_gap(const Complex<2>& complex, const GridPlanes<2>&, const GapMouth<2>&, int,
+                                      std::int32_t part)
+{
+    return complex.part_centroid[part];
+}
+std::optional<Vec<3>> centroid_in_gap(const Complex<3>& complex, const GridPlanes<3>& planes, const GapMouth<3>& mouth,
+                                      int side, std::int32_t part)
+{
+    const Index<3> c = complex.cell_of_part(part);
+    Vec<3> low, high, shift = Vec<3>::Zero();
+    const Vec<3> middle = 0.5 * (mouth.at + mouth.end), along = mouth.across.cross(mouth.end - mouth.at).normalized();
+    for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = planes.place[axis][c[axis]];
+        high[axis] = planes.place[axis][c[axis] + 1];
+        if (complex.index.wraps[axis])
+            shift[axis] = planes.place[axis].period() *
+                          std::round((middle[axis] - 0.5 * (low[axis] + high[axis])) / planes.place[axis].period());
+    }
+    if (std::abs(along.dot(0.5 * (low + high) + shift - middle)) > 1.5)
+        return {}; // other mouths of the edge are nearer
+    Facets body = box_facets(low + shift, high + shift);
+    keep_in_front(body, (side == 0 ? 1 : -1) * mouth.across, middle);
+    for (const auto& wall : mouth.walls[side])
+        keep_in_front(body, wall.normal, wall.at);
+    const auto [volume, centroid] = volume_of(body);
+    if (!(volume > parameters.least_area))
+        return {};
+    return Vec<3>(centroid - shift);
+}
+
 /// Places of a gap's nodes are free, but none may lie beyond the gap's end: where the cell's centre is nearer to a mouth than the part's centroid, the node
 /// lies there. Parts further behind a mouth keep theirs.
+template <int D>
 class MovedNodes {
 public:
-    MovedNodes(const Grid<2>& grid, const Complex<2>& complex, const PiecesOfParts& pieces) : planes_(grid), complex_(complex)
+    MovedNodes(const Grid<D>& grid, const Complex<D>& complex, const PiecesOfParts<D>& pieces)
+        : planes_(grid), complex_(complex)
     {
-        const auto behind = [&](const GapMouth<2>& mouth, int side, const PartOrCell& first) {
+        const auto behind = [&](const GapMouth<D>& mouth, int side, const PartOrCell& first) {
             if (!(mouth.share * mouth.sides[side].gap > 0) || !first.is_part())
                 return;
             std::vector<std::int32_t> parts{first.number()};
@@ -126,7 +271,7 @@ public:
                             parts.push_back(next.number());
             }
         };
-        for (const CornerLink<2>& link : complex.links)
+        for (const CornerLink<D>& link : complex.links)
             if (link.mouth >= 0) {
                 behind(complex.mouths[link.mouth], 0, PartOrCell::part(link.a));
                 behind(complex.mouths[link.mouth], 1, PartOrCell::part(link.b));
@@ -134,28 +279,53 @@ public:
         for (const auto& [piece, m] : pieces.in_mouths())
             for (const int side : {0, 1})
                 behind(complex.mouths[m], side, sides_of(complex.mouths[m], complex.pieces[piece])[side]);
-        std::sort(nodes_.begin(), nodes_.end(), [](const MovedNode& a, const MovedNode& b) {
+        std::sort(nodes_.begin(), nodes_.end(), [](const MovedNode<D>& a, const MovedNode<D>& b) {
             return a.part < b.part || (a.part == b.part && a.way.norm() * a.share > b.way.norm() * b.share);
         });
-        nodes_.erase(
-            std::unique(nodes_.begin(), nodes_.end(), [](const MovedNode& a, const MovedNode& b) { return a.part == b.part; }),
-            nodes_.end());
+        keep_farthest();
     }
 
-    const std::vector<MovedNode>& nodes() const { return nodes_; }
-    Vec<2> way(const PartOrCell& part) const
+    const std::vector<MovedNode<D>>& nodes() const { return nodes_; }
+    Vec<D> way(const PartOrCell& part) const
     {
-        const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), part.code,
-                                         [](const MovedNode& m, std::int32_t p) { return m.part < p; });
-        return at != nodes_.end() && at->part == part.code ? at->way : Vec<2>(Vec<2>::Zero());
+        Vec<D> way = Vec<D>::Zero();
+        for (auto at = std::lower_bound(nodes_.begin(), nodes_.end(), part.code,
+                                        [](const MovedNode<D>&m, std::int32_t p) { return m.part < p; });
+             at != nodes_.end() && at->part == part.code; ++at)
+            way += at->way;
+        return way;
     }
 
 private:
-    /// Whether the part lies beside the mouth.
-    bool add(const GapMouth<2>& mouth, int side, std::int32_t part)
+    /// One of each part: the first one. In 3D, where a part lies behind the mouths of two edges that meet, also what of another one leads across it.
+    void keep_farthest()
     {
-        const Vec<2> inward = (side == 0 ? 1 : -1) * left_of(mouth.end - mouth.at).normalized(),
-                     &centroid = complex_.part_centroid[part];
+        std::vector<MovedNode<D>> kept;
+        for (std::size_t k = 0; k < nodes_.size();) {
+            const MovedNode<D>& first = nodes_[k];
+            const Vec<D> direction = first.way.normalized();
+            MovedNode<D> across{first.part, Vec<D>::Zero(), 0};
+            std::size_t last = k;
+            for (; last < nodes_.size() && nodes_[last].part == first.part; ++last)
+                if (const Vec<D> way = nodes_[last].way - nodes_[last].way.dot(direction) * direction;
+                    D == 3 && nodes_[last].share * way.norm() > across.share * across.way.norm() + parameters.least_stretch)
+                    across = {first.part, way, nodes_[last].share};
+            kept.push_back(first);
+            if (across.share > 0)
+                kept.push_back(across);
+            k = last;
+        }
+        nodes_ = kept;
+    }
+
+    /// Whether the part lies beside the mouth.
+    bool add(const GapMouth<D>& mouth, int side, std::int32_t part)
+    {
+        const std::optional<Vec<D>> in_gap = centroid_in_gap(complex_, planes_, mouth, side, part);
+        if (!in_gap)
+            return false;
+        const Vec<D> inward = (side == 0 ? 1 : -1) * left_of_mouth(mouth, mouth.end - mouth.at).normalized(),
+                     &centroid = *in_gap;
         const double distance = inward.dot(centroid - 0.5 * (mouth.at + mouth.end)), x = 2 - distance / half_diagonal;
         if (!(distance > -half_diagonal && x > 0))
             return false;
@@ -166,12 +336,28 @@ private:
         return true;
     }
 
-    static constexpr double half_diagonal = 0.5 * std::numbers::sqrt2; // a centroid is no further from the cell's centre
+    /// A centroid is no further from the cell's centre.
+    static constexpr double half_diagonal = 0.5 * (D == 2 ? std::numbers::sqrt2 : std::numbers::sqrt3);
 
-    const GridPlanes<2> planes_;
-    const Complex<2>& complex_;
-    std::vector<MovedNode> nodes_;
+    const GridPlanes<D> planes_;
+    const Complex<D>& complex_;
+    std::vector<MovedNode<D>> nodes_;
 };
+
+/// A convex polygon's part where n . x + c >= 0.
+void keep_positive(std::vector<Vec<2>>& polygon, const Vec<2>& n, double c)
+{
+    std::vector<Vec<2>> kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec<2>&p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+        const double a = n.dot(p) + c, b = n.dot(q) + c;
+        if (a >= 0)
+            kept.push_back(p);
+        if ((a >= 0) != (b >= 0))
+            kept.push_back(p + a / (a - b) * (q - p));
+    }
+    polygon = kept;
+}
 
 /// Area of the triangle 0, a, b within a circle about 0, positive counterclockwise.
 double area_in_circle(const Vec<2>& a, const Vec<2>& b, double radius)
@@ -194,7 +380,8 @@ double area_in_circle(const Vec<2>& a, const Vec<2>& b, double radius)
     return (from > 0 ? sector(a, p) : 0.0) + 0.5 * cross(p, q) + (to < 1 ? sector(q, b) : 0.0);
 }
 
-double area_in_circle(const Vec<2>& low, const Vec<2>& high, const Vec<2>& centre, double radius)
+/// What of a box lies in the sector's circle: its area in the plane of the flow. `width`: 3D, along the edge, over which it is the mean.
+double area_in_circle(const GapMouth<2>&, const Vec<2>& low, const Vec<2>& high, const Vec<2>& centre, double radius, double)
 {
     const std::array<Vec<2>, 4> corner{low - centre, Vec<2>(high[0], low[1]) - centre, high - centre,
                                        Vec<2>(low[0], high[1]) - centre};
@@ -203,21 +390,42 @@ double area_in_circle(const Vec<2>& low, const Vec<2>& high, const Vec<2>& centr
         sum += area_in_circle(corner[k], corner[(k + 1) % 4], radius);
     return std::max(sum, 0.0);
 }
+double area_in_circle(const GapMouth<3>& mouth, const Vec<3>& low, const Vec<3>& high, const Vec<3>& centre, double radius,
+                      double width)
+{
+    const Vec<3> n = (mouth.end - mouth.at).normalized(), along = mouth.across.cross(n);
+    double mean = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Vec<3> at = centre + (ThreePoints::node[k] - 0.5) * width * along;
+        std::vector<Vec<2>> polygon{{-radius, -radius}, {radius, -radius}, {radius, radius}, {-radius, radius}};
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec<2> slope(mouth.across[axis], n[axis]);
+            keep_positive(polygon, slope, at[axis] - low[axis]);
+            keep_positive(polygon, -slope, high[axis] - at[axis]);
+        }
+        double sum = 0;
+        for (std::size_t i = 0; i < polygon.size(); ++i)
+            sum += area_in_circle(polygon[i], polygon[(i + 1) % polygon.size()], radius);
+        mean += ThreePoints::weight[k] * std::max(sum, 0.0);
+    }
+    return mean;
+}
 
+template <int D>
 class MouthArms {
 public:
-    MouthArms(const Grid<2>& grid, std::span<const Solid<2>> solids, const Complex<2>& complex)
+    MouthArms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
         : grid_(grid), planes_(grid), solids_(solids), complex_(complex), pieces_(complex), moved_(grid, complex, pieces_)
     {
         if (!complex.mouths.empty())
-            images_ = images_at<2>(grid, planes_, complex.index, solids, 2 * grid.dx());
+            images_ = images_at<D>(grid, planes_, complex.index, solids, 2 * grid.dx());
     }
 
-    std::vector<MouthArm<2>> find()
+    std::vector<MouthArm<D>> find()
     {
-        std::vector<MouthArm<2>> arms;
+        std::vector<MouthArm<D>> arms;
         for (std::size_t k = 0; k < complex_.links.size(); ++k)
-            if (const CornerLink<2>& link = complex_.links[k]; link.mouth >= 0) {
+            if (const CornerLink<D>& link = complex_.links[k]; link.mouth >= 0) {
                 arms.push_back(through(complex_.mouths[link.mouth], {PartOrCell::part(link.a), PartOrCell::part(link.b)},
                                        link.open,
                                        link.covered > 0 ? 1 / link.conductance : 0.0)); // the corner's share is in it
@@ -229,9 +437,9 @@ public:
     }
 
 private:
-    static constexpr int T = twist_size<2>;
+    static constexpr int T = twist_size<D>;
 
-    int image_at(std::int32_t solid, const Vec<2>& x) const
+    int image_at(std::int32_t solid, const Vec<D>& x) const
     {
         int nearest = -1;
         double least = std::numeric_limits<double>::infinity();
@@ -252,56 +460,56 @@ private:
         });
     }
 
-    MouthArm<2> through_piece(std::int32_t number, const GapMouth<2>& mouth)
+    MouthArm<D> through_piece(std::int32_t number, const GapMouth<D>& mouth)
     {
-        const FacePiece<2>& piece = complex_.pieces[number];
+        const FacePiece<D>& piece = complex_.pieces[number];
         const double plain =
             (1 - mouth.share) * grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]) / piece.area;
-        MouthArm<2> arm = through(mouth, sides_of(mouth, piece), open_in(mouth, piece), plain);
+        MouthArm<D> arm = through(mouth, sides_of(mouth, piece), open_in(mouth, piece), plain);
         arm.piece = number;
         add_motion(mouth, piece, arm);
         return arm;
     }
 
     /// A face that moves with the corner's solid: of a link the dividing line is part of the wall.
-    void add_motion(const GapMouth<2>& mouth, const FacePiece<2>& piece, MouthArm<2>& arm) const
+    void add_motion(const GapMouth<D>& mouth, const FacePiece<D>& piece, MouthArm<D>& arm) const
     {
         const int k = image_at(mouth.solid[0], 0.5 * (mouth.at + mouth.end));
-        const Vec<2> reference = planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift);
-        arm.carried.head<T>() = piece.area * speed_along<2>(unit<2>(piece.axis), piece.centroid, reference);
+        const Vec<D> reference = planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift);
+        arm.carried.template head<T>() = piece.area * speed_along<D>(unit<D>(piece.axis), piece.centroid, reference);
         const double delta = grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]);
-        const PairMass<2> mass = delta / piece.area * arm.carried * arm.carried.transpose();
+        const PairMass<D> mass = delta / piece.area * arm.carried * arm.carried.transpose();
         arm.mass += mass;
         arm.motion += mass;
     }
 
     /// From one of two parts to the other; `rest`: resistance of the link or face without the mouth.
-    MouthArm<2> through(const GapMouth<2>& mouth, const std::array<PartOrCell, 2>& parts, double open, double rest)
+    MouthArm<D> through(const GapMouth<D>& mouth, const std::array<PartOrCell, 2>& parts, double open, double rest)
     {
-        MouthArm<2> arm{
-            -1, -1, mouth.solid, 0, PairTwist<2>::Zero(), PairMass<2>::Zero(), PairMass<2>::Zero(), PairTwist<2>::Zero(), {}};
-        const double h = (mouth.end - mouth.at).norm(), part = mouth.length / open, radius = mouth.radius;
-        const Vec<2> n = (mouth.end - mouth.at) / h, out = -left_of(n), middle = 0.5 * (mouth.at + mouth.end);
+        MouthArm<D> arm{
+            -1, -1, mouth.solid, 0, PairTwist<D>::Zero(), PairMass<D>::Zero(), PairMass<D>::Zero(), PairTwist<D>::Zero(), {}};
+        const double h = (mouth.end - mouth.at).norm(), part = mouth.length / open;
+        const Vec<D> n = (mouth.end - mouth.at) / h, out = -left_of_mouth(mouth, n), middle = 0.5 * (mouth.at + mouth.end);
         const int first = image_at(mouth.solid[0], middle), second = image_at(mouth.solid[1], middle);
         if (first < 0 || second < 0)
             return arm;
         const auto reference = [&](int k) { return planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift); };
-        const GapWalls<2> walls{{GapWall<2>(images_[first].shape, planes_), GapWall<2>(images_[second].shape, planes_)},
+        const GapWalls<D> walls{{GapWall<D>(images_[first].shape, planes_), GapWall<D>(images_[second].shape, planes_)},
                                 {reference(first), reference(second)}};
-        const Eigen::Matrix<double, 2, 2 * T> frame = mean_motion<2>(walls, {n, -n}, middle);
+        const Eigen::Matrix<double, D, 2 * T> frame = mean_motion<D>(walls, {n, -n}, middle);
         // The flux in the frame of the walls less that relative to the corner's solid.
-        PairTwist<2> carried = -h * frame.transpose() * out;
-        carried.head<T>() += h * speed_along<2>(out, middle, walls.reference[0]);
+        PairTwist<D> carried = -h * frame.transpose() * out;
+        carried.template head<T>() += h * speed_along<D>(out, middle, walls.reference[0]);
         for (int side = 0; side < 2; ++side) {
             const double share = mouth.share * mouth.sides[side].gap, sign = side == 0 ? 1 : -1;
             if (share > 0) {
-                const Vec<2> at =
+                const Vec<D> at =
                     cell_centre(planes_, complex_.index.index(complex_.cell_of(parts[side]))) + moved_.way(parts[side]);
                 const double way = std::max(0.0, -sign * out.dot(at - middle));
-                GapWay<2> along(walls, middle, out, n, h, frame);
-                for (const auto& point : along.points(side == 0 ? -way : 0.0, side == 0 ? 0.0 : way, 1.0, 0.0)) {
+                GapWay<D> along(walls, middle, out, n, h, frame);
+                for (const auto& point : along.points(side == 0 ? -way : 0.0, side == 0 ? 0.0 : way, 1.0, 0.0, true)) {
                     const double w = share * part * point.weight / point.thickness;
-                    const PairTwist<2> flux = (carried + point.flux) / part;
+                    const PairTwist<D> flux = (carried + point.flux) / part;
                     arm.resistance += w;
                     arm.flux += w * flux;
                     arm.mass += w * flux * flux.transpose();
@@ -309,48 +517,48 @@ private:
                 add_row(arm, parts[side], sign * share);
             }
             if (const double spread = mouth.share * (1 - mouth.sides[side].gap); spread > 0)
-                spread_out(parts[side], middle, radius, sign * spread, mouth.sides[side].outlet, mouth.share, part, arm);
+                spread_out(mouth, side, parts[side], middle, sign * spread, part, arm);
             if (mouth.share < 1)
                 add_row(arm, parts[side], sign * (1 - mouth.share));
         }
         arm.resistance = std::max(arm.resistance, parameters.least_covered);
         arm.resistance += rest;
-        Vec<2> way = Vec<2>::Zero();
+        Vec<D> way = Vec<D>::Zero();
         for (const auto& [row, weight] : arm.rows) {
-            Vec<2> place = cell_centre(planes_, complex_.index.index(complex_.cell_of(row)));
-            for (int axis = 0; axis < 2; ++axis)
+            Vec<D> place = cell_centre(planes_, complex_.index.index(complex_.cell_of(row)));
+            for (int axis = 0; axis < D; ++axis)
                 if (grid_.periodic(axis))
                     place[axis] -=
                         planes_.place[axis].period() * std::round((place[axis] - middle[axis]) / planes_.place[axis].period());
             way -= weight * place;
         }
-        const PairTwist<2> own = arm.flux, uniform = frame.transpose() * way;
+        const PairTwist<D> own = arm.flux, uniform = frame.transpose() * way;
         arm.flux += uniform;
         const double g = 1 / arm.resistance;
         arm.motion = -g * (own * uniform.transpose() + uniform * own.transpose() + uniform * uniform.transpose());
         arm.mass -= g * arm.flux * arm.flux.transpose();
         for (int side = 0; side < 2; ++side) { // round-off of what moves no wall
-            const PlacedShape<2>& shape = walls.wall(side).shape();
+            const PlacedShape<D>& shape = walls.wall(side).shape();
             if (solids_[mouth.solid[side]].wall)
                 still(arm, side * T, T);
             else if (shape.shape().sphere_radius() &&
-                     (planes_.in_cells(shape.to_world(Vec<2>::Zero())) - walls.reference[side]).norm() < place_unit)
-                still(arm, side * T + 2, 1);
+                     (planes_.in_cells(shape.to_world(Vec<D>::Zero())) - walls.reference[side]).norm() < place_unit)
+                still(arm, side * T + D, spin_size<D>);
         }
         return arm;
     }
 
     /// No energy of some components of the twists.
-    static void still(MouthArm<2>& arm, int first, int count)
+    static void still(MouthArm<D>& arm, int first, int count)
     {
         arm.flux.segment(first, count).setZero();
-        for (PairMass<2>* mass : {&arm.mass, &arm.motion}) {
+        for (PairMass<D>* mass : {&arm.mass, &arm.motion}) {
             mass->middleRows(first, count).setZero();
             mass->middleCols(first, count).setZero();
         }
     }
 
-    static void add_row(MouthArm<2>& arm, const PartOrCell& row, double weight)
+    static void add_row(MouthArm<D>& arm, const PartOrCell& row, double weight)
     {
         for (auto& [other, sum] : arm.rows)
             if (other.code == row.code) {
@@ -360,11 +568,55 @@ private:
         arm.rows.emplace_back(row, weight);
     }
 
+    /// Area of a part (3D: volume); exact between flat walls, of which those of the mouth's own solid meet at `edge`.
+    double size_of(std::int32_t part, const Vec<D>& edge) const
+    {
+        if constexpr (D == 2)
+            return complex_.part_area[part];
+        else {
+            const int number = complex_.cut_cell[complex_.part_cell[part]];
+            const Index<3> c = complex_.index.index(number);
+            const Vec<3> centre = cell_centre(planes_, c);
+            Vec<3> apex = edge;
+            for (int axis = 0; axis < 3; ++axis)
+                if (grid_.periodic(axis))
+                    apex[axis] +=
+                        planes_.place[axis].period() * std::round((centre[axis] - edge[axis]) / planes_.place[axis].period());
+            double size = 0;
+            std::array<bool, 6> known{};
+            const auto add_face = [&](int axis, int end, double area) {
+                size += (end == 0 ? -1 : 1) * area * (planes_.place[axis][c[axis] + end] - apex[axis]) / 3;
+            };
+            for (const std::int32_t k : pieces_.of(part)) {
+                const FacePiece<3>& piece = complex_.pieces[k];
+                const int end = piece.low.code == part && piece.face != number ? 1 : 0;
+                known[2 * piece.axis + end] = true;
+                add_face(piece.axis, end, piece.area);
+            }
+            if (complex_.is_main(part))
+                for (int q = 0; q < 6; ++q) {
+                    const Index<3> f = complex_.index.wrapped(Index<3>(c + q % 2 * step<3>(q / 2)));
+                    if (const double area = complex_.main_area[q / 2][complex_.index(f)]; area > 0 && !known[q])
+                        add_face(q / 2, q % 2, area);
+                }
+            for (const WallPatch<3>& patch : complex_.patches_of(part))
+                if (const int k = image_at(patch.solid, centre); k >= 0) {
+                    const Vec<3> x = planes_.in_cells(images_[k].shape.closest(planes_.in_world(centre)).x);
+                    const bool own = std::abs(images_[k].shape.closest(planes_.in_world(apex)).distance) <
+                                     parameters.joint_distance * planes_.dx;
+                    if (!own)
+                        size += patch.area.dot(x - apex) / 3;
+                }
+            return std::clamp(size, 0.0, 1.0);
+        }
+    }
+
     /// Over what of the circle about the mouth is joined with a part within the circle. Where the mouth has a share only, the rest of the flux leaves into
     /// the part itself: of the energy of both together the product of the two is missing in the sum of their resistances, about the outlet's.
-    void spread_out(const PartOrCell& from, const Vec<2>& centre, double radius, double weight, double outlet, double share,
-                    double part, MouthArm<2>& arm)
+    void spread_out(const GapMouth<D>& mouth, int side, const PartOrCell& from, const Vec<D>& centre, double weight,
+                    double part, MouthArm<D>& arm)
     {
+        const double outlet = mouth.sides[side].outlet, share = mouth.share;
         struct Target {
             PartOrCell at;
             double fraction, size; ///< of the cell that is the part's; what of it lies in the circle
@@ -374,17 +626,20 @@ private:
             if (!at.exists() ||
                 std::any_of(targets.begin(), targets.end(), [&](const Target& t) { return t.at.code == at.code; }))
                 return;
-            const Index<2> c = complex_.index.index(complex_.cell_of(at));
-            const Vec<2> low(planes_.place[0][c[0]], planes_.place[1][c[1]]),
-                high(planes_.place[0][c[0] + 1], planes_.place[1][c[1] + 1]);
-            Vec<2> nearest = centre; // of its images
-            for (int axis = 0; axis < 2; ++axis)
+            const Index<D> c = complex_.index.index(complex_.cell_of(at));
+            Vec<D> low, high;
+            for (int axis = 0; axis < D; ++axis) {
+                low[axis] = planes_.place[axis][c[axis]];
+                high[axis] = planes_.place[axis][c[axis] + 1];
+            }
+            Vec<D> nearest = centre; // of its images
+            for (int axis = 0; axis < D; ++axis)
                 if (grid_.periodic(axis))
                     nearest[axis] += planes_.place[axis].period() *
                                      std::round((0.5 * (low + high)[axis] - centre[axis]) / planes_.place[axis].period());
-            const double inside = area_in_circle(low, high, nearest, radius);
+            const double inside = area_in_circle(mouth, low, high, nearest, mouth.radius, 1 / part);
             if (inside > parameters.least_area || targets.empty()) {
-                const double fraction = at.is_part() ? complex_.part_area[at.number()] / (high - low).prod() : 1.0;
+                const double fraction = at.is_part() ? size_of(at.number(), mouth.at) / (high - low).prod() : 1.0;
                 targets.push_back({at, fraction, inside * fraction});
             }
         };
@@ -397,16 +652,16 @@ private:
                 for (const std::int32_t number : pieces_.of(at.number())) {
                     if (pieces_.in_mouth(number))
                         continue;
-                    const FacePiece<2>& piece = complex_.pieces[number];
+                    const FacePiece<D>& piece = complex_.pieces[number];
                     offer(piece.low);
                     offer(piece.high);
                 }
             if (complex_.is_main(at))
-                for (int axis = 0; axis < 2; ++axis) {
-                    const Index<2> c = complex_.index.index(complex_.cell_of(at));
+                for (int axis = 0; axis < D; ++axis) {
+                    const Index<D> c = complex_.index.index(complex_.cell_of(at));
                     for (const int end : {0, 1}) {
-                        const Index<2> f = complex_.index.wrapped(Index<2>(c + end * step<2>(axis))),
-                                       other = complex_.index.wrapped(Index<2>(c + (2 * end - 1) * step<2>(axis)));
+                        const Index<D> f = complex_.index.wrapped(Index<D>(c + end * step<D>(axis))),
+                                       other = complex_.index.wrapped(Index<D>(c + (2 * end - 1) * step<D>(axis)));
                         if (complex_.index.holds(other) && complex_.main_area[axis][complex_.index(f)] > 0 &&
                             !face_in_mouth(axis, complex_.index(f)))
                             offer(complex_.main_of(complex_.index(other)));
@@ -432,13 +687,13 @@ private:
     /// the mean of ln 1/r between two points of a square.
     static constexpr double node_excess = (std::numbers::egamma + 1.5 * std::numbers::ln2 - 0.8050866) / (2 * std::numbers::pi);
 
-    const Grid<2>& grid_;
-    const GridPlanes<2> planes_;
-    std::span<const Solid<2>> solids_;
-    const Complex<2>& complex_;
-    const PiecesOfParts pieces_;
-    const MovedNodes moved_;
-    std::vector<Image<2>> images_;
+    const Grid<D>& grid_;
+    const GridPlanes<D> planes_;
+    std::span<const Solid<D>> solids_;
+    const Complex<D>& complex_;
+    const PiecesOfParts<D> pieces_;
+    const MovedNodes<D> moved_;
+    std::vector<Image<D>> images_;
 };
 
 } // namespace
@@ -446,27 +701,24 @@ private:
 template <>
 std::vector<MouthArm<2>> find_mouth_arms(const Grid<2>& grid, std::span<const Solid<2>> solids, const Complex<2>& complex)
 {
-    return MouthArms(grid, solids, complex).find();
+    return MouthArms<2>(grid, solids, complex).find();
 }
 template <>
-std::vector<MouthArm<3>> find_mouth_arms(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&)
+std::vector<MouthArm<3>> find_mouth_arms(const Grid<3>& grid, std::span<const Solid<3>> solids, const Complex<3>& complex)
 {
-    return {};
+    return MouthArms<3>(grid, solids, complex).find();
 }
 
-template <>
-std::vector<std::pair<std::int32_t, Vec<2>>> moved_nodes(const Grid<2>& grid, const Complex<2>& complex)
+template <int D>
+std::vector<std::pair<std::int32_t, Vec<D>>> moved_nodes(const Grid<D>& grid, const Complex<D>& complex)
 {
-    std::vector<std::pair<std::int32_t, Vec<2>>> nodes;
-    const MovedNodes moved(grid, complex, PiecesOfParts(complex));
-    for (const MovedNode& m : moved.nodes())
+    std::vector<std::pair<std::int32_t, Vec<D>>> nodes;
+    const MovedNodes<D> moved(grid, complex, PiecesOfParts<D>(complex));
+    for (const MovedNode<D>& m : moved.nodes())
         nodes.emplace_back(m.part, m.share * m.way);
     return nodes;
 }
-template <>
-std::vector<std::pair<std::int32_t, Vec<3>>> moved_nodes(const Grid<3>&, const Complex<3>&)
-{
-    return {};
-}
+template std::vector<std::pair<std::int32_t, Vec<2>>> moved_nodes(const Grid<2>&, const Complex<2>&);
+template std::vector<std::pair<std::int32_t, Vec<3>>> moved_nodes(const Grid<3>&, const Complex<3>&);
 
 } // namespace gapflow

@@ -1,0 +1,97 @@
+// Mouths of gaps at sharp edges near other walls, in 3D: where the dividing planes lead, and what flows through them.
+#include "checks.hpp"
+
+#include "gapflow/complex/inertia.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace gapflow::testing {
+namespace {
+
+constexpr int cells = 16;
+
+/// Two boxes of 6 x 5 x 3 cells across a gap.
+void add_boxes(Scene<3>& scene, double gap, const Rotation<3>& turn, const Vec<3>& middle, const Vec<2>& offset = Vec<2>::Zero())
+{
+    for (const int side : {1, -1}) {
+        const Vec<3> x(side * 0.5 * offset[0], side * 0.5 * offset[1], side * 0.5 * (gap + 3));
+        Pose<3> at = pose<3>(Vec<3>((middle + turn * x) / cells));
+        at.rotation = turn;
+        scene.add("box", make_box<3>(Vec<3>(6, 5, 3) / cells), at);
+    }
+}
+Rotation<3> turned(const Vec<3>& axis, double angle)
+{
+    return Rotation<3>(Eigen::AngleAxisd(angle, axis.normalized()));
+}
+
+TEST(EdgeMouths, GoOnceAroundAGap)
+{
+    const Grid<3> grid = unit_grid<3>(cells);
+    for (const double gap : {0.5, 0.2, 1e-3})
+        for (const auto& turn : {turned({1, 0, 0}, 0), turned({0, 0, 1}, 0.3), turned({1, 2, -1}, 0.5), turned({1, 1, 0.3}, 1.1)}) {
+            Scene<3> scene(grid);
+            add_boxes(scene, gap, turn, {8.31, 7.83, 8.12});
+            const Complex<3> complex = build_complex<3>(grid, scene.solids);
+            EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12);
+            double area = 0;
+            for (const CornerLink<3>& link : complex.links)
+                if (link.mouth >= 0) {
+                    const GapMouth<3>& mouth = complex.mouths[link.mouth];
+                    area += link.open;
+                    EXPECT_NEAR((mouth.end - mouth.at).norm(), gap, 1e-9);
+                    EXPECT_NEAR(mouth.sides[0].gap + mouth.sides[1].gap, 1, 1e-12); // inside, outside
+                }
+            EXPECT_NEAR(area, 22 * gap, 0.002 * 22 * gap); // but for what is too small to be a part
+        }
+}
+
+TEST(EdgeMouths, InPlanesOfTheGrid)
+{
+    const Grid<3> grid = unit_grid<3>(cells);
+    Scene<3> scene(grid);
+    add_boxes(scene, 0.25, turned({1, 0, 0}, 0), {8, 7.5, 7.8}); // sides at 5, 11 and 5, 10
+    const Complex<3> complex = build_complex<3>(grid, scene.solids);
+    double area = 0;
+    for (const GapMouth<3>& mouth : complex.mouths) {
+        EXPECT_GE(mouth.axis, 0);
+        EXPECT_GE(mouth.piece, 0);
+        area += mouth.area;
+    }
+    EXPECT_NEAR(area, 22 * 0.25, 1e-9);
+    EXPECT_EQ(find_mouth_arms<3>(grid, scene.solids, complex).size(), 22U);
+}
+
+TEST(EdgeMouths, WhatLeavesArrives)
+{
+    const Grid<3> grid = unit_grid<3>(cells);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> number(0, 1);
+    const auto vector = [&] { return Vec<3>(number(random) - 0.5, number(random) - 0.5, number(random) - 0.5); };
+    int arms = 0;
+    for (int k = 0; k < 12; ++k) {
+        Scene<3> scene(grid);
+        add_boxes(scene, std::pow(10, -6 * number(random)), turned(vector(), 6.28 * number(random)),
+                  Vec<3>(8, 8, 8) + vector(), {4 * number(random) - 2, 4 * number(random) - 2});
+        const Complex<3> complex = build_complex<3>(grid, scene.solids);
+        EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12) << k;
+        for (const MouthArm<3>& arm : find_mouth_arms<3>(grid, scene.solids, complex)) {
+            ++arms;
+            double out = 0, in = 0;
+            for (const auto& [row, weight] : arm.rows)
+                (weight > 0 ? out : in) += weight;
+            EXPECT_TRUE(std::isfinite(arm.resistance) && arm.resistance > 0) << k;
+            EXPECT_NEAR(out + in, 0, 1e-12) << k;
+            EXPECT_LE(out, 1 + 1e-12) << k;
+            EXPECT_TRUE(arm.flux.allFinite() && arm.mass.allFinite()) << k;
+        }
+    }
+    EXPECT_GT(arms, 200);
+}
+
+} // namespace
+} // namespace gapflow::testing
