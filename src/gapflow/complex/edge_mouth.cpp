@@ -118,6 +118,8 @@ bool EdgeMouths::covered(int image, const Vec<3>& x) const
 
 void EdgeMouths::find_way(int image, int number)
 {
+    if (!placed_[image].shape.shape().convex())
+        return; // the way might lead through the solid itself
     const SharpEdge& edge = placed_[image].sharp.edges[number];
     const double reach = MouthWalls<3>::turning_end;
     const Vec<3> low = edge.from.cwiseMin(edge.to).array() - reach, high = edge.from.cwiseMax(edge.to).array() + reach;
