@@ -136,9 +136,16 @@ class Warnings(unittest.TestCase):
         self.assertAlmostEqual(done["matrix"][1][1] / (3.1416 / 16), 1.12, delta=0.04) # the closed box adds 12 %
         self.assertEqual(done["warnings"], [])
         self.assertIn("gaps      model parts", gapflow("check", self.scene).stdout)
-        refused = gapflow("run", self.scene, "-o", self.out)
-        self.assertEqual(refused.returncode, 2)
-        self.assertRegex(refused.stderr, "scene.toml:\\d+:\\d+: gap.model.* no runs.*version 0.2")
+        for key, value, words in (("fluid.viscosity", "0.001", "without viscosity"), ("fluid.velocity", "[1, 0]", "at rest without bodies"),
+                                  ("gap.exit", "jet", "reversible exits")):
+            with self.subTest(key):
+                refused = gapflow("run", self.scene, "-o", self.out, "--set", f"{key}={value}")
+                self.assertEqual(refused.returncode, 2, refused.stderr)
+                self.assertRegex(refused.stderr, f"{key}.*{words}")
+                self.assertFalse(self.out.exists())
+        self.assertEqual(gapflow("run", self.scene, "-o", self.out).returncode, 0)
+        last = (self.out / "bodies.csv").read_text().splitlines()[-1].split(",")
+        self.assertAlmostEqual(float(last[7]) / (0.002 / (0.001 + 1.12 * 3.1416 / 16)), 1, delta=0.06)
         self.scene.write_text(PLATE.format(thickness=0.001, more=parts).replace("[0.5, 0.001]", "[0.125, 0.001]"))
         self.assertIn("body 'plate' is thin and 4 cells long: its added mass errs by some 8.5 %", gapflow("check", self.scene).stdout)
         self.write(3, '[[pair]]\nbodies = ["plate", "wall:x_low"]\nmodel = "parts"')

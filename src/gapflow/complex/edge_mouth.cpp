@@ -81,7 +81,7 @@ EdgeMouths::Place EdgeMouths::place(int image, int number, double s) const
         share_up_to(0.5 * std::sqrt(std::max(0.0, 1 - cosine * cosine)) / cosine, parameters.gap_start, parameters.gap_end);
     place.share = facing * share_up_to(place.distance, parameters.mouth_start, parameters.gap_end);
     if (const int other = edge_at(place.wall.image, foot); other >= 0) { // two edges: one mouth
-        const SurfacePoint<3> back = placed_[image].shape.closest(place.wall.nearest.x);
+        const SurfacePoint<3> back = closest_point<3>(placed_[image].shape, place.wall.nearest.x);
         const bool mutual = (planes_.in_cells(back.x) - place.at).norm() < parameters.joint_distance;
         if (!mutual || std::pair(image, number) > std::pair(place.wall.image, other)) {
             place.own = 1 - place.share;
@@ -110,7 +110,7 @@ bool EdgeMouths::covered(int image, const Vec<3>& x) const
         const PlacedSolid<3>& other = placed_[i];
         if (i != image &&
             (other.inverse || ((x.array() >= other.low.array()).all() && (x.array() <= other.high.array()).all())) &&
-            !(other.shape.closest(planes_.in_world(x)).distance > 0))
+            !(closest_point<3>(other.shape, planes_.in_world(x)).distance > 0))
             return true;
     }
     return false;
@@ -264,7 +264,7 @@ GapMouth<3> EdgeMouths::section(int image, int number, const Place& place) const
         mouth.sides[side] = walls_.side(image, place.wall, mouth.at, mouth.end, along, mouth.radius);
         for (const int wall : {0, 1}) {
             const PlacedShape<3>& shape = wall == 0 ? placed_[image].shape : walls_.shape_of(place.wall);
-            const SurfacePoint<3> point = shape.closest(planes_.in_world(0.5 * (mouth.at + mouth.end + along)));
+            const SurfacePoint<3> point = closest_point<3>(shape, planes_.in_world(0.5 * (mouth.at + mouth.end + along)));
             mouth.walls[side][wall] = {planes_.in_cells(point.x), point.normal};
         }
     }

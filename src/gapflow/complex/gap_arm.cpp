@@ -262,7 +262,7 @@ private:
         for (int side = 0; side < 2; ++side)
             if (const PartOrCell& at = side == 0 ? piece.low : piece.high; at.is_part())
                 for (auto moved = std::lower_bound(moved_.begin(), moved_.end(), at.number(),
-                                                   [](const auto& m, std::int32_t p) { return m.first < p; });
+                                                   [](const auto&m, std::int32_t p) { return m.first < p; });
                      moved != moved_.end() && moved->first == at.number(); ++moved)
                     place.moved[side] += share_of_way(place.way, moved->second);
         // Parts one above the other at a mouth that runs through both may change their order: a quarter of the way stays.

@@ -1,6 +1,7 @@
 #include "gapflow/complex/mouth_arm.hpp"
 
 #include "gapflow/complex/gap_way.hpp"
+#include "gapflow/complex/mouth_walls.hpp"
 #include "gapflow/complex/parameters.hpp"
 
 #include <algorithm>
@@ -445,7 +446,7 @@ private:
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < images_.size(); ++k)
             if (images_[k].solid == solid)
-                if (const double distance = std::abs(images_[k].shape.closest(planes_.in_world(x)).distance);
+                if (const double distance = std::abs(closest_point<D>(images_[k].shape, planes_.in_world(x)).distance);
                     distance < least) {
                     least = distance;
                     nearest = static_cast<int>(k);
@@ -601,8 +602,8 @@ private:
                 }
             for (const WallPatch<3>& patch : complex_.patches_of(part))
                 if (const int k = image_at(patch.solid, centre); k >= 0) {
-                    const Vec<3> x = planes_.in_cells(images_[k].shape.closest(planes_.in_world(centre)).x);
-                    const bool own = std::abs(images_[k].shape.closest(planes_.in_world(apex)).distance) <
+                    const Vec<3> x = planes_.in_cells(closest_point<D>(images_[k].shape, planes_.in_world(centre)).x);
+                    const bool own = std::abs(closest_point<D>(images_[k].shape, planes_.in_world(apex)).distance) <
                                      parameters.joint_distance * planes_.dx;
                     if (!own)
                         size += patch.area.dot(x - apex) / 3;

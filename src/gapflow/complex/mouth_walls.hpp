@@ -15,6 +15,13 @@
 
 namespace gapflow {
 
+/// As PlacedShape::closest, compiled as all of this folder is.
+template <int D>
+[[gnu::flatten]] SurfacePoint<D> closest_point(const PlacedShape<D>& shape, const Vec<D>& x)
+{
+    return shape.closest(x);
+}
+
 /// The wall of another solid, or of an image or a side of the domain.
 template <int D>
 struct OtherWall {
@@ -40,7 +47,7 @@ public:
         OtherWall<D> wall;
         const Vec<D> x = planes_.in_world(at);
         const auto offer = [&](const PlacedShape<D>& shape, int i, int side) {
-            const SurfacePoint<D> point = shape.closest(x);
+            const SurfacePoint<D> point = closest_point<D>(shape, x);
             if (const double distance = point.distance / planes_.dx; distance > 0 && distance < wall.distance)
                 wall = {i, side, point, distance};
         };
@@ -67,7 +74,7 @@ public:
     double room(int image, const OtherWall<D>& wall, const Vec<D>& x, double radius) const
     {
         const auto offer = [&](const PlacedShape<D>& shape) {
-            radius = std::min(radius, std::max(0.0, shape.closest(planes_.in_world(x)).distance / planes_.dx));
+            radius = std::min(radius, std::max(0.0, closest_point<D>(shape, planes_.in_world(x)).distance / planes_.dx));
         };
         for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
             const PlacedSolid<D>& other = placed_[i];
@@ -107,7 +114,7 @@ private:
                    double distance) const
     {
         const auto away = [&](const Vec<D>& y) {
-            return shape.closest(planes_.in_world(y)).distance / (planes_.dx * distance);
+            return closest_point<D>(shape, planes_.in_world(y)).distance / (planes_.dx * distance);
         };
         return std::asin(std::clamp(away(x + distance * along), -1.0, 1.0)) +
                std::asin(std::clamp(away(x + distance * behind), 0.0, 1.0));

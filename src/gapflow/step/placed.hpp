@@ -16,8 +16,8 @@ struct Placed {
     FaceDerivatives<D> derivatives;
     std::vector<GapArm<D>> arms;
     std::vector<PairInertia<D>> pairs; ///< what gaps add to the masses of two solids
-    std::vector<int> node; ///< of each part, -1: none
-    Coupling<D> coupling;  ///< with the masses of the bodies at these places
+    std::vector<int> node;             ///< of each part, -1: none
+    Coupling<D> coupling;              ///< with the masses of the bodies at these places
 };
 
 /// `mass`: of all solids. `observed`: also the fractions of the grid's faces, for measures and files. Collective.

@@ -15,7 +15,8 @@ namespace {
 constexpr int cells = 16;
 
 /// Two boxes of 6 x 5 x 3 cells across a gap.
-void add_boxes(Scene<3>& scene, double gap, const Rotation<3>& turn, const Vec<3>& middle, const Vec<2>& offset = Vec<2>::Zero())
+void add_boxes(Scene<3>& scene, double gap, const Rotation<3>& turn, const Vec<3>& middle,
+               const Vec<2>& offset = Vec<2>::Zero())
 {
     for (const int side : {1, -1}) {
         const Vec<3> x(side * 0.5 * offset[0], side * 0.5 * offset[1], side * 0.5 * (gap + 3));
@@ -33,7 +34,8 @@ TEST(EdgeMouths, GoOnceAroundAGap)
 {
     const Grid<3> grid = unit_grid<3>(cells);
     for (const double gap : {0.5, 0.2, 1e-3})
-        for (const auto& turn : {turned({1, 0, 0}, 0), turned({0, 0, 1}, 0.3), turned({1, 2, -1}, 0.5), turned({1, 1, 0.3}, 1.1)}) {
+        for (const auto& turn :
+             {turned({1, 0, 0}, 0), turned({0, 0, 1}, 0.3), turned({1, 2, -1}, 0.5), turned({1, 1, 0.3}, 1.1)}) {
             Scene<3> scene(grid);
             add_boxes(scene, gap, turn, {8.31, 7.83, 8.12});
             const Complex<3> complex = build_complex<3>(grid, scene.solids);
@@ -75,8 +77,8 @@ TEST(EdgeMouths, WhatLeavesArrives)
     int arms = 0;
     for (int k = 0; k < 12; ++k) {
         Scene<3> scene(grid);
-        add_boxes(scene, std::pow(10, -6 * number(random)), turned(vector(), 6.28 * number(random)),
-                  Vec<3>(8, 8, 8) + vector(), {4 * number(random) - 2, 4 * number(random) - 2});
+        add_boxes(scene, std::pow(10, -6 * number(random)), turned(vector(), 6.28 * number(random)), Vec<3>(8, 8, 8) + vector(),
+                  {4 * number(random) - 2, 4 * number(random) - 2});
         const Complex<3> complex = build_complex<3>(grid, scene.solids);
         EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12) << k;
         for (const MouthArm<3>& arm : find_mouth_arms<3>(grid, scene.solids, complex)) {
