@@ -27,13 +27,14 @@ DenseIndex<D>::DenseIndex(const Grid<D>& grid)
     wraps = around;
 }
 
-/// Whether a block holds all of the domain, and no image lies beyond its sides.
-bool sees_all(const Grid<3>& grid, const DenseIndex<3>& index)
+/// Whether the domain is periodic along an axis.
+template <int D>
+bool any_periodic(const Grid<D>& grid)
 {
-    for (int axis = 0; axis < 3; ++axis)
-        if (grid.periodic(axis) || index.low[axis] > 0 || index.high()[axis] < grid.cells()[axis])
-            return false;
-    return true;
+    bool any = false;
+    for (int axis = 0; axis < D; ++axis)
+        any = any || grid.periodic(axis);
+    return any;
 }
 
 template <int D>
@@ -53,13 +54,19 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     // Corners and edges divide cells between them and other walls.
     low -= Vec<D>::Constant(2);
     high += Vec<D>::Constant(2);
+    const bool edges_lead = D == 3 && mouths && !any_periodic(grid);
+    if (edges_lead) // an edge's plane depends on all that lies along it, whichever rank has it
+        for (int axis = 0; axis < D; ++axis) {
+            low[axis] = planes.place[axis][planes.place[axis].first()] - 2;
+            high[axis] = planes.place[axis][planes.place[axis].last()] + 2;
+        }
     std::vector<PlacedSolid<D>> placed = place_solids<D>(grid, planes, solids, low, high);
     if constexpr (D == 2)
         if (mouths)
             complex.mouths = find_mouths(planes, solids, placed);
     std::optional<EdgeMouths> edge_mouths;
     if constexpr (D == 3)
-        if (mouths && sees_all(grid, complex.index)) // an edge's plane depends on all that lies along it
+        if (edges_lead)
             edge_mouths.emplace(planes, solids, placed);
     const CutFaces<D> cut = cut_faces<D>(grid, planes, complex.index, placed, derivatives || borders);
     complex.cell.assign(complex.index.count, Complex<D>::solid);
