@@ -232,7 +232,10 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
             continue;
         const FacePiece<D>& piece = complex.pieces[gap.piece];
         const Index<D> f = complex.index.index(piece.face);
-        const double delta = grid.spread(piece.axis, f[piece.axis]), a = delta / gap.resistance, change = a - piece.area;
+        // Of what others take from its area, it gives no more than half of what it is: the weight stays positive.
+        const double delta = grid.spread(piece.axis, f[piece.axis]), a = delta / gap.resistance,
+                     lent = inertia.piece_weight[gap.piece] - piece.area,
+                     change = a - piece.area + std::max(0.0, -0.5 * a - lent);
         inertia.piece_weight[gap.piece] += change;
         if (complex.joins_main(piece))
             inertia.main_weight[piece.axis][piece.face] += change;

@@ -52,6 +52,28 @@ TEST(EdgeMouths, GoOnceAroundAGap)
         }
 }
 
+// A face of a gap whose neighbours lend and take in several directions: it would have a negative weight, and the system no solution.
+TEST(EdgeMouths, LeaveWeightsPositive)
+{
+    const Grid<3> grid = unit_grid<3>(36);
+    Scene<3> scene(grid);
+    const Rotation<3> turn(
+        Eigen::Quaterniond(0.9999997231221133, 0.000537435886363695, -0.0001095487839814736, -0.0005029089666439655)
+            .normalized());
+    for (const Vec<3>& x : {Vec<3>(1.4672968771452815, 1.5053392416777391, 1.6445972553611163),
+                            Vec<3>(1.4673561794241685, 1.505629427225766, 1.374597417813781)}) {
+        Pose<3> at = pose<3>(Vec<3>(x / 3));
+        at.rotation = turn;
+        scene.add("plate", make_box<3>(Vec<3>(12, 12, 3) / 36), at);
+    }
+    const std::span<const Solid<3>> solids = scene.solids;
+    const Complex<3> complex = build_complex<3>(grid, solids);
+    const Inertia<3> inertia =
+        find_inertia<3>(grid, complex, find_gap_arms<3>(grid, solids, complex), find_mouth_arms<3>(grid, solids, complex));
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k)
+        EXPECT_GE(inertia.piece_weight[k], 0) << k;
+}
+
 TEST(EdgeMouths, InPlanesOfTheGrid)
 {
     const Grid<3> grid = unit_grid<3>(cells);
