@@ -32,21 +32,6 @@ int keep_positive(double a, double b, double& from, double& to)
     return 0;
 }
 
-/// A convex polygon's part where n . x + c >= 0.
-void clip(std::vector<Vec<2>>& polygon, const Vec<2>& n, double c)
-{
-    std::vector<Vec<2>> kept;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vec<2>&p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-        const double a = n.dot(p) + c, b = n.dot(q) + c;
-        if (a >= 0)
-            kept.push_back(p);
-        if ((a >= 0) != (b >= 0))
-            kept.push_back(p + a / (a - b) * (q - p));
-    }
-    polygon = kept;
-}
-
 double area(const std::vector<Vec<2>>& polygon)
 {
     double sum = 0;
@@ -73,6 +58,20 @@ bool part_in_cell(const SharpEdge& edge, const Vec<3>& low, const Vec<3>& high, 
 }
 
 } // namespace
+
+void clip(std::vector<Vec<2>>& polygon, const Vec<2>& n, double c)
+{
+    std::vector<Vec<2>> kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec<2>&p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+        const double a = n.dot(p) + c, b = n.dot(q) + c;
+        if (a >= 0)
+            kept.push_back(p);
+        if ((a >= 0) != (b >= 0))
+            kept.push_back(p + a / (a - b) * (q - p));
+    }
+    polygon = kept;
+}
 
 namespace {
 

@@ -172,6 +172,9 @@ struct RimLine {
 /// Of the part of the cone outside the solid, in the plane x[d] = at, in the rectangle low .. high.
 InlineVector<RimLine, 2> rim_lines(const SharpRim& rim, int d, double at, const Vec<2>& low, const Vec<2>& high);
 
+/// A convex polygon becomes its part where n . x + c >= 0.
+void clip(std::vector<Vec<2>>& polygon, const Vec<2>& n, double c);
+
 /// Conductance (over 1/density) of the link across a dividing line of which a length `open` lies in the fluid of the corner's cell;
 /// `covered`: from the corner back along the bisector to the cell's border. In 3D `open` is an area, `covered` the mean length behind the
 /// edge: area over the edge's length.

@@ -232,10 +232,10 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
             continue;
         const FacePiece<D>& piece = complex.pieces[gap.piece];
         const Index<D> f = complex.index.index(piece.face);
-        // Of what others take from its area, it gives no more than half of what it is: the weight stays positive.
+        // Of what others take from its area it gives all but a twentieth of what it is: the weight stays positive. The derivative does not know that.
         const double delta = grid.spread(piece.axis, f[piece.axis]), a = delta / gap.resistance,
                      lent = inertia.piece_weight[gap.piece] - piece.area,
-                     change = a - piece.area + std::max(0.0, -0.5 * a - lent);
+                     change = a - piece.area + std::max(0.0, -0.95 * a - lent);
         inertia.piece_weight[gap.piece] += change;
         if (complex.joins_main(piece))
             inertia.main_weight[piece.axis][piece.face] += change;

@@ -1,5 +1,6 @@
 #include "gapflow/complex/mouth_arm.hpp"
 
+#include "gapflow/complex/corner.hpp"
 #include "gapflow/complex/gap_way.hpp"
 #include "gapflow/complex/mouth_walls.hpp"
 #include "gapflow/complex/parameters.hpp"
@@ -345,21 +346,6 @@ private:
     std::vector<MovedNode<D>> nodes_;
 };
 
-/// A convex polygon's part where n . x + c >= 0.
-void keep_positive(std::vector<Vec<2>>& polygon, const Vec<2>& n, double c)
-{
-    std::vector<Vec<2>> kept;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vec<2>&p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-        const double a = n.dot(p) + c, b = n.dot(q) + c;
-        if (a >= 0)
-            kept.push_back(p);
-        if ((a >= 0) != (b >= 0))
-            kept.push_back(p + a / (a - b) * (q - p));
-    }
-    polygon = kept;
-}
-
 /// Area of the triangle 0, a, b within a circle about 0, positive counterclockwise.
 double area_in_circle(const Vec<2>& a, const Vec<2>& b, double radius)
 {
@@ -401,8 +387,8 @@ double area_in_circle(const GapMouth<3>& mouth, const Vec<3>& low, const Vec<3>&
         std::vector<Vec<2>> polygon{{-radius, -radius}, {radius, -radius}, {radius, radius}, {-radius, radius}};
         for (int axis = 0; axis < 3; ++axis) {
             const Vec<2> slope(mouth.across[axis], n[axis]);
-            keep_positive(polygon, slope, at[axis] - low[axis]);
-            keep_positive(polygon, -slope, high[axis] - at[axis]);
+            clip(polygon, slope, at[axis] - low[axis]);
+            clip(polygon, -slope, high[axis] - at[axis]);
         }
         double sum = 0;
         for (std::size_t i = 0; i < polygon.size(); ++i)
