@@ -11,6 +11,8 @@
 
 namespace gapflow {
 
+namespace {
+
 SolverOptions step_options(const Scene& scene)
 {
     SolverOptions options;
@@ -18,6 +20,8 @@ SolverOptions step_options(const Scene& scene)
     options.backend = scene.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
     return options;
 }
+
+} // namespace
 
 template <int D>
 Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers)

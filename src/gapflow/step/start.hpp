@@ -13,7 +13,4 @@ namespace gapflow {
 template <int D>
 Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers);
 
-/// Of the solves of a run on parts.
-SolverOptions step_options(const Scene& scene);
-
 } // namespace gapflow
