@@ -64,12 +64,17 @@ struct SeenVolumeRate {
     Eigen::Matrix<double, D, twist_size<D>> moment = Eigen::Matrix<double, D, twist_size<D>>::Zero();
 };
 
+/// By angular velocities.
+template <int D>
+using SpinMatrix = Eigen::Matrix<double, spin_size<D>, spin_size<D>>;
+
 /// What D of a solid is made of (seen_volume.hpp).
 template <int D>
 struct SeenSolid {
     std::array<SeenVolume<D>, D> along;
     double volume = 0;                ///< its own
     Vec<D> centroid = Vec<D>::Zero(); ///< its own, from the reference point
+    SpinMatrix<D> rotation = SpinMatrix<D>::Zero(); ///< see seen_rotation.hpp
     double sign = 1;                  ///< -1: the solid is inside out
     /// Of the solid that is in the fluid, inside the domain and not within another solid: the volume that the planes see through the walls of
     /// the complex, over that of the whole solid, `all`.
@@ -83,6 +88,7 @@ template <int D>
 struct SeenRate {
     SeenSolid<D> seen;
     std::array<SeenVolumeRate<D>, D> along;
+    std::array<SpinMatrix<D>, twist_size<D>> rotation;
     Twist<D> share = Twist<D>::Zero();
     Vec<D> share_by_walls = Vec<D>::Zero(), reference = Vec<D>::Zero();
 };

@@ -82,7 +82,12 @@ public:
                       terms->resistance,
                       terms->flux,
                       terms->motion,
-                      terms->mass};
+                      terms->mass,
+                      site->here.thickness,
+                      PairTwist<D>::Zero()};
+        for (int side = 0; side < 2; ++side)
+            arm.opening.template segment<twist_size<D>>(side * twist_size<D>) =
+                -speed_along<D>(site->here.normal[side], site->here.middle, site->walls.reference[side]);
         for (int side = 0; side < 2; ++side) // round-off of what moves no wall
             if (site->still[side])
                 still(arm, side * twist_size<D>, twist_size<D>);
@@ -113,7 +118,7 @@ private:
     /// No energy of some components of the twists.
     static void still(GapArm<D>& arm, int first, int count)
     {
-        for (PairTwist<D>* row : {&arm.flux, &arm.motion})
+        for (PairTwist<D>* row : {&arm.flux, &arm.motion, &arm.opening})
             row->segment(first, count).setZero();
         arm.mass.middleRows(first, count).setZero();
         arm.mass.middleCols(first, count).setZero();

@@ -40,6 +40,8 @@ struct GapArm {
     PairTwist<D> flux;   ///< c
     PairTwist<D> motion; ///< the walls' mean velocity along the face's axis
     PairMass<D> mass;    ///< B
+    double thickness;    ///< at the piece
+    PairTwist<D> opening; ///< its rate
 };
 
 /// Of all pieces of the complex that lie in gaps, in their order.

@@ -1,6 +1,7 @@
 #include "gapflow/complex/seen_volume.hpp"
 
 #include "gapflow/complex/lever.hpp"
+#include "gapflow/complex/seen_rotation.hpp"
 #include "gapflow/complex/surface_rate.hpp"
 
 #include <algorithm>
@@ -259,6 +260,7 @@ SeenSolid<D> seen_of(const PlacedSolid<D>& solid, const Solid<D>& of, const Grid
     seen.centroid = of.shape.rotation() * own.centre / planes.dx;
     for (int d = 0; d < D; ++d)
         seen.centroid[d] += rounded(origin[d]) - rounded(reference[d]);
+    seen.rotation = seen_rotation<D>(solid, solid.reference + seen.centroid);
     double within = 0;
     for (int d = 0; d < D; ++d) {
         seen.along[d] = sum_of_sections(solid, d, all_planes(solid, d));
@@ -285,6 +287,7 @@ SeenRate<D> rate_of(const PlacedSolid<D>& solid, const SeenSolid<D>& seen, const
     SeenRate<D> result;
     result.seen = seen;
     result.reference = solid.reference;
+    result.rotation = seen_rotation_rate<D>(solid, solid.reference + seen.centroid);
     Twist<D> within = Twist<D>::Zero(), all = Twist<D>::Zero();
     for (int d = 0; d < D; ++d) {
         SeenVolumeRate<D>& along = result.along[d];
@@ -349,6 +352,7 @@ TwistMatrix<D> seen_mass(const SeenSolid<D>& seen)
             sum += 1 / volume * flux * flux.transpose();
         }
     }
+    sum.template bottomRightCorner<spin_size<D>, spin_size<D>>() += seen.rotation;
     return seen.sign * seen.share * sum;
 }
 
@@ -360,9 +364,11 @@ SeenEnergyRate<D> half_square_rate(const SeenRate<D>& rate, const Twist<D>& V)
     const Vec<D> speed = velocity_at<D>(V, seen.centroid);
     // omega x (turn x centroid) . speed
     const Vec<D> by_centroid = -spin_velocity<D>(omega, speed);
-    double sum = -0.5 * seen.volume * speed.squaredNorm();
+    double sum = 0.5 * (omega.dot(seen.rotation * omega) - seen.volume * speed.squaredNorm());
     SeenEnergyRate<D> result;
     result.by_place.template tail<spin_size<D>>() = -seen.volume * moment<D>(seen.centroid, by_centroid);
+    for (int k = 0; k < twist_size<D>; ++k)
+        result.by_place[k] += 0.5 * omega.dot(rate.rotation[k] * omega);
     for (int d = 0; d < D; ++d) {
         const double volume = seen.along[d].volume;
         if (!(volume > 0))

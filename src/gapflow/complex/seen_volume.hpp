@@ -5,7 +5,8 @@
 //
 //     D = sum_d V_d w_d(c_d) w_d(c_d)^T - V w_d(c) w_d(c)^T,    w_d(x) = (e_d, (x - r) x e_d),
 //
-// r the reference point of its twist: w_d . twist is the velocity along d of a point that moves with the solid.
+// r the reference point of its twist: w_d . twist is the velocity along d of a point that moves with the solid. To the block of two rotations comes what
+// seen_rotation.hpp gives.
 #pragma once
 
 #include "gapflow/complex/area_derivative.hpp"

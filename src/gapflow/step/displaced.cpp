@@ -5,16 +5,18 @@
 #include "gapflow/step/matching.hpp"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <map>
 #include <utility>
 
 namespace gapflow {
 namespace {
 
-// Cells, and radians over the body's radius in cells, to each side: small against a cell, so that the difference is the derivative; large against the tilt at
-// which a wall that is nearly parallel to a plane of the grid passes it, so that this is no spike.
-constexpr double small_way = 1e-3;
-constexpr int relaxations = 4; // chains of slivers are short
+// To each side, over the width of a gap or a cell: of a gap's energy, which goes as its inverse, the difference misses the square of this. Less far, a wall
+// that is nearly parallel to a plane of the grid and passes it is a spike.
+constexpr double small_way = 0.05;
+constexpr double accuracy = 1e-5; // of the local values, over what they start with
+constexpr int most_iterations = 100;
 
 } // namespace
 
@@ -27,23 +29,34 @@ EnergyTerms<D>::EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, co
     const Grid<D>& grid = *grid_;
     const CoupledSystem<D>&system = of.system, &other = near.coupling.system;
     const std::vector<MatchedPart> there = matched_parts(grid, complex, near.complex);
+    const Differing differing = differing_cells(of, near.coupling);
+    const auto add = [&](const Index<D>& c, int own_node, long start) {
+        const long local = known_ + static_cast<long>(local_.size());
+        local_.push_back({start, 0, {}});
+        if (own_node >= 0)
+            value_of_node_[own_node] = local;
+        else
+            local_value_.emplace_back(grid.key(c), local);
+    };
+    std::vector<char> done(cells_, 0);
     for (int part = 0; part < complex.parts(); ++part) {
         const Index<D> c = grid.wrapped(complex.cell_of_part(part));
-        if (!grid.owns(c) || (node[part] < 0 && !complex.is_main(part)))
+        if (!grid.owns(c) || (node[part] < 0 && (!complex.is_main(part) || system.component(c) < 0)))
             continue;
         const MatchedPart& match = there[part];
         const long key = grid.key(c);
         const bool to_main = match.kind == MatchedPart::Kind::main && other.component(c) >= 0,
                    to_node = match.kind == MatchedPart::Kind::other && near.node[match.part] >= 0;
-        if (node[part] < 0 && to_main)
-            continue;
-        const long local = known_ + static_cast<long>(local_.size());
-        local_.push_back({to_main ? key : to_node ? cells_ + near.node[match.part] : -1, 0, {}});
-        if (node[part] >= 0)
-            value_of_node_[node[part]] = local;
-        else
-            local_value_.emplace_back(key, local);
+        if (node[part] < 0) {
+            if (to_main && !std::binary_search(differing.begin(), differing.end(), key))
+                continue;
+            done[key] = 1;
+        }
+        add(c, node[part], to_main ? key : to_node ? cells_ + near.node[match.part] : -1);
     }
+    for (const long key : differing)
+        if (const Index<D> c = grid.cell_of_key(key); !done[key] && system.component(c) >= 0)
+            add(c, -1, other.component(c) >= 0 ? key : -1);
     std::sort(local_value_.begin(), local_value_.end());
     add_faces(system, other);
     add_links(system);
@@ -51,6 +64,47 @@ EnergyTerms<D>::EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, co
         fluxes_.push_back({value_of_cell(entry.row), entry.body, entry.flux});
     for (const auto& entry : of.node_flux)
         fluxes_.push_back({value_of_node_[entry.row], entry.body, entry.flux});
+}
+
+template <int D>
+typename EnergyTerms<D>::Differing EnergyTerms<D>::differing_cells(const Coupling<D>& of, const Coupling<D>& other) const
+{
+    const Grid<D>& grid = *grid_;
+    Differing cells;
+    const auto offer = [&](const Index<D>& c) {
+        if (const Index<D> w = grid.wrapped(c); grid.in_domain(w))
+            cells.push_back(grid.key(w));
+    };
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            if (of.system.conductance(axis, f) != other.system.conductance(axis, f)) {
+                offer(f);
+                offer(f - step<D>(axis));
+            }
+        });
+    using Entry = std::pair<std::pair<long, int>, Twist<D>>;
+    const auto entries = [&](const Coupling<D>& coupling) {
+        std::vector<Entry> list;
+        for (const auto& entry : coupling.cell_flux)
+            list.push_back({{grid.key(entry.row), entry.body}, entry.flux});
+        std::sort(list.begin(), list.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
+        return list;
+    };
+    const std::vector<Entry> own = entries(of), others = entries(other);
+    for (auto a = own.begin(), b = others.begin(); a != own.end() || b != others.end();) {
+        const bool first = b == others.end() || (a != own.end() && a->first <= b->first),
+                   second = a == own.end() || (b != others.end() && b->first <= a->first);
+        if (!(first && second && a->second == b->second))
+            cells.push_back(first ? a->first.first : b->first.first);
+        a += first;
+        b += second;
+    }
+    for (const Link& link : of.system.links)
+        for (const auto& [key, weight] : link.cells)
+            cells.push_back(key);
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return cells;
 }
 
 template <int D>
@@ -139,23 +193,59 @@ double EnergyTerms<D>::value(long number, const PotentialFlow<D>& flow, const st
 }
 
 template <int D>
+void EnergyTerms<D>::multiply(const std::vector<double>& local, std::vector<double>& product) const
+{
+    for (std::size_t k = 0; k < local_.size(); ++k) {
+        double sum = local_[k].diagonal * local[k];
+        for (const auto& [number, conductance] : local_[k].others)
+            if (number >= known_)
+                sum -= conductance * local[number - known_];
+        product[k] = sum;
+    }
+}
+
+// By conjugate gradients with the diagonal as preconditioner.
+template <int D>
 std::vector<double> EnergyTerms<D>::local_values(const PotentialFlow<D>& flow) const
 {
-    std::vector<double> local(local_.size(), 0.0), inflow(local_.size(), 0.0);
-    for (std::size_t k = 0; k < local_.size(); ++k)
+    const std::size_t count = local_.size();
+    std::vector<double> local(count, 0.0), rest(count, 0.0), direction(count, 0.0), product(count, 0.0);
+    for (std::size_t k = 0; k < count; ++k) {
         if (local_[k].start >= 0)
             local[k] = value(local_[k].start, flow, local);
+        for (const auto& [number, conductance] : local_[k].others)
+            if (number < known_)
+                rest[k] += conductance * value(number, flow, local);
+    }
     for (const Flux& entry : fluxes_)
         if (entry.value >= known_)
-            inflow[entry.value - known_] -= entry.flux.dot(flow.twists[entry.solid]);
-    for (int sweep = 0; sweep < relaxations; ++sweep)
-        for (std::size_t k = 0; k < local_.size(); ++k) {
-            double sum = inflow[k];
-            for (const auto& [number, conductance] : local_[k].others)
-                sum += conductance * value(number, flow, local);
-            if (local_[k].diagonal > 0)
-                local[k] = sum / local_[k].diagonal;
+            rest[entry.value - known_] -= entry.flux.dot(flow.twists[entry.solid]);
+    multiply(local, product);
+    double square = 0;
+    const auto scaled = [&](std::size_t k) { return local_[k].diagonal > 0 ? rest[k] / local_[k].diagonal : 0.0; };
+    for (std::size_t k = 0; k < count; ++k) {
+        rest[k] -= product[k];
+        direction[k] = scaled(k);
+        square += rest[k] * direction[k];
+    }
+    const double enough = accuracy * accuracy * square;
+    for (int iteration = 0; iteration < most_iterations && square > enough; ++iteration) {
+        multiply(direction, product);
+        double energy = 0;
+        for (std::size_t k = 0; k < count; ++k)
+            energy += direction[k] * product[k];
+        if (!(energy > 0))
+            break;
+        const double length = square / energy, last = square;
+        square = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            local[k] += length * direction[k];
+            rest[k] -= length * product[k];
+            square += rest[k] * scaled(k);
         }
+        for (std::size_t k = 0; k < count; ++k)
+            direction[k] = scaled(k) + square / last * direction[k];
+    }
     return local;
 }
 
@@ -189,11 +279,14 @@ double EnergyTerms<D>::energy(const PotentialFlow<D>& flow) const
 template <int D>
 std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Placed<D>& at)
 {
-    std::set<int> solids;
+    const double least = std::pow(2.0, -26);
+    std::map<int, double> solids; // width of their gaps
     for (const auto& mouth : at.complex.mouths)
         for (const int solid : mouth.solid)
-            if (solid >= 0 && solid < static_cast<int>(bodies.size()) && bodies[solid].motion == Motion::free)
-                solids.insert(solid);
+            if (solid >= 0 && solid < static_cast<int>(bodies.size()) && bodies[solid].motion == Motion::free) {
+                double& width = solids.emplace(solid, 1.0).first->second;
+                width = std::min(width, std::max(least, (mouth.end - mouth.at).norm()));
+            }
     const double dx = model.grid.dx();
     const auto terms = [&](int solid, int component, double way) {
         std::vector<RigidBody<D>> there = bodies;
@@ -216,11 +309,11 @@ std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<Rig
         return EnergyTerms<D>(coupling, complex, nodes_of_parts<D>(model.grid, complex, numbered), at);
     };
     std::vector<Displaced<D>> result;
-    for (const int solid : solids) {
+    for (const auto& [solid, width] : solids) {
         const double radius = std::max(bounding_radius(world_bounds(at.coupling.solids[solid].shape)), dx);
         for (int component = 0; component < twist_size<D>; ++component)
             if (at.coupling.solids[solid].admissible.col(component).norm() > 0) {
-                const double way = component < D ? small_way * dx : small_way * dx / radius;
+                const double length = small_way * width * dx, way = component < D ? length : length / radius;
                 result.push_back({solid, component, 2 * way, terms(solid, component, -way), terms(solid, component, way)});
             }
     }

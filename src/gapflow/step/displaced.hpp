@@ -22,8 +22,8 @@ public:
     double energy(const PotentialFlow<D>& flow) const;
 
 private:
-    // Values: the other place's cells by their keys, its nodes, and local ones: of this place's nodes, and of cells that are no cells there. From what they are
-    // there, these are relaxed: the energy is stationary in the potentials, but two parts between which a sliver becomes a passage are not what they were.
+    // Values: the other place's cells by their keys, its nodes, and local ones: of this place's nodes and of the cells whose rows differ. These are those that
+    // make the energy stationary here: two parts between which a sliver becomes a passage are not what they were.
     struct Pair {
         long a, b; ///< values; b -1: a side of the domain
         double conductance;
@@ -40,13 +40,17 @@ private:
     struct Local {
         long start = -1; ///< value at the other place
         double diagonal = 0;
-        std::vector<std::pair<long, double>> others; ///< minus the entries of L
+        std::vector<std::pair<long, double>> others; ///< minus the entries of L; some twice
     };
+    using Differing = std::vector<long>; ///< cells by their keys, in their order
 
+    Differing differing_cells(const Coupling<D>& of, const Coupling<D>& other) const;
     long value_of_cell(const Index<D>& c) const;
     void add_pair(long a, long b, double conductance);
     void add_faces(const CoupledSystem<D>& system, const CoupledSystem<D>& other);
     void add_links(const CoupledSystem<D>& system);
+    /// L of the local values times these.
+    void multiply(const std::vector<double>& local, std::vector<double>& product) const;
     std::vector<double> local_values(const PotentialFlow<D>& flow) const;
     double value(long number, const PotentialFlow<D>& flow, const std::vector<double>& local) const;
 

@@ -11,7 +11,8 @@ namespace gapflow {
 
 template <int D>
 double limit_of_closing(const Model<D>& model, const State<D>& state, const std::vector<Solid<D>>& solids,
-                        const std::vector<Twist<D>>& V, const std::vector<Twist<D>>& A, double dt)
+                        const std::vector<Twist<D>>& V, const std::vector<Twist<D>>& A, std::span<const GapArm<D>> arms,
+                        double dt)
 {
     const double dx = model.grid.dx(), part = model.scene.gap_cfl;
     Vec<D> period = Vec<D>::Zero();
@@ -40,12 +41,30 @@ double limit_of_closing(const Model<D>& model, const State<D>& state, const std:
                      tiny = std::numeric_limits<double>::min();
         dt = std::min({dt, part * h / std::max(rate(V), tiny), std::sqrt(2 * part * h / std::max(rate(A), tiny))});
     }
+    // Walls that turn about a contact close where their distance has no minimum.
+    for (const GapArm<D>& arm : arms) {
+        const auto rate = [&](const std::vector<Twist<D>>& twist) {
+            double sum = 0;
+            for (int side = 0; side < 2; ++side) {
+                const Twist<D> row = arm.opening.template segment<twist_size<D>>(side * twist_size<D>), &own = twist[arm.solid[side]];
+                sum += row.template head<D>().dot(own.template head<D>()) +
+                       dx * row.template tail<spin_size<D>>().dot(own.template tail<spin_size<D>>());
+            }
+            return std::abs(sum);
+        };
+        const double hold = model.scene.held_distance(solids[arm.solid[0]].name, solids[arm.solid[1]].name),
+                     h = std::max({arm.thickness * dx, hold, smallest_limiting_gap * dx}),
+                     tiny = std::numeric_limits<double>::min();
+        dt = std::min({dt, part * h / std::max(rate(V), tiny), std::sqrt(2 * part * h / std::max(rate(A), tiny))});
+    }
     return dt;
 }
 
 template double limit_of_closing<2>(const Model<2>&, const State<2>&, const std::vector<Solid<2>>&,
-                                    const std::vector<Twist<2>>&, const std::vector<Twist<2>>&, double);
+                                    const std::vector<Twist<2>>&, const std::vector<Twist<2>>&,
+                                    std::span<const GapArm<2>>, double);
 template double limit_of_closing<3>(const Model<3>&, const State<3>&, const std::vector<Solid<3>>&,
-                                    const std::vector<Twist<3>>&, const std::vector<Twist<3>>&, double);
+                                    const std::vector<Twist<3>>&, const std::vector<Twist<3>>&,
+                                    std::span<const GapArm<3>>, double);
 
 } // namespace gapflow

@@ -134,7 +134,7 @@ double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const
 
 template <int D>
 Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmHistories<D>& histories,
-                 double next_output, GapWays<D>& ways)
+                 double next_output, GapWays<D>& ways, std::span<const GapArm<D>> arms)
 {
     const Scene& scene = model.scene;
     const Grid<D>& grid = model.grid;
@@ -179,7 +179,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
         dt = std::min(dt, limit_of_film_flow(mesh, master, *histories.at(film.pair), first, dx,
                                              (elastic ? least_film_length_of_rebound<D> : least_film_length<D>)*dx));
     }
-    dt = gaps ? gaps->limited(dt) : limit_of_closing(model, state, solids, V, A, dt);
+    dt = gaps ? gaps->limited(dt) : limit_of_closing(model, state, solids, V, A, arms, dt);
     const double left = next_output - state.time, furthest = std::min(dt, left);
     if (const double touch = until_touch(model, state, solids, furthest); touch < furthest)
         dt = touch;
@@ -200,7 +200,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Step choose_step<D>(const Model<D>&, const State<D>&, const Coupling<D>&, const FilmHistories<D>&, double,        \
-                                 GapWays<D>&);
+                                 GapWays<D>&, std::span<const GapArm<D>>);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

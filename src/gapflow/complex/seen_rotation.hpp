@@ -1,0 +1,24 @@
+// What the planes of the grid miss of a solid that turns (theory of the complex, "The volume that planes see").
+//
+// The sum over the planes normal to d less the integral over the solid is an integral over its surface, with the sawtooth sigma(x_d), which falls from 1/2 to
+// -1/2 at each plane. Of the velocity of the fluid at a wall that turns with the velocity omega about c the part along the normal n is known:
+//
+//     S = - sum_d int sigma(x_d) n_d (n . omega x (x - c))^2 dS
+#pragma once
+
+#include "gapflow/complex/area_derivative.hpp"
+#include "gapflow/complex/placed.hpp"
+
+#include <array>
+
+namespace gapflow {
+
+/// S by omega. `c`: the solid's centroid, in cells. Of solids whose surface is round in 3D zero.
+template <int D>
+SpinMatrix<D> seen_rotation(const PlacedSolid<D>& solid, const Vec<D>& c);
+
+/// Its derivative by the solid's twist.
+template <int D>
+std::array<SpinMatrix<D>, twist_size<D>> seen_rotation_rate(const PlacedSolid<D>& solid, const Vec<D>& c);
+
+} // namespace gapflow
