@@ -13,6 +13,7 @@
 
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/solver/loose_cells.hpp"
 #include "gapflow/solver/sorted_cells.hpp"
 
@@ -35,11 +36,51 @@ constexpr double loose_level = 0.5;
 constexpr std::size_t pore_cells = 32; // at most in such a group: bounds the factor
 constexpr double shift = 1e-12;        // relative, on the diagonal: films whose mouths are 1e-12 of their own conductance
 
-/// Cells around the links.
+/// Cells of pairs that one face ties much more than all others do: the slices of a gap on both sides of a plane of the grid in it. Multigrid hardly
+/// corrects their level. Sorted.
+template <int D>
+std::vector<long> loose_pairs(const CoupledSystem<D>& system)
+{
+    const Grid<D>& grid = *system.grid;
+    struct Faces {
+        double sum = 0, largest = 0;
+        int side = 0; ///< the largest one's
+    };
+    const auto faces_of = [&](const Index<D>& c) {
+        Faces faces;
+        for (int side = 0; side < 2 * D; ++side) {
+            const double g = system.conductance(side / 2, side % 2 ? Index<D>(c + step<D>(side / 2)) : c);
+            faces.sum += g;
+            if (g > faces.largest) {
+                faces.largest = g;
+                faces.side = side;
+            }
+        }
+        return faces;
+    };
+    // By what leads out of a pair, and its own face.
+    const auto loose = [](double out, double inside) { return 2 * out < loose_level * (out + 2 * inside); };
+    std::vector<long> cells;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        const Faces own = faces_of(c);
+        const double g = own.largest;
+        if (!loose(own.sum - g, g))
+            return;
+        const Index<D> other = grid.wrapped(Index<D>(c + (own.side % 2 ? 1 : -1) * step<D>(own.side / 2)));
+        if (grid.in_domain(other) && (!grid.owns(other) || loose(own.sum + faces_of(other).sum - 2 * g, g)))
+            cells.push_back(grid.key(c));
+    });
+    if (grid.comm().size() > 1)
+        cells = all_values(grid.comm(), cells);
+    std::sort(cells.begin(), cells.end());
+    return cells;
+}
+
+/// Cells around the links, and loose pairs.
 struct Surroundings {
     std::vector<long> cells;      ///< sorted
-    bool crowded;                 ///< the links' cells and those beside them alone
-    std::vector<long> linked;     ///< the links' cells, sorted
+    bool crowded;                 ///< these cells and those beside them alone
+    std::vector<long> linked;     ///< the links' cells and the pairs', sorted
     std::vector<double> by_links; ///< what the links conduct to each of them
 };
 
@@ -51,6 +92,8 @@ Surroundings around_links(const CoupledSystem<D>& system)
     for (const Link& link : system.links)
         for (const auto& [key, weight] : link.cells)
             ties.emplace_back(key, link.conductance * weight * weight);
+    for (const long key : loose_pairs(system))
+        ties.emplace_back(key, 0.0);
     std::stable_sort(ties.begin(), ties.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     Surroundings around;
     for (const auto& [key, conductance] : ties) {
@@ -107,8 +150,7 @@ void leave_out(const Grid<D>& grid, const Surroundings& around, std::vector<doub
 template <int D>
 FilmBand<D>::FilmBand(const CoupledOperator<D>& matrix) : matrix_(matrix), system_(matrix.system())
 {
-    if (system_.nodes > 0 || !system_.links.empty())
-        find_cells();
+    find_cells();
 }
 
 template <int D>
@@ -120,6 +162,8 @@ void FilmBand<D>::find_cells()
     constexpr int width = told_width<D>;
     const Surroundings surroundings = around_links(system_);
     const std::vector<long>& around = surroundings.cells;
+    if (around.empty() && system_.nodes == 0)
+        return;
 
     std::vector<double> told(width * around.size(), 0.0);
     for (std::size_t i = 0; i < around.size(); ++i) {

@@ -162,6 +162,17 @@ TEST(PressureGauge, ALimitedBodyHasOneSolution)
     expect_one_solution<2>(scene);
 }
 
+TEST(PressureGauge, WallsBesideAPlaneInTheirGapConverge)
+{
+    const Communicator comm;
+    for (const double gap : {0.1, 1e-3, 1e-5, 1e-7}) {
+        const Scene scene = parts_scene(
+            2, 32,
+            {box("a", {16.0, 4.0, 0}, {16.0, 14 - gap / 2, 0}, 1e-2), box("b", {16.0, 4.0, 0}, {16.0, 18 + gap / 2, 0}, 2.0)});
+        EXPECT_LE(first_accelerations(scene, comm).iterations, 12) << gap;
+    }
+}
+
 TEST(PressureGauge, HeavyBodiesNeedNone)
 {
     const World<2> world(parts_scene(2, 16, {ball("a", 2.5, {8.1, 7.7, 0}, 5.0)}));
