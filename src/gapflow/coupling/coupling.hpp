@@ -101,6 +101,7 @@ struct Coupling {
     /// Y of the gauge in which system.cell_flux, node_flux and mass stand (pressure_gauge.hpp); `body` as in the system. Empty: p is the pressure.
     std::vector<BodyFlux<D, Index<D>>> gauge_cells;
     std::vector<BodyFlux<D, int>> gauge_nodes;
+    std::vector<int> part_node;                   ///< of each part of the complex: its node, -1 if it has none; films: none
     std::vector<NormalInertia<D>> normal_inertia; ///< one for each element of this rank's films, in their order
     std::vector<TwistMatrix<D>> seen_mass;        ///< D of each solid (pressure_gauge.hpp); films: none
     std::vector<TwistMatrix<D>>

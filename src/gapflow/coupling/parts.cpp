@@ -219,7 +219,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
     for (const Solid<D>& solid : coupling.solids)
         coupling.free_body.push_back(solid.motion == Motion::free ? system.bodies++ : -1);
 
-    const std::vector<int> node = nodes_of_parts(grid, complex, system);
+    const std::vector<int>& node = coupling.part_node = nodes_of_parts(grid, complex, system);
     coupling.open = FaceField<D>(grid, 0.0);
     coupling.kind = CellField<D, std::int8_t>(grid, static_cast<std::int8_t>(CellKind::solid));
     for_each_row_on_threads<D>(grid.low(), grid.high(), [&](const Index<D>& row) {
@@ -357,8 +357,7 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
                                         std::span<const PairInertia<D>> pairs)
 {
     const double dx = coupling.grid->dx(), unit = coupling.density * dx * dx;
-    CoupledSystem<D> unused;
-    const std::vector<int> node = nodes_of_parts(*coupling.grid, complex, unused);
+    const std::vector<int>& node = coupling.part_node;
     std::vector<TwistMatrix<D>> layers; // where a limit asks for them
     const auto in_cells = [&](const UnknownVector<D>& x, double factor) {
         Potentials<D> p{std::vector<double>(complex.parts(), 0), std::vector<double>(complex.index.count, 0)};
