@@ -113,6 +113,7 @@ struct GapMouthSide {
     double gap = 0; ///< the share of a gap, 0 .. 1; the rest is fluid into which the flow spreads
     double outlet =
         0; ///< resistance to a source spread over the sector around the mouth on this side, where it is not a gap alone
+    double angle = 0; ///< of that sector
 };
 
 /// Where a gap ends at a sharp corner in front of another wall (mouth.hpp).

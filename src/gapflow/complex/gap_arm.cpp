@@ -10,6 +10,15 @@
 namespace gapflow {
 namespace {
 
+/// Of the same two solids in the other order.
+template <int D>
+Standoff<D> swapped(const Standoff<D>& standoff)
+{
+    Standoff<D> other{standoff.distance, {}};
+    other.rate << standoff.rate.template tail<twist_size<D>>(), standoff.rate.template head<twist_size<D>>();
+    return other;
+}
+
 /// A way along a gap, at its place in a face.
 template <int D, class S>
 struct GapLine {
@@ -21,10 +30,27 @@ struct GapLine {
 } // namespace
 
 template <int D>
+void Standoffs<D>::add(int a, int b, const Standoff<D>& standoff)
+{
+    Standoff<D>& known = of_[std::minmax(a, b)];
+    if (standoff.distance > known.distance)
+        known = a < b ? standoff : swapped(standoff);
+}
+
+template <int D>
+Standoff<D> Standoffs<D>::of(int a, int b) const
+{
+    const auto found = of_.find(std::minmax(a, b));
+    if (found == of_.end())
+        return {};
+    return a < b ? found->second : swapped(found->second);
+}
+
+template <int D>
 class GapFinder {
 public:
-    GapFinder(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
-        : grid_(grid), planes_(grid), complex_(complex), moved_(moved_nodes(grid, complex))
+    GapFinder(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex, const Standoffs<D>& standoffs)
+        : grid_(grid), planes_(grid), complex_(complex), standoffs_(standoffs), moved_(moved_nodes(grid, complex))
     {
         images_ = images_at<D>(grid, planes_, complex.index, solids, grid.dx());
         first_.assign(solids.size() + 1, 0);
@@ -45,7 +71,8 @@ public:
         find_beside();
     }
 
-    std::optional<GapSite<D>> site_at(std::size_t number) const
+    /// `known`: the standoff of its walls.
+    std::optional<GapSite<D>> site_at(std::size_t number, const Standoff<D>* known = nullptr) const
     {
         const FacePiece<D>& piece = complex_.pieces[number];
         if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
@@ -57,14 +84,17 @@ public:
         if (!facing)
             return {};
         const auto [a, b] = facing->image;
-        const auto place = place_at(piece, walls_of(a, b), piece.centroid);
+        const Standoff<D> standoff = known ? *known : standoffs_.of(images_[a].solid, images_[b].solid);
+        const GapWalls<D> walls{{wall_[a], wall_[b]}, {reference_[a], reference_[b]}, standoff.distance};
+        const auto place = place_at(piece, walls, piece.centroid);
         if (!place)
             return {};
         return GapSite<D>{*place,
                           static_cast<std::int32_t>(number),
                           {images_[a].solid, images_[b].solid},
                           {is_side(images_[a].solid), is_side(images_[b].solid)},
-                          {centred_ball(a), centred_ball(b)}};
+                          {centred_ball(a), centred_ball(b)},
+                          standoff};
     }
 
     std::optional<GapArm<D>> arm_at(std::size_t number) const
@@ -83,6 +113,7 @@ public:
                       terms->flux,
                       terms->motion,
                       terms->mass,
+                      site->standoff,
                       site->here.thickness,
                       PairTwist<D>::Zero()};
         for (int side = 0; side < 2; ++side)
@@ -100,7 +131,7 @@ public:
     {
         using Number = typename GapTerms<D>::Number;
         const FacePiece<D>& piece = complex_.pieces[arm.piece];
-        const std::optional<GapSite<D>> site = site_at(arm.piece);
+        const std::optional<GapSite<D>> site = site_at(arm.piece, &arm.standoff);
         for (int side = 0; side < 2; ++side)
             if (site->still[side])
                 twist.template segment<twist_size<D>>(side * twist_size<D>).setZero();
@@ -109,7 +140,8 @@ public:
         PlaceOf<D, Number> centroid;
         for (int axis = 0; axis < D; ++axis)
             centroid[axis] = Number::variable(piece.centroid[axis], GapTerms<D>::centroid + axis);
-        const auto place = place_at(piece, FacingWalls<D, MovingWalls<D>>(MovingWalls<D>(site->walls, twist)), centroid);
+        const auto place =
+            place_at(piece, FacingWalls<D, MovingWalls<D>>(MovingWalls<D>(site->walls, twist, site->standoff)), centroid);
         const auto terms = integrate<MovingWalls<D>>(*place, piece, centroid, Number::variable(piece.area, GapTerms<D>::area));
         return {terms->share, terms->resistance, terms->flux, terms->motion, terms->mass};
     }
@@ -228,8 +260,6 @@ private:
         return share / std::max(cosine * cosine, least * least);
     }
 
-    GapWalls<D> walls_of(int a, int b) const { return {{wall_[a], wall_[b]}, {reference_[a], reference_[b]}}; }
-
     /// Nothing where the walls are a cell apart or do not face each other.
     template <class Walls>
     std::optional<GapPlace<D, Walls>> place_at(const FacePiece<D>& piece, FacingWalls<D, Walls> walls,
@@ -311,13 +341,16 @@ private:
         const GapShape<D, S> shape = shape_of_gap<D, Walls>(walls, centroid, n, here);
         const S sigma = e.dot(shape.shares * way), bend = way.dot(shape.curvature * way);
         std::vector<GapLine<D, S>> lines = lines_of(centroid, place);
-        S sum = S(0.0); // of the lines' areas
-        for (const auto& line : lines)
+        S sum = S(0.0), open = S(0.0); // of the lines' areas, and what of them is in the face
+        for (const auto& line : lines) {
             sum += line.width * line.thickness;
+            open += line.width * walls.between_shapes(line.thickness);
+        }
+        const S area = A * (sum / open); // of the gap
         std::vector<std::vector<typename GapWay<D, Walls>::Point>> points;
         Row through = Walls::none(); // the closing's flux at the face
         for (auto& line : lines) {
-            line.width *= A / sum;
+            line.width *= A / open;
             GapWay<D, Walls> along(walls, line.place, way, n, line.thickness, frame);
             points.push_back(along.points(middle - 0.5 + place.moved[0], middle + 0.5 + place.moved[1], sigma, bend));
             if (along.meets())
@@ -325,7 +358,7 @@ private:
             through += line.width * along.at_face();
         }
         for (std::size_t l = 0; l < lines.size(); ++l) {
-            const S scale = lines[l].thickness / A;
+            const S scale = lines[l].thickness / area;
             for (const auto& point : points[l]) {
                 const S w = delta * point.weight * lines[l].width / point.thickness;
                 const Row flux = point.flux - scale * through;
@@ -426,6 +459,7 @@ private:
     const Grid<D>& grid_;
     GridPlanes<D> planes_;
     const Complex<D>& complex_;
+    const Standoffs<D> standoffs_;
     const std::vector<std::pair<std::int32_t, Vec<D>>> moved_;
     std::vector<Image<D>> images_;
     std::vector<GapWall<D>> wall_; ///< of each image
@@ -436,9 +470,10 @@ private:
 };
 
 template <int D>
-std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
+std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
+                                     const Standoffs<D>& standoffs)
 {
-    const GapFinder<D> finder(grid, solids, complex);
+    const GapFinder<D> finder(grid, solids, complex, standoffs);
     return items_of<GapArm<D>>(static_cast<long>(complex.pieces.size()), [&](long k, std::vector<GapArm<D>>& arms) {
         if (auto arm = finder.arm_at(static_cast<std::size_t>(k)))
             arms.push_back(*arm);
@@ -447,9 +482,9 @@ std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<
 
 template <int D>
 void for_each_gap(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
-                  const std::function<void(const GapSite<D>&)>& visit)
+                  const Standoffs<D>& standoffs, const std::function<void(const GapSite<D>&)>& visit)
 {
-    const GapFinder<D> finder(grid, solids, complex);
+    const GapFinder<D> finder(grid, solids, complex, standoffs);
     for (std::size_t k = 0; k < complex.pieces.size(); ++k)
         if (const auto site = finder.site_at(k))
             visit(*site);
@@ -457,7 +492,7 @@ void for_each_gap(const Grid<D>& grid, std::span<const Solid<D>> solids, const C
 
 template <int D>
 GapDerivatives<D>::GapDerivatives(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
-    : finder_(std::make_shared<GapFinder<D>>(grid, solids, complex))
+    : finder_(std::make_shared<GapFinder<D>>(grid, solids, complex, Standoffs<D>{})) // the arms have theirs
 {
 }
 
@@ -467,13 +502,17 @@ GapTerms<D> GapDerivatives<D>::of(const GapArm<D>& arm, const PairTwist<D>& twis
     return finder_->terms_of(arm, twist);
 }
 
+template class Standoffs<2>;
+template class Standoffs<3>;
 template class GapDerivatives<2>;
 template class GapDerivatives<3>;
-template std::vector<GapArm<2>> find_gap_arms(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&);
-template std::vector<GapArm<3>> find_gap_arms(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&);
-template void for_each_gap(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&,
+template std::vector<GapArm<2>> find_gap_arms(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&,
+                                              const Standoffs<2>&);
+template std::vector<GapArm<3>> find_gap_arms(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&,
+                                              const Standoffs<3>&);
+template void for_each_gap(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&, const Standoffs<2>&,
                            const std::function<void(const GapSite<2>&)>&);
-template void for_each_gap(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&,
+template void for_each_gap(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&, const Standoffs<3>&,
                            const std::function<void(const GapSite<3>&)>&);
 
 } // namespace gapflow

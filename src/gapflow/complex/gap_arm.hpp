@@ -19,8 +19,10 @@
 #include "gapflow/complex/complex.hpp"
 #include "gapflow/complex/dual.hpp"
 
+#include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace gapflow {
@@ -29,6 +31,26 @@ template <int D>
 using PairTwist = Eigen::Matrix<double, 2 * twist_size<D>, 1>;
 template <int D>
 using PairMass = Eigen::Matrix<double, 2 * twist_size<D>, 2 * twist_size<D>>;
+
+/// How much farther apart than their shapes the surfaces of two solids stand, in cells, and its derivative by their places and angles, one after the
+/// other (gap-energy, "Roughness").
+template <int D>
+struct Standoff {
+    double distance = 0;
+    PairTwist<D> rate = PairTwist<D>::Zero();
+};
+
+/// Of pairs of solids; of all others 0.
+template <int D>
+class Standoffs {
+public:
+    /// Of a pair that has one already, as in a periodic domain, the larger.
+    void add(int a, int b, const Standoff<D>& standoff);
+    Standoff<D> of(int a, int b) const;
+
+private:
+    std::map<std::pair<int, int>, Standoff<D>> of_; ///< a < b
+};
 
 /// Lengths in cells, density 1. Of the twists of two solids, one after the other.
 template <int D>
@@ -40,13 +62,15 @@ struct GapArm {
     PairTwist<D> flux;   ///< c
     PairTwist<D> motion; ///< the walls' mean velocity along the face's axis
     PairMass<D> mass;    ///< B
-    double thickness;    ///< at the piece
+    Standoff<D> standoff;
+    double thickness;     ///< at the piece
     PairTwist<D> opening; ///< its rate
 };
 
 /// Of all pieces of the complex that lie in gaps, in their order.
 template <int D>
-std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
+std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
+                                     const Standoffs<D>& standoffs = {});
 
 /// What an arm is of one pair of twists, with the derivatives by the places and angles of its two solids, one after the other, and by area and
 /// centroid of its piece.

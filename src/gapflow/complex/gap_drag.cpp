@@ -344,7 +344,7 @@ private:
         const auto section = site_.walls.across(x, site_.n);
         if (!section)
             return;
-        area_ += width * section->thickness;
+        area_ += width * site_.walls.between_shapes(section->thickness);
         lines_.push_back({width, DragLine<D>(site_, axis_, x, from_, to_, peak_)});
     }
     void refine(double from, double t_from, double to, double t_to, int depth)
@@ -396,7 +396,7 @@ GapDrag<D> drag_at(const GapSite<D>& site, const FacePiece<D>& piece, const Vec<
             0.5 * speed_along<D>(unit<D>(piece.axis), piece.centroid, site.walls.reference[side]);
     drag.share = share_up_to(t0, parameters.gap_start, parameters.gap_end);
     if (site.along_face())
-        drag.resistance = 12 * site.delta / (A * t0 * t0);
+        drag.resistance = 12 * site.delta * site.walls.between_shapes(t0) / (A * t0 * t0 * t0);
     else {
         GapShape<D> closing = shape_of_gap<D, StillWalls<D>>(site.walls, piece.centroid, site.n, site.here);
         if constexpr (D == 3)
@@ -726,10 +726,11 @@ bool same_walls(const GapSite<D>& a, const GapSite<D>& b)
 } // namespace
 
 template <int D>
-GapDrags<D> find_gap_drag(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
+GapDrags<D> find_gap_drag(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
+                          const Standoffs<D>& standoffs)
 {
     std::vector<GapSite<D>> sites;
-    for_each_gap<D>(grid, solids, complex, [&](const GapSite<D>& site) {
+    for_each_gap<D>(grid, solids, complex, standoffs, [&](const GapSite<D>& site) {
         sites.push_back(site);
         order_walls(sites.back());
     });
@@ -789,7 +790,7 @@ GapDrags<D> find_gap_drag(const Grid<D>& grid, std::span<const Solid<D>> solids,
     return drags;
 }
 
-template GapDrags<2> find_gap_drag(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&);
-template GapDrags<3> find_gap_drag(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&);
+template GapDrags<2> find_gap_drag(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&, const Standoffs<2>&);
+template GapDrags<3> find_gap_drag(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&, const Standoffs<3>&);
 
 } // namespace gapflow

@@ -47,6 +47,7 @@ struct GapDrags {
 };
 
 template <int D>
-GapDrags<D> find_gap_drag(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
+GapDrags<D> find_gap_drag(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
+                          const Standoffs<D>& standoffs = {});
 
 } // namespace gapflow

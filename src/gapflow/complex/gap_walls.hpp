@@ -163,8 +163,8 @@ public:
 
     std::array<Vec<D>, 2> reference;
 
-    StillWalls(const std::array<GapWall<D>, 2>& wall, const std::array<Vec<D>, 2>& reference_)
-        : reference(reference_), wall_(wall)
+    StillWalls(const std::array<GapWall<D>, 2>& wall, const std::array<Vec<D>, 2>& reference_, double standoff = 0)
+        : reference(reference_), wall_(wall), standoff_(standoff)
     {
     }
 
@@ -187,9 +187,14 @@ public:
     }
     const Vec<D>& reference_of(int side) const { return reference[side]; }
     WallPoint<D, double> nearest(int side, const Vec<D>& x, int face = -1) const { return wall_[side].nearest(x, face); }
+    /// What the thickness is larger than the distance between the shapes.
+    double standoff() const { return standoff_; }
+    /// Of the thickness what lies between the shapes.
+    double between_shapes(double thickness) const { return std::max(thickness - standoff_, place_unit); }
 
 private:
     std::array<GapWall<D>, 2> wall_;
+    double standoff_;
 };
 
 /// A gap along the line through x along n.
@@ -272,7 +277,7 @@ public:
                 way[side] = at.distance / cosine;
             }
             if (pass == stop.pass)
-                return way[0] + way[1];
+                return way[0] + way[1] + this->standoff();
             x += 0.5 * (way[1] - way[0]) * n;
         }
     }
@@ -299,7 +304,7 @@ private:
                     foot[side] = point.x;
                 }
             }
-            if (const S thickness = way[0] + way[1]; pass == 1) {
+            if (const S thickness = way[0] + way[1] + this->standoff(); pass == 1) {
                 if (!(thickness > 0))
                     return stopped(pass, 2, false);
                 at.thickness = std::max(thickness, S(place_unit));
@@ -330,8 +335,11 @@ public:
     using Frame = Place;
 
     /// Keeps a reference to `walls`.
-    MovingWalls(const GapWalls<D>& walls, const PairTwist<D>& twist) : walls_(walls), twist_(twist)
+    MovingWalls(const GapWalls<D>& walls, const PairTwist<D>& twist, const Standoff<D>& standoff)
+        : walls_(walls), twist_(twist), standoff_(standoff.distance)
     {
+        for (int k = 0; k < 2 * twist_size<D>; ++k)
+            standoff_.rate[k] = standoff.rate[k];
         for (int side = 0; side < 2; ++side)
             for (int axis = 0; axis < D; ++axis)
                 reference_[side][axis] = Scalar::variable(walls.reference[side][axis], side * twist_size<D> + axis);
@@ -353,6 +361,8 @@ public:
     const Place& reference_of(int side) const { return reference_[side]; }
     const GapWall<D>& wall(int side) const { return walls_.wall(side); }
     const GapWalls<D>& still() const { return walls_; }
+    const Scalar& standoff() const { return standoff_; }
+    Scalar between_shapes(const Scalar& thickness) const { return std::max(Scalar(thickness - standoff_), Scalar(place_unit)); }
     /// Of a point at the end of a face, for places x near it: how far the point is from the end.
     Scalar off_edge(int side, const WallPoint<D, Scalar>& at, const Place& x) const
     {
@@ -428,6 +438,7 @@ private:
 
     const GapWalls<D>& walls_;
     PairTwist<D> twist_;
+    Scalar standoff_;
     std::array<Place, 2> reference_;
 };
 

@@ -434,11 +434,12 @@ struct GapSite : GapPlace<D, StillWalls<D>> {
     std::array<std::int32_t, 2> solid;
     std::array<bool, 2> still; ///< closed sides of the domain: they never move
     std::array<bool, 2> round; ///< balls that turn about their centres: that moves nothing
+    Standoff<D> standoff;
 };
 
 /// Of all pieces of the complex that lie in gaps, in their order.
 template <int D>
 void for_each_gap(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
-                  const std::function<void(const GapSite<D>&)>& visit);
+                  const Standoffs<D>& standoffs, const std::function<void(const GapSite<D>&)>& visit);
 
 } // namespace gapflow

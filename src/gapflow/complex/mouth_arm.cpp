@@ -401,8 +401,9 @@ double area_in_circle(const GapMouth<3>& mouth, const Vec<3>& low, const Vec<3>&
 template <int D>
 class MouthArms {
 public:
-    MouthArms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
-        : grid_(grid), planes_(grid), solids_(solids), complex_(complex), pieces_(complex), moved_(grid, complex, pieces_)
+    MouthArms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex, const Standoffs<D>& standoffs)
+        : grid_(grid), planes_(grid), solids_(solids), complex_(complex), standoffs_(standoffs), pieces_(complex),
+          moved_(grid, complex, pieces_)
     {
         if (!complex.mouths.empty())
             images_ = images_at<D>(grid, planes_, complex.index, solids, 2 * grid.dx());
@@ -482,7 +483,8 @@ private:
             return arm;
         const auto reference = [&](int k) { return planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift); };
         const GapWalls<D> walls{{GapWall<D>(images_[first].shape, planes_), GapWall<D>(images_[second].shape, planes_)},
-                                {reference(first), reference(second)}};
+                                {reference(first), reference(second)},
+                                standoffs_.of(mouth.solid[0], mouth.solid[1]).distance};
         const Eigen::Matrix<double, D, 2 * T> frame = mean_motion<D>(walls, {n, -n}, middle);
         // The flux in the frame of the walls less that relative to the corner's solid.
         PairTwist<D> carried = -h * frame.transpose() * out;
@@ -493,7 +495,7 @@ private:
                 const Vec<D> at =
                     cell_centre(planes_, complex_.index.index(complex_.cell_of(parts[side]))) + moved_.way(parts[side]);
                 const double way = std::max(0.0, -sign * out.dot(at - middle));
-                GapWay<D> along(walls, middle, out, n, h, frame);
+                GapWay<D> along(walls, middle, out, n, h + walls.standoff(), frame);
                 for (const auto& point : along.points(side == 0 ? -way : 0.0, side == 0 ? 0.0 : way, 1.0, 0.0, true)) {
                     const double w = share * part * point.weight / point.thickness;
                     const PairTwist<D> flux = (carried + point.flux) / part;
@@ -504,7 +506,8 @@ private:
                 add_row(arm, parts[side], sign * share);
             }
             if (const double spread = mouth.share * (1 - mouth.sides[side].gap); spread > 0)
-                spread_out(mouth, side, parts[side], middle, sign * spread, part, arm);
+                spread_out(mouth, parts[side], middle, sign * spread, part, outlet_of(mouth.sides[side], h, walls.standoff()),
+                           arm);
             if (mouth.share < 1)
                 add_row(arm, parts[side], sign * (1 - mouth.share));
         }
@@ -533,6 +536,12 @@ private:
                 still(arm, side * T + D, spin_size<D>);
         }
         return arm;
+    }
+
+    /// Resistance on one side: with a thickness larger by `standoff` the logarithm of h in it changes.
+    static double outlet_of(const GapMouthSide& side, double h, double standoff)
+    {
+        return standoff > 0 ? std::max(0.0, side.outlet - std::log1p(standoff / h) / side.angle) : side.outlet;
     }
 
     /// No energy of some components of the twists.
@@ -600,10 +609,10 @@ private:
 
     /// Over what of the circle about the mouth is joined with a part within the circle. Where the mouth has a share only, the rest of the flux leaves into
     /// the part itself: of the energy of both together the product of the two is missing in the sum of their resistances, about the outlet's.
-    void spread_out(const GapMouth<D>& mouth, int side, const PartOrCell& from, const Vec<D>& centre, double weight,
-                    double part, MouthArm<D>& arm)
+    void spread_out(const GapMouth<D>& mouth, const PartOrCell& from, const Vec<D>& centre, double weight, double part,
+                    double outlet, MouthArm<D>& arm)
     {
-        const double outlet = mouth.sides[side].outlet, share = mouth.share;
+        const double share = mouth.share;
         struct Target {
             PartOrCell at;
             double fraction, size; ///< of the cell that is the part's; what of it lies in the circle
@@ -678,6 +687,7 @@ private:
     const GridPlanes<D> planes_;
     std::span<const Solid<D>> solids_;
     const Complex<D>& complex_;
+    const Standoffs<D>& standoffs_;
     const PiecesOfParts<D> pieces_;
     const MovedNodes<D> moved_;
     std::vector<Image<D>> images_;
@@ -686,14 +696,16 @@ private:
 } // namespace
 
 template <>
-std::vector<MouthArm<2>> find_mouth_arms(const Grid<2>& grid, std::span<const Solid<2>> solids, const Complex<2>& complex)
+std::vector<MouthArm<2>> find_mouth_arms(const Grid<2>& grid, std::span<const Solid<2>> solids, const Complex<2>& complex,
+                                         const Standoffs<2>& standoffs)
 {
-    return MouthArms<2>(grid, solids, complex).find();
+    return MouthArms<2>(grid, solids, complex, standoffs).find();
 }
 template <>
-std::vector<MouthArm<3>> find_mouth_arms(const Grid<3>& grid, std::span<const Solid<3>> solids, const Complex<3>& complex)
+std::vector<MouthArm<3>> find_mouth_arms(const Grid<3>& grid, std::span<const Solid<3>> solids, const Complex<3>& complex,
+                                         const Standoffs<3>& standoffs)
 {
-    return MouthArms<3>(grid, solids, complex).find();
+    return MouthArms<3>(grid, solids, complex, standoffs).find();
 }
 
 template <int D>

@@ -30,7 +30,8 @@ struct MouthArm {
 };
 
 template <int D>
-std::vector<MouthArm<D>> find_mouth_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
+std::vector<MouthArm<D>> find_mouth_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
+                                         const Standoffs<D>& standoffs = {});
 
 /// Nodes of parts behind mouths lie at the centroid of what the mouth leaves of them where their cell's centre is nearer to it. By part: from the cell's
 /// centre; sorted.

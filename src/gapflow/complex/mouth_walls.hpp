@@ -100,6 +100,7 @@ public:
             wider += 0.5 * std::tan(std::clamp(angle, -steepest, steepest));
         GapMouthSide side;
         side.gap = share_up_to(wider, parameters.gap_start, parameters.gap_end);
+        side.angle = turns[0] + turns[1];
         if (side.gap < 1)
             side.outlet = std::max(0.0, outlet_resistance(way.norm(), turns, radius));
         return side;

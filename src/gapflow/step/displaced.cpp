@@ -3,6 +3,7 @@
 #include "gapflow/complex/gap_arm.hpp"
 #include "gapflow/complex/mouth_arm.hpp"
 #include "gapflow/step/matching.hpp"
+#include "gapflow/stepping/standoff.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -279,14 +280,15 @@ double EnergyTerms<D>::energy(const PotentialFlow<D>& flow) const
 template <int D>
 std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Placed<D>& at)
 {
-    const double least = std::pow(2.0, -26);
     std::map<int, double> solids; // width of their gaps
     for (const auto& mouth : at.complex.mouths)
         for (const int solid : mouth.solid)
-            if (solid >= 0 && solid < static_cast<int>(bodies.size()) && bodies[solid].motion == Motion::free) {
-                double& width = solids.emplace(solid, 1.0).first->second;
-                width = std::min(width, std::max(least, (mouth.end - mouth.at).norm()));
-            }
+            if (solid >= 0 && solid < static_cast<int>(bodies.size()) && bodies[solid].motion == Motion::free)
+                solids.emplace(solid, 1.0);
+    for (const GapArm<D>& arm : at.arms)
+        for (const int solid : arm.solid)
+            if (const auto found = solids.find(solid); found != solids.end())
+                found->second = std::min(found->second, arm.thickness);
     const double dx = model.grid.dx();
     const auto terms = [&](int solid, int component, double way) {
         std::vector<RigidBody<D>> there = bodies;
@@ -299,10 +301,10 @@ std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<Rig
             angle[component - D] = way;
             place<D>(body, centre, rotation_of<D>(angle) * body.pose.rotation);
         }
-        const std::vector<Solid<D>> moved = model.solids(there);
+        const auto [moved, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(there));
         const Complex<D> complex = build_complex<D>(model.grid, moved);
-        const Inertia<D> inertia = find_inertia<D>(model.grid, complex, find_gap_arms<D>(model.grid, moved, complex),
-                                                   find_mouth_arms<D>(model.grid, moved, complex));
+        const Inertia<D> inertia = find_inertia<D>(model.grid, complex, find_gap_arms<D>(model.grid, moved, complex, standoffs),
+                                                   find_mouth_arms<D>(model.grid, moved, complex, standoffs));
         const std::vector<TwistMatrix<D>> mass(moved.size(), TwistMatrix<D>::Identity());
         const Coupling<D> coupling = couple_parts<D>(model.grid, moved, mass, model.scene.density, complex, inertia);
         CoupledSystem<D> numbered;

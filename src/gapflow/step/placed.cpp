@@ -3,6 +3,7 @@
 #include "gapflow/complex/gap_arm.hpp"
 #include "gapflow/complex/mouth_arm.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
+#include "gapflow/stepping/standoff.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,12 +15,12 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
                                   const std::vector<TwistMatrix<D>>& mass, bool observed)
 {
     auto result = std::make_unique<Placed<D>>();
-    const std::vector<Solid<D>> solids = model.solids(bodies);
+    const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
     result->complex = build_complex<D>(model.grid, solids, &result->derivatives);
     const Complex<D>& complex = result->complex;
-    result->arms = find_gap_arms<D>(model.grid, solids, complex);
+    result->arms = find_gap_arms<D>(model.grid, solids, complex, standoffs);
     const Inertia<D> inertia =
-        find_inertia<D>(model.grid, complex, result->arms, find_mouth_arms<D>(model.grid, solids, complex));
+        find_inertia<D>(model.grid, complex, result->arms, find_mouth_arms<D>(model.grid, solids, complex, standoffs));
     result->pairs = inertia.pairs;
     result->coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
     add_seen_mass(result->coupling);

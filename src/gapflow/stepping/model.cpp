@@ -2,6 +2,7 @@
 
 #include "gapflow/coupling/parts.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
+#include "gapflow/stepping/standoff.hpp"
 
 #include "gapflow/body/forces.hpp"
 
@@ -141,10 +142,10 @@ Coupling<D> Model<D>::coupled(const std::vector<RigidBody<D>>& at, std::vector<T
     const bool moves = !mass.empty();
     mass.resize(at.size() + walls.solids.size(), TwistMatrix<D>::Identity());
     if (scene.parts) {
-        const std::vector<Solid<D>> all = solids(at);
+        const auto [all, standoffs] = rough_solids<D>(scene, grid, solids(at));
         const Complex<D> complex = build_complex<D>(grid, all);
-        const Inertia<D> inertia =
-            find_inertia<D>(grid, complex, find_gap_arms<D>(grid, all, complex), find_mouth_arms<D>(grid, all, complex));
+        const Inertia<D> inertia = find_inertia<D>(grid, complex, find_gap_arms<D>(grid, all, complex, standoffs),
+                                                   find_mouth_arms<D>(grid, all, complex, standoffs));
         Coupling<D> coupling = couple_parts<D>(grid, all, mass, scene.density, complex, inertia);
         if (moves)
             add_seen_mass(coupling);

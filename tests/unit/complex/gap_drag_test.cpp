@@ -369,6 +369,33 @@ TEST(GapDrag, CylinderOverAWall)
         }
 }
 
+TEST(GapDrag, ARollingWheelThatIsNearerThanItsRoughness)
+{
+    // As far apart as the roughness: by Reynolds' equation it has the pressures of one that slides.
+    const Communicator comm;
+    const double R = 9.6, roughness = 2.4e-3;
+    const Eigen::Matrix3d exact = cylinder_drag(0, R, roughness);
+    const Grid<2> grid = box_of<2>(52, comm);
+    for (const double gap : {1e-5, 1e-2, 0.3}) {
+        const double h = gap * roughness;
+        Pose<2> body, outer;
+        body.position = Vec<2>(26.3, 28.4);
+        outer.position = body.position - Vec<2>(0, 1.4 * R + h);
+        const auto wheel = make_ball<2>(R), wall = make_box<2>(Vec<2>(3 * R, 0.8 * R));
+        std::vector<Solid<2>> solids;
+        solids.push_back({"wall", PlacedShape<2>(*wall, outer), outer.position});
+        solids.push_back({"wheel", PlacedShape<2>(*wheel, body), body.position});
+        const Complex<2> complex = build_complex<2>(grid, solids);
+        Standoffs<2> standoffs;
+        standoffs.add(0, 1, {roughness - h});
+        const Eigen::Matrix3d drag =
+            drag_of_gaps<2>(complex, find_gap_drag<2>(grid, solids, complex, standoffs)).bottomRightCorner<3, 3>();
+        EXPECT_NEAR(drag(0, 0) / exact(0, 0), 1, 0.02) << gap;
+        EXPECT_NEAR(drag(1, 1) / exact(1, 1), 1, 0.02) << gap;
+        EXPECT_NEAR(drag(2, 2) / exact(2, 2), 1, 0.02) << gap;
+    }
+}
+
 TEST(GapDrag, CylinderInAContainer)
 {
     for (const double R : {4.0, 8.0})

@@ -29,9 +29,9 @@ struct PartsEnergy {
     bool crushed = false; ///< a pocket changes its volume: no energy
 
     PartsEnergy(const Grid<D>& grid, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists_,
-                bool with_derivatives)
+                bool with_derivatives, const Standoffs<D>& standoffs = {})
         : complex(build_complex<D>(grid, solids, with_derivatives ? &derivatives : nullptr, nullptr, false)),
-          arms(find_gap_arms<D>(grid, solids, complex)), inertia(find_inertia<D>(grid, complex, arms)),
+          arms(find_gap_arms<D>(grid, solids, complex, standoffs)), inertia(find_inertia<D>(grid, complex, arms)),
           coupling(couple_parts<D>(grid, solids, {}, 1.3, complex, inertia)),
           twists(twists_), p{CellField<D>(grid), Eigen::VectorXd::Zero(coupling.system.nodes)}
     {
@@ -138,11 +138,13 @@ struct PoseError {
     bool limited = false; ///< D of a solid is
 };
 
-/// All components of all solids but walls.
+/// All components of all solids but walls. `standoffs`: of solids at their places.
 template <int D>
-PoseError compare(const Grid<D>& grid, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists)
+PoseError compare(
+    const Grid<D>& grid, const std::vector<Solid<D>>& solids, const std::vector<Twist<D>>& twists,
+    const std::function<Standoffs<D>(const std::vector<Solid<D>>&)>& standoffs = [](const auto&) { return Standoffs<D>(); })
 {
-    const PartsEnergy<D> here(grid, solids, twists, true);
+    const PartsEnergy<D> here(grid, solids, twists, true, standoffs(solids));
     PoseError result;
     result.crushed = here.crushed;
     if (here.crushed)
@@ -171,7 +173,7 @@ PoseError compare(const Grid<D>& grid, const std::vector<Solid<D>>& solids, cons
                     for (int side = 0; side < 2; ++side) {
                         std::vector<Solid<D>> at = solids;
                         at[s] = moved(solids[s], c, side ? length : -length, grid.dx());
-                        T[side] = PartsEnergy<D>(grid, at, twists, false).energy;
+                        T[side] = PartsEnergy<D>(grid, at, twists, false, standoffs(at)).energy;
                     }
                     return (T[1] - T[0]) / (2 * length);
                 };

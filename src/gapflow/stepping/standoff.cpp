@@ -1,0 +1,100 @@
+#include "gapflow/stepping/standoff.hpp"
+
+#include "gapflow/body/contact_points.hpp"
+#include "gapflow/complex/parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace gapflow {
+namespace {
+
+// Cells. The complex has no fluid between solids that touch, and joins what is nearer than joint_distance: that is a thousandth of this.
+constexpr double least_distance = 1e3 * parameters.joint_distance;
+
+double roughness_of(const Scene& scene, const std::string& a, const std::string& b)
+{
+    const GapScene& gap = scene.gap_of(a, b);
+    return gap.contact == GapScene::Contact::dry ? scene.held_distance(a, b) : gap.roughness;
+}
+
+bool names_pair(const Scene& scene, const std::string& a, const std::string& b)
+{
+    const std::array<std::string, 2> names{a, b};
+    return std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const PairScene& pair) {
+        return std::is_permutation(names.begin(), names.end(), pair.bodies.begin());
+    });
+}
+
+template <int D>
+bool still(const Solid<D>& solid)
+{
+    return solid.wall || solid.motion == Motion::fixed;
+}
+
+template <int D>
+void move(Solid<D>& solid, const Vec<D>& way)
+{
+    solid.shape = solid.shape.shifted(way);
+    solid.centre += way;
+}
+
+} // namespace
+
+template <int D>
+RoughSolids<D> rough_solids(const Scene& scene, const Grid<D>& grid, std::vector<Solid<D>> solids)
+{
+    RoughSolids<D> rough{std::move(solids), {}};
+    const std::vector<Solid<D>> all = rough.solids;
+    double roughest = std::max(scene.gap.roughness, scene.contact.thickness);
+    for (const PairScene& pair : scene.pairs)
+        roughest = std::max({roughest, pair.gap.roughness, pair.contact.thickness});
+    if (!(roughest > 0))
+        return rough;
+    const double dx = grid.dx();
+    Vec<D> period = Vec<D>::Zero();
+    for (int axis = 0; axis < D; ++axis)
+        if (grid.periodic(axis))
+            period[axis] = grid.size()[axis];
+    std::vector<std::optional<ContactFeatures<D>>> features(all.size());
+    const auto features_of = [&](int s) -> const ContactFeatures<D>& {
+        if (!features[s])
+            features[s] = contact_features(all[s].shape.shape());
+        return *features[s];
+    };
+    for (const NearPair<D>& near : near_pairs<D>(all, grid.origin(), grid.origin() + grid.size(), period, roughest)) {
+        const Solid<D>&a = all[near.a], &b = all[near.b];
+        if (still(a) && still(b) && !names_pair(scene, a.name, b.name))
+            continue;
+        const double roughness = roughness_of(scene, a.name, b.name);
+        if (!(roughness > 0))
+            continue;
+        const std::optional<Separation<D>> found =
+            separation<D>(a.shape, features_of(near.a), b.shape.shifted(near.shift), features_of(near.b), roughness);
+        if (!found || !(found->distance < roughness))
+            continue;
+        const Vec<D>& n = found->normal;
+        const double distance = found->distance, least = std::min(least_distance * dx, roughness);
+        const bool overlap = distance < -parameters.joint_distance * dx, touch = !overlap && distance < least;
+        Standoff<D> standoff{(roughness - (touch ? least : std::max(distance, 0.0))) / dx, PairTwist<D>::Zero()};
+        if (!overlap)
+            standoff.rate << -wrench<D>(n, (found->place - a.centre) / dx),
+                wrench<D>(n, (found->place - b.centre - near.shift) / dx);
+        rough.standoffs.add(near.a, near.b, standoff);
+        if (touch) {
+            const Vec<D> way = (still(a) || still(b) ? 1.0 : 0.5) * (least - distance) * n;
+            if (!still(a))
+                move(rough.solids[near.a], way);
+            if (!still(b))
+                move<D>(rough.solids[near.b], -way);
+        }
+    }
+    return rough;
+}
+
+template RoughSolids<2> rough_solids<2>(const Scene&, const Grid<2>&, std::vector<Solid<2>>);
+template RoughSolids<3> rough_solids<3>(const Scene&, const Grid<3>&, std::vector<Solid<3>>);
+
+} // namespace gapflow
