@@ -11,8 +11,9 @@
 namespace gapflow {
 namespace {
 
-// Cells. The complex has no fluid between solids that touch, and joins what is nearer than joint_distance: that is a thousandth of this.
-constexpr double least_distance = 1e3 * parameters.joint_distance;
+// Of the roughness: the complex has no fluid between solids that touch, and where a body is displaced to find the force on it, it must not meet the next one.
+constexpr double least_distance = 0.2;
+constexpr int most_sweeps = 100;
 
 double roughness_of(const Scene& scene, const std::string& a, const std::string& b)
 {
@@ -34,11 +35,39 @@ bool still(const Solid<D>& solid)
     return solid.wall || solid.motion == Motion::fixed;
 }
 
+/// Two solids that come too near.
 template <int D>
-void move(Solid<D>& solid, const Vec<D>& way)
+struct Touch {
+    int a, b;
+    Vec<D> normal;  ///< towards a
+    double missing; ///< of their least distance
+};
+
+/// Moves the solids that may move until all are apart.
+template <int D>
+void move_apart(const std::vector<Touch<D>>& touches, double enough, std::vector<Solid<D>>& solids)
 {
-    solid.shape = solid.shape.shifted(way);
-    solid.centre += way;
+    std::vector<Vec<D>> way(solids.size(), Vec<D>::Zero());
+    double worst = touches.empty() ? 0.0 : enough + 1;
+    for (int sweep = 0; sweep < most_sweeps && worst > enough; ++sweep) {
+        worst = 0;
+        for (const Touch<D>& touch : touches) {
+            const double missing = touch.missing - touch.normal.dot(way[touch.a] - way[touch.b]);
+            if (!(missing > 0))
+                continue;
+            worst = std::max(worst, missing);
+            const bool a = !still(solids[touch.a]), b = !still(solids[touch.b]);
+            if (a)
+                way[touch.a] += (b ? 0.5 : 1.0) * missing * touch.normal;
+            if (b)
+                way[touch.b] -= (a ? 0.5 : 1.0) * missing * touch.normal;
+        }
+    }
+    for (std::size_t s = 0; s < solids.size(); ++s)
+        if (!way[s].isZero(0)) {
+            solids[s].shape = solids[s].shape.shifted(way[s]);
+            solids[s].centre += way[s];
+        }
 }
 
 } // namespace
@@ -64,6 +93,7 @@ RoughSolids<D> rough_solids(const Scene& scene, const Grid<D>& grid, std::vector
             features[s] = contact_features(all[s].shape.shape());
         return *features[s];
     };
+    std::vector<Touch<D>> touches;
     for (const NearPair<D>& near : near_pairs<D>(all, grid.origin(), grid.origin() + grid.size(), period, roughest)) {
         const Solid<D>&a = all[near.a], &b = all[near.b];
         if (still(a) && still(b) && !names_pair(scene, a.name, b.name))
@@ -76,21 +106,17 @@ RoughSolids<D> rough_solids(const Scene& scene, const Grid<D>& grid, std::vector
         if (!found || !(found->distance < roughness))
             continue;
         const Vec<D>& n = found->normal;
-        const double distance = found->distance, least = std::min(least_distance * dx, roughness);
-        const bool overlap = distance < -parameters.joint_distance * dx, touch = !overlap && distance < least;
+        const double distance = found->distance, least = least_distance * roughness;
+        const bool overlap = distance < -roughness, touch = !overlap && distance < least;
         Standoff<D> standoff{(roughness - (touch ? least : std::max(distance, 0.0))) / dx, PairTwist<D>::Zero()};
         if (!overlap)
             standoff.rate << -wrench<D>(n, (found->place - a.centre) / dx),
                 wrench<D>(n, (found->place - b.centre - near.shift) / dx);
         rough.standoffs.add(near.a, near.b, standoff);
-        if (touch) {
-            const Vec<D> way = (still(a) || still(b) ? 1.0 : 0.5) * (least - distance) * n;
-            if (!still(a))
-                move(rough.solids[near.a], way);
-            if (!still(b))
-                move<D>(rough.solids[near.b], -way);
-        }
+        if (touch)
+            touches.push_back({near.a, near.b, n, least - distance});
     }
+    move_apart<D>(touches, 1e-3 * least_distance * roughest, rough.solids);
     return rough;
 }
 
