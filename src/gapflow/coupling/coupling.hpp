@@ -74,6 +74,13 @@ struct DragInertia {
     double speed = 0;
 };
 
+/// Bounds what the mass of the gaps between two solids takes from each.
+template <int D>
+struct GapDeficit {
+    int a, b;
+    TwistMatrix<D> of_a, of_b;
+};
+
 /// Enclosed fluid without a way out.
 struct SealedPocket {
     long cells = 0;                  ///< of the grid
@@ -106,6 +113,7 @@ struct Coupling {
     std::vector<TwistMatrix<D>> seen_mass;        ///< D of each solid (pressure_gauge.hpp); films: none
     std::vector<TwistMatrix<D>>
         gap_deficit; ///< bounds, for each solid, what the masses of its gaps with others take from it; films: none
+    std::vector<GapDeficit<D>> gap_deficits;    ///< the same, of each two solids
     std::vector<Drag> element_drag, mouth_drag; ///< one for each film element or mouth; empty without viscosity
     std::vector<std::vector<CarriedCell>>
         cells_behind; ///< of each mouth: the cells that the walls' flux enters; empty: those of its pressure

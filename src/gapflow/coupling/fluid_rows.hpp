@@ -91,6 +91,21 @@ public:
         });
     }
 
+    /// Calls f(other, conductance) for the faces and the edges of the film from an own row to others.
+    template <class F>
+    void for_each_edge(long row, F&& f) const
+    {
+        const auto between = [&](long other, double value) {
+            if (other != row && value < 0)
+                f(other, -value);
+        };
+        if (is_cell(row))
+            for_each_face(row, between);
+        else
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(system_.film, node(row)); entry; ++entry)
+                between(this->row(static_cast<int>(entry.row())), entry.value());
+    }
+
     /// Calls f(link, its rows and weights) for the links of an own row.
     template <class F>
     void for_each_link(long row, F&& f) const

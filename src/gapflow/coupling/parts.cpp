@@ -102,6 +102,7 @@ void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& o
                 known.push_back(i);
         if (known.empty())
             continue;
+        GapDeficit<D> deficit{pair.a, pair.b, TwistMatrix<D>::Zero(), TwistMatrix<D>::Zero()};
         for (const bool all : {true, false}) {
             const Modes modes = modes_of(gap_mass_in_world(coupling, all ? pair.mass : pair.motion)(known, known));
             for (std::size_t k = 0; k < known.size(); ++k) {
@@ -112,11 +113,14 @@ void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& o
                 if (all && m != 0 && comm.root())
                     coupling.normal_inertia.push_back({pair.a, pair.b, a, b, m});
                 if (!all && m < 0) { // (x_a + x_b)^2 <= 2 (x_a^2 + x_b^2)
-                    coupling.gap_deficit[pair.a] += Twist<D>(-2 * m * a) * a.transpose();
-                    coupling.gap_deficit[pair.b] += Twist<D>(-2 * m * b) * b.transpose();
+                    deficit.of_a += Twist<D>(-2 * m * a) * a.transpose();
+                    deficit.of_b += Twist<D>(-2 * m * b) * b.transpose();
                 }
             }
         }
+        coupling.gap_deficit[pair.a] += deficit.of_a;
+        coupling.gap_deficit[pair.b] += deficit.of_b;
+        coupling.gap_deficits.push_back(deficit);
     }
 }
 

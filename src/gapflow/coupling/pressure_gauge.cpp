@@ -1,9 +1,7 @@
 #include "gapflow/coupling/pressure_gauge.hpp"
 
-#include "gapflow/coupling/fluid_rows.hpp"
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include "gapflow/coupling/close_bodies.hpp"
+#include "gapflow/coupling/displaced_mass.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -147,55 +145,6 @@ private:
     std::vector<RowEntry<D>> seen_; ///< by other ranks
 };
 
-/// Inertia of the fluid that a solid displaces.
-template <int D>
-TwistMatrix<D> displaced_mass(const Solid<D>& solid, double density)
-{
-    const MassProperties<D> own = solid.shape.shape().mass_properties();
-    const Vec<D> arm = solid.shape.to_world(own.centre) - solid.centre;
-    TwistMatrix<D> mass = TwistMatrix<D>::Zero();
-    auto spins = mass.template bottomRightCorner<spin_size<D>, spin_size<D>>();
-    if constexpr (D == 2)
-        spins = density * own.inertia;
-    else
-        spins = density * solid.shape.rotation() * own.inertia * solid.shape.rotation().transpose();
-    for (int d = 0; d < D; ++d) {
-        const Twist<D> row = wrench<D>(unit<D>(d), arm);
-        mass += density * own.volume * row * row.transpose();
-    }
-    return mass;
-}
-
-/// A symmetric matrix in the axes in which G = R R^T is the identity.
-template <int D>
-struct ScaledModes {
-    Eigen::LLT<TwistMatrix<D>> root;
-    Eigen::SelfAdjointEigenSolver<TwistMatrix<D>> modes;
-
-    ScaledModes(const TwistMatrix<D>& A, const TwistMatrix<D>& G) : root(G)
-    {
-        const TwistMatrix<D> scaled = root.matrixL().solve(root.matrixL().solve(A).transpose());
-        modes.compute(0.5 * (scaled + scaled.transpose()));
-    }
-    /// A without its negative part.
-    TwistMatrix<D> positive_part(const TwistMatrix<D>& A) const
-    {
-        TwistMatrix<D> positive = A;
-        for (int k = 0; k < twist_size<D>; ++k)
-            if (const double value = modes.eigenvalues()[k]; value < 0) {
-                const Twist<D> mode = root.matrixL() * modes.eigenvectors().col(k);
-                positive -= value * mode * mode.transpose();
-            }
-        return positive;
-    }
-    /// Derivative of the positive part by the matrix: divided differences of max(0, x).
-    double slope(int i, int j) const
-    {
-        const double a = modes.eigenvalues()[std::max(i, j)], b = modes.eigenvalues()[std::min(i, j)]; // a >= b
-        return b >= 0 ? 1.0 : a <= 0 ? 0.0 : a / (a - b);
-    }
-};
-
 /// K of one solid.
 template <int D>
 std::vector<RowEntry<D>> fluxes_of(const Coupling<D>& coupling, const FluidRows<D>& L, int solid)
@@ -227,7 +176,8 @@ template <int D>
 void change_gauge(Coupling<D>& coupling)
 {
     CoupledSystem<D>& system = coupling.system;
-    const FluidRows<D> L(coupling);
+    const BodyLayers<D> layers(coupling);
+    const FluidRows<D>& L = layers.rows();
     std::vector<RowEntry<D>> K, Y;
     for (const auto& entry : system.cell_flux)
         K.push_back({L.row(entry.row), entry.body, entry.flux});
@@ -235,7 +185,7 @@ void change_gauge(Coupling<D>& coupling)
         K.push_back({L.row(entry.row), entry.body, entry.flux});
     merge_entries(K);
     for (const RowEntry<D>& entry : K)
-        if (const double bound = L.bound(entry.row); bound > 0)
+        if (const double bound = layers.bound(entry.row); bound > 0)
             Y.push_back({entry.row, entry.body, entry.flux / bound});
     std::vector<RowEntry<D>> changed = K, others;
     for (const RowEntry<D>& y : Y)
@@ -290,6 +240,7 @@ void limit_deficits(Coupling<D>& coupling)
         const TwistMatrix<D> rest = layers[s] - coupling.gap_deficit[s], sum = seen + rest;
         seen = ScaledModes<D>(sum, displaced_mass(coupling.solids[s], coupling.density)).positive_part(sum) - rest;
     });
+    limit_close_deficits(coupling);
 }
 
 template <int D>

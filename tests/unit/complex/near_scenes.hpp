@@ -21,7 +21,8 @@ class NearScenes {
 public:
     static constexpr int cells = 10;
 
-    explicit NearScenes(int seed) : engine_(static_cast<unsigned>(seed)) {}
+    /// `size`: of the solids, relative to some tenths of the domain.
+    explicit NearScenes(int seed, double size = 1) : engine_(static_cast<unsigned>(seed)), size_(size) {}
 
     /// `walls`: also closed sides of the domain.
     Grid<D> grid(bool walls)
@@ -69,7 +70,7 @@ private:
 
     std::unique_ptr<Shape<D>> random_shape(HullPoints<D>& hull)
     {
-        const double size = between(0.08, 0.25), other = size * between(0.3, 1.5);
+        const double size = size_ * between(0.08, 0.25), other = size * between(0.3, 1.5);
         const auto of_mesh = [&](const SurfaceMesh<D>& mesh) { hull.points = mesh.vertices; };
         const auto along = [&](double half) {
             for (int k = 0; k <= 64; ++k)
@@ -165,6 +166,7 @@ private:
     }
 
     std::mt19937 engine_;
+    double size_;
 };
 
 } // namespace gapflow::testing

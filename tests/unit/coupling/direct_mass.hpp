@@ -91,12 +91,16 @@ Eigen::MatrixXd direct_added_mass(const Coupling<D>& coupling, double* cancelled
     }
     for (int i = 0; i < n; ++i)
         K.row(i) -= closed.row(component[i]) / size[component[i]];
-    Eigen::SparseMatrix<double> L(n, n);
+    using Real = long double;
+    using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+    Eigen::SparseMatrix<Real> L(n, n);
     L.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(L);
-    Eigen::MatrixXd p = factors.solve(K);
-    p += factors.solve(Eigen::MatrixXd(K - L * p));
-    const Eigen::MatrixXd fluid = 0.5 * (K.transpose() * p + p.transpose() * K);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>> factors(L);
+    const RealMatrix flux = K.cast<Real>();
+    RealMatrix p = factors.solve(flux);
+    p += factors.solve(RealMatrix(flux - L * p));
+    const RealMatrix product = flux.transpose() * p;
+    const Eigen::MatrixXd fluid = (Real(0.5) * (product + product.transpose())).cast<double>();
     mass += fluid;
     if (cancelled) {
         *cancelled = 1;

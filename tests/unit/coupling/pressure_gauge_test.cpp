@@ -78,6 +78,11 @@ struct Dense {
         for (std::size_t s = 0; s < coupling.solids.size(); ++s)
             if (const int b = coupling.free_body[s]; b >= 0)
                 own.block<n, n>(n * b, n * b) += coupling.seen_mass[s];
+        for (const NormalInertia<D>& gap : coupling.normal_inertia)
+            for (const auto& [i, row_i] : {std::pair(gap.master, gap.row_master), std::pair(gap.other, gap.row_other)})
+                for (const auto& [j, row_j] : {std::pair(gap.master, gap.row_master), std::pair(gap.other, gap.row_other)})
+                    if (const int a = coupling.free_body[i], b = coupling.free_body[j]; a >= 0 && b >= 0)
+                        own.block<n, n>(n * a, n * b) += gap.mass * row_i * row_j.transpose();
     }
     Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b) const // a closed box: constants aside
     {
@@ -160,6 +165,15 @@ TEST(PressureGauge, ALimitedBodyHasOneSolution)
     EXPECT_LT(world.coupling.seen_mass[0](0, 0), 0);
     EXPECT_NEAR(world.coupling.seen_mass[0](1, 1), 0, 1e-12);
     expect_one_solution<2>(scene);
+}
+
+TEST(PressureGauge, LightPlatesInAStackHaveOneSolution)
+{
+    // Each lies between two planes of the grid, others in the gaps: their layers are the same fluid.
+    std::vector<BodyScene> plates;
+    for (int k = 0; k < 4; ++k)
+        plates.push_back(box(std::string(1, static_cast<char>('a' + k)), {8.0, 0.9, 0}, {8.0, 6.5 + k, 0}, 1e-2));
+    expect_one_solution<2>(parts_scene(2, 16, plates));
 }
 
 TEST(PressureGauge, WallsBesideAPlaneInTheirGapConverge)
