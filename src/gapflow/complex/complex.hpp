@@ -111,9 +111,10 @@ struct CornerLink {
 /// What lies on one side of a mouth.
 struct GapMouthSide {
     double gap = 0; ///< the share of a gap, 0 .. 1; the rest is fluid into which the flow spreads
-    double outlet =
-        0; ///< resistance to a source spread over the sector around the mouth on this side, where it is not a gap alone
-    double angle = 0; ///< of that sector
+    // Where it is not a gap alone:
+    double angle = 0;  ///< of the sector around the mouth on this side
+    double apex = 0.5; ///< where the sector's walls would meet: the share of the way from the corner to the other wall
+    double outlet = 0; ///< resistance to a source spread evenly over the sector
 };
 
 /// Where a gap ends at a sharp corner in front of another wall (mouth.hpp).
@@ -124,6 +125,7 @@ struct GapMouth {
     double length;                     ///< of the dividing line
     double share;                      ///< of the mouth in the resistance of its links; the rest is that of the corner alone
     double radius;                     ///< of the sector into which the flow spreads
+    double room;                       ///< how far it is one, up to the farthest places of cells that reach into it
     std::array<GapMouthSide, 2> sides; ///< 2D: at the left and right of the way from the corner
     int axis = -1, plane = 0;          ///< where it lies in a plane of the grid, whose faces it is then; else axis -1
     // 3D: of an edge in one cell or face, at the middle of what lies there.

@@ -256,9 +256,9 @@ GapMouth<3> EdgeMouths::section(int image, int number, const Place& place) const
     const SharpEdge& edge = sharp.edges[number];
     const double h = place.distance / std::max(place.direction.dot(edge.outward), parameters.least_facing);
     GapMouth<3> mouth{
-        {placed_[image].solid, walls_.solid_of(place.wall)}, place.at, place.at + h * edge.outward, h, place.share, 1, {}};
+        {placed_[image].solid, walls_.solid_of(place.wall)}, place.at, place.at + h * edge.outward, h, place.share, 1, 1, {}};
     mouth.across = sharp.across(number).normalized();
-    mouth.radius = walls_.room(image, place.wall, 0.5 * (mouth.at + mouth.end), std::max(1.0, h));
+    walls_.find_room(image, place.wall, mouth);
     for (int side = 0; side < 2; ++side) {
         const Vec<3> along = (side == 0 ? 1 : -1) * mouth.across;
         mouth.sides[side] = walls_.side(image, place.wall, mouth.at, mouth.end, along, mouth.radius);

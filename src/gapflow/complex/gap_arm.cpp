@@ -266,15 +266,43 @@ private:
                                                const PlaceOf<D, typename Walls::Scalar>& centroid) const
     {
         using Place = PlaceOf<D, typename Walls::Scalar>;
-        const std::array<Place, 2> normal{walls.nearest(0, centroid).normal, walls.nearest(1, centroid).normal};
+        const std::array<int, 2> ends = faces_of_ends(piece, walls);
+        const std::array<Place, 2> normal{walls.nearest(0, centroid, ends[0]).normal,
+                                          walls.nearest(1, centroid, ends[1]).normal};
         const Place n = (normal[0] - normal[1]).normalized();
+        walls.keep_faces(ends);
+        walls.extend(true);
         const auto here = walls.across(centroid, n);
         if (!here || here->thickness > parameters.gap_end)
             return {};
+        walls.extend(false);
         walls.keep_faces(values_of<D>(here->middle));
+        std::array<int, 2> faces = walls.faces();
+        for (int side = 0; side < 2; ++side)
+            if (ends[side] >= 0)
+                faces[side] = ends[side];
+        walls.keep_faces(faces);
         GapPlace<D, Walls> place{walls, n, *here, -normal[0].dot(normal[1])};
         find_way(piece, centroid, place);
         return place;
+    }
+
+    /// In 2D, where a corner is nearest to a piece: the faces on which the piece ends; else -1. The wall of a gap that widens lies beside its end.
+    template <class Walls>
+    static std::array<int, 2> faces_of_ends(const FacePiece<D>& piece, const FacingWalls<D, Walls>& walls)
+    {
+        std::array<int, 2> faces{-1, -1};
+        if constexpr (D == 2)
+            for (int side = 0; side < 2; ++side)
+                if (const GapWall<2>& wall = walls.wall(side); !wall.nearest(piece.centroid).on_face) {
+                    const Vec<2> half = 0.5 * piece.area * unit<2>(1 - piece.axis);
+                    const std::array<WallPoint<2, double>, 2> end{wall.nearest(piece.centroid - half),
+                                                                  wall.nearest(piece.centroid + half)};
+                    const WallPoint<2, double>& own = end[std::abs(end[1].distance) < std::abs(end[0].distance) ? 1 : 0];
+                    if (own.on_face)
+                        faces[side] = own.face;
+                }
+        return faces;
     }
 
     /// The way from node to node, and the line across it.
@@ -300,10 +328,10 @@ private:
                                                    [](const auto&m, std::int32_t p) { return m.first < p; });
                      moved != moved_.end() && moved->first == at.number(); ++moved)
                     place.moved[side] += share_of_way(place.way, moved->second);
-        // Parts one above the other at a mouth that runs through both may change their order: a quarter of the way stays.
-        if (const S closer = place.moved[0] - place.moved[1]; closer > 0.75)
+        // Parts one above the other at a mouth that runs through both may change their order: a hundredth of the way stays.
+        if (const S closer = place.moved[0] - place.moved[1]; closer > 0.99)
             for (S& moved : place.moved)
-                moved *= 0.75 / closer;
+                moved *= 0.99 / closer;
         if (place.along_face())
             return;
         if constexpr (D == 3)
@@ -369,7 +397,8 @@ private:
         }
         arm.share = share_up_to(here.thickness, parameters.gap_start, parameters.gap_end) *
                     share_up_to(S(-place.facing), -2 * parameters.least_facing, -parameters.least_facing);
-        arm.resistance = arm.share * arm.resistance + (1.0 - arm.share) * delta / A;
+        const S plain = delta * (1.0 + place.moved[1] - place.moved[0]) / A;
+        arm.resistance = arm.share * arm.resistance + (1.0 - arm.share) * plain;
         arm.flux *= arm.share;
         arm.mass *= arm.share;
         return arm;

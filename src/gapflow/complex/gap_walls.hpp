@@ -231,6 +231,8 @@ public:
     }
     const std::array<int, 2>& faces() const { return face_; }
     void keep_faces(const std::array<int, 2>& face) { face_ = face; }
+    /// Whether faces that are kept go on beyond their borders.
+    void extend(bool faces) { extended_ = faces; }
 
     void swap()
     {
@@ -293,7 +295,7 @@ private:
         for (int pass = 0; pass < 2; ++pass) { // the second one from the middle
             std::array<S, 2> way;
             for (int side = 0; side < 2; ++side) {
-                const WallPoint<D, S> point = this->nearest(side, x, pass == 0 ? face_[side] : -1);
+                const WallPoint<D, S> point = this->nearest(side, x, pass == 0 || extended_ ? face_[side] : -1);
                 cosine[side] = (side == 0 ? 1.0 : -1.0) * n.dot(point.normal);
                 const bool edge = !point.on_face || (face_[side] >= 0 && point.face != face_[side]);
                 if (edge || cosine[side] < parameters.least_facing)
@@ -317,6 +319,7 @@ private:
     }
 
     std::array<int, 2> face_{-1, -1};
+    bool extended_ = false;
 };
 
 template <int D>

@@ -96,11 +96,11 @@ private:
         corner.outward = ((1 - turned) * corner.bisector + turned * direction).normalized();
         if (!(share > 0))
             return;
-        GapMouth<2> mouth{{placed_[image].solid, walls_.solid_of(wall)}, corner.at, end, 0, share, 1, {}};
-        const double radius = walls_.room(image, wall, 0.5 * (corner.at + end), std::max(1.0, h));
-        mouth.radius = radius;
+        GapMouth<2> mouth{{placed_[image].solid, walls_.solid_of(wall)}, corner.at, end, 0, share, 1, 1, {}};
+        walls_.find_room(image, wall, mouth);
         for (int side = 0; side < 2; ++side)
-            mouth.sides[side] = walls_.side(image, wall, corner.at, end, (side == 0 ? 1 : -1) * left_of(direction), radius);
+            mouth.sides[side] =
+                walls_.side(image, wall, corner.at, end, (side == 0 ? 1 : -1) * left_of(direction), mouth.radius);
         corner.own = 1 - share;
         corner.mouth = static_cast<int>(mouths_.size());
         mouth.length = h / std::max(corner.outward.dot(direction), parameters.least_facing);

@@ -260,6 +260,8 @@ public:
         : planes_(grid), complex_(complex)
     {
         const auto behind = [&](const GapMouth<D>& mouth, int side, const PartOrCell& first) {
+            if (first.is_part())
+                add_joint(mouth, side, first.number());
             if (!(mouth.share * mouth.sides[side].gap > 0) || !first.is_part())
                 return;
             std::vector<std::int32_t> parts{first.number()};
@@ -320,6 +322,23 @@ private:
         nodes_ = kept;
     }
 
+    /// A gap that ends in front of a third wall leads into another one, along the corner's other side: its node lies where they meet.
+    void add_joint(const GapMouth<D>& mouth, int side, std::int32_t part)
+    {
+        const GapMouthSide& sector = mouth.sides[side];
+        const double share = mouth.share * (1 - sector.gap) * share_up_to(mouth.room, parameters.gap_start, parameters.gap_end);
+        if (!(share > 0))
+            return;
+        Vec<D> way = 0.5 * (mouth.at + mouth.end) - cell_centre(planes_, complex_.cell_of_part(part));
+        for (int axis = 0; axis < D; ++axis)
+            if (complex_.index.wraps[axis])
+                way[axis] -= planes_.place[axis].period() * std::round(way[axis] / planes_.place[axis].period());
+        const Vec<D> n = (mouth.end - mouth.at).normalized(), out = (side == 0 ? 1 : -1) * left_of_mouth(mouth, n).normalized();
+        const double turn = sector.apex * sector.angle;
+        const Vec<D> along = std::cos(turn) * out - std::sin(turn) * n;
+        nodes_.push_back({part, along.dot(way) * along, share});
+    }
+
     /// Whether the part lies beside the mouth.
     bool add(const GapMouth<D>& mouth, int side, std::int32_t part)
     {
@@ -367,36 +386,47 @@ double area_in_circle(const Vec<2>& a, const Vec<2>& b, double radius)
     return (from > 0 ? sector(a, p) : 0.0) + 0.5 * cross(p, q) + (to < 1 ? sector(q, b) : 0.0);
 }
 
-/// What of a box lies in the sector's circle: its area in the plane of the flow. `width`: 3D, along the edge, over which it is the mean.
-double area_in_circle(const GapMouth<2>&, const Vec<2>& low, const Vec<2>& high, const Vec<2>& centre, double radius, double)
-{
-    const std::array<Vec<2>, 4> corner{low - centre, Vec<2>(high[0], low[1]) - centre, high - centre,
-                                       Vec<2>(low[0], high[1]) - centre};
-    double sum = 0;
-    for (int k = 0; k < 4; ++k)
-        sum += area_in_circle(corner[k], corner[(k + 1) % 4], radius);
-    return std::max(sum, 0.0);
-}
-double area_in_circle(const GapMouth<3>& mouth, const Vec<3>& low, const Vec<3>& high, const Vec<3>& centre, double radius,
-                      double width)
-{
-    const Vec<3> n = (mouth.end - mouth.at).normalized(), along = mouth.across.cross(n);
-    double mean = 0;
-    for (int k = 0; k < 3; ++k) {
-        const Vec<3> at = centre + (ThreePoints::node[k] - 0.5) * width * along;
-        std::vector<Vec<2>> polygon{{-radius, -radius}, {radius, -radius}, {radius, radius}, {-radius, radius}};
-        for (int axis = 0; axis < 3; ++axis) {
-            const Vec<2> slope(mouth.across[axis], n[axis]);
-            clip(polygon, slope, at[axis] - low[axis]);
-            clip(polygon, -slope, high[axis] - at[axis]);
+/// What of a cell lies in circles about a mouth: areas in the plane of the flow. In 3D the mean of sections over the width of the mouth along its edge.
+template <int D>
+class CellInCircle {
+public:
+    /// `reach`: of the cell from the centre. `width`: of the mouth.
+    CellInCircle(const GapMouth<D>& mouth, const Vec<D>& low, const Vec<D>& high, const Vec<D>& centre, double reach,
+                 double width)
+    {
+        if constexpr (D == 2)
+            sections_.push_back(
+                {low - centre, Vec<2>(high[0], low[1]) - centre, high - centre, Vec<2>(low[0], high[1]) - centre});
+        else {
+            const Vec<3> n = (mouth.end - mouth.at).normalized(), along = mouth.across.cross(n);
+            for (int k = 0; k < 3; ++k) {
+                const Vec<3> at = centre + (ThreePoints::node[k] - 0.5) * width * along;
+                std::vector<Vec<2>> polygon{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}};
+                for (int axis = 0; axis < 3; ++axis) {
+                    const Vec<2> slope(mouth.across[axis], n[axis]);
+                    clip(polygon, slope, at[axis] - low[axis]);
+                    clip(polygon, -slope, high[axis] - at[axis]);
+                }
+                sections_.push_back(std::move(polygon));
+            }
         }
-        double sum = 0;
-        for (std::size_t i = 0; i < polygon.size(); ++i)
-            sum += area_in_circle(polygon[i], polygon[(i + 1) % polygon.size()], radius);
-        mean += ThreePoints::weight[k] * std::max(sum, 0.0);
     }
-    return mean;
-}
+    double area(double radius) const
+    {
+        double sum = 0;
+        for (std::size_t k = 0; k < sections_.size(); ++k) {
+            const std::vector<Vec<2>>& polygon = sections_[k];
+            double section = 0;
+            for (std::size_t i = 0; i < polygon.size(); ++i)
+                section += area_in_circle(polygon[i], polygon[(i + 1) % polygon.size()], radius);
+            sum += (D == 2 ? 1.0 : ThreePoints::weight[k]) * std::max(section, 0.0);
+        }
+        return sum;
+    }
+
+private:
+    std::vector<std::vector<Vec<2>>> sections_;
+};
 
 template <int D>
 class MouthArms {
@@ -506,7 +536,7 @@ private:
                 add_row(arm, parts[side], sign * share);
             }
             if (const double spread = mouth.share * (1 - mouth.sides[side].gap); spread > 0)
-                spread_out(mouth, parts[side], middle, sign * spread, part, outlet_of(mouth.sides[side], h, walls.standoff()),
+                spread_out(mouth, side, parts[side], sign * spread, part, outlet_of(mouth.sides[side], h, walls.standoff()),
                            arm);
             if (mouth.share < 1)
                 add_row(arm, parts[side], sign * (1 - mouth.share));
@@ -541,7 +571,7 @@ private:
     /// Resistance on one side: with a thickness larger by `standoff` the logarithm of h in it changes.
     static double outlet_of(const GapMouthSide& side, double h, double standoff)
     {
-        return standoff > 0 ? std::max(0.0, side.outlet - std::log1p(standoff / h) / side.angle) : side.outlet;
+        return standoff > 0 && side.angle > 0 ? side.outlet - std::log1p(standoff / h) / side.angle : side.outlet;
     }
 
     /// No energy of some components of the twists.
@@ -607,17 +637,21 @@ private:
         }
     }
 
-    /// Over what of the circle about the mouth is joined with a part within the circle. Where the mouth has a share only, the rest of the flux leaves into
-    /// the part itself: of the energy of both together the product of the two is missing in the sum of their resistances, about the outlet's.
-    void spread_out(const GapMouth<D>& mouth, const PartOrCell& from, const Vec<D>& centre, double weight, double part,
+    /// Over what of the circle about the mouth is joined with a part within the circle. Of the flux the share 1 - F passes the distance r in the sector, where
+    /// F leaves the source within r: the resistance is int (1 - F^2) dr / (angle r), and F = r^2/a^2 for the source that is even over the sector. Where
+    /// the mouth has a share only, the rest of the flux leaves into the part itself: in the sum of the two laws the product of share and rest with
+    /// the resistance of the difference of their sources is missing.
+    void spread_out(const GapMouth<D>& mouth, int side, const PartOrCell& from, double weight, double part,
                     double outlet, MouthArm<D>& arm)
     {
-        const double share = mouth.share;
+        const Vec<D> centre = mouth.at + mouth.sides[side].apex * (mouth.end - mouth.at);
         struct Target {
             PartOrCell at;
             double fraction, size; ///< of the cell that is the part's; what of it lies in the circle
+            CellInCircle<D> cell;
         };
         std::vector<Target> targets;
+        const double reach = mouth.radius + std::sqrt(static_cast<double>(D)); // of cells within the circle
         const auto offer = [&](const PartOrCell& at) {
             if (!at.exists() ||
                 std::any_of(targets.begin(), targets.end(), [&](const Target& t) { return t.at.code == at.code; }))
@@ -633,10 +667,11 @@ private:
                 if (grid_.periodic(axis))
                     nearest[axis] += planes_.place[axis].period() *
                                      std::round((0.5 * (low + high)[axis] - centre[axis]) / planes_.place[axis].period());
-            const double inside = area_in_circle(mouth, low, high, nearest, mouth.radius, 1 / part);
+            const CellInCircle<D> cell(mouth, low, high, nearest, reach, 1 / part);
+            const double inside = cell.area(mouth.radius);
             if (inside > parameters.least_area || targets.empty()) {
                 const double fraction = at.is_part() ? size_of(at.number(), mouth.at) / (high - low).prod() : 1.0;
-                targets.push_back({at, fraction, inside * fraction});
+                targets.push_back({at, fraction, inside * fraction, cell});
             }
         };
         offer(from);
@@ -666,18 +701,40 @@ private:
         }
         if (!(sum > 0)) {
             add_row(arm, from, weight);
-            arm.resistance += std::abs(weight) * part * outlet;
+            arm.resistance += std::abs(weight) * part * std::max(0.0, outlet);
             return;
         }
-        double lattice = 0;
-        for (const Target& target : targets)
-            if (target.size > 0) {
+        double lattice = 0, other = 0; // of the source, and of its difference from one in the first cell alone
+        for (std::size_t k = 0; k < targets.size(); ++k)
+            if (const Target& target = targets[k]; target.size > 0 || k == 0) {
                 const double w = target.size / sum;
                 add_row(arm, target.at, weight * w);
                 lattice += w * w / target.fraction;
+                other += k == 0 ? (1 - w) * (1 - w) : w * w; // as of whole cells: slivers would take no flux
             }
-        arm.resistance += std::abs(weight) * part * (std::max(0.0, outlet - node_excess * lattice) + (1 - share) * outlet);
+        double within = 0, apart = 0; // int F^2 dr / r of the same two
+        for (const auto& [start, end] : {std::pair(0.0, mouth.radius), std::pair(mouth.radius, mouth.room)})
+            for (int g = 0; g < FivePoints::points && end > start; ++g) {
+                const double r = start + rule.node[g] * (end - start), dr = rule.weight[g] * (end - start);
+                const auto share_of = [&](const Target& target) { return target.cell.area(r) / target.cell.area(2 * reach); };
+                double share = 0;
+                for (const Target& target : targets)
+                    if (target.size > 0)
+                        share += target.size / sum * share_of(target);
+                const double difference = share - share_of(targets.front());
+                within += dr * share * share / r;
+                apart += dr * difference * difference / r;
+            }
+        const GapMouthSide& sector = mouth.sides[side];
+        if (!(sector.angle > 0) || !(mouth.radius > 0))
+            return;
+        const double outlet = sector.outlet + (std::log(mouth.room / mouth.radius) + 0.25 - within) / sector.angle,
+                     product = apart / sector.angle + node_excess * other;
+        arm.resistance +=
+            std::abs(weight) * part * (std::max(0.0, outlet - node_excess * lattice) + (1 - mouth.share) * product);
     }
+
+    static constexpr FivePoints rule{};
 
     /// Resistance of a cell's node in the grid's network over that of a source spread evenly over the cell: of the network (euler + 3/2 ln 2) / 2 pi, less
     /// the mean of ln 1/r between two points of a square.

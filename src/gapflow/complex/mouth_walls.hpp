@@ -70,6 +70,14 @@ public:
     }
     int solid_of(const OtherWall<D>& wall) const { return wall.image >= 0 ? placed_[wall.image].solid : wall.side; }
 
+    /// Of the sector around a mouth: it ends at a third wall.
+    void find_room(int image, const OtherWall<D>& wall, GapMouth<D>& mouth) const
+    {
+        const double radius = std::max(1.0, (mouth.end - mouth.at).norm());
+        mouth.room = room(image, wall, 0.5 * (mouth.at + mouth.end), radius + std::sqrt(static_cast<double>(D)));
+        mouth.radius = std::min(mouth.room, radius);
+    }
+
     /// Up to `radius`, but no further than to a third wall.
     double room(int image, const OtherWall<D>& wall, const Vec<D>& x, double radius) const
     {
@@ -100,9 +108,12 @@ public:
             wider += 0.5 * std::tan(std::clamp(angle, -steepest, steepest));
         GapMouthSide side;
         side.gap = share_up_to(wider, parameters.gap_start, parameters.gap_end);
-        side.angle = turns[0] + turns[1];
-        if (side.gap < 1)
-            side.outlet = std::max(0.0, outlet_resistance(way.norm(), turns, radius));
+        if (side.gap < 1) {
+            const double corner = std::max(0.0, turns[0]), other = std::max(0.0, turns[1]);
+            side.angle = corner + other;
+            side.apex = side.angle > 0 ? corner / side.angle : 0.5;
+            side.outlet = outlet_resistance(way.norm(), turns, radius);
+        }
         return side;
     }
 
@@ -110,15 +121,16 @@ public:
     static constexpr double turning_end = 2 * parameters.gap_end - parameters.gap_start;
 
 private:
-    /// By how much a wall turns away from the direction `along` at x, seen at a distance; behind: into the solid.
+    /// By how much a wall turns away from the direction `along` at x, seen at a distance; behind: into the solid. What lies behind counts as far as the wall
+    /// turns away at all: of an acute corner or a thin plate it is the other side.
     double turn_of(const PlacedShape<D>& shape, const Vec<D>& x, const Vec<D>& along, const Vec<D>& behind,
                    double distance) const
     {
         const auto away = [&](const Vec<D>& y) {
             return closest_point<D>(shape, planes_.in_world(y)).distance / (planes_.dx * distance);
         };
-        return std::asin(std::clamp(away(x + distance * along), -1.0, 1.0)) +
-               std::asin(std::clamp(away(x + distance * behind), 0.0, 1.0));
+        const double ahead = std::clamp(away(x + distance * along), -1.0, 1.0);
+        return std::asin(ahead) + std::max(0.0, ahead) * std::asin(std::clamp(away(x + distance * behind), 0.0, 1.0));
     }
 
     static constexpr double steepest = 1.4; // any larger turn is no gap

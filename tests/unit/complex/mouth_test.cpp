@@ -24,6 +24,15 @@ void add_boxes(Scene<2>& scene, double gap, double angle, const Vec<2>& middle, 
     }
 }
 
+std::unique_ptr<Shape<2>> triangle(const std::vector<Vec<2>>& corners)
+{
+    SurfaceMesh<2> mesh;
+    mesh.vertices = corners;
+    mesh.elements = {{0, 1}, {1, 2}, {2, 0}};
+    mesh.patch.assign(3, 0);
+    return make_mesh<2>(mesh, "triangle");
+}
+
 double sum_of(const MouthArm<2>& arm, bool positive)
 {
     double sum = 0;
@@ -60,6 +69,35 @@ TEST(Mouths, TwoCornersAreOneMouth)
             EXPECT_NEAR((complex.mouths[m].end - complex.mouths[m].at).norm(), 0.2, 1e-9);
             EXPECT_NEAR(complex.mouths[m].sides[0].gap + complex.mouths[m].sides[1].gap, 1, 1e-12); // inside, outside
         }
+    }
+}
+
+TEST(Mouths, OfAcuteCornersAndThinPlates)
+{
+    // Whatever lies behind the corner: on one side a gap, on the other fluid into which two walls turn away.
+    const Grid<2> grid = unit_grid<2>(16);
+    for (const double angle : {pi / 9, pi / 4, 0.0}) {
+        const double thick = angle > 0 ? 6 * std::sin(angle) : 0.1; // of a triangle; of a plate
+        Scene<2> scene(grid);
+        scene.add("floor", make_box<2>(Vec<2>(12, 2) / 16), pose<2>(Vec<2>(8.03, 5.7) / 16, 0));
+        if (angle > 0)
+            scene.add("triangle", triangle({Vec<2>(0, 0), Vec<2>(6, 0) / 16, Vec<2>(6 * std::cos(angle), thick) / 16}),
+                      pose<2>(Vec<2>(5.3, 6.9) / 16, 0));
+        else
+            scene.add("plate", make_box<2>(Vec<2>(6, thick) / 16), pose<2>(Vec<2>(8.3, 6.9 + 0.5 * thick) / 16, 0));
+        const Complex<2> complex = build_complex<2>(grid, scene.solids);
+        int mouths = 0;
+        for (const GapMouth<2>& mouth : complex.mouths)
+            if (std::abs(mouth.at[0] - 5.3) < 1e-6) {
+                ++mouths;
+                const int out = mouth.sides[0].gap < mouth.sides[1].gap ? 0 : 1;
+                EXPECT_DOUBLE_EQ(mouth.sides[1 - out].gap, 1) << angle;
+                EXPECT_LT(mouth.sides[out].gap, 1e-12) << angle;
+                // The floor goes on: a turn by the angle outside the corner.
+                EXPECT_NEAR(mouth.sides[out].angle, angle > 0 ? pi - angle : pi / 2 + std::asin(0.9), 1e-5) << angle;
+                EXPECT_NEAR(mouth.sides[out].apex, 1, 1e-6) << angle;
+            }
+        EXPECT_EQ(mouths, 1) << angle;
     }
 }
 
