@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace gapflow {
 namespace {
@@ -192,6 +194,11 @@ private:
         }
         std::sort(beside_.begin(), beside_.end());
         beside_.erase(std::unique(beside_.begin(), beside_.end()), beside_.end());
+        first_beside_.assign(complex_.parts() + 1, 0);
+        for (const auto& [part, solid] : beside_)
+            ++first_beside_[part + 1];
+        for (int part = 0; part < complex_.parts(); ++part)
+            first_beside_[part + 1] += first_beside_[part];
     }
 
     /// Solids beside a piece: of its parts' walls, and closed sides of the domain.
@@ -208,9 +215,8 @@ private:
                     add(patch.solid);
         for (const PartOrCell& side : {piece.low, piece.high}) // walls across a plane of the grid that runs along the gap
             if (side.is_part())
-                for (auto at = std::lower_bound(beside_.begin(), beside_.end(), std::pair(side.number(), 0));
-                     at != beside_.end() && at->first == side.number(); ++at)
-                    add(at->second);
+                for (int k = first_beside_[side.number()]; k < first_beside_[side.number() + 1]; ++k)
+                    add(beside_[k].second);
         return near;
     }
 
@@ -432,22 +438,35 @@ private:
         const auto end = [&](const S& s) { // `s`, or where the line leaves the face or a wall ends before it
             GapStop stop;
             bool found = false;
+            double off = 0; // how far beyond the face
             const auto in_face = [&](double x) {
                 const auto section = still.profile(step_along<D>(start, x, way), normal, &stop);
                 found = section.has_value();
-                return found && !(beyond(*section, normal) > 0);
+                off = found ? beyond(*section, normal) : 0.0;
+                return found && !(off > 0);
             };
             double in = 0, out = value_of(s);
             if (in_face(out))
                 return s;
             bool leaves = found; // not: a wall ends
-            for (double middle = 0.5 * out; middle != in && middle != out; middle = 0.5 * (in + out))
-                if (in_face(middle))
+            double above = off, below = in_face(in) ? off : 0.0, last = out;
+            // Halves; where the line leaves the face a false position that lets neither end stand.
+            for (int k = 0, side = 0;; ++k) {
+                const bool straight = leaves && below < 0 && k < most_steps;
+                const double middle = straight ? in + below / (below - above) * (out - in) : 0.5 * (in + out);
+                if (middle == in || middle == out)
+                    break;
+                const bool inside = in_face(middle);
+                if (straight && found && (off == 0 || std::abs(middle - last) < 4 * std::numeric_limits<double>::epsilon())) {
                     in = middle;
-                else {
-                    out = middle;
-                    leaves = found;
+                    break;
                 }
+                (inside ? in : out) = last = middle;
+                (inside ? below : above) = off;
+                leaves = inside ? leaves : found;
+                if (const int before = std::exchange(side, inside ? -1 : 1); before == side)
+                    (inside ? above : below) *= 0.5;
+            }
             if constexpr (std::is_same_v<S, double>)
                 return in;
             else {
@@ -485,6 +504,8 @@ private:
         return lines;
     }
 
+    static constexpr int most_steps = 30; ///< of a root's search
+
     const Grid<D>& grid_;
     GridPlanes<D> planes_;
     const Complex<D>& complex_;
@@ -496,6 +517,7 @@ private:
     std::vector<int> first_, image_of_; ///< of each solid
     std::vector<std::int32_t> sides_;
     std::vector<std::pair<std::int32_t, std::int32_t>> beside_; ///< part, solid
+    std::vector<int> first_beside_;                             ///< of each part
 };
 
 template <int D>

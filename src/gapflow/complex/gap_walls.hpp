@@ -66,6 +66,7 @@ public:
     {
         if (const auto radius = shape.shape().sphere_radius()) {
             radius_ = *radius / dx_;
+            sign_ = shape.shape().inside_out() ? -1 : 1;
             centre_ = in_cells(shape.to_world(Vec<D>::Zero()));
         } else if (const auto planes = shape.shape().planes();
                    planes.size() == 1 && !shape.shape().complement() && !shape.shape().inside_out()) {
@@ -77,24 +78,18 @@ public:
 
     const PlacedShape<D>& shape() const { return shape_; }
     /// `face`: of this one, or where it would go on beyond its border; -1: of the solid.
-    WallPoint<D, double> nearest(const Vec<D>& x, int face = -1) const
+    [[gnu::always_inline]] WallPoint<D, double> nearest(const Vec<D>& x, int face = -1) const
     {
         if (radius_ > 0)
             if (const double length = (x - centre_).norm(); length > 0) {
-                const double sign = shape_.shape().inside_out() ? -1 : 1;
-                const Vec<D> way = (x - centre_) / length;
-                return {step_along<D>(centre_, radius_, way), Vec<D>(sign * way), sign * (length - radius_), true, 0};
+                const Vec<D> way = (1 / length) * (x - centre_);
+                return {step_along<D>(centre_, radius_, way), Vec<D>(sign_ * way), sign_ * (length - radius_), true, 0};
             }
         if (flat_) {
             const double distance = normal_.dot(x - centre_);
             return {step_along<D>(x, -distance, normal_), normal_, distance, true, 0};
         }
-        const Vec<D> world = step_along<D>(anchor_, dx_, x);
-        const SurfacePoint<D> at = shape_.closest(world);
-        if (const int own = face_of(at.patch); face < 0 || (at.feature == Feature::face && own == face))
-            return {in_cells(at.x), at.normal, at.distance / dx_, at.feature == Feature::face, own};
-        const Vec<D> foot = shape_.onto(world, face), normal = shape_.patch_normal(foot, face);
-        return {in_cells(foot), normal, normal.dot(world - foot) / dx_, true, face};
+        return nearest_of_shape(x, face);
     }
     /// Derivative of the normal at a wall's point by the place to which it is the nearest: that of the surface through the place at one distance
     /// from the wall.
@@ -126,6 +121,15 @@ public:
     }
 
 private:
+    [[gnu::noinline]] WallPoint<D, double> nearest_of_shape(const Vec<D>& x, int face) const
+    {
+        const Vec<D> world = step_along<D>(anchor_, dx_, x);
+        const SurfacePoint<D> at = shape_.closest(world);
+        if (const int own = face_of(at.patch); face < 0 || (at.feature == Feature::face && own == face))
+            return {in_cells(at.x), at.normal, at.distance / dx_, at.feature == Feature::face, own};
+        const Vec<D> foot = shape_.onto(world, face), normal = shape_.patch_normal(foot, face);
+        return {in_cells(foot), normal, normal.dot(world - foot) / dx_, true, face};
+    }
     /// A capsule's patches meet without an edge.
     int face_of(int patch) const
     {
@@ -140,6 +144,7 @@ private:
     double dx_;
     // In closed form: balls, and half-spaces.
     double radius_ = 0; ///< 0: no ball
+    double sign_ = 1;   ///< -1: fluid inside the ball
     bool flat_ = false;
     Vec<D> centre_ = Vec<D>::Zero(); ///< of a ball; a point of the plane
     Vec<D> normal_ = Vec<D>::Zero(); ///< of the plane
@@ -186,7 +191,10 @@ public:
         return result;
     }
     const Vec<D>& reference_of(int side) const { return reference[side]; }
-    WallPoint<D, double> nearest(int side, const Vec<D>& x, int face = -1) const { return wall_[side].nearest(x, face); }
+    [[gnu::always_inline]] WallPoint<D, double> nearest(int side, const Vec<D>& x, int face = -1) const
+    {
+        return wall_[side].nearest(x, face);
+    }
     /// What the thickness is larger than the distance between the shapes.
     double standoff() const { return standoff_; }
     /// Of the thickness what lies between the shapes.
