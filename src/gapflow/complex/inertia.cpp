@@ -227,6 +227,7 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
         if (mouth.piece >= 0)
             in_mouths.push_back(mouth.piece);
     std::sort(in_mouths.begin(), in_mouths.end());
+    inertia.pairs.reserve(gaps.size() + mouths.size());
     for (const GapArm<D>& gap : gaps) {
         if (std::binary_search(in_mouths.begin(), in_mouths.end(), gap.piece))
             continue;

@@ -234,7 +234,7 @@ double opening(const Eigen::MatrixXd& M, double degrees)
 
 TEST(GapMouths, RectanglesApart)
 {
-    // Exact: conformal map (tests/data/reference/I4_rectangles_box4.csv).
+    // Exact: conformal map (tests/data/reference/I4_rectangles_box4.csv). No wall lies in a plane of the grid, but at the first place (theory, "Limits").
     struct Case {
         double h, exact, percent;
     };
@@ -242,7 +242,7 @@ TEST(GapMouths, RectanglesApart)
          {Case{0.05, 2.535937030037, 2}, Case{0.01, 9.449193915878, 1}, Case{1e-5, 8335.54615614, 0.002}}) {
         double worst = 0, plain = 0;
         for (const double degrees : {0.0, 90.0, 25.0, 45.0, 10.0})
-            for (const Vec<2>& shift : {Vec<2>(0, 0), Vec<2>(0.31, 0.17), Vec<2>(-0.2, 0.3)}) {
+            for (const Vec<2>& shift : {Vec<2>(0, 0), Vec<2>(0.31, 0.17), Vec<2>(-0.21, 0.3)}) {
                 const Scene scene = rectangles(32, h, shift, degrees);
                 worst = std::max(worst, 100 * std::abs(opening(added_mass<2>(scene, true), degrees) / exact - 1));
                 plain = std::max(plain, 100 * std::abs(opening(added_mass<2>(scene, false), degrees) / exact - 1));
