@@ -459,7 +459,7 @@ def opening_of_plates(h):
 
 def square_plates(quick):
     """The mass of opening in poses of every kind."""
-    for cells, target, count in ((36, 2.5, 60), (72, 1.0, 6)):
+    for cells, target, count in ((36, 2.5, 60), (72, 1.0, 8)):
         if quick and cells > 36:
             return
         for gap in (0.6, 1e-3) if quick else (0.6, 0.24, 0.06, 1e-2, 1e-3, 1e-4):
