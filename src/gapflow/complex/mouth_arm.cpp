@@ -525,9 +525,10 @@ private:
                 const Vec<D> at =
                     cell_centre(planes_, complex_.index.index(complex_.cell_of(parts[side]))) + moved_.way(parts[side]);
                 const double way = std::max(0.0, -sign * out.dot(at - middle));
+                const double wedge = wedge_of(walls, middle, n, -sign * way * out);
                 GapWay<D> along(walls, middle, out, n, h + walls.standoff(), frame);
                 for (const auto& point : along.points(side == 0 ? -way : 0.0, side == 0 ? 0.0 : way, 1.0, 0.0, true)) {
-                    const double w = share * part * point.weight / point.thickness;
+                    const double w = share * part * wedge * point.weight / point.thickness;
                     const PairTwist<D> flux = (carried + point.flux) / part;
                     arm.resistance += w;
                     arm.flux += w * flux;
@@ -572,6 +573,21 @@ private:
     static double outlet_of(const GapMouthSide& side, double h, double standoff)
     {
         return standoff > 0 && side.angle > 0 ? side.outlet - std::log1p(standoff / h) / side.angle : side.outlet;
+    }
+
+    /// Resistance of a wedge over that of the mean velocity along the lines across it: these are those of the mouth and not normal to its middle. The walls
+    /// half the way behind the mouth.
+    static double wedge_of(const GapWalls<D>& walls, const Vec<D>& middle, const Vec<D>& n, const Vec<D>& way)
+    {
+        const auto half = walls.profile(middle + 0.5 * way, n);
+        if (!half || !(way.norm() > parameters.least_stretch))
+            return 1;
+        const Vec<D> along = way.normalized();
+        std::array<double, 2> slope;
+        for (int side = 0; side < 2; ++side)
+            slope[side] = half->normal[side].dot(along) / ((side == 0 ? 1 : -1) * n.dot(half->normal[side]));
+        const double angle = std::atan(slope[0]) + std::atan(slope[1]);
+        return std::abs(angle) > parameters.parallel ? (slope[0] + slope[1]) / angle : 1 + slope[0] * slope[0];
     }
 
     /// No energy of some components of the twists.
