@@ -1,7 +1,7 @@
 """Random scenes of bodies that touch, 200 steps each with the default settings: they run, none crawls, and no energy comes from nowhere.
 
 Scenes are made in random_scene_kinds.py and follow from their number alone: 0 to 299 in 2D, 300 to 359 in 3D, 360 to 499 attacks of other kinds.
-    python3 random_scenes.py run NUMBERS|A-B... [--out FILE.jsonl] [--jobs N] [--limit SECONDS] [--save FOLDER] [--reynolds LEAST LARGEST]
+    python3 random_scenes.py run NUMBERS|A-B... [--out FILE.jsonl] [--jobs N] [--limit SECONDS] [--save FOLDER] [--reynolds LEAST LARGEST] [--parts]
     python3 random_scenes.py judge FILE.jsonl...        what failed, by kind; what is slow among its kind
     python3 random_scenes.py show N                     the scene on the screen, its meshes into the current folder
 `run` appends a JSON line a scene to FILE; scenes that FILE has already are left out, so a batch that was stopped goes on.
@@ -195,10 +195,24 @@ def thrown(tank, bodies):
     return []
 
 
-def examine(number, limit=LIMIT, save=None, reynolds=None):
+def on_parts(scene):
+    """The scene of ideal fluid on parts, without what such runs have not."""
+    def kept(table):
+        return {key: value for key, value in table.items() if not (key == "exit" or (key, value) == ("contact", "dry"))}
+    scene = {**scene, "gap": {**kept(scene.get("gap", {})), "model": "parts"}}
+    scene["gap"].pop("threshold", None)
+    scene["fluid"] = {key: value for key, value in scene.get("fluid", {}).items() if key not in ("viscosity", "vapour_pressure", "velocity")}
+    if "pair" in scene:
+        scene["pair"] = [kept(pair) for pair in scene["pair"]]
+    return scene
+
+
+def examine(number, limit=LIMIT, save=None, reynolds=None, parts=False):
     """Runs a scene; a record of what it did, "defects" being a list of short texts, empty when all is well (slowness is judged among a kind)."""
     with tempfile.TemporaryDirectory() as folder:
         scene, tank = kinds.make(number, folder, reynolds)
+        if parts:
+            scene = on_parts(scene)
         file, out = Path(folder) / "scene.toml", Path(folder) / "out"
         file.write_text(harness.scene_text(scene))
         start = time.monotonic()
@@ -306,7 +320,7 @@ def run_command(options):
     known = {json.loads(line)["number"] for line in options.out.read_text().splitlines()} if options.out and options.out.exists() else set()
     numbers, failed = [n for n in numbers_of(options.number) if n not in known], 0
     with ProcessPoolExecutor(options.jobs) as pool:    # a process each: the processor's seconds are those of one scene
-        for task in as_completed([pool.submit(examine, number, options.limit, options.save, options.reynolds) for number in numbers]):
+        for task in as_completed([pool.submit(examine, number, options.limit, options.save, options.reynolds, options.parts) for number in numbers]):
             record = task.result()
             failed += bool(record["defects"])
             print(told(record), flush=True)
@@ -339,6 +353,7 @@ def main():
     run.add_argument("--limit", metavar="SECONDS", type=float, default=LIMIT, help="of the processor, for a scene")
     run.add_argument("--reynolds", metavar=("LEAST", "LARGEST"), nargs=2, type=float, help="between these instead of a scene's own, all fluid viscous")
     run.add_argument("--save", metavar="FOLDER", help="scenes with defects go here")
+    run.add_argument("--parts", action="store_true", help="ideal fluid with gap.model = \"parts\", without dry contact, jets, vapour pressure and flow at the start")
     judge = commands.add_parser("judge")
     judge.add_argument("file", nargs="+", type=Path)
     commands.add_parser("show").add_argument("number", type=int)
