@@ -744,10 +744,10 @@ private:
         const GapMouthSide& sector = mouth.sides[side];
         if (!(sector.angle > 0) || !(mouth.radius > 0))
             return;
-        const double outlet = sector.outlet + (std::log(mouth.room / mouth.radius) + 0.25 - within) / sector.angle,
+        const double whole = outlet + (std::log(mouth.room / mouth.radius) + 0.25 - within) / sector.angle,
                      product = apart / sector.angle + node_excess * other;
         arm.resistance +=
-            std::abs(weight) * part * (std::max(0.0, outlet - node_excess * lattice) + (1 - mouth.share) * product);
+            std::abs(weight) * part * (std::max(0.0, whole - node_excess * lattice) + (1 - mouth.share) * product);
     }
 
     static constexpr FivePoints rule{};

@@ -37,7 +37,7 @@ bool still(const Solid<D>& solid)
 
 /// Two solids that come too near.
 template <int D>
-struct Touch {
+struct ClosePair {
     int a, b;
     Vec<D> normal;  ///< towards a
     double missing; ///< of their least distance
@@ -45,13 +45,13 @@ struct Touch {
 
 /// Moves the solids that may move until all are apart.
 template <int D>
-void move_apart(const std::vector<Touch<D>>& touches, double enough, std::vector<Solid<D>>& solids)
+void set_apart(const std::vector<ClosePair<D>>& touches, double enough, std::vector<Solid<D>>& solids)
 {
     std::vector<Vec<D>> way(solids.size(), Vec<D>::Zero());
     double worst = touches.empty() ? 0.0 : enough + 1;
     for (int sweep = 0; sweep < most_sweeps && worst > enough; ++sweep) {
         worst = 0;
-        for (const Touch<D>& touch : touches) {
+        for (const ClosePair<D>& touch : touches) {
             const double missing = touch.missing - touch.normal.dot(way[touch.a] - way[touch.b]);
             if (!(missing > 0))
                 continue;
@@ -93,7 +93,7 @@ RoughSolids<D> rough_solids(const Scene& scene, const Grid<D>& grid, std::vector
             features[s] = contact_features(all[s].shape.shape());
         return *features[s];
     };
-    std::vector<Touch<D>> touches;
+    std::vector<ClosePair<D>> touches;
     for (const NearPair<D>& near : near_pairs<D>(all, grid.origin(), grid.origin() + grid.size(), period, roughest)) {
         const Solid<D>&a = all[near.a], &b = all[near.b];
         if (still(a) && still(b) && !names_pair(scene, a.name, b.name))
@@ -116,7 +116,7 @@ RoughSolids<D> rough_solids(const Scene& scene, const Grid<D>& grid, std::vector
         if (touch)
             touches.push_back({near.a, near.b, n, least - distance});
     }
-    move_apart<D>(touches, 1e-3 * least_distance * roughest, rough.solids);
+    set_apart<D>(touches, 1e-3 * least_distance * roughest, rough.solids);
     return rough;
 }
 

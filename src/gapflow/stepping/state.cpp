@@ -128,6 +128,7 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         archive.group("potential", [&] {
             list_field(archive, "cells", grid, state.potential.cells);
             archive("nodes", state.potential.nodes);
+            archive("forces_settle", state.forces_settle);
         });
     PressureHistory<D>& pressure = state.pressure;
     list_field(archive, "pressure_impulse", grid, pressure.impulse.cells);
