@@ -72,10 +72,10 @@ using SpinMatrix = Eigen::Matrix<double, spin_size<D>, spin_size<D>>;
 template <int D>
 struct SeenSolid {
     std::array<SeenVolume<D>, D> along;
-    double volume = 0;                ///< its own
-    Vec<D> centroid = Vec<D>::Zero(); ///< its own, from the reference point
+    double volume = 0;                              ///< its own
+    Vec<D> centroid = Vec<D>::Zero();               ///< its own, from the reference point
     SpinMatrix<D> rotation = SpinMatrix<D>::Zero(); ///< see seen_rotation.hpp
-    double sign = 1;                  ///< -1: the solid is inside out
+    double sign = 1;                                ///< -1: the solid is inside out
     /// Of the solid that is in the fluid, inside the domain and not within another solid: the volume that the planes see through the walls of
     /// the complex, over that of the whole solid, `all`.
     double share = 1, all = 0;

@@ -657,8 +657,8 @@ private:
     /// F leaves the source within r: the resistance is int (1 - F^2) dr / (angle r), and F = r^2/a^2 for the source that is even over the sector. Where
     /// the mouth has a share only, the rest of the flux leaves into the part itself: in the sum of the two laws the product of share and rest with
     /// the resistance of the difference of their sources is missing.
-    void spread_out(const GapMouth<D>& mouth, int side, const PartOrCell& from, double weight, double part,
-                    double outlet, MouthArm<D>& arm)
+    void spread_out(const GapMouth<D>& mouth, int side, const PartOrCell& from, double weight, double part, double outlet,
+                    MouthArm<D>& arm)
     {
         const Vec<D> centre = mouth.at + mouth.sides[side].apex * (mouth.end - mouth.at);
         struct Target {

@@ -16,8 +16,8 @@ namespace {
 // To each side, over the width of a gap or a cell: of a gap's energy, which goes as its inverse, the difference misses the square of this. Less far, a wall
 // that is nearly parallel to a plane of the grid and passes it is a spike.
 constexpr double small_way = 0.05;
-constexpr double accuracy = 1e-5; // of the local values, over what they start with
-constexpr int most_iterations = 100;
+constexpr double accuracy = 1e-7; // of the local values' rows, over that with which they start
+constexpr int most_iterations = 1000;
 
 } // namespace
 

@@ -46,7 +46,8 @@ double limit_of_closing(const Model<D>& model, const State<D>& state, const std:
         const auto rate = [&](const std::vector<Twist<D>>& twist) {
             double sum = 0;
             for (int side = 0; side < 2; ++side) {
-                const Twist<D> row = arm.opening.template segment<twist_size<D>>(side * twist_size<D>), &own = twist[arm.solid[side]];
+                const Twist<D> row = arm.opening.template segment<twist_size<D>>(side * twist_size<D>),
+                               &own = twist[arm.solid[side]];
                 sum += row.template head<D>().dot(own.template head<D>()) +
                        dx * row.template tail<spin_size<D>>().dot(own.template tail<spin_size<D>>());
             }
@@ -61,10 +62,10 @@ double limit_of_closing(const Model<D>& model, const State<D>& state, const std:
 }
 
 template double limit_of_closing<2>(const Model<2>&, const State<2>&, const std::vector<Solid<2>>&,
-                                    const std::vector<Twist<2>>&, const std::vector<Twist<2>>&,
-                                    std::span<const GapArm<2>>, double);
+                                    const std::vector<Twist<2>>&, const std::vector<Twist<2>>&, std::span<const GapArm<2>>,
+                                    double);
 template double limit_of_closing<3>(const Model<3>&, const State<3>&, const std::vector<Solid<3>>&,
-                                    const std::vector<Twist<3>>&, const std::vector<Twist<3>>&,
-                                    std::span<const GapArm<3>>, double);
+                                    const std::vector<Twist<3>>&, const std::vector<Twist<3>>&, std::span<const GapArm<3>>,
+                                    double);
 
 } // namespace gapflow

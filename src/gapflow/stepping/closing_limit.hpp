@@ -14,6 +14,7 @@ namespace gapflow {
 /// all solids. `arms`: of the complex there.
 template <int D>
 double limit_of_closing(const Model<D>& model, const State<D>& state, const std::vector<Solid<D>>& solids,
-                        const std::vector<Twist<D>>& V, const std::vector<Twist<D>>& A, std::span<const GapArm<D>> arms, double dt);
+                        const std::vector<Twist<D>>& V, const std::vector<Twist<D>>& A, std::span<const GapArm<D>> arms,
+                        double dt);
 
 } // namespace gapflow

@@ -85,7 +85,7 @@ struct State {
     Vec<D> grid_shift = Vec<D>::Zero();    ///< of a grid that follows a body, from its place at the scene's start
     Vec<D> grid_velocity = Vec<D>::Zero(); ///< of the same, in the last step
     std::set<int> removed;                 ///< bodies that left the domain and were taken out: held far outside
-    bool forces_settle = true; ///< on parts: whether the last step found those of its end (step/advance)
+    bool forces_settle = true;             ///< on parts: whether the last step found those of its end (step/advance)
     bool light_bodies = true; ///< whether the next solver estimates if bodies are light enough to need a correction
     double viscous_step = 0;  ///< longest next step, once one was too long for its viscosity (stepping/viscous_lag); 0: any
 

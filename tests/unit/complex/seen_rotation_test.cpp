@@ -18,7 +18,10 @@ struct One {
     Grid<D> grid = unit_grid<D>(24, all_sides<D>(SideKind::open));
     Scene<D> scene{grid};
 
-    One(std::unique_ptr<Shape<D>> shape, const Vec<D>& at, double angle) { scene.add("solid", std::move(shape), pose<D>(dx * at, angle)); }
+    One(std::unique_ptr<Shape<D>> shape, const Vec<D>& at, double angle)
+    {
+        scene.add("solid", std::move(shape), pose<D>(dx * at, angle));
+    }
     PlacedSolid<D> placed(int component = 0, double step = 0) const
     {
         const std::vector<Solid<D>> solids{moved(scene.solids[0], component, step, dx)};
@@ -62,7 +65,8 @@ TEST(SeenRotation, OfACapsuleIsThatOfManySegments)
         const double a = degrees * std::numbers::pi / 180, radius = 1.7, half = 2.6;
         const Vec<2> c(12.27, 11.81), axis(std::cos(a), std::sin(a));
         const auto place = [&](double s) { // along the outline
-            const double end = s < 0.5 ? 1 : -1, phi = (s < 0.5 ? 2 * s : 2 * s - 1) * std::numbers::pi - 0.5 * std::numbers::pi;
+            const double end = s < 0.5 ? 1 : -1,
+                         phi = (s < 0.5 ? 2 * s : 2 * s - 1) * std::numbers::pi - 0.5 * std::numbers::pi;
             const Vec<2> across(-axis[1], axis[0]);
             return Vec<2>(c + end * (half * axis + radius * (std::cos(phi) * axis + std::sin(phi) * across)));
         };

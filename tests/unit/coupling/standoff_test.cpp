@@ -152,7 +152,7 @@ void check_derivatives()
     Pose<D> first = testing::pose<D>(Vec<D>::Constant(0.41), 0.37);
     first.position[1] += 0.013;
     const Vec<D> way = first.rotation * unit<D>(0), aside = first.rotation * unit<D>(1);
-    for (const double gap : {0.03, 0.2}) {
+    for (const double gap : {0.1, 0.2}) { // nearer ones are moved apart
         testing::Scene<D> balls(grid), over(grid);
         balls.add("a", make_ball<D>(0.17), first);
         balls.add("b", make_ball<D>(0.13), testing::pose<D>(first.position + (0.3 + gap * cell) * way));
