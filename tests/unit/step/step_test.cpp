@@ -335,9 +335,9 @@ TEST(Step, AStackInACornerStands)
     }
     Simulation<2> simulation(scene, Communicator());
     const std::vector<RigidBody<2>> start = simulation.bodies();
-    for (int k = 0; k < 10; ++k)
+    while (simulation.time() < 1)
         simulation.step(1);
-    EXPECT_GT(simulation.time(), 0.01);
+    EXPECT_LT(simulation.steps(), 100);
     for (std::size_t b = 0; b < start.size(); ++b)
         EXPECT_LT((simulation.bodies()[b].centre() - start[b].centre()).norm(), 0.05 * dx) << b;
 }
