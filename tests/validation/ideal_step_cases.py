@@ -95,12 +95,15 @@ def plates_cases(quick):
 
 
 def random_cases(quick):
-    """Touching, rolling, edges and funnels: they run 200 steps, and energy rises by no more than 2 % of the largest kinetic energy so far."""
-    numbers = range(0, 16, 2) if quick else [n for n in range(300) if n % 15 in (0, 4, 7, 8)]
-    records = [random_scenes.examine(number, parts=True) for number in numbers]
+    """Touching, rolling, edges and funnels: they run 200 steps, and energy rises by no more than 2 % of the largest kinetic energy so far. A step whose forces do not settle is a defect, too."""
+    if quick:
+        return
+    records = [random_scenes.examine(number, parts=True) for number in range(300) if number % 15 in (0, 4, 7, 8)]
     bad = [record for record in records if record["defects"]]
-    yield Row(SCENES, f"{len(records)} scenes in 2D, 200 steps", "all run; energy rises by <= 2 %",
-              "; ".join([f"{len(records) - len(bad)} of {len(records)}"] + [f"{r['number']} {r['kind']}: {', '.join(r['defects'])}"[:140] for r in bad]), not bad)
+    ended = [record for record in records if record["exit"] != 0]
+    yield Row(SCENES, f"{len(records)} scenes in 2D, 200 steps: without an error", "all", f"{len(records) - len(ended)} of {len(records)}", not ended)
+    yield Row(SCENES, f"{len(records)} scenes in 2D, 200 steps: energy rises by <= 2 %, forces settle", "all",
+              "; ".join([f"{len(records) - len(bad)} of {len(records)}"] + [f"{r['number']}: {', '.join(r['defects'])}"[:90] for r in bad]), not bad)
 
 
 ALL = [coasting_cases, spinning_cases, plates_cases, random_cases]

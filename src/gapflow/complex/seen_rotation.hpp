@@ -1,4 +1,4 @@
-// What the planes of the grid miss of a solid that turns (theory of the complex, "The volume that planes see").
+// What the planes of the grid miss of a solid that turns (theory of the complex, "Energy").
 //
 // The sum over the planes normal to d less the integral over the solid is an integral over its surface, with the sawtooth sigma(x_d), which falls from 1/2 to
 // -1/2 at each plane. Of the velocity of the fluid at a wall that turns with the velocity omega about c the part along the normal n is known:
