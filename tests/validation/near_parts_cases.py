@@ -40,7 +40,7 @@ def seats_in(folder):
         return str(file)
 
     knife_file, poppet_file = polygon("knife", KNIFE), polygon("poppet", [[1e-3 * x for x in p] for p in POPPET])
-    up, across = dict(y_low="open", y_high="open"), dict(x_low="open", x_high="open")
+    up, across = dict(y_low="open", y_high="open"), dict(x_low="open", x_high="open", y_high="open")    # the knife ends just below the top
     touching = 0.5 + math.sqrt(0.2 ** 2 - 0.15 ** 2)
 
     def valve(sides, others, **body):
