@@ -16,8 +16,9 @@ namespace {
 // To each side, over the width of a gap or a cell: of a gap's energy, which goes as its inverse, the difference misses the square of this. Less far, a wall
 // that is nearly parallel to a plane of the grid and passes it is a spike.
 constexpr double small_way = 0.05;
-constexpr double accuracy = 1e-7; // of the local values' rows, over that with which they start
-constexpr int most_iterations = 1000;
+constexpr double accuracy = 1e-6; // of the local values' rows, over that with which they start
+constexpr int most_iterations = 300;
+constexpr double sealed = 1e-9; // rows without a way out have no more over their diagonal
 
 } // namespace
 
@@ -232,10 +233,12 @@ std::vector<double> EnergyTerms<D>::local_values(const PotentialFlow<D>& flow) c
     const double enough = accuracy * accuracy * square;
     for (int iteration = 0; iteration < most_iterations && square > enough; ++iteration) {
         multiply(direction, product);
-        double energy = 0;
-        for (std::size_t k = 0; k < count; ++k)
+        double energy = 0, scale = 0;
+        for (std::size_t k = 0; k < count; ++k) {
             energy += direction[k] * product[k];
-        if (!(energy > 0))
+            scale += local_[k].diagonal * direction[k] * direction[k];
+        }
+        if (!(energy > sealed * scale))
             break;
         const double length = square / energy, last = square;
         square = 0;
