@@ -6,7 +6,6 @@
 #include "gapflow/stepping/standoff.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -310,8 +309,7 @@ std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<Rig
                                                    find_mouth_arms<D>(model.grid, moved, complex, standoffs));
         const std::vector<TwistMatrix<D>> mass(moved.size(), TwistMatrix<D>::Identity());
         const Coupling<D> coupling = couple_parts<D>(model.grid, moved, mass, model.scene.density, complex, inertia);
-        CoupledSystem<D> numbered;
-        return EnergyTerms<D>(coupling, complex, nodes_of_parts<D>(model.grid, complex, numbered), at);
+        return EnergyTerms<D>(coupling, complex, coupling.part_node, at);
     };
     std::vector<Displaced<D>> result;
     for (const auto& [solid, width] : solids) {

@@ -29,8 +29,7 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
             std::make_shared<FaceClipper<D>>(model.grid, result->coupling.solids, FractionMode::cut_cell);
         result->coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *result->coupling.clipper));
     }
-    CoupledSystem<D> numbered;
-    result->node = nodes_of_parts<D>(model.grid, complex, numbered);
+    result->node = result->coupling.part_node;
     return result;
 }
 

@@ -28,22 +28,23 @@ double limit_of_closing(const Model<D>& model, const State<D>& state, const std:
     }
     const auto reach = [&](int a, int b) { return (way[a] + way[b]) / part; };
     const double largest = way.empty() ? 0.0 : 2 * *std::max_element(way.begin(), way.end()) / part;
+    const auto limit_to = [&](double thickness, int a, int b, const auto& rate) {
+        const double hold = model.scene.held_distance(solids[a].name, solids[b].name),
+                     h = std::max({thickness, hold, smallest_limiting_gap * dx}), tiny = std::numeric_limits<double>::min();
+        dt = std::min({dt, part * h / std::max(rate(V), tiny), std::sqrt(2 * part * h / std::max(rate(A), tiny))});
+    };
     const std::vector<ContactFeatures<D>>& features = state.contacts.features();
     for (const ContactPoint<D>& point :
          find_contacts<D>(solids, features, model.grid.origin(), model.grid.origin() + model.grid.size(), period, reach,
                           largest, 0.5 * dx)) {
         const RelativeRow<D> row = relative_row<D>(point, solids, point.normal);
-        const auto rate = [&](const std::vector<Twist<D>>& twist) {
+        limit_to(point.distance, point.a, point.b, [&](const std::vector<Twist<D>>& twist) {
             return std::abs(row.a.dot(twist[point.a]) + row.b.dot(twist[point.b]));
-        };
-        const double hold = model.scene.held_distance(solids[point.a].name, solids[point.b].name),
-                     h = std::max({point.distance, hold, smallest_limiting_gap * dx}),
-                     tiny = std::numeric_limits<double>::min();
-        dt = std::min({dt, part * h / std::max(rate(V), tiny), std::sqrt(2 * part * h / std::max(rate(A), tiny))});
+        });
     }
     // Walls that turn about a contact close where their distance has no minimum.
     for (const GapArm<D>& arm : arms) {
-        const auto rate = [&](const std::vector<Twist<D>>& twist) {
+        limit_to(arm.thickness * dx, arm.solid[0], arm.solid[1], [&](const std::vector<Twist<D>>& twist) {
             double sum = 0;
             for (int side = 0; side < 2; ++side) {
                 const Twist<D> row = arm.opening.template segment<twist_size<D>>(side * twist_size<D>),
@@ -52,11 +53,7 @@ double limit_of_closing(const Model<D>& model, const State<D>& state, const std:
                        dx * row.template tail<spin_size<D>>().dot(own.template tail<spin_size<D>>());
             }
             return std::abs(sum);
-        };
-        const double hold = model.scene.held_distance(solids[arm.solid[0]].name, solids[arm.solid[1]].name),
-                     h = std::max({arm.thickness * dx, hold, smallest_limiting_gap * dx}),
-                     tiny = std::numeric_limits<double>::min();
-        dt = std::min({dt, part * h / std::max(rate(V), tiny), std::sqrt(2 * part * h / std::max(rate(A), tiny))});
+        });
     }
     return dt;
 }
