@@ -25,10 +25,11 @@ public:
     /// Of q . K V - 1/2 p . L p - next . diag(L) p with q = p + next.
     EnergyDerivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                      const Potentials<D>& p, const Potentials<D>& next, std::span<const Twist<D>> twists,
-                     const DerivedGaps<D>& gaps)
+                     const DerivedGaps<D>& gaps, const Circulation<D>* circulation)
         : grid_(grid), complex_(complex), derivatives_(derivatives), p_(p), next_(next), twists_(twists), gaps_(gaps),
-          areas_(complex), by_area_(complex.pieces.size(), 0), by_moment_(complex.pieces.size(), Vec<D>::Zero()),
-          by_patch_(complex.patches.size(), Twist<D>::Zero()), result_(twists.size(), Twist<D>::Zero())
+          circulation_(circulation), areas_(complex), by_area_(complex.pieces.size(), 0),
+          by_moment_(complex.pieces.size(), Vec<D>::Zero()), by_patch_(complex.patches.size(), Twist<D>::Zero()),
+          result_(twists.size(), Twist<D>::Zero())
     {
         if (!gaps.arms.empty()) {
             plain_.assign(complex.pieces.size(), 1.0);
@@ -57,10 +58,12 @@ public:
 
 private:
     double q_of(const PartOrCell& side) const { return p_.of(side) + next_.of(side); }
-    /// What a conductance of one between two sides takes from E.
-    double loss(const PartOrCell& low, const PartOrCell& high) const
+    /// What of the momentum from the low side of a piece to its high one, a length apart, is no difference of potentials.
+    double rest_of(std::size_t piece, double length) const { return circulation_ ? length * circulation_->piece[piece] : 0.0; }
+    /// What a conductance of one between two sides takes from E. `rest`: of the momentum.
+    double loss(const PartOrCell& low, const PartOrCell& high, double rest) const
     {
-        const double difference = p_.of(high) - p_.of(low);
+        const double difference = p_.of(high) - p_.of(low) + rest;
         return 0.5 * difference * difference + next_.of(low) * p_.of(low) + next_.of(high) * p_.of(high);
     }
 
@@ -79,7 +82,7 @@ private:
                     continue;
                 over *= side_distance(grid_, piece.axis, end, f);
             }
-            by_area_[k] -= loss(piece.low, piece.high) / over;
+            by_area_[k] -= loss(piece.low, piece.high, rest_of(k, over)) / over;
         }
     }
 
@@ -96,20 +99,22 @@ private:
         double difference, loss;
         double energy(double U) const { return difference * U - loss; }
     };
-    Side side_of(int axis, const Index<D>& f, const PartOrCell& low, const PartOrCell& high) const
+    Side side_of(double length, double rest, const PartOrCell& low, const PartOrCell& high) const
     {
-        return {q_of(high) - q_of(low), loss(low, high) / grid_.spread(axis, f[axis])};
+        return {q_of(high) - q_of(low) + rest, loss(low, high, rest) / length};
     }
     Side side_of(std::int32_t piece) const
     {
         const FacePiece<D>& p = complex_.pieces[piece];
-        return side_of(p.axis, complex_.index.index(p.face), p.low, p.high);
+        const double length = grid_.spread(p.axis, complex_.index.index(p.face)[p.axis]);
+        return side_of(length, rest_of(piece, length), p.low, p.high);
     }
     Side side_of(int axis, std::int32_t face) const
     {
         const Index<D> f = complex_.index.index(face);
         const auto at = [&](const Index<D>& c) { return complex_.main_of(complex_.index(complex_.index.wrapped(c))); };
-        return side_of(axis, f, at(f - step<D>(axis)), at(f));
+        const double length = grid_.spread(axis, f[axis]);
+        return side_of(length, circulation_ ? length * circulation_->face[axis][face] : 0.0, at(f - step<D>(axis)), at(f));
     }
 
     /// What E gains by a lent area on another one, per unit of it, and by the speed U. The rest of `weight` E depends on how it is shared among the pieces.
@@ -250,13 +255,14 @@ private:
         for (const GapArm<D>& arm : gaps_.arms) {
             const FacePiece<D>& piece = complex_.pieces[arm.piece];
             const Index<D> f = complex_.index.index(piece.face);
-            const double delta = grid_.spread(piece.axis, f[piece.axis]), d = q_of(piece.low) - q_of(piece.high);
+            const double delta = grid_.spread(piece.axis, f[piece.axis]), rest = rest_of(arm.piece, delta),
+                         d = q_of(piece.low) - q_of(piece.high) - rest;
             const Number A = Number::variable(piece.area, GapTerms<D>::area);
             PairTwist<D> twist;
             twist << twists_[arm.solid[0]], twists_[arm.solid[1]];
             const GapTerms<D> gap = gaps_.derivatives->of(arm, twist);
             const Number &c = gap.flux, &U = gap.motion;
-            Number energy = A * U * d - (d * (c + delta * U) + loss(piece.low, piece.high)) / gap.resistance -
+            Number energy = A * U * d - (d * (c + delta * U) + loss(piece.low, piece.high, rest)) / gap.resistance -
                             by_plain_[arm.piece] * gap.share;
             if (whole)
                 energy += 0.5 * gap.mass + 0.5 * delta * A * U * U - 0.5 * (c + delta * U) * (c + delta * U) / gap.resistance;
@@ -336,7 +342,9 @@ private:
     {
         for (const LinkRate<D>& rate : derivatives_.links) {
             const CornerLink<D>& link = complex_.links[rate.link];
-            result_[rate.solid] -= loss(PartOrCell::part(link.a), PartOrCell::part(link.b)) * rate.conductance;
+            result_[rate.solid] -=
+                loss(PartOrCell::part(link.a), PartOrCell::part(link.b), circulation_ ? circulation_->link[rate.link] : 0.0) *
+                rate.conductance;
         }
     }
 
@@ -364,6 +372,7 @@ private:
     const Potentials<D>&p_, &next_;
     std::span<const Twist<D>> twists_;
     const DerivedGaps<D>& gaps_;
+    const Circulation<D>* circulation_;
     OpenAreas<D> areas_;
     // Of each piece, where there are gaps: what of its energy is not a gap's, dE by it, and whether there is one.
     std::vector<double> plain_, by_plain_;
@@ -381,10 +390,11 @@ private:
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                                         const Potentials<D>& potentials, std::span<const Twist<D>> twists,
-                                        std::span<const std::vector<WeightedTwist<D>>> seen, const DerivedGaps<D>& gaps)
+                                        std::span<const std::vector<WeightedTwist<D>>> seen, const DerivedGaps<D>& gaps,
+                                        const Circulation<D>* circulation)
 {
     const Potentials<D> none{std::vector<double>(complex.parts(), 0), std::vector<double>(complex.index.count, 0)};
-    return EnergyDerivative<D>(grid, complex, derivatives, potentials, none, twists, gaps).find(seen);
+    return EnergyDerivative<D>(grid, complex, derivatives, potentials, none, twists, gaps, circulation).find(seen);
 }
 
 template <int D>
@@ -394,13 +404,13 @@ std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& co
 {
     std::vector<Twist<D>> twists(complex.seen_mass.size(), Twist<D>::Zero());
     twists[solid] = z;
-    return EnergyDerivative<D>(grid, complex, derivatives, step, next, twists, gaps).find({});
+    return EnergyDerivative<D>(grid, complex, derivatives, step, next, twists, gaps, nullptr).find({});
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template std::vector<Twist<D>> energy_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,             \
-                                                     const Potentials<D>&, std::span<const Twist<D>>,                          \
-                                                     std::span<const std::vector<WeightedTwist<D>>>, const DerivedGaps<D>&);   \
+    template std::vector<Twist<D>> energy_derivative(                                                                          \
+        const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&, const Potentials<D>&, std::span<const Twist<D>>,         \
+        std::span<const std::vector<WeightedTwist<D>>>, const DerivedGaps<D>&, const Circulation<D>*);                         \
     template std::vector<Twist<D>> layer_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,              \
                                                     const Potentials<D>&, const Potentials<D>&, int, const Twist<D>&,          \
                                                     const DerivedGaps<D>&);

@@ -46,6 +46,14 @@ struct Potentials {
     }
 };
 
+/// What the fluid's momentum has beside the gradient of a potential (step theory, "Circulation"): on faces velocities along their axes, in cells a unit of
+/// time, on links its integral from their first part to the second.
+template <int D>
+struct Circulation {
+    std::array<std::vector<double>, D> face; ///< by the numbers of Complex::index
+    std::vector<double> piece, link;         ///< of each
+};
+
 /// 1/2 sum_k weight_k z_k . D z_k.
 template <int D>
 struct WeightedTwist {
@@ -71,11 +79,13 @@ struct DerivedGaps {
 
 /// dT by each solid's place (cells) and by its rotation (radians) about its reference point, at fixed twists (cells and radians a unit of time); T over the
 /// fluid's density, in cells^(D + 2) a unit of time squared. Without the solids' own masses. `seen`: of each solid, what of D counts; with its
-/// whole D its twist with the weight 1.
+/// whole D its twist with the weight 1. With circulation it is the derivative of -1/2 m . g m - p . K V + 1/2 V . D V at fixed potentials and circulation, whose
+/// sum is the momentum m.
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                                         const Potentials<D>& potentials, std::span<const Twist<D>> twists,
-                                        std::span<const std::vector<WeightedTwist<D>>> seen, const DerivedGaps<D>& gaps);
+                                        std::span<const std::vector<WeightedTwist<D>>> seen, const DerivedGaps<D>& gaps,
+                                        const Circulation<D>* circulation = nullptr);
 
 /// 1/2 d(z . W z) of one solid's twist z, by each solid's place; y and y' in `step` and `next`.
 template <int D>

@@ -30,9 +30,9 @@ public:
 
     /// `first_row`: workspace, of each cell; so far -1. `plain`: of each piece the share of its energy that is not a gap's; empty: all of it.
     Lending(const Grid<D>& grid, const Complex<D>& complex, const OpenAreas<D>& areas, std::vector<std::int32_t>& first_row,
-            const std::vector<double>& plain, Inertia<D>& inertia)
+            const std::vector<double>& plain, Inertia<D>& inertia, std::vector<FaceFlux<D>>* face_flux)
         : lenders_(lenders(grid, complex.index)), complex_(complex), areas_(areas), first_row_(first_row), plain_(plain),
-          inertia_(inertia), loans_(grid, complex, areas)
+          inertia_(inertia), face_flux_(face_flux), loans_(grid, complex, areas)
     {
     }
 
@@ -97,6 +97,7 @@ private:
     {
         if (to.piece < 0) {
             inertia_.main_weight[axis_][to.face] += area;
+            record(to.face, -1, area);
             add_to_row(-1, to.face, area);
             add_to_row(-1, to.face + below_, -area);
             return;
@@ -108,9 +109,22 @@ private:
             inertia_.piece_weight[k] += share;
             if (complex_.joins_main(piece))
                 inertia_.main_weight[axis_][to.face] += share;
+            record(to.face, complex_.joins_main(piece) ? -1 : k, share);
             add_to_row(other_part(piece.high), to.face, share);
             add_to_row(other_part(piece.low), to.face + below_, -share);
         });
+    }
+
+    void record(std::int32_t face, std::int32_t piece, double area)
+    {
+        if (!face_flux_)
+            return;
+        for (const WallShare<D>& share : loans_.shares()) {
+            FaceFlux<D> of{static_cast<std::int8_t>(axis_), face, piece, -1, share.solid, Twist<D>::Zero()};
+            of.flux[axis_] = -area * share.size;
+            of.flux.template tail<spin_size<D>>() = -area * share.spin;
+            face_flux_->push_back(of);
+        }
     }
 
     void add_to_row(std::int32_t part, int cell, double area)
@@ -155,6 +169,7 @@ private:
     std::vector<std::int32_t>& first_row_;
     const std::vector<double>& plain_;
     Inertia<D>& inertia_;
+    std::vector<FaceFlux<D>>* face_flux_;
     Loans<D> loans_;
     int axis_ = 0;  ///< of the face that lends
     int below_ = 0; ///< number of the cell below it less that of the one above it
@@ -163,17 +178,18 @@ private:
 
 /// Planes in slabs, first all even ones, then all odd ones: those of one time reach no common cell, and sums are the same for any number of threads.
 template <int D>
-void lend(const Grid<D>& grid, const Complex<D>& complex, const std::vector<double>& plain, Inertia<D>& inertia)
+void lend(const Grid<D>& grid, const Complex<D>& complex, const std::vector<double>& plain, bool face_flux, Inertia<D>& inertia)
 {
     const OpenAreas<D> areas(complex);
     const Block<D> lenders = Lending<D>::lenders(grid, complex.index);
     const int first = lenders.low[D - 1], n = lenders.high[D - 1] - first, slabs = std::max(1, n / (2 * parameters.slab) * 2);
     std::vector<std::vector<LentRow<D>>> rows(slabs);
+    std::vector<std::vector<FaceFlux<D>>> through(slabs);
     for (int odd = 0; odd < 2; ++odd) {
         std::vector<std::int32_t> first_row(complex.index.count, -1);
         for_each_job((slabs + 1 - odd) / 2, [&](int k) {
             const int s = 2 * k + odd;
-            rows[s] = Lending<D>(grid, complex, areas, first_row, plain, inertia)
+            rows[s] = Lending<D>(grid, complex, areas, first_row, plain, inertia, face_flux ? &through[s] : nullptr)
                           .lend(first + n * s / slabs, first + n * (s + 1) / slabs);
         });
     }
@@ -184,6 +200,8 @@ void lend(const Grid<D>& grid, const Complex<D>& complex, const std::vector<doub
             else
                 inertia.piece_weight[k] += piece.area;
     });
+    for (const auto& list : through)
+        inertia.face_flux.insert(inertia.face_flux.end(), list.begin(), list.end());
     std::vector<std::size_t> offset{0};
     for (const auto& list : rows)
         offset.push_back(offset.back() + list.size());
@@ -208,7 +226,7 @@ void remove_piece(const Complex<D>& complex, std::int32_t number, Inertia<D>& in
 /// Replaces the energies of faces in gaps and of links in their mouths.
 template <int D>
 void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps,
-              std::span<const MouthArm<D>> mouths, Inertia<D>& inertia)
+              std::span<const MouthArm<D>> mouths, bool face_flux, Inertia<D>& inertia)
 {
     constexpr int T = twist_size<D>;
     const auto add_row = [&](const PartOrCell& row, std::int32_t solid, const Twist<D>& flux) {
@@ -221,6 +239,15 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
                     return;
                 }
         inertia.flux.push_back({row, solid, flux});
+    };
+    const auto record = [&](const FacePiece<D>* piece, std::int32_t number, std::int32_t mouth, std::int32_t solid,
+                            const Twist<D>& flux) {
+        if (!face_flux || flux.isZero(0))
+            return;
+        if (piece)
+            inertia.face_flux.push_back({piece->axis, piece->face, complex.joins_main(*piece) ? -1 : number, -1, solid, flux});
+        else
+            inertia.face_flux.push_back({0, -1, -1, mouth, solid, flux});
     };
     std::vector<std::int32_t> in_mouths;
     for (const MouthArm<D>& mouth : mouths)
@@ -242,6 +269,7 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
             inertia.main_weight[piece.axis][piece.face] += change;
         const PairTwist<D> flux = -gap.flux / gap.resistance - change * gap.motion, cross = -a * gap.flux;
         for (int side = 0; side < 2; ++side) {
+            record(&piece, gap.piece, -1, gap.solid[side], flux.template segment<T>(side * T));
             add_row(piece.low, gap.solid[side], flux.template segment<T>(side * T));
             add_row(piece.high, gap.solid[side], -flux.template segment<T>(side * T));
         }
@@ -263,11 +291,14 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
             mouth.link >= 0 ? PartOrCell::part(complex.links[mouth.link].a) : complex.pieces[mouth.piece].high;
         inertia.mouths.push_back({first, 1 / mouth.resistance, mouth.rows});
         for (int side = 0; side < 2; ++side) {
+            record(nullptr, -1, static_cast<std::int32_t>(inertia.mouths.size()) - 1, mouth.solid[side],
+                   Twist<D>(-1 / mouth.resistance * mouth.flux.template segment<T>(side * T)));
             for (const auto& [row, weight] : mouth.rows)
                 add_row(row, mouth.solid[side],
                         Twist<D>(-weight / mouth.resistance * mouth.flux.template segment<T>(side * T)));
             if (mouth.piece >= 0) {
                 const Twist<D> carried = mouth.carried.template segment<T>(side * T);
+                record(&complex.pieces[mouth.piece], mouth.piece, -1, mouth.solid[side], carried);
                 add_row(complex.pieces[mouth.piece].low, mouth.solid[side], carried);
                 add_row(complex.pieces[mouth.piece].high, mouth.solid[side], -carried);
             }
@@ -314,7 +345,7 @@ void merge_pairs(std::vector<PairInertia<D>>& pairs)
 
 template <int D>
 Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps,
-                        std::span<const MouthArm<D>> mouths)
+                        std::span<const MouthArm<D>> mouths, bool face_flux)
 {
     Inertia<D> inertia;
     inertia.main_weight = complex.main_area;
@@ -332,8 +363,8 @@ Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::spa
     for (const MouthArm<D>& mouth : mouths)
         if (mouth.piece >= 0)
             plain[mouth.piece] = 0;
-    lend(grid, complex, plain, inertia);
-    add_gaps(grid, complex, gaps, mouths, inertia);
+    lend(grid, complex, plain, face_flux, inertia);
+    add_gaps(grid, complex, gaps, mouths, face_flux, inertia);
     return inertia;
 }
 
@@ -341,7 +372,7 @@ template <int D>
 long Inertia<D>::bytes() const
 {
     const auto of = [](const auto& v) { return static_cast<long>(v.capacity() * sizeof(v[0])); };
-    long sum = of(piece_weight) + of(link_conductance) + of(patch_flux) + of(flux) + of(pairs);
+    long sum = of(piece_weight) + of(link_conductance) + of(patch_flux) + of(flux) + of(pairs) + of(face_flux);
     for (const std::vector<double>& weight : main_weight)
         sum += of(weight);
     return sum;
@@ -351,7 +382,9 @@ template void merge_pairs(std::vector<PairInertia<2>>&);
 template void merge_pairs(std::vector<PairInertia<3>>&);
 template struct Inertia<2>;
 template struct Inertia<3>;
-template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&, std::span<const GapArm<2>>, std::span<const MouthArm<2>>);
-template Inertia<3> find_inertia(const Grid<3>&, const Complex<3>&, std::span<const GapArm<3>>, std::span<const MouthArm<3>>);
+template Inertia<2> find_inertia(const Grid<2>&, const Complex<2>&, std::span<const GapArm<2>>, std::span<const MouthArm<2>>,
+                                 bool);
+template Inertia<3> find_inertia(const Grid<3>&, const Complex<3>&, std::span<const GapArm<3>>, std::span<const MouthArm<3>>,
+                                 bool);
 
 } // namespace gapflow

@@ -41,6 +41,18 @@ struct RowsLink {
     std::vector<std::pair<PartOrCell, double>> rows;
 };
 
+/// Flux of a solid's twist from the low side of a face to the high one (of a mouth, from the rows of positive weight), in cells: what K has of lent area and of
+/// gaps, beside the walls' own. It is carried with the face's momentum.
+template <int D>
+struct FaceFlux {
+    std::int8_t axis;
+    std::int32_t face;       ///< number in Complex::index; of a mouth none
+    std::int32_t piece = -1; ///< -1: all that joins the largest parts of two cells
+    std::int32_t mouth = -1; ///< number in Inertia::mouths
+    std::int32_t solid;
+    Twist<D> flux;
+};
+
 template <int D>
 struct Inertia {
     /// a_f of the grid's own faces, as Complex::main_area; conductance is a_f over the distance of the cells' centres.
@@ -48,16 +60,17 @@ struct Inertia {
     std::vector<double> piece_weight;     ///< of each piece
     std::vector<double> link_conductance; ///< of each of Complex::links; 0 where `mouths` has it
     std::vector<RowsLink<D>> mouths;
-    std::vector<Twist<D>> patch_flux;  ///< of each of Complex::patches, in cells: the walls' own and what is lent
-    std::vector<LentFlux<D>> flux;     ///< of the rows beside; one may come more than once
-    std::vector<PairInertia<D>> pairs; ///< one of each two solids with a gap, of this rank's faces
+    std::vector<Twist<D>> patch_flux;   ///< of each of Complex::patches, in cells: the walls' own and what is lent
+    std::vector<LentFlux<D>> flux;      ///< of the rows beside; one may come more than once
+    std::vector<PairInertia<D>> pairs;  ///< one of each two solids with a gap, of this rank's faces
+    std::vector<FaceFlux<D>> face_flux; ///< where asked for
 
     long bytes() const;
 };
 
-/// `gaps`: of the faces whose energy is that of a gap. `mouths`: of these gaps.
+/// `gaps`: of the faces whose energy is that of a gap. `mouths`: of these gaps. `face_flux`: whether it is wanted.
 template <int D>
 Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::span<const GapArm<D>> gaps = {},
-                        std::span<const MouthArm<D>> mouths = {});
+                        std::span<const MouthArm<D>> mouths = {}, bool face_flux = false);
 
 } // namespace gapflow

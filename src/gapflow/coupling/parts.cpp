@@ -358,7 +358,7 @@ template <int D>
 std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex,
                                         const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
                                         const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms,
-                                        std::span<const PairInertia<D>> pairs)
+                                        std::span<const PairInertia<D>> pairs, const Circulation<D>* circulation)
 {
     const double dx = coupling.grid->dx(), unit = coupling.density * dx * dx;
     const std::vector<int>& node = coupling.part_node;
@@ -414,7 +414,7 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
     gaps.motion = std::move(deficits);
     const std::vector<Twist<D>> flow =
         energy_derivative<D>(*coupling.grid, complex, derivatives, in_cells(p, -1 / unit), std::span<const Twist<D>>(V),
-                             std::span<const std::vector<WeightedTwist<D>>>(seen), gaps);
+                             std::span<const std::vector<WeightedTwist<D>>>(seen), gaps, circulation);
     for (std::size_t s = 0; s < sum.size(); ++s) {
         sum[s] = unit * std::pow(dx, D) * (sum[s] + flow[s]);
         sum[s].template head<D>() /= dx;
@@ -426,10 +426,12 @@ template std::vector<int> nodes_of_parts(const Grid<2>&, const Complex<2>&, Coup
 template std::vector<int> nodes_of_parts(const Grid<3>&, const Complex<3>&, CoupledSystem<3>&);
 template std::vector<Twist<2>> energy_derivative(const Coupling<2>&, const Complex<2>&, const FaceDerivatives<2>&,
                                                  const UnknownVector<2>&, const std::vector<Twist<2>>&,
-                                                 std::span<const GapArm<2>>, std::span<const PairInertia<2>>);
+                                                 std::span<const GapArm<2>>, std::span<const PairInertia<2>>,
+                                                 const Circulation<2>*);
 template std::vector<Twist<3>> energy_derivative(const Coupling<3>&, const Complex<3>&, const FaceDerivatives<3>&,
                                                  const UnknownVector<3>&, const std::vector<Twist<3>>&,
-                                                 std::span<const GapArm<3>>, std::span<const PairInertia<3>>);
+                                                 std::span<const GapArm<3>>, std::span<const PairInertia<3>>,
+                                                 const Circulation<3>*);
 template Coupling<2> couple_parts(const Grid<2>&, std::vector<Solid<2>>, const std::vector<TwistMatrix<2>>&, double,
                                   const Complex<2>&, const Inertia<2>&);
 template Coupling<3> couple_parts(const Grid<3>&, std::vector<Solid<3>>, const std::vector<TwistMatrix<3>>&, double,

@@ -21,9 +21,9 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
 /// dT of the fluid at fixed twists by each solid's place, and by its rotation about its reference point (energy_derivative.hpp). p: the impulse
 /// that sets the fluid at rest moving with these twists, L p = -K V. `arms` and `pairs`: the gaps of `coupling`, and Inertia::pairs. One rank.
 template <int D>
-std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex,
-                                        const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
-                                        const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms = {},
-                                        std::span<const PairInertia<D>> pairs = {});
+std::vector<Twist<D>>
+energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
+                  const UnknownVector<D>& p, const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms = {},
+                  std::span<const PairInertia<D>> pairs = {}, const Circulation<D>* circulation = nullptr);
 
 } // namespace gapflow

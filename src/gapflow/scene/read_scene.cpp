@@ -145,7 +145,7 @@ std::vector<const GapScene*> gaps_of(const Scene& scene)
     return gaps;
 }
 
-/// Runs with parts are those of ideal fluid that bodies alone set moving.
+/// Runs with parts are those of ideal fluid that bodies or a velocity at the start set moving.
 void check_parts(const Values& v, Purpose purpose, const Scene& scene)
 {
     if (!scene.parts || purpose != Purpose::run)
@@ -153,8 +153,12 @@ void check_parts(const Values& v, Purpose purpose, const Scene& scene)
     const std::string remedy = "leave it out, or write gap.model = \"film\"";
     if (scene.viscosity > 0)
         v.refuse("fluid.viscosity", "this version runs gap.model = \"parts\" without viscosity", remedy);
-    if (scene.fluid_velocity != Triple{})
-        v.refuse("fluid.velocity", "this version runs gap.model = \"parts\" in fluid that is at rest without bodies", remedy);
+    for (int side = 0; side < 2 * scene.dimension; ++side)
+        if (scene.fluid_velocity[side / 2] != 0 && scene.sides[side].kind == SideScene::Kind::wall)
+            v.refuse("fluid.velocity",
+                     "this version runs gap.model = \"parts\" with a velocity along axes without walls, and domain.sides." +
+                         side_names[side] + " is one",
+                     "make both sides there periodic, far or open, or write gap.model = \"film\"");
     if (scene.pressure_gradient || scene.mean_velocity)
         v.refuse(scene.pressure_gradient ? "fluid.pressure_gradient" : "fluid.mean_velocity",
                  "this version runs gap.model = \"parts\" in fluid that is at rest without bodies", remedy);

@@ -4,6 +4,7 @@
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/energy_change.hpp"
 #include "gapflow/step/pressure.hpp"
+#include "gapflow/step/remainder.hpp"
 #include "gapflow/stepping/force_parts.hpp"
 #include "gapflow/stepping/motion.hpp"
 #include "gapflow/stepping/unilateral.hpp"
@@ -72,12 +73,19 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
 /// Twists before the fluid acts, with all impulses but its pressure's.
 template <int D>
 Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const Placed<D>& there,
-                             const std::vector<Twist<D>>& forced, const StepForces<D>& forces, const State<D>& state, double dt)
+                             const Remainder<D>& remainder, const std::vector<Twist<D>>& forced, const StepForces<D>& forces,
+                             const State<D>& state, double dt)
 {
     Intermediate<D> star;
-    star.velocity.grid = FaceField<D>(model.grid);
+    star.velocity.grid = remainder.empty() ? FaceField<D>(model.grid) : remainder.faces;
     star.twists = star.forced = forced;
-    const std::vector<Twist<D>> given = impulses_of_given(there.coupling, forced);
+    std::vector<Twist<D>> given = impulses_of_given(there.coupling, forced);
+    if (!remainder.empty()) {
+        star.outflow = outflow_of_edges(there, remainder);
+        const std::vector<Twist<D>> own = impulse_of_remainder(there, remainder);
+        for (std::size_t b = 0; b < given.size(); ++b)
+            given[b] -= own[b];
+    }
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         if (state.bodies[b].motion == Motion::free)
             star.twists[b] +=
@@ -112,6 +120,108 @@ Work work_of(const Impulse& impulse, const std::vector<RigidBody<D>>& bodies, co
     return work;
 }
 
+/// The remainder at the new places, turned by the vorticity that the mean flux of the step's ends carries along.
+template <int D>
+class TurnedRemainder {
+public:
+    TurnedRemainder(const Instant<D>& old, const Placed<D>& there, double dt) : there_(there), dt_(dt)
+    {
+        if (old.flow.remainder.empty())
+            return;
+        carried_ = carried(*old.placed, old.flow.remainder, there);
+        flux_ = face_fluxes(*old.placed, old.flow);
+        open_ = open_areas(there);
+        mean(open_, open_areas(*old.placed));
+    }
+
+    /// `end`: the flow at the step's end; null: not known yet. In sub-steps of one cell (classical Runge-Kutta).
+    Remainder<D> find(const PotentialFlow<D>* end) const
+    {
+        Remainder<D> turned = carried_;
+        if (turned.empty())
+            return turned;
+        const FaceField<D> flux = end ? mean_flux(*end) : flux_;
+        const int steps = std::max(1, static_cast<int>(std::ceil(courant(flux))));
+        const double dt = dt_ / steps;
+        for (int k = 0; k < steps; ++k) {
+            const FaceField<D> start = turned.faces;
+            const auto rate = [&](const FaceField<D>& at) { return vortex_impulse(there_, open_, flux, at, dt); };
+            const auto ahead = [&](double share, const FaceField<D>& change) {
+                FaceField<D> at = start;
+                add(at, share, change);
+                return at;
+            };
+            const FaceField<D> first = rate(start), second = rate(ahead(0.5, first)), third = rate(ahead(0.5, second)),
+                               fourth = rate(ahead(1, third));
+            for (const auto& [share, change] : {std::pair(1.0 / 6, &first), std::pair(1.0 / 3, &second),
+                                                std::pair(1.0 / 3, &third), std::pair(1.0 / 6, &fourth)})
+                add(turned.faces, share, *change);
+        }
+        return turned;
+    }
+
+    /// Work of the turning by the mean flux of both ends, none where this flux is that by which it was found.
+    double work(const PotentialFlow<D>& end) const
+    {
+        if (carried_.empty())
+            return 0;
+        const Coupling<D>& coupling = there_.coupling;
+        const Grid<D>& grid = *coupling.grid;
+        const FaceField<D> flux = mean_flux(end);
+        double sum = 0;
+        for (int axis = 0; axis < D; ++axis)
+            for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+                sum += grid.spread(axis, f[axis]) * flux(axis, f) * (end.remainder.faces(axis, f) - carried_.faces(axis, f));
+            });
+        return coupling.density * grid.face_area() * grid.dx() * grid.comm().sum(sum);
+    }
+
+private:
+    FaceField<D> mean_flux(const PotentialFlow<D>& end) const
+    {
+        FaceField<D> flux = flux_;
+        mean(flux, face_fluxes(there_, end));
+        return flux;
+    }
+
+    /// Cells that the fluid passes in the step, the sum over the axes of the most along each.
+    double courant(const FaceField<D>& flux) const
+    {
+        const Grid<D>& grid = *there_.coupling.grid;
+        double sum = 0;
+        for (int axis = 0; axis < D; ++axis) {
+            double most = 0;
+            for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+                if (open_(axis, f) > 0)
+                    most = std::max(most, std::abs(flux(axis, f)) / (open_(axis, f) * grid.spread(axis, f[axis])));
+            });
+            sum += grid.comm().max(most);
+        }
+        return sum * dt_ / grid.dx();
+    }
+
+    void add(FaceField<D>& to, double factor, const FaceField<D>& change) const
+    {
+        for (int axis = 0; axis < D; ++axis)
+            for (long i = 0; i < change[axis].size(); ++i)
+                to[axis].data()[i] += factor * change[axis].data()[i];
+        exchange(*there_.coupling.grid, to);
+    }
+
+    static void mean(FaceField<D>& a, const FaceField<D>& b)
+    {
+        for (int axis = 0; axis < D; ++axis)
+            for (long i = 0; i < a[axis].size(); ++i)
+                a[axis].data()[i] = 0.5 * (a[axis].data()[i] + b[axis].data()[i]);
+    }
+
+    const Placed<D>& there_;
+    double dt_;
+    Remainder<D> carried_;
+    FaceField<D> flux_; ///< before the step
+    FaceField<D> open_; ///< mean of both ends
+};
+
 /// Mean of the fluid's force on every body: what the bodies' own momenta get.
 template <int D>
 std::vector<Twist<D>> fluid_wrenches(const Model<D>& model, const Instant<D>& old, const Instant<D>& now,
@@ -139,11 +249,12 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     timed("contact", [&] { find_contacts(model, state, step); });
     const std::vector<TwistMatrix<D>> mass = model.masses(state.bodies, step.dt);
     Instant<D> now;
-    now.placed = timed("complex", [&] { return placed(model, state.bodies, mass); });
+    now.placed = timed("complex", [&] { return placed(model, state.bodies, mass, !old.flow.remainder.empty()); });
     now.displaced = timed("forces", [&] { return displaced(model, state.bodies, *now.placed); });
     const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
     const std::vector<Twist<D>> none(old.force.size(), Twist<D>::Zero());
     StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt), none};
+    const TurnedRemainder<D> turned = timed("vorticity", [&] { return TurnedRemainder<D>(old, *now.placed, step.dt); });
     const ContactSet<D> contacts = state.contacts;
     double last = std::numeric_limits<double>::infinity();
     state.forces_settle = true;
@@ -151,9 +262,10 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     for (int pass = 1;; ++pass) {
         state.contacts = contacts;
         state.pressure.impulse = {CellField<D>(model.grid), {}};
-        Projected<D> end =
-            project(model, now.placed->coupling, intermediate(model, old, *now.placed, forced, forces, state, step.dt), mass,
-                    step, state, report, timers);
+        now.flow.remainder = timed("vorticity", [&] { return turned.find(pass > 1 ? &now.flow : nullptr); });
+        Projected<D> end = project(model, now.placed->coupling,
+                                   intermediate(model, old, *now.placed, now.flow.remainder, forced, forces, state, step.dt),
+                                   mass, step, state, report, timers);
         now.flow.twists = std::move(end.twists);
         now.flow.p = std::move(end.impulse);
         leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
@@ -172,8 +284,12 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
         double energy = now.energy;
         for (const RigidBody<D>& body : before)
             energy += body.motion == Motion::free ? kinetic_energy(body) : 0.0;
-        const double missed = work_of(change, state.bodies, old, now).magnitude;
-        if (missed <= (pass == most_passes ? most_missed : pass > 1 ? energy_accuracy : 0.0) * energy)
+        const double missed = work_of(change, state.bodies, old, now).magnitude +
+                              timed("vorticity", [&] { return std::abs(turned.work(now.flow)); });
+        if ((pass > 1 || now.flow.remainder.empty()) && missed <= (pass == most_passes ? most_missed
+                                                                   : pass > 1          ? energy_accuracy
+                                                                                       : 0.0) *
+                                                                      energy)
             break;
         state.forces_settle = pass < most_passes && !(pass > 1 && missed > std::max(last, energy));
         if (!state.forces_settle) {
@@ -194,15 +310,21 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     FluidVelocity<D> velocity = face_velocities(now);
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, step.dt);
     state.velocity = std::move(velocity);
+    if (!now.flow.remainder.empty()) {
+        timed("vorticity", [&] { renew_gauge(*now.placed, now.flow, solver_options(model.scene)); });
+        timed("forces", [&] { find_forces(now); });
+    }
     state.potential = now.flow.p;
+    state.remainder = now.flow.remainder;
     return now;
 }
 
 template <int D>
 Instant<D> restored(const Model<D>& model, const State<D>& state)
 {
-    Instant<D> instant = instant_of<D>(model, state.bodies, placed(model, state.bodies, model.masses(state.bodies, state.dt)),
-                                       {model.twists(state.bodies), state.potential, 0});
+    Instant<D> instant = instant_of<D>(
+        model, state.bodies, placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty()),
+        {model.twists(state.bodies), state.potential, 0, state.remainder});
     if (!state.forces_settle) {
         instant.displaced.clear();
         find_forces(instant);

@@ -2,6 +2,7 @@
 
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/step/matching.hpp"
+#include "gapflow/step/remainder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,8 @@ public:
         }
         for (int place = 0; place < 2; ++place)
             fill(place, {&flow_before.p, &flow_after.p});
+        if (!flow_after.remainder.empty())
+            fill(flow_before, flow_after);
     }
 
     EnergyChange find()
@@ -87,6 +90,30 @@ private:
         }
     }
 
+    /// The same of the remainders. That of edges does not change, that of faces by v x omega, which does no work, and where another part becomes the largest of
+    /// its cell: the flux's work on that is no body's.
+    void fill(const PotentialFlow<D>& before, const PotentialFlow<D>& after)
+    {
+        const FaceField<D>&first = before.remainder.faces, &last = after.remainder.faces;
+        const Remainder<D> there = carried(*place_[0], before.remainder, *place_[1]);
+        const std::array<FaceField<D>, 2> flux{face_fluxes(*place_[0], before), face_fluxes(*place_[1], after)};
+        edges_ = {before.remainder.edges, after.remainder.edges};
+        faces_[0] = {first, first};
+        faces_[1] = {there.faces, last};
+        for (int axis = 0; axis < D; ++axis)
+            for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
+                if (!(place_[0]->coupling.system.conductance(axis, f) > 0 &&
+                      place_[1]->coupling.system.conductance(axis, f) > 0))
+                    return;
+                faces_[0][1](axis, f) = last(axis, f);
+                faces_[1][0](axis, f) = first(axis, f);
+                const double given = there.faces(axis, f) - first(axis, f);
+                put(grid_.key(grid_.wrapped(f)), -0.5 * grid_.face_area() * (flux[0](axis, f) + flux[1](axis, f)) *
+                                                     place_[0]->coupling.density * grid_.dx() * grid_.spread(axis, f[axis]) *
+                                                     given);
+            });
+    }
+
     void put(long cell, double value)
     {
         if (value != 0)
@@ -105,9 +132,12 @@ private:
                 const bool low = grid_.in_domain(grid_.wrapped(below)), high = grid_.in_domain(grid_.wrapped(f));
                 std::array<std::array<double, 3>, 2> of; // conductance and both fields' differences, at both places
                 for (int place = 0; place < 2; ++place) {
-                    const auto drop = [&](const CellField<D>& p) { return (high ? p(f) : 0.0) - (low ? p(below) : 0.0); };
-                    of[place] = {place_[place]->coupling.system.conductance(axis, f), drop(cells_[place][0]),
-                                 drop(cells_[place][1])};
+                    const auto drop = [&](int field) {
+                        const CellField<D>& p = cells_[place][field];
+                        const double difference = (high ? p(f) : 0.0) - (low ? p(below) : 0.0);
+                        return rotational() ? difference - momentum(place, field, axis, f) : difference;
+                    };
+                    of[place] = {place_[place]->coupling.system.conductance(axis, f), drop(0), drop(1)};
                 }
                 if (of[0] == of[1]) // else fused products would leave round-off everywhere
                     return;
@@ -126,7 +156,9 @@ private:
         const Coupling<D>& coupling = place_[place]->coupling;
         const CoupledSystem<D>& system = coupling.system;
         const Eigen::VectorXd &a = nodes_[place][0], &b = nodes_[place][1];
-        for (int i = 0; i < system.nodes; ++i) {
+        if (rotational())
+            add_edges(place);
+        for (int i = 0; i < system.nodes && !rotational(); ++i) {
             if (!system.owns(i))
                 continue;
             double rest = 0;
@@ -140,7 +172,7 @@ private:
             }
             put(cell_of_node_[place][i], -0.5 * sign * rest * a[i] * b[i]);
         }
-        for (const Link& link : system.links) {
+        for (const Link& link : rotational() ? std::vector<Link>{} : system.links) {
             double sum_a = 0, sum_b = 0;
             for (const auto& [node, weight] : link.nodes) {
                 sum_a += weight * a[node];
@@ -161,6 +193,39 @@ private:
             put(cell_of_node_[place][entry.row], -0.5 * sign *
                                                      (a[entry.row] * entry.flux.dot((*V_[1])[entry.body]) +
                                                       b[entry.row] * entry.flux.dot((*V_[0])[entry.body])));
+    }
+
+    bool rotational() const { return faces_[0][0][0].size() > 0; }
+    /// Of a field's remainder along a face.
+    double momentum(int place, int field, int axis, const Index<D>& f) const
+    {
+        return place_[place]->coupling.density * grid_.dx() * grid_.spread(axis, f[axis]) * faces_[place][field](axis, f);
+    }
+
+    /// What nodes, links and gaps carry, with circulation.
+    void add_edges(int place)
+    {
+        const double sign = place == 0 ? -1 : 1;
+        const EdgesOfParts<D>& list = place_[place]->edges;
+        const double density = place_[place]->coupling.density;
+        for (std::size_t e = 0; e < list.edges.size(); ++e) {
+            double product = list.edges[e].conductance;
+            for (int field = 0; field < 2; ++field) {
+                double sum = density * edges_[place][e];
+                for (const auto& row : list.rows_of(list.edges[e]))
+                    sum += row.weight * (row.node >= 0 ? nodes_[place][field][row.node] : cells_[place][field](row.cell));
+                product *= sum;
+            }
+            put(grid_.key(list.rows_of(list.edges[e])[0].cell), -0.5 * sign * product);
+        }
+        for (const CarriedFlux<D>& flux : list.carried) {
+            double sum = 0;
+            for (int field = 0; field < 2; ++field)
+                sum += (flux.axis >= 0 ? momentum(place, field, flux.axis, flux.face) : density * edges_[place][flux.edge]) *
+                       flux.flux.dot((*V_[1 - field])[flux.solid]);
+            const Index<D> cell = flux.axis >= 0 ? grid_.wrapped(flux.face) : list.rows_of(list.edges[flux.edge])[0].cell;
+            put(grid_.key(cell), -0.5 * sign * sum);
+        }
     }
 
     /// D of the solids, and what gaps add to their masses.
@@ -247,6 +312,8 @@ private:
     std::array<const Placed<D>*, 2> place_;
     std::array<std::array<CellField<D>, 2>, 2> cells_;    ///< of each place and field
     std::array<std::array<Eigen::VectorXd, 2>, 2> nodes_; ///< of each place and field
+    std::array<std::array<FaceField<D>, 2>, 2> faces_;    ///< of each place and field: the remainder; empty: none
+    std::array<std::vector<double>, 2> edges_;            ///< of each place: the same
     std::array<std::vector<long>, 2> cell_of_node_;       ///< of each place: keys
     std::vector<double> weight_;                          ///< of each solid: square of its speed
     std::map<long, double> change_;                       ///< of each cell

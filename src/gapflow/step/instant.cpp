@@ -1,10 +1,42 @@
 #include "gapflow/step/instant.hpp"
 
+#include "gapflow/step/remainder.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace gapflow {
+namespace {
+
+/// The remainder as the complex takes it.
+template <int D>
+Circulation<D> in_cells(const Placed<D>& at, const Remainder<D>& remainder)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    const Complex<D>& complex = at.complex;
+    const double dx = grid.dx();
+    Circulation<D> result;
+    for (int axis = 0; axis < D; ++axis) {
+        result.face[axis].assign(complex.index.count, 0.0);
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            result.face[axis][complex.index(complex.index.wrapped(f))] = remainder.faces(axis, f) / dx;
+        });
+    }
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
+        const FacePiece<D>& piece = complex.pieces[k];
+        const Index<D> f = complex.index.index(piece.face);
+        if (const std::int32_t edge = at.edges.edge_of_piece[k]; edge >= 0)
+            result.piece.push_back(remainder.edges[edge] / (dx * dx * grid.spread(piece.axis, f[piece.axis])));
+        else
+            result.piece.push_back(complex.joins_main(piece) ? remainder.faces(piece.axis, f) / dx : 0.0);
+    }
+    for (const std::int32_t edge : at.edges.edge_of_link)
+        result.link.push_back(edge >= 0 ? remainder.edges[edge] / (dx * dx) : 0.0);
+    return result;
+}
+
+} // namespace
 
 template <int D>
 void find_forces(Instant<D>& instant)
@@ -12,9 +44,13 @@ void find_forces(Instant<D>& instant)
     const Placed<D>& at = *instant.placed;
     const std::vector<Twist<D>>& V = instant.flow.twists;
     instant.impulse = fluid_impulse(at, instant.flow);
-    instant.force = energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs);
-    replace_forces(instant.displaced, instant.flow, instant.force);
-    instant.energy = 0;
+    const bool rotational = !instant.flow.remainder.empty();
+    const Circulation<D> circulation = rotational ? in_cells(at, instant.flow.remainder) : Circulation<D>{};
+    instant.force = energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs,
+                                         rotational ? &circulation : nullptr);
+    if (!rotational) // those do not know it
+        replace_forces(instant.displaced, instant.flow, instant.force);
+    instant.energy = rotational ? energy_of_remainder(at, instant.flow) : 0;
     for (std::size_t s = 0; s < V.size(); ++s) {
         instant.energy += 0.5 * V[s].dot(instant.impulse[s]);
         if constexpr (D == 3) {
@@ -38,7 +74,7 @@ template <int D>
 FluidVelocity<D> face_velocities(const Instant<D>& instant)
 {
     FluidVelocity<D> u;
-    u.grid = FaceField<D>(*instant.placed->coupling.grid);
+    u.grid = instant.flow.remainder.empty() ? FaceField<D>(*instant.placed->coupling.grid) : instant.flow.remainder.faces;
     UnknownVector<D> p = instant.flow.p;
     subtract_gradient(instant.placed->coupling, p, u);
     return u;
@@ -52,6 +88,12 @@ UnknownVector<D> net_outflow(const Instant<D>& instant, const FluidVelocity<D>& 
     const UnknownVector<D>& p = instant.flow.p;
     UnknownVector<D> rest;
     outflow(coupling, velocity, instant.flow.twists, rest);
+    if (!instant.flow.remainder.empty()) {
+        const UnknownVector<D> edges = outflow_of_edges(*instant.placed, instant.flow.remainder);
+        for (long i = 0; i < rest.cells.size(); ++i)
+            rest.cells.data()[i] += edges.cells.data()[i];
+        rest.nodes += edges.nodes;
+    }
     Eigen::VectorXd nodes = Eigen::VectorXd::Zero(coupling.system.nodes);
     for (int i = 0; i < coupling.system.nodes; ++i)
         if (coupling.system.owns(i))

@@ -2,34 +2,103 @@
 
 #include "gapflow/complex/gap_arm.hpp"
 #include "gapflow/complex/mouth_arm.hpp"
+#include "gapflow/coupling/grid_conductance.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/stepping/standoff.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gapflow {
+namespace {
+
+template <int D>
+EdgesOfParts<D> edges_of_parts(const Grid<D>& grid, const Coupling<D>& coupling, const Complex<D>& complex,
+                               const Inertia<D>& inertia)
+{
+    EdgesOfParts<D> result;
+    result.edge_of_piece.assign(complex.pieces.size(), -1);
+    result.edge_of_link.assign(complex.links.size(), -1);
+    const double unit = std::pow(grid.dx(), D - 2) / coupling.density;
+    const auto begin = [&](double conductance, std::int32_t piece, std::int32_t link, std::int32_t mouth) {
+        result.edges.push_back({conductance, piece, link, mouth, static_cast<std::int32_t>(result.rows.size()), 0});
+        return static_cast<std::int32_t>(result.edges.size()) - 1;
+    };
+    const auto add_row = [&](const PartOrCell& side, double weight) {
+        const int node = side.is_part() ? coupling.part_node[side.number()] : -1;
+        if (node < 0 && !complex.is_main(side))
+            return; // a sliver without a way out
+        result.rows.push_back({node, grid.wrapped(complex.index.index(complex.cell_of(side))), weight});
+        ++result.edges.back().rows;
+    };
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
+        const FacePiece<D>& piece = complex.pieces[k];
+        const Index<D> f = complex.index.index(piece.face);
+        if (complex.joins_main(piece) || !(piece.area > 0) || !owns_face(grid, piece.axis, f))
+            continue;
+        double g = unit * inertia.piece_weight[k] / grid.spread(piece.axis, f[piece.axis]);
+        if (!piece.low.exists() || !piece.high.exists()) { // a side of the domain
+            const int end = piece.low.exists();
+            if (!is_open(grid.side(piece.axis, end)))
+                continue;
+            g *= side_factor(grid, piece.axis, f, end);
+        }
+        result.edge_of_piece[k] = begin(g, static_cast<std::int32_t>(k), -1, -1);
+        if (piece.low.exists())
+            add_row(piece.low, 1);
+        if (piece.high.exists())
+            add_row(piece.high, -1);
+    }
+    for (std::size_t k = 0; k < complex.links.size(); ++k)
+        if (const CornerLink<D>& link = complex.links[k]; grid.owns(complex.cell_of_part(link.a))) {
+            result.edge_of_link[k] = begin(unit * inertia.link_conductance[k], -1, static_cast<std::int32_t>(k), -1);
+            add_row(PartOrCell::part(link.a), 1);
+            add_row(PartOrCell::part(link.b), -1);
+        }
+    std::vector<std::int32_t> edge_of_mouth(inertia.mouths.size(), -1);
+    for (std::size_t k = 0; k < inertia.mouths.size(); ++k)
+        if (const RowsLink<D>& mouth = inertia.mouths[k];
+            grid.owns(grid.wrapped(complex.index.index(complex.cell_of(mouth.first))))) {
+            edge_of_mouth[k] = begin(unit * mouth.conductance, -1, -1, static_cast<std::int32_t>(k));
+            for (const auto& [row, weight] : mouth.rows)
+                add_row(row, weight);
+        }
+    const double area = std::pow(grid.dx(), D - 1);
+    for (const FaceFlux<D>& of : inertia.face_flux) {
+        Twist<D> flux = area * of.flux;
+        flux.template tail<spin_size<D>>() *= grid.dx();
+        const std::int32_t edge = of.mouth >= 0 ? edge_of_mouth[of.mouth] : of.piece >= 0 ? result.edge_of_piece[of.piece] : -1;
+        if (edge >= 0)
+            result.carried.push_back({-1, Index<D>::Zero(), edge, of.solid, flux});
+        else if (of.mouth < 0 && of.piece < 0)
+            if (const Index<D> f = complex.index.index(of.face); owns_face(grid, of.axis, f))
+                result.carried.push_back({of.axis, f, -1, of.solid, flux});
+    }
+    return result;
+}
+
+} // namespace
 
 template <int D>
 std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
-                                  const std::vector<TwistMatrix<D>>& mass, bool observed)
+                                  const std::vector<TwistMatrix<D>>& mass, bool circulation)
 {
     auto result = std::make_unique<Placed<D>>();
     const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
     result->complex = build_complex<D>(model.grid, solids, &result->derivatives);
     const Complex<D>& complex = result->complex;
     result->arms = find_gap_arms<D>(model.grid, solids, complex, standoffs);
-    const Inertia<D> inertia =
-        find_inertia<D>(model.grid, complex, result->arms, find_mouth_arms<D>(model.grid, solids, complex, standoffs));
+    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, result->arms,
+                                               find_mouth_arms<D>(model.grid, solids, complex, standoffs), circulation);
     result->pairs = inertia.pairs;
     result->coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
     add_seen_mass(result->coupling);
-    if (observed) {
-        result->coupling.clipper =
-            std::make_shared<FaceClipper<D>>(model.grid, result->coupling.solids, FractionMode::cut_cell);
-        result->coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *result->coupling.clipper));
-    }
+    result->coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, result->coupling.solids, FractionMode::cut_cell);
+    result->coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *result->coupling.clipper));
     result->node = result->coupling.part_node;
+    if (circulation)
+        result->edges = edges_of_parts(model.grid, result->coupling, complex, inertia);
     return result;
 }
 

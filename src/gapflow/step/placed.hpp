@@ -10,6 +10,45 @@
 
 namespace gapflow {
 
+/// An edge of the complex that is not a face of the grid between the largest parts of two cells: its flux is the conductance times the sum of w p and of the
+/// density times what circulation has along it, of which w leaves each row.
+template <int D>
+struct SparseEdge {
+    struct Row {
+        int node;      ///< -1: a cell's
+        Index<D> cell; ///< of the grid, for nodes too
+        double weight;
+    };
+    double conductance;                   ///< 0 where another edge stands for it
+    std::int32_t piece, link, mouth;      ///< of the complex and its inertia, one of them not -1
+    std::int32_t first_row = 0, rows = 0; ///< in EdgesOfParts::rows
+};
+
+/// Flux of a solid's twist along a face of the grid or an edge, which K has.
+template <int D>
+struct CarriedFlux {
+    int axis; ///< of the face; -1: an edge
+    Index<D> face;
+    std::int32_t edge;
+    int solid;
+    Twist<D> flux;
+};
+
+/// For flow with circulation.
+template <int D>
+struct EdgesOfParts {
+    std::vector<SparseEdge<D>> edges;
+    std::vector<typename SparseEdge<D>::Row> rows;
+    std::vector<std::int32_t> edge_of_piece; ///< -1: none
+    std::vector<std::int32_t> edge_of_link;
+    std::vector<CarriedFlux<D>> carried; ///< of this rank's faces
+
+    std::span<const typename SparseEdge<D>::Row> rows_of(const SparseEdge<D>& edge) const
+    {
+        return {rows.data() + edge.first_row, static_cast<std::size_t>(edge.rows)};
+    }
+};
+
 template <int D>
 struct Placed {
     Complex<D> complex;
@@ -17,13 +56,14 @@ struct Placed {
     std::vector<GapArm<D>> arms;
     std::vector<PairInertia<D>> pairs; ///< what gaps add to the masses of two solids
     std::vector<int> node;             ///< of each part, -1: none
+    EdgesOfParts<D> edges;             ///< where asked for
     Coupling<D> coupling;              ///< with the masses of the bodies at these places
 };
 
-/// `mass`: of all solids. `observed`: also the fractions of the grid's faces, for measures and files. Collective.
+/// `mass`: of all solids. `circulation`: whether the flow has some, which needs `edges`. Collective.
 template <int D>
 std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
-                                  const std::vector<TwistMatrix<D>>& mass, bool observed = true);
+                                  const std::vector<TwistMatrix<D>>& mass, bool circulation = false);
 
 /// The same system where the twists of all solids are given: it has no bodies.
 template <int D>

@@ -3,6 +3,7 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/coupling/fluid_rows.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
+#include "gapflow/step/remainder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,16 +51,25 @@ void scale(UnknownVector<D>& v, double factor)
 
 } // namespace
 
+SolverOptions solver_options(const Scene& scene)
+{
+    SolverOptions options;
+    options.tolerance = scene.tolerance;
+    options.backend = scene.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
+    return options;
+}
+
 template <int D>
-PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options)
+PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,
+                                Remainder<D> remainder)
 {
     const Coupling<D> given = with_given_twists(at.coupling);
-    UnknownVector<D> rhs = zero(given);
+    UnknownVector<D> rhs = remainder.empty() ? zero(given) : outflow_of_remainder(at, remainder);
     add_flux(
         given, twists, [](int) { return true; }, rhs);
     given.grid->comm().sum(std::span<double>(rhs.nodes.data(), rhs.nodes.size()));
     scale(rhs, -1);
-    PotentialFlow<D> flow{std::move(twists), zero(given)};
+    PotentialFlow<D> flow{std::move(twists), zero(given), 0, std::move(remainder)};
     const SolveReport solve = CoupledSolver<D>(given.system, options).solve(flow.p, rhs);
     require<D>(solve);
     flow.iterations = solve.iterations;
@@ -101,6 +111,11 @@ void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow)
         add(L.row(entry.row), entry.flux.dot(flow.twists[entry.body]));
     for (const auto& entry : coupling.node_flux)
         add(L.row(entry.row), entry.flux.dot(flow.twists[entry.body]));
+    if (!flow.remainder.empty()) {
+        const UnknownVector<D> outflow = outflow_of_remainder(at, flow.remainder);
+        for (Row& row : rows)
+            row.flux += L.is_cell(row.row) ? outflow.cells(L.cell(row.row)) : outflow.nodes[L.node(row.row)];
+    }
     const auto p = [&](long row) -> double& { return L.is_cell(row) ? flow.p.cells(L.cell(row)) : flow.p.nodes[L.node(row)]; };
     for (int sweep = 0; sweep < weak_sweeps; ++sweep)
         for (const Row& row : rows) {
@@ -161,11 +176,16 @@ std::vector<Twist<D>> fluid_impulse(const Placed<D>& at, const PotentialFlow<D>&
         coupling.grid->comm().sum(std::span<double>(gaps.data()->data(), gaps.size() * twist_size<D>));
     for (std::size_t s = 0; s < impulse.size(); ++s)
         impulse[s] += gaps[s];
+    if (!flow.remainder.empty()) {
+        const std::vector<Twist<D>> rest = impulse_of_remainder(at, flow.remainder);
+        for (std::size_t s = 0; s < impulse.size(); ++s)
+            impulse[s] += rest[s];
+    }
     return impulse;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template PotentialFlow<D> flow_of_twists<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&);                \
+    template PotentialFlow<D> flow_of_twists<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&, Remainder<D>);  \
     template void settle_weak_rows<D>(const Placed<D>&, PotentialFlow<D>&);                                                    \
     template std::vector<Twist<D>> impulses_of_given<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                     \
     template std::vector<Twist<D>> fluid_impulse<D>(const Placed<D>&, const PotentialFlow<D>&);

@@ -1,9 +1,10 @@
 // Potential flow around moving bodies: L p + K V = 0 for the fluid, P = M V - K^T p for the bodies, P = dT/dV their impulse with that of
-// the fluid.
+// the fluid. With circulation it is what the remainder of the fluid's momentum leaves (remainder.hpp).
 #pragma once
 
 #include "gapflow/solver/solver.hpp"
 #include "gapflow/step/placed.hpp"
+#include "gapflow/stepping/state.hpp"
 
 #include <vector>
 
@@ -12,13 +13,18 @@ namespace gapflow {
 template <int D>
 struct PotentialFlow {
     std::vector<Twist<D>> twists; ///< of all solids
-    UnknownVector<D> p;           ///< density times the potential; velocities are grad p / density
+    UnknownVector<D> p; ///< density times the potential, negative; velocities are those of the remainder - grad p / density
     int iterations = 0;
+    Remainder<D> remainder;
 };
 
-/// That of given twists. Collective.
+/// Of a scene. Its keys "solver".
+SolverOptions solver_options(const Scene& scene);
+
+/// That of given twists, and of what the remainder asks for. Collective.
 template <int D>
-PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options);
+PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,
+                                Remainder<D> remainder = {});
 
 /// What the motion of the solids that are not free adds to the free bodies' impulses in their rows of the system: by the masses of gaps between both, and
 /// in another gauge by the fluid's rows. 0 for the others. Collective.

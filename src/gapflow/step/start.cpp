@@ -1,6 +1,7 @@
 #include "gapflow/step/start.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/step/remainder.hpp"
 #include "gapflow/stepping/core_requirement.hpp"
 #include "gapflow/stepping/force_parts.hpp"
 #include "gapflow/stepping/placement.hpp"
@@ -11,20 +12,9 @@
 
 namespace gapflow {
 
-namespace {
-
-SolverOptions step_options(const Scene& scene)
-{
-    SolverOptions options;
-    options.tolerance = scene.tolerance;
-    options.backend = scene.backend == Scene::Backend::petsc ? Backend::petsc : Backend::multigrid;
-    return options;
-}
-
-} // namespace
-
 template <int D>
-Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers)
+Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers,
+                          const FaceField<D>* initial)
 {
     if (model.grid.comm().size() > 1)
         throw InputError(model.scene.file +
@@ -43,24 +33,44 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
     std::unique_ptr<Placed<D>> at;
     {
         const auto timer = timers.measure("complex");
-        at = placed(model, state.bodies, model.masses(state.bodies, 0));
+        at = placed(model, state.bodies, model.masses(state.bodies, 0), initial || model.scene.fluid_velocity != Triple{});
     }
     require_fluid(model, at->coupling);
     require_core(model, at->coupling, state.bodies);
     const auto timer = timers.measure("solve");
-    PotentialFlow<D> flow = flow_of_twists(*at, model.twists(state.bodies), step_options(model.scene));
+    FaceField<D> uniform;
+    if (!initial && model.scene.fluid_velocity != Triple{}) {
+        uniform = FaceField<D>(model.grid);
+        for (int axis = 0; axis < D; ++axis)
+            uniform[axis].fill(model.scene.fluid_velocity[axis]);
+        initial = &uniform;
+    }
+    if (initial && model.grid.comm().size() > 1)
+        throw InputError(
+            model.scene.file +
+            ": gap.model: this version runs \"parts\" in fluid that has its own velocity on one rank; run it without "
+            "mpirun (threads work), or write gap.model = \"film\"");
+    PotentialFlow<D> flow = flow_of_twists(*at, model.twists(state.bodies), solver_options(model.scene));
     report.iterations = flow.iterations;
     report.solves = 1;
+    if (initial) {
+        flow.remainder = remainder_of(*at, *initial);
+        const UnknownVector<D> p = flow.p;
+        renew_gauge(*at, flow, solver_options(model.scene));
+        flow.p = p;
+        ++report.solves;
+    }
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow));
     state.velocity = face_velocities(instant);
     state.potential = instant.flow.p;
+    state.remainder = instant.flow.remainder;
     state.pressure.impulse = {CellField<D>(model.grid), Eigen::VectorXd::Zero(instant.flow.p.nodes.size())};
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         state.wrenches[b] = buoyancy(model, state.bodies[b]);
     return instant;
 }
 
-template Instant<2> start_on_parts<2>(const Model<2>&, State<2>&, StepReport&, StageTimers&);
-template Instant<3> start_on_parts<3>(const Model<3>&, State<3>&, StepReport&, StageTimers&);
+template Instant<2> start_on_parts<2>(const Model<2>&, State<2>&, StepReport&, StageTimers&, const FaceField<2>*);
+template Instant<3> start_on_parts<3>(const Model<3>&, State<3>&, StepReport&, StageTimers&, const FaceField<3>*);
 
 } // namespace gapflow

@@ -107,6 +107,11 @@ void Projection<D>::assemble(bool voids_changed, bool links_changed)
     if (wet_)
         wet_->add_void_impulse(without_pressure_, held_impulse_);
     outflow(coupling, velocity_, without_pressure_, rhs_, &squares_);
+    if (const UnknownVector<D>& beside = start_.beside; beside.cells.size() > 0) {
+        for (long i = 0; i < rhs_.cells.size(); ++i)
+            rhs_.cells.data()[i] += beside.cells.data()[i];
+        rhs_.nodes += beside.nodes;
+    }
     enter_gauge(coupling, without_pressure_, rhs_);
     for (long i = 0; i < rhs_.cells.size(); ++i)
         rhs_.cells.data()[i] *= -1;

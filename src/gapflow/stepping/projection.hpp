@@ -26,6 +26,7 @@ struct ProjectionStart {
     ContactSet<D>* contacts;                   ///< null: none
     VoidSet<D>* voids;                         ///< null: none
     const std::vector<double>& beyond_mouths;  ///< reduced pressure beyond every mouth that the system takes as 0
+    const UnknownVector<D>& beside;            ///< outflow that u* has beside faces, films and mouths; empty: none
     double dt;                                 ///< 0: the initial projection
     long step;                                 ///< its number, for messages
 };

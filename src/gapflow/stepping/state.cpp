@@ -130,6 +130,13 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
             archive("nodes", state.potential.nodes);
             archive("forces_settle", state.forces_settle);
         });
+    if (model.scene.parts)
+        archive.optional("circulation", !state.remainder.empty(), [&] {
+            if (state.remainder.empty())
+                state.remainder.faces = FaceField<D>(grid);
+            list_field(archive, "velocity", grid, state.remainder.faces);
+            archive("edges", state.remainder.edges);
+        });
     PressureHistory<D>& pressure = state.pressure;
     list_field(archive, "pressure_impulse", grid, pressure.impulse.cells);
     archive.group("films", [&] {

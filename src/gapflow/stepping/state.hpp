@@ -60,6 +60,16 @@ struct SteadyWatch {
     double calm_time = 0;     ///< that they took
 };
 
+/// What the momentum of the fluid on parts has beside the gradient of a potential (step theory, "Circulation"). Empty: nothing, the flow has no circulation.
+template <int D>
+struct Remainder {
+    FaceField<D> faces; ///< velocity along their axes, of faces between the largest parts of two cells
+    std::vector<double>
+        edges; ///< of Placed::edges: the integral of velocity along each, from the rows with positive weights to the others
+
+    bool empty() const { return faces[0].size() == 0; }
+};
+
 template <int D>
 struct State {
     double time = 0;
@@ -80,6 +90,7 @@ struct State {
     FilmDebts<D> film_debts;            ///< energy that films gained in the last step: the next one takes it back
     std::vector<Vec<D>> film_increment; ///< acceleration of the films' elements in the last step, pressure and transport
     UnknownVector<D> potential;         ///< times density, of the flow on parts (step/); films: none
+    Remainder<D> remainder;             ///< of the same
     Drive<D> drive;
     SteadyWatch steady;
     Vec<D> grid_shift = Vec<D>::Zero();    ///< of a grid that follows a body, from its place at the scene's start

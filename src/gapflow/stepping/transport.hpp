@@ -13,6 +13,7 @@ namespace gapflow {
 template <int D>
 struct Intermediate {
     FluidVelocity<D> velocity;        ///< u* of the bulk, films and mouths
+    UnknownVector<D> outflow;         ///< of what u* carries elsewhere, between parts; empty: nothing
     std::vector<double> mouth_factor; ///< on the conductance of every mouth
     FilmAccount<D> film_account;
     std::vector<Twist<D>> twists; ///< V* of all solids

@@ -166,8 +166,9 @@ Projected<D> project(const Model<D>& model, Coupling<D>& there, Intermediate<D> 
     if (voids)
         end.was_empty = voids->empty_elements(there.network);
     const SolverOptions options = solver_options(model.scene, state.light_bodies);
-    Projection<D> projection({there, state.bodies, mass, star.twists, contacts, voids, beyond_mouths, step.dt, step.number},
-                             end.velocity, end.impulse, options, timers);
+    Projection<D> projection(
+        {there, state.bodies, mass, star.twists, contacts, voids, beyond_mouths, star.outflow, step.dt, step.number},
+        end.velocity, end.impulse, options, timers);
     bool links_changed = false;
     std::optional<Rounds> all_rounds;
     const auto settle = [&] {

@@ -1,0 +1,344 @@
+// Ideal fluid with circulation on parts: forces, work of v x omega, uniform motion, vortices, restart.
+#include "gapflow/step/advance.hpp"
+#include "gapflow/step/remainder.hpp"
+#include "gapflow/step/simulation.hpp"
+#include "gapflow/step/start.hpp"
+#include "gapflow/stepping/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numbers>
+#include <random>
+
+namespace gapflow {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Scene box_of_fluid(int dimension, int cells, SideScene::Kind sides)
+{
+    Scene scene;
+    scene.dimension = dimension;
+    scene.size = {1, 1, dimension == 2 ? 0.0 : 1.0};
+    scene.cells = {cells, cells, dimension == 2 ? 1 : cells};
+    for (int side = 0; side < 2 * dimension; ++side)
+        scene.sides[side].kind = sides;
+    scene.parts = true;
+    scene.tolerance = 1e-10;
+    scene.end = 100;
+    scene.max_step = 1;
+    return scene;
+}
+
+BodyScene body(const std::string& name, BodyScene::ShapeKind shape, const Triple& position, const Triple& velocity = {})
+{
+    BodyScene b;
+    b.name = name;
+    b.shape = shape;
+    b.position = position;
+    b.density = 1;
+    b.radius = 0.1;
+    b.velocity = velocity;
+    return b;
+}
+
+template <int D>
+FaceField<D> on_faces(const Grid<D>& grid, const std::function<Vec<D>(const Vec<D>&)>& velocity)
+{
+    FaceField<D> u(grid);
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
+                          [&](const Index<D>& f) { u(axis, f) = velocity(grid.face_centre(axis, f))[axis]; });
+    return u;
+}
+
+/// A vortex that fills the box; in 3D it is weaker near two of its walls.
+template <int D>
+Vec<D> vortex(const Vec<D>& x)
+{
+    Vec<D> u = Vec<D>::Zero();
+    const double strength = D == 3 ? 1 + 0.5 * std::cos(pi * x[D - 1]) : 1;
+    u[0] = strength * std::sin(pi * x[0]) * std::cos(pi * x[1]);
+    u[1] = -strength * std::cos(pi * x[0]) * std::sin(pi * x[1]);
+    return u;
+}
+
+/// A run of start_on_parts() and advance().
+template <int D>
+struct FreeRun {
+    Model<D> model;
+    State<D> state;
+    StageTimers timers;
+    StepReport report;
+    Instant<D> now;
+
+    FreeRun(const Scene& scene, const std::function<Vec<D>(const Vec<D>&)>& velocity)
+        : model(scene, Communicator(), Task::motion), state(model)
+    {
+        const FaceField<D> start = on_faces<D>(model.grid, velocity);
+        now = start_on_parts(model, state, report, timers, &start);
+    }
+    void step(double dt)
+    {
+        now = advance(model, now, Step{state.steps + 1, state.time, dt, state.dt, state.time + dt}, state, report, timers);
+    }
+    double energy() const
+    {
+        double sum = now.energy;
+        for (const RigidBody<D>& body : state.bodies)
+            sum += kinetic_energy(body);
+        return sum;
+    }
+};
+
+/// R = P . V - T of given twists and a given velocity as remainder, whose derivative the force is.
+template <int D>
+double routhian(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<Twist<D>>& V,
+                std::vector<Twist<D>>* force = nullptr)
+{
+    SolverOptions exact;
+    exact.tolerance = 1e-13;
+    Instant<D> instant;
+    instant.placed = placed(model, bodies, model.masses(bodies, 0.0), true);
+    instant.flow = flow_of_twists(*instant.placed, V, exact, remainder_of(*instant.placed, on_faces<D>(model.grid, vortex<D>)));
+    find_forces(instant);
+    if (force) {
+        *force = instant.force;
+        if constexpr (D == 3) // of twists with axes that do not turn
+            for (std::size_t s = 0; s < V.size(); ++s) {
+                const Vec<3> omega = V[s].template tail<3>(), L = instant.impulse[s].template tail<3>();
+                (*force)[s].template tail<3>() -= omega.cross(L);
+            }
+    }
+    double sum = -instant.energy;
+    for (std::size_t s = 0; s < V.size(); ++s)
+        sum += V[s].dot(instant.impulse[s]);
+    return sum;
+}
+
+template <int D>
+void check_force()
+{
+    Scene scene = box_of_fluid(D, D == 2 ? 32 : 16, SideScene::Kind::wall);
+    const double dx = scene.spacing(), radius = D == 2 ? 0.1 : 0.15;
+    scene.bodies = {body("low", BodyScene::ShapeKind::ball, {0.41, 0.33, 0.47}),
+                    body("high", BodyScene::ShapeKind::ball, {0.43, 0.33 + 2 * radius + 0.3 * dx, 0.49})};
+    if (D == 2) {
+        scene.bodies[0].shape = BodyScene::ShapeKind::box;
+        scene.bodies[0].size = {0.3, 0.2, 0};
+    }
+    scene.bodies[0].radius = scene.bodies[1].radius = radius;
+    const Model<D> model(scene, Communicator(), Task::motion);
+    std::vector<Twist<D>> V = model.twists(model.bodies), force;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> number(-1, 1);
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+        for (int k = 0; k < twist_size<D>; ++k)
+            V[b][k] = number(random);
+    routhian(model, model.bodies, V, &force);
+    double scale = 0;
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+        scale = std::max(scale, force[b].norm());
+    const double way = 1e-4 * dx;
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+        for (int k = 0; k < twist_size<D>; ++k) {
+            std::array<double, 2> value;
+            for (int end = 0; end < 2; ++end) {
+                std::vector<RigidBody<D>> there = model.bodies;
+                Twist<D> by = Twist<D>::Zero();
+                by[k] = end ? way : -way;
+                displace<D>(there[b], by.template head<D>(), by.template tail<spin_size<D>>());
+                value[end] = routhian(model, there, V);
+            }
+            EXPECT_NEAR(force[b][k], (value[1] - value[0]) / (2 * way), 2e-5 * scale) << "body " << b << ", component " << k;
+        }
+    EXPECT_GT(scale, 0.02);
+}
+
+TEST(Circulation, ForcesAreDifferencesOfTheRouthian2D)
+{
+    check_force<2>();
+}
+
+TEST(Circulation, ForcesAreDifferencesOfTheRouthian3D)
+{
+    check_force<3>();
+}
+
+template <int D>
+void check_work()
+{
+    Scene scene = box_of_fluid(D, 12, SideScene::Kind::wall);
+    scene.bodies = {body("ball", BodyScene::ShapeKind::ball, {0.41, 0.33, 0.47}, {0.3, 0.2, 0.1})};
+    scene.bodies[0].radius = 0.2;
+    FreeRun<D> run(scene, vortex<D>);
+    const Placed<D>& at = *run.now.placed;
+    const FaceField<D> flux = face_fluxes(at, run.now.flow),
+                       change = vortex_impulse(at, open_areas(at), flux, run.now.flow.remainder.faces, 0.1);
+    double work = 0, magnitude = 0;
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(run.model.grid.low(), owned_faces_end(run.model.grid, axis), [&](const Index<D>& f) {
+            work += flux(axis, f) * change(axis, f);
+            magnitude += std::abs(flux(axis, f) * change(axis, f));
+        });
+    EXPECT_LT(std::abs(work), 1e-13 * magnitude);
+    EXPECT_GT(magnitude, 1e-3);
+}
+
+TEST(Circulation, TurningDoesNoWork)
+{
+    check_work<2>();
+    check_work<3>();
+}
+
+/// Mean error of Taylor-Green vortices that a uniform flow carries across a periodic box, after some time; energy over that at the start.
+struct Carried {
+    double error, energy;
+};
+Carried carried_vortices(int cells, double courant)
+{
+    const double time = 0.5;
+    const Vec<2> U(0.5, 0.25);
+    const auto exact = [&](const Vec<2>& at, double t) {
+        const Vec<2> x = 2 * pi * (at - t * U);
+        return Vec<2>(U + Vec<2>(std::sin(x[0]) * std::cos(x[1]), -std::cos(x[0]) * std::sin(x[1])));
+    };
+    FreeRun<2> run(box_of_fluid(2, cells, SideScene::Kind::periodic), [&](const Vec<2>& x) { return exact(x, 0); });
+    const double before = run.energy();
+    const int steps = static_cast<int>(std::lround(time * cells / courant));
+    for (int k = 0; k < steps; ++k)
+        run.step(time / steps);
+    const FaceField<2> end = on_faces<2>(run.model.grid, [&](const Vec<2>& x) { return exact(x, time); });
+    double sum = 0;
+    for (int axis = 0; axis < 2; ++axis)
+        for_each_index<2>(run.model.grid.low(), run.model.grid.high(), [&](const Index<2>& f) {
+            const double error = run.state.velocity.grid(axis, f) - end(axis, f);
+            sum += error * error / (cells * cells);
+        });
+    return {std::sqrt(sum), run.energy() / before};
+}
+
+TEST(Circulation, VorticesAreCarriedAlong)
+{
+    const Carried coarse = carried_vortices(16, 0.5), fine = carried_vortices(32, 0.5), far = carried_vortices(32, 4);
+    EXPECT_GT(std::log2(coarse.error / fine.error), 1.8);
+    EXPECT_LT(fine.error, 0.02);
+    EXPECT_NEAR(fine.energy, 1, 1e-3);
+    EXPECT_LT(far.error, 3 * coarse.error);
+    EXPECT_NEAR(far.energy, 1, 2e-3);
+}
+
+// Fluid and bodies that all move as one: the flow is uniform to round-off, whatever the bodies; it goes on so as far as what the grid sees of them stays the same.
+TEST(Circulation, UniformMotionGoesOn)
+{
+    Scene scene = box_of_fluid(2, 24, SideScene::Kind::periodic);
+    scene.fluid_velocity = {0.7, -0.4, 0};
+    scene.bodies = {body("box", BodyScene::ShapeKind::box, {0.31, 0.42, 0}, {0.7, -0.4, 0}),
+                    body("disk", BodyScene::ShapeKind::ball, {0.31, 0.627, 0}, {0.7, -0.4, 0})};
+    scene.bodies[0].size = {0.3, 0.2, 0};
+    scene.bodies[1].density = 3;
+    {
+        const Model<2> model(scene, Communicator(), Task::motion);
+        State<2> state(model);
+        StepReport report;
+        StageTimers timers;
+        const Instant<2> now = start_on_parts(model, state, report, timers);
+        for (int axis = 0; axis < 2; ++axis)
+            for_each_index<2>(model.grid.low(), model.grid.high(), [&](const Index<2>& f) {
+                if (now.placed->coupling.system.conductance(axis, f) > 0) {
+                    EXPECT_NEAR(state.velocity.grid(axis, f), scene.fluid_velocity[axis], 1e-7);
+                }
+            });
+    }
+    scene.bodies.erase(scene.bodies.begin());
+    scene.max_step = 0.02;
+    Simulation<2> simulation(scene, Communicator());
+    for (int k = 0; k < 10; ++k)
+        simulation.step(100);
+    EXPECT_NEAR(simulation.bodies()[0].twist[0], 0.7, 0.02);
+    EXPECT_NEAR(simulation.bodies()[0].twist[1], -0.4, 0.02);
+}
+
+// A neutral disk that a vortex carries around.
+TEST(Circulation, AVortexAndADiskKeepTheirEnergy)
+{
+    std::array<double, 2> corrected{};
+    for (int size = 0; size < 2; ++size) {
+        const int cells = size == 0 ? 24 : 36;
+        Scene scene = box_of_fluid(2, cells, SideScene::Kind::wall);
+        const Vec<2> at(0.5, 0.6523);
+        scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {at[0], at[1], 0}, {vortex<2>(at)[0], vortex<2>(at)[1], 0})};
+        FreeRun<2> run(scene, vortex<2>);
+        const double before = run.energy();
+        for (int k = 0; k < cells; ++k) {
+            run.step(0.5 / cells);
+            corrected[size] += std::abs(run.report.corrected_energy) / before;
+        }
+        EXPECT_NEAR(run.energy() / before, 1, 2e-4);
+        EXPECT_LT((run.state.bodies[0].centre() - Vec<2>(0.343, 0.509)).norm(), 0.02); // of 64 cells
+    }
+    EXPECT_LT(corrected[0], 0.01);
+    EXPECT_LT(corrected[1], 0.8 * corrected[0]);
+}
+
+// Potential swirl through the gap between a free and a fixed disk and around both.
+TEST(Circulation, StaysAroundABody)
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    scene.bodies = {body("fixed", BodyScene::ShapeKind::ball, {0.5, 0.41, 0}),
+                    body("free", BodyScene::ShapeKind::ball, {0.5, 0.63, 0})};
+    scene.bodies[0].motion = BodyScene::Motion::fixed;
+    const Vec<2> middle(0.5, 0.41);
+    FreeRun<2> run(scene, [&](const Vec<2>& at) {
+        const Vec<2> x = at - middle;
+        return Vec<2>(Vec<2>(-x[1], x[0]) / std::max(x.squaredNorm(), 1e-4));
+    });
+    // Along lines of the grid beyond the bodies' way.
+    const auto around = [&] {
+        const FaceField<2>& u = run.state.velocity.grid;
+        double sum = 0;
+        for (int i = 9; i < 23; ++i)
+            sum += u(0, {i, 7}) - u(0, {i, 27});
+        for (int j = 8; j < 28; ++j)
+            sum += u(1, {22, j}) - u(1, {8, j});
+        return sum * scene.spacing();
+    };
+    const double before = around();
+    for (int k = 0; k < 12; ++k)
+        run.step(0.004);
+    EXPECT_GT((run.state.bodies[1].centre() - Vec<2>(0.5, 0.63)).norm(), 0.02 * scene.spacing());
+    EXPECT_GT(std::abs(before), 5);
+    EXPECT_NEAR(around(), before, 1e-2 * std::abs(before));
+}
+
+TEST(Circulation, GoesOnFromAStoredStateBitForBit)
+{
+    Scene scene = box_of_fluid(2, 24, SideScene::Kind::periodic);
+    scene.fluid_velocity = {0.7, -0.4, 0};
+    scene.bodies = {body("box", BodyScene::ShapeKind::box, {0.31, 0.42, 0}),
+                    body("disk", BodyScene::ShapeKind::ball, {0.31, 0.627, 0})};
+    scene.bodies[0].size = {0.3, 0.2, 0};
+    scene.max_step = 0.02;
+    Simulation<2> all(scene, Communicator());
+    for (int k = 0; k < 3; ++k)
+        all.step(100);
+    const StoredState stored = all.state();
+    Simulation<2> on(scene, Communicator(), stored);
+    for (int k = 0; k < 3; ++k) {
+        all.step(100);
+        on.step(100);
+    }
+    const StoredState a = all.state(), b = on.state();
+    ASSERT_EQ(a.numbers.size(), b.numbers.size());
+    for (const auto& [name, values] : a.numbers) {
+        const auto& other = b.numbers.at(name);
+        ASSERT_EQ(values.size(), other.size()) << name;
+        EXPECT_EQ(std::memcmp(values.data(), other.data(), values.size() * sizeof values[0]), 0) << name;
+    }
+}
+
+} // namespace
+} // namespace gapflow
