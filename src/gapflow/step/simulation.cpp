@@ -43,11 +43,33 @@ auto timed(StageTimers& timers, const char* stage, F&& f)
 template <int D>
 Simulation<D>::Simulation(const Scene& scene, const Communicator& comm) : model_(scene, comm), state_(model_)
 {
+    begin(nullptr);
+}
+
+template <int D>
+Simulation<D>::Simulation(const Scene& scene, const Communicator& comm,
+                          const std::function<gapflow::Vec<D>(const gapflow::Vec<D>&)>& velocity)
+    : model_(scene, comm), state_(model_)
+{
+    if (!scene.parts)
+        throw InputError(scene.file + ": gap.model: a velocity of the fluid at the start needs \"parts\"; write that");
+    const Grid<D>& grid = model_.grid;
+    FaceField<D> faces(grid);
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
+                          [&](const Index<D>& f) { faces(axis, f) = velocity(grid.face_centre(axis, f))[axis]; });
+    begin(&faces);
+}
+
+template <int D>
+void Simulation<D>::begin(const FaceField<D>* velocity)
+{
+    const Scene& scene = model_.scene;
     const Stopwatch watch;
     initial_report_.notes = thickness_warnings<D>(model_.scene, model_.bodies, model_.walls, scene.thin);
     std::vector<Twist<D>> V = model_.twists(state_.bodies);
     if (scene.parts) {
-        instant_ = start_on_parts(model_, state_, initial_report_, stages_);
+        instant_ = start_on_parts(model_, state_, initial_report_, stages_, velocity);
     } else {
         Start<D> begin = start(model_, state_, initial_report_, stages_);
         here_ = std::move(begin.here);

@@ -12,6 +12,7 @@
 #include "gapflow/stepping/sampling.hpp"
 #include "gapflow/stepping/volume_flux.hpp"
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <span>
@@ -24,6 +25,9 @@ class Simulation {
 public:
     /// Builds the state at time 0 and projects the fluid's initial velocity. Throws InputError, ComputationError. Collective.
     Simulation(const Scene& scene, const Communicator& comm);
+    /// The same of a run on parts whose fluid has a velocity of its own at the start, given at points of the domain: what of it has no divergence between
+    /// the bodies, in place of the scene's fluid.velocity. Throws also InputError if the scene is not one of parts, or on several ranks. Collective.
+    Simulation(const Scene& scene, const Communicator& comm, const std::function<Vec<D>(const Vec<D>&)>& velocity);
     /// Continues from a state that state() returned, on any number of ranks: with the same bits on the same number of ranks and
     /// threads. Throws also StateError if the state is not of this scene's grid and bodies. Collective.
     Simulation(const Scene& scene, const Communicator& comm, const StoredState& state);
@@ -92,6 +96,7 @@ public:
     const StageTimers& stages() const { return stages_; }
 
 private:
+    void begin(const FaceField<D>* velocity);
     enum class BulkViscosity { acts, is_left_out };
     void restore_configuration();
     void put_back(const State<D>& start);

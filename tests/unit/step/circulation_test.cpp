@@ -194,41 +194,62 @@ TEST(Circulation, TurningDoesNoWork)
     check_work<3>();
 }
 
-/// Mean error of Taylor-Green vortices that a uniform flow carries across a periodic box, after some time; energy over that at the start.
-struct Carried {
-    double error, energy;
-};
-Carried carried_vortices(int cells, double courant)
+// Steady flows of ideal fluid that a uniform flow carries across a periodic box.
+
+Vec<2> taylor_green(const Vec<2>& x)
 {
-    const double time = 0.5;
-    const Vec<2> U(0.5, 0.25);
-    const auto exact = [&](const Vec<2>& at, double t) {
-        const Vec<2> x = 2 * pi * (at - t * U);
-        return Vec<2>(U + Vec<2>(std::sin(x[0]) * std::cos(x[1]), -std::cos(x[0]) * std::sin(x[1])));
-    };
-    FreeRun<2> run(box_of_fluid(2, cells, SideScene::Kind::periodic), [&](const Vec<2>& x) { return exact(x, 0); });
+    return {std::sin(x[0]) * std::cos(x[1]), -std::cos(x[0]) * std::sin(x[1])};
+}
+
+/// Arnold, Beltrami and Childress: parallel to its vorticity.
+Vec<3> beltrami(const Vec<3>& x)
+{
+    return {std::sin(x[2]) + 0.6 * std::cos(x[1]), 0.8 * std::sin(x[0]) + std::cos(x[2]),
+            0.6 * std::sin(x[1]) + 0.8 * std::cos(x[0])};
+}
+
+struct Carried {
+    double error;  ///< of the velocity after some time, root mean square
+    double energy; ///< over that at the start
+};
+template <int D>
+Carried carried_along(const std::function<Vec<D>(const Vec<D>&)>& steady, int cells, double courant, double time)
+{
+    Vec<D> U = Vec<D>::Constant(0.3);
+    U[0] = 0.5;
+    const auto exact = [&](const Vec<D>& at, double t) { return Vec<D>(U + steady(2 * pi * (at - t * U))); };
+    FreeRun<D> run(box_of_fluid(D, cells, SideScene::Kind::periodic), [&](const Vec<D>& x) { return exact(x, 0); });
     const double before = run.energy();
     const int steps = static_cast<int>(std::lround(time * cells / courant));
     for (int k = 0; k < steps; ++k)
         run.step(time / steps);
-    const FaceField<2> end = on_faces<2>(run.model.grid, [&](const Vec<2>& x) { return exact(x, time); });
+    const FaceField<D> end = on_faces<D>(run.model.grid, [&](const Vec<D>& x) { return exact(x, time); });
     double sum = 0;
-    for (int axis = 0; axis < 2; ++axis)
-        for_each_index<2>(run.model.grid.low(), run.model.grid.high(), [&](const Index<2>& f) {
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(run.model.grid.low(), run.model.grid.high(), [&](const Index<D>& f) {
             const double error = run.state.velocity.grid(axis, f) - end(axis, f);
-            sum += error * error / (cells * cells);
+            sum += error * error / std::pow(cells, D);
         });
     return {std::sqrt(sum), run.energy() / before};
 }
 
-TEST(Circulation, VorticesAreCarriedAlong)
+TEST(Circulation, VorticesAreCarriedAlong2D)
 {
-    const Carried coarse = carried_vortices(16, 0.5), fine = carried_vortices(32, 0.5), far = carried_vortices(32, 4);
+    const Carried coarse = carried_along<2>(taylor_green, 16, 0.5, 0.5), fine = carried_along<2>(taylor_green, 32, 0.5, 0.5),
+                  far = carried_along<2>(taylor_green, 32, 4, 0.5);
     EXPECT_GT(std::log2(coarse.error / fine.error), 1.8);
     EXPECT_LT(fine.error, 0.02);
     EXPECT_NEAR(fine.energy, 1, 1e-3);
     EXPECT_LT(far.error, 3 * coarse.error);
     EXPECT_NEAR(far.energy, 1, 2e-3);
+}
+
+TEST(Circulation, VorticesAreCarriedAlong3D)
+{
+    const Carried coarse = carried_along<3>(beltrami, 8, 0.5, 0.25), fine = carried_along<3>(beltrami, 16, 0.5, 0.25);
+    EXPECT_GT(std::log2(coarse.error / fine.error), 1.8);
+    EXPECT_LT(fine.error, 0.05);
+    EXPECT_NEAR(fine.energy, 1, 1e-3);
 }
 
 // Fluid and bodies that all move as one: the flow is uniform to round-off, whatever the bodies; it goes on so as far as what the grid sees of them stays the same.
