@@ -46,17 +46,34 @@ public:
     {
         add_flow();
         add_walls();
-        if (!seen.empty())
-            add_seen_volume(seen);
+        add_seen_volume(seen);
         add_loans();
-        add_gaps(!seen.empty());
+        add_gaps();
+        return by_motion();
+    }
+
+    /// Of a layer's inertia; its gaps' share in `loads`.
+    std::vector<Twist<D>> of_layer(double weight, std::vector<LayerLoad<D>>& loads)
+    {
+        add_flow();
+        add_walls();
+        add_loans();
+        add_loads(weight, loads);
+        std::vector<Twist<D>> rate = by_motion();
+        for (Twist<D>& of : rate)
+            of *= weight;
+        return rate;
+    }
+
+private:
+    std::vector<Twist<D>> by_motion()
+    {
         by_motion_of_pieces();
         by_motion_of_walls();
         by_motion_of_links();
         return std::move(result_);
     }
 
-private:
     double q_of(const PartOrCell& side) const { return p_.of(side) + next_.of(side); }
     /// What of the momentum from the low side of a piece to its high one, a length apart, is no difference of potentials.
     double rest_of(std::size_t piece, double length) const { return circulation_ ? length * circulation_->piece[piece] : 0.0; }
@@ -247,41 +264,107 @@ private:
         });
     }
 
-    /// Energies of faces in gaps; `whole`: with those of the walls alone.
-    void add_gaps(bool whole)
+    PairTwist<D> pair_twist(const GapArm<D>& arm) const
+    {
+        PairTwist<D> twist;
+        twist << twists_[arm.solid[0]], twists_[arm.solid[1]];
+        return twist;
+    }
+    double spread(const FacePiece<D>& piece) const
+    {
+        return grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]);
+    }
+    bool wanted(const GapArm<D>& arm) const
+    {
+        return gaps_.wanted.empty() || gaps_.wanted[arm.solid[0]] || gaps_.wanted[arm.solid[1]];
+    }
+
+    /// Energies of faces in gaps.
+    void add_gaps()
     {
         using Number = typename GapTerms<D>::Number;
-        constexpr int T = twist_size<D>;
-        for (const GapArm<D>& arm : gaps_.arms) {
+        for (std::size_t k = 0; k < gaps_.arms.size(); ++k) {
+            const GapArm<D>& arm = gaps_.arms[k];
+            if (!wanted(arm))
+                continue;
             const FacePiece<D>& piece = complex_.pieces[arm.piece];
-            const Index<D> f = complex_.index.index(piece.face);
-            const double delta = grid_.spread(piece.axis, f[piece.axis]), rest = rest_of(arm.piece, delta),
-                         d = q_of(piece.low) - q_of(piece.high) - rest;
+            const double delta = spread(piece), rest = rest_of(arm.piece, delta), d = q_of(piece.low) - q_of(piece.high) - rest;
             const Number A = Number::variable(piece.area, GapTerms<D>::area);
-            PairTwist<D> twist;
-            twist << twists_[arm.solid[0]], twists_[arm.solid[1]];
-            const GapTerms<D> gap = gaps_.derivatives->of(arm, twist);
+            const GapTerms<D> gap = gaps_.derivatives->of(arm, pair_twist(arm));
             const Number &c = gap.flux, &U = gap.motion;
             Number energy = A * U * d - (d * (c + delta * U) + loss(piece.low, piece.high, rest)) / gap.resistance -
-                            by_plain_[arm.piece] * gap.share;
-            if (whole)
-                energy += 0.5 * gap.mass + 0.5 * delta * A * U * U - 0.5 * (c + delta * U) * (c + delta * U) / gap.resistance;
-            for (const WeightedPair<D>& of : gaps_.motion) {
-                PairTwist<D> z = of.z;
-                if (arm.solid[0] == of.b && arm.solid[1] == of.a)
-                    z << of.z.template tail<T>(), of.z.template head<T>();
-                else if (arm.solid[0] != of.a || arm.solid[1] != of.b)
-                    continue;
-                const GapTerms<D> at = gaps_.derivatives->of(arm, z);
-                const Number a = delta / at.resistance;
-                energy -= of.weight * (a * at.flux * at.motion + 0.5 * delta * (a - A) * at.motion * at.motion);
-            }
+                            by_plain_[arm.piece] * gap.share + 0.5 * gap.mass + 0.5 * delta * A * U * U -
+                            0.5 * (c + delta * U) * (c + delta * U) / gap.resistance;
+            energy += limits_of_motion(k, gap, A, delta);
             for (int side = 0; side < 2; ++side)
-                result_[arm.solid[side]] += Eigen::Map<const Twist<D>>(&energy.rate[side * T]);
+                result_[arm.solid[side]] += Eigen::Map<const Twist<D>>(&energy.rate[side * twist_size<D>]);
             Vec<D> by_centroid = Eigen::Map<const Vec<D>>(&energy.rate[GapTerms<D>::centroid]) / piece.area;
             by_centroid[piece.axis] = 0;
             by_area_[arm.piece] += energy.rate[GapTerms<D>::area] - by_centroid.dot(piece.centroid - face_centre(piece));
             by_moment_[arm.piece] += by_centroid;
+        }
+    }
+
+    /// What limits of D have in an arm: the layers' loads, and of the terms that make uniform motion exact with the weights M
+    ///
+    ///     -(Delta/R c M U + 1/2 Delta (Delta/R - A) U M U),
+    ///
+    /// whose derivative takes c and U along two twists only: c M U = c(M U_0) + U(M c_0) - c_0 M U_0.
+    typename GapTerms<D>::Number limits_of_motion(std::size_t number, const GapTerms<D>& gap,
+                                                  const typename GapTerms<D>::Number& A, double delta) const
+    {
+        using Number = typename GapTerms<D>::Number;
+        const GapArm<D>& arm = gaps_.arms[number];
+        const PairTwist<D> none = PairTwist<D>::Zero();
+        PairTwist<D> y = none, by_flux = none, by_motion = none; // of the loads; M c_0 and M U_0
+        Number energy = 0;
+        if (!gaps_.loads.empty()) {
+            const LayerLoad<D>& load = gaps_.loads[number];
+            y = load.twist;
+            energy -= load.loss / gap.resistance + load.plain * gap.share;
+        }
+        if (const PairMass<D> M = weight_of(arm); !M.isZero(0)) {
+            by_flux = M * arm.flux;
+            by_motion = M * arm.motion;
+            const Number a = delta / gap.resistance;
+            energy -= a * (gaps_.derivatives->motion_of(arm, by_flux) - by_flux.dot(arm.motion)) -
+                      0.5 * delta * (a - A) * by_motion.dot(arm.motion);
+            y += delta * by_motion;
+        }
+        if (!y.isZero(0)) {
+            const GapTerms<D> at = gaps_.derivatives->of(arm, y);
+            energy += A * at.motion - (at.flux + delta * at.motion) / at.resistance;
+        }
+        return energy;
+    }
+    /// M of the pair of an arm.
+    PairMass<D> weight_of(const GapArm<D>& arm) const
+    {
+        constexpr int T = twist_size<D>;
+        const std::pair<std::int32_t, std::int32_t> pair = std::minmax(arm.solid[0], arm.solid[1]);
+        const auto found = std::lower_bound(gaps_.motion.begin(), gaps_.motion.end(), pair,
+                                            [](const auto& of, const auto& p) { return std::pair(of.a, of.b) < p; });
+        if (found == gaps_.motion.end() || std::pair(found->a, found->b) != pair)
+            return PairMass<D>::Zero();
+        const PairMass<D>& weight = found->weight;
+        if (arm.solid[0] == pair.first)
+            return weight;
+        PairMass<D> swapped;
+        swapped << weight.template bottomRightCorner<T, T>(), weight.template bottomLeftCorner<T, T>(),
+            weight.template topRightCorner<T, T>(), weight.template topLeftCorner<T, T>();
+        return swapped;
+    }
+
+    /// What a layer's inertia has in the arms.
+    void add_loads(double weight, std::vector<LayerLoad<D>>& loads) const
+    {
+        loads.resize(gaps_.arms.size());
+        for (std::size_t k = 0; k < loads.size(); ++k) {
+            const GapArm<D>& arm = gaps_.arms[k];
+            const FacePiece<D>& piece = complex_.pieces[arm.piece];
+            loads[k].twist += weight * (q_of(piece.low) - q_of(piece.high)) * pair_twist(arm);
+            loads[k].loss += weight * loss(piece.low, piece.high);
+            loads[k].plain += weight * by_plain_[arm.piece];
         }
     }
 
@@ -399,12 +482,12 @@ std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& c
 
 template <int D>
 std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                                       const Potentials<D>& step, const Potentials<D>& next, int solid, const Twist<D>& z,
-                                       const DerivedGaps<D>& gaps)
+                                       const Potentials<D>& step, const Potentials<D>& next, int solid,
+                                       const WeightedTwist<D>& of, DerivedGaps<D>& gaps)
 {
     std::vector<Twist<D>> twists(complex.seen_mass.size(), Twist<D>::Zero());
-    twists[solid] = z;
-    return EnergyDerivative<D>(grid, complex, derivatives, step, next, twists, gaps, nullptr).find({});
+    twists[solid] = of.z;
+    return EnergyDerivative<D>(grid, complex, derivatives, step, next, twists, gaps, nullptr).of_layer(of.weight, gaps.loads);
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
@@ -412,8 +495,8 @@ std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& co
         const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&, const Potentials<D>&, std::span<const Twist<D>>,         \
         std::span<const std::vector<WeightedTwist<D>>>, const DerivedGaps<D>&, const Circulation<D>*);                         \
     template std::vector<Twist<D>> layer_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,              \
-                                                    const Potentials<D>&, const Potentials<D>&, int, const Twist<D>&,          \
-                                                    const DerivedGaps<D>&);
+                                                    const Potentials<D>&, const Potentials<D>&, int,                           \
+                                                    const WeightedTwist<D>&, DerivedGaps<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -61,12 +61,18 @@ struct WeightedTwist {
     Twist<D> z;
 };
 
-/// weight/2 z . Q z of a pair of twists, Q the terms of two solids' gaps that make uniform motion exact (PairInertia::motion).
+/// 1/2 sum_ij weight_ij Q_ij, Q the terms of two solids' gaps that make uniform motion exact (PairInertia::motion), by their twists one after the other.
 template <int D>
-struct WeightedPair {
-    std::int32_t a, b;
-    double weight;
-    PairTwist<D> z;
+struct WeightedMotion {
+    std::int32_t a, b; ///< a < b
+    PairMass<D> weight; ///< symmetric
+};
+
+/// What a layer's inertia has in an arm: A U y - ((c + Delta U) y + loss)/R - plain share, linear in the arm's terms but A and R.
+template <int D>
+struct LayerLoad {
+    PairTwist<D> twist = PairTwist<D>::Zero(); ///< y
+    double loss = 0, plain = 0;
 };
 
 /// The gaps of the energy that is derived.
@@ -74,7 +80,9 @@ template <int D>
 struct DerivedGaps {
     std::span<const GapArm<D>> arms;
     const GapDerivatives<D>* derivatives = nullptr; ///< where there are arms
-    std::vector<WeightedPair<D>> motion;            ///< added to the energy
+    std::vector<WeightedMotion<D>> motion;          ///< added to the energy; in the order of their pairs
+    std::vector<LayerLoad<D>> loads;                ///< of each arm, added to the energy; empty: none
+    std::vector<char> wanted;                       ///< solids whose derivatives are; empty: all
 };
 
 /// dT by each solid's place (cells) and by its rotation (radians) about its reference point, at fixed twists (cells and radians a unit of time); T over the
@@ -87,10 +95,11 @@ std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& c
                                         std::span<const std::vector<WeightedTwist<D>>> seen, const DerivedGaps<D>& gaps,
                                         const Circulation<D>* circulation = nullptr);
 
-/// 1/2 d(z . W z) of one solid's twist z, by each solid's place; y and y' in `step` and `next`.
+/// weight/2 d(z . W z) of one solid's twist z, by each solid's place; y and y' in `step` and `next`. Without what its gaps have in it: that is added to
+/// `gaps.loads`.
 template <int D>
 std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                                       const Potentials<D>& step, const Potentials<D>& next, int solid, const Twist<D>& z,
-                                       const DerivedGaps<D>& gaps);
+                                       const Potentials<D>& step, const Potentials<D>& next, int solid,
+                                       const WeightedTwist<D>& of, DerivedGaps<D>& gaps);
 
 } // namespace gapflow

@@ -129,26 +129,50 @@ public:
         return arm;
     }
 
-    GapTerms<D> terms_of(const GapArm<D>& arm, PairTwist<D> twist) const
+    GapTerms<D> terms_of(const GapArm<D>& arm, const PairTwist<D>& twist) const
     {
-        using Number = typename GapTerms<D>::Number;
         const FacePiece<D>& piece = complex_.pieces[arm.piece];
-        const std::optional<GapSite<D>> site = site_at(arm.piece, &arm.standoff);
+        const GapSite<D> site = *site_at(arm.piece, &arm.standoff);
+        const MovingPlace at = moving(site, piece, twist);
+        const auto terms =
+            integrate<MovingWalls<D>>(at.place, piece, at.centroid, Number::variable(piece.area, GapTerms<D>::area));
+        return {terms->share, terms->resistance, terms->flux, terms->motion, terms->mass};
+    }
+
+    typename GapTerms<D>::Number motion_of(const GapArm<D>& arm, const PairTwist<D>& twist) const
+    {
+        const FacePiece<D>& piece = complex_.pieces[arm.piece];
+        const GapSite<D> site = *site_at(arm.piece, &arm.standoff);
+        return mean_motion_of(moving(site, piece, twist).place, piece.axis);
+    }
+
+private:
+    using Number = typename GapTerms<D>::Number;
+    struct MovingPlace {
+        PlaceOf<D, Number> centroid;
+        GapPlace<D, MovingWalls<D>> place;
+    };
+    /// Refers to `site`.
+    MovingPlace moving(const GapSite<D>& site, const FacePiece<D>& piece, PairTwist<D> twist) const
+    {
         for (int side = 0; side < 2; ++side)
-            if (site->still[side])
+            if (site.still[side])
                 twist.template segment<twist_size<D>>(side * twist_size<D>).setZero();
-            else if (site->round[side])
+            else if (site.round[side])
                 twist.template segment<spin_size<D>>(side * twist_size<D> + D).setZero();
         PlaceOf<D, Number> centroid;
         for (int axis = 0; axis < D; ++axis)
             centroid[axis] = Number::variable(piece.centroid[axis], GapTerms<D>::centroid + axis);
-        const auto place =
-            place_at(piece, FacingWalls<D, MovingWalls<D>>(MovingWalls<D>(site->walls, twist, site->standoff)), centroid);
-        const auto terms = integrate<MovingWalls<D>>(*place, piece, centroid, Number::variable(piece.area, GapTerms<D>::area));
-        return {terms->share, terms->resistance, terms->flux, terms->motion, terms->mass};
+        const FacingWalls<D, MovingWalls<D>> walls(MovingWalls<D>(site.walls, twist, site.standoff));
+        return {centroid, *place_at(piece, walls, centroid)};
+    }
+    template <class Walls>
+    static typename Walls::Row mean_motion_of(const GapPlace<D, Walls>& place, int axis)
+    {
+        using S = typename Walls::Scalar;
+        return Walls::along(mean_motion(place.walls, place.here.normal, place.here.middle), unit<D>(axis).template cast<S>());
     }
 
-private:
     /// No energy of some components of the twists.
     static void still(GapArm<D>& arm, int first, int count)
     {
@@ -551,6 +575,12 @@ template <int D>
 GapTerms<D> GapDerivatives<D>::of(const GapArm<D>& arm, const PairTwist<D>& twist) const
 {
     return finder_->terms_of(arm, twist);
+}
+
+template <int D>
+typename GapTerms<D>::Number GapDerivatives<D>::motion_of(const GapArm<D>& arm, const PairTwist<D>& twist) const
+{
+    return finder_->motion_of(arm, twist);
 }
 
 template class Standoffs<2>;

@@ -93,6 +93,8 @@ public:
     GapDerivatives(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
     /// `arm`: one of find_gap_arms.
     GapTerms<D> of(const GapArm<D>& arm, const PairTwist<D>& twist) const;
+    /// GapTerms::motion alone: without integrals.
+    typename GapTerms<D>::Number motion_of(const GapArm<D>& arm, const PairTwist<D>& twist) const;
 
 private:
     std::shared_ptr<const GapFinder<D>> finder_;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -124,11 +125,15 @@ void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& o
     }
 }
 
-/// -weight/2 z . dG z of the deficit G of a solid by its gaps, as a sum over pairs of weight/2 z . dQ z. G is twice the solid's block of the negative
+/// Weights of the terms of gaps that make uniform motion exact, by pairs of solids.
+template <int D>
+using MotionWeights = std::map<std::pair<std::int32_t, std::int32_t>, PairMass<D>>;
+
+/// -weight/2 z . dG z of the deficit G of a solid by its gaps, as a sum over pairs of weights of dQ. G is twice the solid's block of the negative
 /// part of each Q, whose derivative by Q are divided differences.
 template <int D>
 void add_deficit(const Coupling<D>& coupling, std::span<const PairInertia<D>> pairs, int solid, const WeightedTwist<D>& of,
-                 std::vector<WeightedPair<D>>& to)
+                 MotionWeights<D>& to)
 {
     constexpr int T = twist_size<D>;
     for (const PairInertia<D>& pair : pairs)
@@ -148,10 +153,7 @@ void add_deficit(const Coupling<D>& coupling, std::span<const PairInertia<D>> pa
                     for (int k = 0; k < 2 * T; ++k)
                         by_motion.col(k) += modes.eigenvectors()(k, j) * scaled;
                 }
-            const Modes parts = modes_of(by_motion);
-            for (int k = 0; k < 2 * T; ++k)
-                if (parts.eigenvalues()[k] != 0)
-                    to.push_back({pair.a, pair.b, 2 * of.weight * parts.eigenvalues()[k], parts.eigenvectors().col(k)});
+            to.try_emplace({pair.a, pair.b}, PairMass<D>::Zero()).first->second += 2 * of.weight * by_motion;
         }
 }
 
@@ -358,8 +360,11 @@ template <int D>
 std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex,
                                         const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
                                         const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms,
-                                        std::span<const PairInertia<D>> pairs, const Circulation<D>* circulation)
+                                        std::span<const PairInertia<D>> pairs, const std::vector<char>& wanted,
+                                        const Circulation<D>* circulation)
 {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), 1) == wanted.end())
+        return std::vector<Twist<D>>(twists.size(), Twist<D>::Zero());
     const double dx = coupling.grid->dx(), unit = coupling.density * dx * dx;
     const std::vector<int>& node = coupling.part_node;
     std::vector<TwistMatrix<D>> layers; // where a limit asks for them
@@ -377,11 +382,11 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
         twist.template head<D>() /= dx;
         return twist;
     };
-    DerivedGaps<D> gaps{arms, nullptr, {}};
+    DerivedGaps<D> gaps{arms, nullptr, {}, {}, wanted};
     std::optional<GapDerivatives<D>> gap_derivatives;
     if (!arms.empty())
         gaps.derivatives = &gap_derivatives.emplace(*coupling.grid, coupling.solids, complex);
-    std::vector<WeightedPair<D>> deficits;
+    MotionWeights<D> deficits;
     std::vector<Twist<D>> V, sum(twists.size(), Twist<D>::Zero());
     std::vector<std::vector<WeightedTwist<D>>> seen;
     for (std::size_t s = 0; s < twists.size(); ++s) {
@@ -404,14 +409,18 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
             const JacobiSteps<D> steps = jacobi_steps(coupling, static_cast<int>(s), of.z);
             const std::vector<Twist<D>> rate =
                 layer_derivative<D>(*coupling.grid, complex, derivatives, in_cells(steps.first, 1 / unit),
-                                    in_cells(steps.next, 1 / unit), static_cast<int>(s), twist_in_cells(of.z), gaps);
+                                    in_cells(steps.next, 1 / unit), static_cast<int>(s), {of.weight, twist_in_cells(of.z)}, gaps);
             for (std::size_t k = 0; k < rate.size(); ++k)
-                sum[k] += of.weight * rate[k];
+                sum[k] += rate[k];
         }
     }
-    for (WeightedPair<D>& of : deficits)
-        of.z.template head<D>() /= dx, of.z.template segment<D>(twist_size<D>) /= dx;
-    gaps.motion = std::move(deficits);
+    for (auto& [pair, weight] : deficits) {
+        for (const int first : {0, twist_size<D>}) {
+            weight.template middleRows<D>(first) /= dx;
+            weight.template middleCols<D>(first) /= dx;
+        }
+        gaps.motion.push_back({pair.first, pair.second, weight});
+    }
     const std::vector<Twist<D>> flow =
         energy_derivative<D>(*coupling.grid, complex, derivatives, in_cells(p, -1 / unit), std::span<const Twist<D>>(V),
                              std::span<const std::vector<WeightedTwist<D>>>(seen), gaps, circulation);
@@ -427,11 +436,11 @@ template std::vector<int> nodes_of_parts(const Grid<3>&, const Complex<3>&, Coup
 template std::vector<Twist<2>> energy_derivative(const Coupling<2>&, const Complex<2>&, const FaceDerivatives<2>&,
                                                  const UnknownVector<2>&, const std::vector<Twist<2>>&,
                                                  std::span<const GapArm<2>>, std::span<const PairInertia<2>>,
-                                                 const Circulation<2>*);
+                                                 const std::vector<char>&, const Circulation<2>*);
 template std::vector<Twist<3>> energy_derivative(const Coupling<3>&, const Complex<3>&, const FaceDerivatives<3>&,
                                                  const UnknownVector<3>&, const std::vector<Twist<3>>&,
                                                  std::span<const GapArm<3>>, std::span<const PairInertia<3>>,
-                                                 const Circulation<3>*);
+                                                 const std::vector<char>&, const Circulation<3>*);
 template Coupling<2> couple_parts(const Grid<2>&, std::vector<Solid<2>>, const std::vector<TwistMatrix<2>>&, double,
                                   const Complex<2>&, const Inertia<2>&);
 template Coupling<3> couple_parts(const Grid<3>&, std::vector<Solid<3>>, const std::vector<TwistMatrix<3>>&, double,

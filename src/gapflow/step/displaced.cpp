@@ -324,6 +324,18 @@ std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<Rig
 }
 
 template <int D>
+std::vector<char> not_replaced(const std::vector<Displaced<D>>& displaced, std::size_t solids)
+{
+    std::vector<int> left(solids, twist_size<D>);
+    for (const Displaced<D>& one : displaced)
+        --left[one.solid];
+    std::vector<char> any(solids);
+    for (std::size_t s = 0; s < solids; ++s)
+        any[s] = left[s] > 0;
+    return any;
+}
+
+template <int D>
 void replace_forces(const std::vector<Displaced<D>>& displaced, const PotentialFlow<D>& flow, std::vector<Twist<D>>& force)
 {
     for (const Displaced<D>& one : displaced)
@@ -333,6 +345,7 @@ void replace_forces(const std::vector<Displaced<D>>& displaced, const PotentialF
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template class EnergyTerms<D>;                                                                                             \
     template std::vector<Displaced<D>> displaced<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const Placed<D>&);      \
+    template std::vector<char> not_replaced<D>(const std::vector<Displaced<D>>&, std::size_t);                                 \
     template void replace_forces<D>(const std::vector<Displaced<D>>&, const PotentialFlow<D>&, std::vector<Twist<D>>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

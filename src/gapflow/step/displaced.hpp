@@ -78,6 +78,9 @@ struct Displaced {
 template <int D>
 std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Placed<D>& at);
 
+/// Of each solid, whether a component of its force is left by replace_forces().
+template <int D>
+std::vector<char> not_replaced(const std::vector<Displaced<D>>& displaced, std::size_t solids);
 /// Replaces the forces of these solids.
 template <int D>
 void replace_forces(const std::vector<Displaced<D>>& displaced, const PotentialFlow<D>& flow, std::vector<Twist<D>>& force);

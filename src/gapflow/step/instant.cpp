@@ -47,6 +47,7 @@ void find_forces(Instant<D>& instant)
     const bool rotational = !instant.flow.remainder.empty();
     const Circulation<D> circulation = rotational ? in_cells(at, instant.flow.remainder) : Circulation<D>{};
     instant.force = energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs,
+                                         rotational ? std::vector<char>{} : not_replaced(instant.displaced, V.size()),
                                          rotational ? &circulation : nullptr);
     if (!rotational) // those do not know it
         replace_forces(instant.displaced, instant.flow, instant.force);
