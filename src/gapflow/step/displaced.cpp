@@ -2,6 +2,8 @@
 
 #include "gapflow/complex/gap_arm.hpp"
 #include "gapflow/complex/mouth_arm.hpp"
+#include "gapflow/core/disjoint_sets.hpp"
+#include "gapflow/core/error.hpp"
 #include "gapflow/step/matching.hpp"
 #include "gapflow/stepping/standoff.hpp"
 
@@ -15,9 +17,7 @@ namespace {
 // To each side, over the width of a gap or a cell: of a gap's energy, which goes as its inverse, the difference misses the square of this. Less far, a wall
 // that is nearly parallel to a plane of the grid and passes it is a spike.
 constexpr double small_way = 0.05;
-constexpr double accuracy = 1e-6; // of the local values' rows, over that with which they start
-constexpr int most_iterations = 300;
-constexpr double sealed = 1e-9; // rows without a way out have no more over their diagonal
+constexpr double sealed = 1e-9; // conductance over the diagonal that leads out of no row
 
 } // namespace
 
@@ -33,7 +33,7 @@ EnergyTerms<D>::EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, co
     const Differing differing = differing_cells(of, near.coupling);
     const auto add = [&](const Index<D>& c, int own_node, long start) {
         const long local = known_ + static_cast<long>(local_.size());
-        local_.push_back({start, 0, {}});
+        local_.push_back({start, 0, 0, {}});
         if (own_node >= 0)
             value_of_node_[own_node] = local;
         else
@@ -65,6 +65,7 @@ EnergyTerms<D>::EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, co
         fluxes_.push_back({value_of_cell(entry.row), entry.body, entry.flux});
     for (const auto& entry : of.node_flux)
         fluxes_.push_back({value_of_node_[entry.row], entry.body, entry.flux});
+    factorise();
 }
 
 template <int D>
@@ -179,9 +180,12 @@ void EnergyTerms<D>::add_pair(long a, long b, double conductance)
     pairs_.push_back({a, b, conductance});
     for (const auto& [own, other] : {std::pair(a, b), std::pair(b, a)})
         if (own >= known_) {
-            local_[own - known_].diagonal += conductance;
+            Local& row = local_[own - known_];
+            row.diagonal += conductance;
             if (other >= 0)
-                local_[own - known_].others.emplace_back(other, conductance);
+                row.others.emplace_back(other, conductance);
+            else
+                row.to_side += conductance;
         }
 }
 
@@ -193,62 +197,86 @@ double EnergyTerms<D>::value(long number, const PotentialFlow<D>& flow, const st
                              : local[number - known_];
 }
 
+/// The local values are the solution of a system of their own, of one size with the surface of the displaced solid: slivers are joined with the rest by
+/// conductances many orders below those of other rows, with which iterations over all rows end too early or never.
 template <int D>
-void EnergyTerms<D>::multiply(const std::vector<double>& local, std::vector<double>& product) const
+void EnergyTerms<D>::factorise()
 {
-    for (std::size_t k = 0; k < local_.size(); ++k) {
-        double sum = local_[k].diagonal * local[k];
-        for (const auto& [number, conductance] : local_[k].others)
-            if (number >= known_)
-                sum -= conductance * local[number - known_];
-        product[k] = sum;
+    const int count = static_cast<int>(local_.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    DisjointSets sets(count);
+    std::vector<double> out(count, 0.0);
+    for (int k = 0; k < count; ++k) {
+        const Local& row = local_[k];
+        entries.emplace_back(k, k, row.diagonal > 0 ? row.diagonal : 1.0);
+        for (const auto& [number, conductance] : row.others)
+            if (const int other = static_cast<int>(number - known_); other < 0)
+                out[k] += std::abs(conductance);
+            else {
+                entries.emplace_back(k, other, -conductance);
+                if (std::abs(conductance) > sealed * std::min(row.diagonal, local_[other].diagonal))
+                    sets.join(k, other);
+            }
+        out[k] += row.to_side;
     }
+    int numbers = 0;
+    const std::vector<int> set = sets.numbers(numbers);
+    std::vector<double> leads(numbers, 0.0);
+    std::vector<Sealed> all(numbers);
+    for (int k = 0; k < count; ++k) {
+        all[set[k]].values.push_back(k);
+        all[set[k]].diagonal += local_[k].diagonal;
+        leads[set[k]] += out[k];
+    }
+    for (int n = 0; n < numbers; ++n)
+        if (all[n].diagonal > 0 && leads[n] <= sealed * all[n].diagonal) {
+            const int first = all[n].values.front();
+            entries.emplace_back(first, first, local_[first].diagonal);
+            sealed_.push_back(std::move(all[n]));
+        }
+    Eigen::SparseMatrix<double> L(count, count);
+    L.setFromTriplets(entries.begin(), entries.end());
+    if (!factor_.compute(L))
+        throw ComputationError("the potentials around a displaced body have no solution");
 }
 
-// By conjugate gradients with the diagonal as preconditioner.
 template <int D>
 std::vector<double> EnergyTerms<D>::local_values(const PotentialFlow<D>& flow) const
 {
     const std::size_t count = local_.size();
-    std::vector<double> local(count, 0.0), rest(count, 0.0), direction(count, 0.0), product(count, 0.0);
-    for (std::size_t k = 0; k < count; ++k) {
+    std::vector<double> local(count, 0.0);
+    Eigen::VectorXd rest = Eigen::VectorXd::Zero(static_cast<long>(count));
+    for (std::size_t k = 0; k < count; ++k)
         if (local_[k].start >= 0)
             local[k] = value(local_[k].start, flow, local);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!(local_[k].diagonal > 0))
+            continue;
+        rest[k] -= local_[k].diagonal * local[k];
         for (const auto& [number, conductance] : local_[k].others)
-            if (number < known_)
-                rest[k] += conductance * value(number, flow, local);
+            rest[k] += conductance * value(number, flow, local);
     }
     for (const Flux& entry : fluxes_)
-        if (entry.value >= known_)
+        if (entry.value >= known_ && local_[entry.value - known_].diagonal > 0)
             rest[entry.value - known_] -= entry.flux.dot(flow.twists[entry.solid]);
-    multiply(local, product);
-    double square = 0;
-    const auto scaled = [&](std::size_t k) { return local_[k].diagonal > 0 ? rest[k] / local_[k].diagonal : 0.0; };
-    for (std::size_t k = 0; k < count; ++k) {
-        rest[k] -= product[k];
-        direction[k] = scaled(k);
-        square += rest[k] * direction[k];
+    // What their fluxes lack has no way out; their mean stays.
+    for (const Sealed& set : sealed_) {
+        double sum = 0;
+        for (const int k : set.values)
+            sum += rest[k];
+        for (const int k : set.values)
+            rest[k] -= sum / set.diagonal * local_[k].diagonal;
     }
-    const double enough = accuracy * accuracy * square;
-    for (int iteration = 0; iteration < most_iterations && square > enough; ++iteration) {
-        multiply(direction, product);
-        double energy = 0, scale = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            energy += direction[k] * product[k];
-            scale += local_[k].diagonal * direction[k] * direction[k];
-        }
-        if (!(energy > sealed * scale))
-            break;
-        const double length = square / energy, last = square;
-        square = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            local[k] += length * direction[k];
-            rest[k] -= length * product[k];
-            square += rest[k] * scaled(k);
-        }
-        for (std::size_t k = 0; k < count; ++k)
-            direction[k] = scaled(k) + square / last * direction[k];
+    Eigen::VectorXd change = factor_.solve(rest);
+    for (const Sealed& set : sealed_) {
+        double sum = 0;
+        for (const int k : set.values)
+            sum += local_[k].diagonal * change[k];
+        for (const int k : set.values)
+            change[k] -= sum / set.diagonal;
     }
+    for (std::size_t k = 0; k < count; ++k)
+        local[k] += change[k];
     return local;
 }
 

@@ -2,6 +2,7 @@
 // the lines and planes that divide the fluid at such mouths.
 #pragma once
 
+#include "gapflow/core/sparse_cholesky.hpp"
 #include "gapflow/step/potential_flow.hpp"
 
 #include <array>
@@ -40,7 +41,13 @@ private:
     struct Local {
         long start = -1; ///< value at the other place
         double diagonal = 0;
+        double to_side = 0;                          ///< of it, to a side of the domain
         std::vector<std::pair<long, double>> others; ///< minus the entries of L; some twice
+    };
+    /// Local values that are joined with each other, but not with others: a constant may be added to them.
+    struct Sealed {
+        std::vector<int> values;
+        double diagonal; ///< sum
     };
     using Differing = std::vector<long>; ///< cells by their keys, in their order
 
@@ -49,8 +56,7 @@ private:
     void add_pair(long a, long b, double conductance);
     void add_faces(const CoupledSystem<D>& system, const CoupledSystem<D>& other);
     void add_links(const CoupledSystem<D>& system);
-    /// L of the local values times these.
-    void multiply(const std::vector<double>& local, std::vector<double>& product) const;
+    void factorise();
     std::vector<double> local_values(const PotentialFlow<D>& flow) const;
     double value(long number, const PotentialFlow<D>& flow, const std::vector<double>& local) const;
 
@@ -62,6 +68,8 @@ private:
     std::vector<Sum> sums_;
     std::vector<Flux> fluxes_;
     std::vector<Local> local_;
+    std::vector<Sealed> sealed_;
+    SparseCholesky factor_;            ///< of L of the local values
     std::vector<TwistMatrix<D>> seen_; ///< of each solid
     std::vector<NormalInertia<D>> gaps_;
 };

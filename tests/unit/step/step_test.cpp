@@ -289,6 +289,44 @@ TEST(Step, ForcesOnPlatesAreDifferencesOfTheEnergy)
     }
 }
 
+// Edges almost in planes of the grid: rows are joined with each other by conductances of 1e8 times those of the grid, and with the rest by those of the grid.
+TEST(Step, DisplacedBodiesHaveTheEnergyOfTheirFlow)
+{
+    Scene scene = box_of_fluid(3, 12, SideScene::Kind::wall);
+    scene.gap.roughness = 0;
+    const double dx = scene.spacing(), gap = 0.3;
+    for (const double side : {-1.0, 1.0}) {
+        BodyScene plate = body(side < 0 ? "lower" : "upper", BodyScene::ShapeKind::box,
+                               {6 * dx, 6 * dx, (6.1 + side * (1 + 0.5 * gap)) * dx});
+        plate.size = {6 * dx, 6 * dx, 2 * dx};
+        plate.quaternion = {1, side * 2e-6, 5e-7, 0};
+        scene.bodies.push_back(plate);
+    }
+    const Model<3> model(scene, Communicator(), Task::motion);
+    std::vector<Twist<3>> V = model.twists(model.bodies);
+    V[0] << 0.1, 0.2, -1, 0, 0, 0;
+    V[1] << 0, -0.1, 1, 0, 0, 0;
+    const auto at = [&](const std::vector<RigidBody<3>>& bodies) { return placed(model, bodies, model.masses(bodies, 0.0)); };
+    auto here = at(model.bodies);
+    const PotentialFlow<3> flow = flow_of_twists(*here, V, exact());
+    const Instant<3> instant = instant_of<3>(model, model.bodies, std::move(here), flow);
+    ASSERT_EQ(instant.displaced.size(), 12u);
+    for (const Displaced<3>& one : instant.displaced)
+        for (const EnergyTerms<3>* end : {&one.low, &one.high}) {
+            if (one.component >= 3)
+                continue;
+            std::vector<RigidBody<3>> bodies = model.bodies;
+            bodies[one.solid].pose.position[one.component] += (end == &one.low ? -0.5 : 0.5) * one.way;
+            const auto there = at(bodies);
+            const std::vector<Twist<3>> P = fluid_impulse(*there, flow_of_twists(*there, V, exact()));
+            const double whole = 0.5 * (V[0].dot(P[0]) + V[1].dot(P[1])) - instant.energy,
+                         known = end->energy(flow) - EnergyTerms<3>(instant.placed->coupling, instant.placed->complex,
+                                                                    instant.placed->node, *instant.placed)
+                                                         .energy(flow);
+            EXPECT_NEAR(known, whole, 1e-4 * instant.energy) << "component " << one.component << " of " << one.solid;
+        }
+}
+
 // A capsule that turns about its contact with a plate: the distance of its other end has no minimum there.
 TEST(Step, GapsThatTurnAboutAContactLimitIt)
 {
