@@ -82,7 +82,8 @@ EdgeMouths::Place EdgeMouths::place(int image, int number, double s) const
     place.share = facing * share_up_to(place.distance, parameters.mouth_start, parameters.gap_end);
     if (const int other = edge_at(place.wall.image, foot); other >= 0) { // two edges: one mouth
         const SurfacePoint<3> back = closest_point<3>(placed_[image].shape, place.wall.nearest.x);
-        const bool mutual = (planes_.in_cells(back.x) - place.at).norm() < parameters.joint_distance;
+        // Each other's, though not from the same place: between edges that are inclined to each other the way back is another one.
+        const bool mutual = edge_at(image, planes_.in_cells(back.x)) == number;
         if (!mutual || std::pair(image, number) > std::pair(place.wall.image, other)) {
             place.own = 1 - place.share;
             if (!mutual) {

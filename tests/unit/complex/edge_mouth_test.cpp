@@ -52,6 +52,26 @@ TEST(EdgeMouths, GoOnceAroundAGap)
         }
 }
 
+// The way back from an edge to the one across is another one where they are inclined to each other: it is one mouth all the same.
+TEST(EdgeMouths, OfEdgesInclinedALittle)
+{
+    const Grid<3> grid = unit_grid<3>(cells);
+    for (const Vec<3>& axis : {Vec<3>(1, 0, 0), Vec<3>(0, 1, 0)}) {
+        Scene<3> scene(grid);
+        for (const int side : {1, -1}) {
+            Pose<3> at = pose<3>(Vec<3>(Vec<3>(8.31, 7.83, 8.12 + side * 1.6) / cells));
+            if (side > 0)
+                at.rotation = turned(axis, 1e-6);
+            scene.add("box", make_box<3>(Vec<3>(6, 5, 3) / cells), at);
+        }
+        const Complex<3> complex = build_complex<3>(grid, scene.solids);
+        double area = 0;
+        for (const CornerLink<3>& link : complex.links)
+            area += link.mouth >= 0 ? link.open : 0.0;
+        EXPECT_NEAR(area, 22 * 0.2, 0.002 * 22 * 0.2) << axis.transpose();
+    }
+}
+
 // A face of a gap whose neighbours lend and take in several directions: it would have a negative weight, and the system no solution.
 TEST(EdgeMouths, LeaveWeightsPositive)
 {
