@@ -64,7 +64,7 @@ struct WeightedTwist {
 /// 1/2 sum_ij weight_ij Q_ij, Q the terms of two solids' gaps that make uniform motion exact (PairInertia::motion), by their twists one after the other.
 template <int D>
 struct WeightedMotion {
-    std::int32_t a, b; ///< a < b
+    std::int32_t a, b;  ///< a < b
     PairMass<D> weight; ///< symmetric
 };
 

@@ -407,9 +407,9 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
         for (const WeightedTwist<D>& of : limit.layer) {
             add_deficit(coupling, pairs, static_cast<int>(s), of, deficits);
             const JacobiSteps<D> steps = jacobi_steps(coupling, static_cast<int>(s), of.z);
-            const std::vector<Twist<D>> rate =
-                layer_derivative<D>(*coupling.grid, complex, derivatives, in_cells(steps.first, 1 / unit),
-                                    in_cells(steps.next, 1 / unit), static_cast<int>(s), {of.weight, twist_in_cells(of.z)}, gaps);
+            const std::vector<Twist<D>> rate = layer_derivative<D>(
+                *coupling.grid, complex, derivatives, in_cells(steps.first, 1 / unit), in_cells(steps.next, 1 / unit),
+                static_cast<int>(s), {of.weight, twist_in_cells(of.z)}, gaps);
             for (std::size_t k = 0; k < rate.size(); ++k)
                 sum[k] += rate[k];
         }
