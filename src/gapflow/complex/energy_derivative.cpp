@@ -2,6 +2,7 @@
 
 #include "gapflow/complex/lending.hpp"
 #include "gapflow/complex/seen_volume.hpp"
+#include "gapflow/core/threads.hpp"
 #include "gapflow/grid/side_distance.hpp"
 
 namespace gapflow {
@@ -283,26 +284,37 @@ private:
     void add_gaps()
     {
         using Number = typename GapTerms<D>::Number;
-        for (std::size_t k = 0; k < gaps_.arms.size(); ++k) {
+        std::vector<Number> energy(gaps_.arms.size());
+        for_each_job(static_cast<int>(energy.size()), [&](int k) {
+            if (wanted(gaps_.arms[k]))
+                energy[k] = gap_energy(k);
+        });
+        for (std::size_t k = 0; k < energy.size(); ++k) {
             const GapArm<D>& arm = gaps_.arms[k];
             if (!wanted(arm))
                 continue;
             const FacePiece<D>& piece = complex_.pieces[arm.piece];
-            const double delta = spread(piece), rest = rest_of(arm.piece, delta), d = q_of(piece.low) - q_of(piece.high) - rest;
-            const Number A = Number::variable(piece.area, GapTerms<D>::area);
-            const GapTerms<D> gap = gaps_.derivatives->of(arm, pair_twist(arm));
-            const Number &c = gap.flux, &U = gap.motion;
-            Number energy = A * U * d - (d * (c + delta * U) + loss(piece.low, piece.high, rest)) / gap.resistance -
-                            by_plain_[arm.piece] * gap.share + 0.5 * gap.mass + 0.5 * delta * A * U * U -
-                            0.5 * (c + delta * U) * (c + delta * U) / gap.resistance;
-            energy += limits_of_motion(k, gap, A, delta);
             for (int side = 0; side < 2; ++side)
-                result_[arm.solid[side]] += Eigen::Map<const Twist<D>>(&energy.rate[side * twist_size<D>]);
-            Vec<D> by_centroid = Eigen::Map<const Vec<D>>(&energy.rate[GapTerms<D>::centroid]) / piece.area;
+                result_[arm.solid[side]] += Eigen::Map<const Twist<D>>(&energy[k].rate[side * twist_size<D>]);
+            Vec<D> by_centroid = Eigen::Map<const Vec<D>>(&energy[k].rate[GapTerms<D>::centroid]) / piece.area;
             by_centroid[piece.axis] = 0;
-            by_area_[arm.piece] += energy.rate[GapTerms<D>::area] - by_centroid.dot(piece.centroid - face_centre(piece));
+            by_area_[arm.piece] += energy[k].rate[GapTerms<D>::area] - by_centroid.dot(piece.centroid - face_centre(piece));
             by_moment_[arm.piece] += by_centroid;
         }
+    }
+    typename GapTerms<D>::Number gap_energy(int number) const
+    {
+        using Number = typename GapTerms<D>::Number;
+        const GapArm<D>& arm = gaps_.arms[number];
+        const FacePiece<D>& piece = complex_.pieces[arm.piece];
+        const double delta = spread(piece), rest = rest_of(arm.piece, delta), d = q_of(piece.low) - q_of(piece.high) - rest;
+        const Number A = Number::variable(piece.area, GapTerms<D>::area);
+        const GapTerms<D> gap = gaps_.derivatives->of(arm, pair_twist(arm));
+        const Number &c = gap.flux, &U = gap.motion;
+        const Number energy = A * U * d - (d * (c + delta * U) + loss(piece.low, piece.high, rest)) / gap.resistance -
+                              by_plain_[arm.piece] * gap.share + 0.5 * gap.mass + 0.5 * delta * A * U * U -
+                              0.5 * (c + delta * U) * (c + delta * U) / gap.resistance;
+        return energy + limits_of_motion(number, gap, A, delta);
     }
 
     /// What limits of D have in an arm: the layers' loads, and of the terms that make uniform motion exact with the weights M
@@ -363,7 +375,7 @@ private:
             const GapArm<D>& arm = gaps_.arms[k];
             const FacePiece<D>& piece = complex_.pieces[arm.piece];
             loads[k].twist += weight * (q_of(piece.low) - q_of(piece.high)) * pair_twist(arm);
-            loads[k].loss += weight * loss(piece.low, piece.high);
+            loads[k].loss += weight * loss(piece.low, piece.high, 0);
             loads[k].plain += weight * by_plain_[arm.piece];
         }
     }
@@ -495,8 +507,8 @@ std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& co
         const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&, const Potentials<D>&, std::span<const Twist<D>>,         \
         std::span<const std::vector<WeightedTwist<D>>>, const DerivedGaps<D>&, const Circulation<D>*);                         \
     template std::vector<Twist<D>> layer_derivative(const Grid<D>&, const Complex<D>&, const FaceDerivatives<D>&,              \
-                                                    const Potentials<D>&, const Potentials<D>&, int,                           \
-                                                    const WeightedTwist<D>&, DerivedGaps<D>&);
+                                                    const Potentials<D>&, const Potentials<D>&, int, const WeightedTwist<D>&,  \
+                                                    DerivedGaps<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE
