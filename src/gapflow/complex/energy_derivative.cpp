@@ -3,6 +3,7 @@
 #include "gapflow/complex/lending.hpp"
 #include "gapflow/complex/seen_volume.hpp"
 #include "gapflow/core/threads.hpp"
+#include "gapflow/grid/field.hpp"
 #include "gapflow/grid/side_distance.hpp"
 
 namespace gapflow {
@@ -75,6 +76,7 @@ private:
         return std::move(result_);
     }
 
+    bool owns(int part) const { return grid_.owns(complex_.cell_of_part(part)); }
     double q_of(const PartOrCell& side) const { return p_.of(side) + next_.of(side); }
     /// What of the momentum from the low side of a piece to its high one, a length apart, is no difference of potentials.
     double rest_of(std::size_t piece, double length) const { return circulation_ ? length * circulation_->piece[piece] : 0.0; }
@@ -93,6 +95,8 @@ private:
                 continue;
             const FacePiece<D>& piece = complex_.pieces[k];
             const Index<D> f = complex_.index.index(piece.face);
+            if (!owns_face(grid_, piece.axis, f))
+                continue;
             double over = grid_.spread(piece.axis, f[piece.axis]);
             if (!piece.low.exists() || !piece.high.exists()) { // a side of the domain
                 const int end = piece.low.exists();
@@ -108,7 +112,7 @@ private:
     void add_walls()
     {
         for (int part = 0; part < complex_.parts(); ++part)
-            for (int k = complex_.first_patch[part]; k < complex_.first_patch[part + 1]; ++k)
+            for (int k = complex_.first_patch[part]; k < complex_.first_patch[part + 1] && owns(part); ++k)
                 by_patch_[k] += q_of(PartOrCell::part(part)) * twists_[complex_.patches[k].solid];
     }
 
@@ -189,8 +193,9 @@ private:
         Loans<D> loans(grid_, complex_, areas_);
         for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
             axis_ = complex_.pieces[k].axis;
-            loans.from(static_cast<std::int32_t>(k), complex_.index.index(complex_.pieces[k].face),
-                       [&](const Loan<D>& loan) { add_loan(loan, loans.shares()); });
+            const Index<D> f = complex_.index.index(complex_.pieces[k].face);
+            if (owns_face(grid_, axis_, f))
+                loans.from(static_cast<std::int32_t>(k), f, [&](const Loan<D>& loan) { add_loan(loan, loans.shares()); });
         }
     }
 
@@ -275,6 +280,11 @@ private:
     {
         return grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]);
     }
+    bool owns(const GapArm<D>& arm) const
+    {
+        const FacePiece<D>& piece = complex_.pieces[arm.piece];
+        return owns_face(grid_, piece.axis, complex_.index.index(piece.face));
+    }
     bool wanted(const GapArm<D>& arm) const
     {
         return gaps_.wanted.empty() || gaps_.wanted[arm.solid[0]] || gaps_.wanted[arm.solid[1]];
@@ -285,13 +295,17 @@ private:
     {
         using Number = typename GapTerms<D>::Number;
         std::vector<Number> energy(gaps_.arms.size());
+        const auto counts = [&](std::size_t k) {
+            const GapArm<D>& arm = gaps_.arms[k];
+            return wanted(arm) && (owns(arm) || by_plain_[arm.piece] != 0 || (!gaps_.loads.empty() && gaps_.loads[k].plain != 0));
+        };
         for_each_job(static_cast<int>(energy.size()), [&](int k) {
-            if (wanted(gaps_.arms[k]))
+            if (counts(k))
                 energy[k] = gap_energy(k);
         });
         for (std::size_t k = 0; k < energy.size(); ++k) {
             const GapArm<D>& arm = gaps_.arms[k];
-            if (!wanted(arm))
+            if (!counts(k))
                 continue;
             const FacePiece<D>& piece = complex_.pieces[arm.piece];
             for (int side = 0; side < 2; ++side)
@@ -310,6 +324,8 @@ private:
         const double delta = spread(piece), rest = rest_of(arm.piece, delta), d = q_of(piece.low) - q_of(piece.high) - rest;
         const Number A = Number::variable(piece.area, GapTerms<D>::area);
         const GapTerms<D> gap = gaps_.derivatives->of(arm, pair_twist(arm));
+        if (!owns(arm)) // what this rank's faces lend to it
+            return -(by_plain_[arm.piece] + (gaps_.loads.empty() ? 0.0 : gaps_.loads[number].plain)) * gap.share;
         const Number &c = gap.flux, &U = gap.motion;
         const Number energy = A * U * d - (d * (c + delta * U) + loss(piece.low, piece.high, rest)) / gap.resistance -
                               by_plain_[arm.piece] * gap.share + 0.5 * gap.mass + 0.5 * delta * A * U * U -
@@ -374,8 +390,10 @@ private:
         for (std::size_t k = 0; k < loads.size(); ++k) {
             const GapArm<D>& arm = gaps_.arms[k];
             const FacePiece<D>& piece = complex_.pieces[arm.piece];
-            loads[k].twist += weight * (q_of(piece.low) - q_of(piece.high)) * pair_twist(arm);
-            loads[k].loss += weight * loss(piece.low, piece.high, 0);
+            if (owns(arm)) {
+                loads[k].twist += weight * (q_of(piece.low) - q_of(piece.high)) * pair_twist(arm);
+                loads[k].loss += weight * loss(piece.low, piece.high, 0);
+            }
             loads[k].plain += weight * by_plain_[arm.piece];
         }
     }
@@ -437,27 +455,35 @@ private:
     {
         for (const LinkRate<D>& rate : derivatives_.links) {
             const CornerLink<D>& link = complex_.links[rate.link];
-            result_[rate.solid] -=
-                loss(PartOrCell::part(link.a), PartOrCell::part(link.b), circulation_ ? circulation_->link[rate.link] : 0.0) *
-                rate.conductance;
+            if (owns(link.a))
+                result_[rate.solid] -= loss(PartOrCell::part(link.a), PartOrCell::part(link.b),
+                                            circulation_ ? circulation_->link[rate.link] : 0.0) *
+                                       rate.conductance;
         }
     }
 
     void add_seen_volume(std::span<const std::vector<WeightedTwist<D>>> seen)
     {
         const GridPlanes<D> planes(grid_);
-        std::vector<Vec<D>> by_walls(result_.size(), Vec<D>::Zero());
-        for (std::size_t s = 0; s < result_.size(); ++s)
+        struct Walls {
+            Vec<D> by, reference;
+        };
+        std::vector<Walls> walls(result_.size(), {Vec<D>::Zero(), Vec<D>::Zero()}); // one rank sees a solid
+        for (std::size_t s = 0; s < result_.size(); ++s) {
             for (const WeightedTwist<D>& of : seen[s]) {
                 const SeenEnergyRate<D> rate = half_square_rate<D>(derivatives_.seen[s], of.z);
                 result_[s] += of.weight * rate.by_place;
-                by_walls[s] += of.weight * rate.by_walls;
+                walls[s].by += of.weight * rate.by_walls;
             }
+            walls[s].reference = derivatives_.seen[s].reference;
+        }
+        if (!walls.empty())
+            grid_.comm().sum(std::span<double>(walls.data()->by.data(), 2 * D * walls.size()));
         for (int part = 0; part < complex_.parts(); ++part)
-            for (int k = complex_.first_patch[part]; k < complex_.first_patch[part + 1]; ++k) {
-                const int solid = complex_.patches[k].solid;
-                by_patch_[k].template head<D>() += by_walls[solid].cwiseProduct(
-                    way_from<D>(grid_, planes, derivatives_.seen[solid].reference, complex_.cell_of_part(part)));
+            for (int k = complex_.first_patch[part]; k < complex_.first_patch[part + 1] && owns(part); ++k) {
+                const Walls& of = walls[complex_.patches[k].solid];
+                by_patch_[k].template head<D>() +=
+                    of.by.cwiseProduct(way_from<D>(grid_, planes, of.reference, complex_.cell_of_part(part)));
             }
     }
 

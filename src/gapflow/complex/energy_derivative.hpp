@@ -88,7 +88,7 @@ struct DerivedGaps {
 /// dT by each solid's place (cells) and by its rotation (radians) about its reference point, at fixed twists (cells and radians a unit of time); T over the
 /// fluid's density, in cells^(D + 2) a unit of time squared. Without the solids' own masses. `seen`: of each solid, what of D counts; with its
 /// whole D its twist with the weight 1. With circulation it is the derivative of -1/2 m . g m - p . K V + 1/2 V . D V at fixed potentials and circulation, whose
-/// sum is the momentum m.
+/// sum is the momentum m. This rank's share, of its own faces, walls and gaps: all ranks' sum up to it. Potentials are those of all of the complex. Collective.
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                                         const Potentials<D>& potentials, std::span<const Twist<D>> twists,
@@ -96,7 +96,7 @@ std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& c
                                         const Circulation<D>* circulation = nullptr);
 
 /// weight/2 d(z . W z) of one solid's twist z, by each solid's place; y and y' in `step` and `next`. Without what its gaps have in it: that is added to
-/// `gaps.loads`.
+/// `gaps.loads`. This rank's share.
 template <int D>
 std::vector<Twist<D>> layer_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                                        const Potentials<D>& step, const Potentials<D>& next, int solid,

@@ -40,6 +40,18 @@ void merge_entries(std::vector<RowEntry<D>>& entries)
     entries.resize(count);
 }
 
+/// Values of nodes as the ranks have them that own these. Collective.
+template <int D>
+void take_from_owners(const CoupledSystem<D>& system, Eigen::VectorXd& nodes)
+{
+    if (system.own_node.empty())
+        return;
+    for (int node = 0; node < system.nodes; ++node)
+        if (!system.owns(node))
+            nodes[node] = 0;
+    system.grid->comm().sum(std::span<double>(nodes.data(), nodes.size()));
+}
+
 /// L, row by row.
 template <int D>
 class FluidRows {

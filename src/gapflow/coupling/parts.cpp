@@ -87,14 +87,22 @@ using Modes = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
     return Modes(mass);
 }
 
+/// What gaps add to the masses of two solids, of all ranks.
+template <int D>
+std::vector<PairInertia<D>> pairs_of_ranks(const Communicator& comm, const std::vector<PairInertia<D>>& own)
+{
+    std::vector<PairInertia<D>> pairs = comm.size() == 1 ? own : all_values(comm, own);
+    merge_pairs(pairs);
+    return pairs;
+}
+
 /// The mass that gaps add, of all ranks: as sums of squares of rows of twists, on one rank.
 template <int D>
 void add_gap_inertia(Coupling<D>& coupling, const std::vector<PairInertia<D>>& own)
 {
     constexpr int T = twist_size<D>;
     const Communicator& comm = coupling.grid->comm();
-    std::vector<PairInertia<D>> pairs = comm.size() == 1 ? own : all_values(comm, own);
-    merge_pairs(pairs);
+    const std::vector<PairInertia<D>> pairs = pairs_of_ranks(comm, own);
     coupling.gap_deficit.assign(coupling.solids.size(), TwistMatrix<D>::Zero());
     for (const PairInertia<D>& pair : pairs) {
         std::vector<int> known; // components of the twists that the gap knows: the others' rows stay 0
@@ -160,7 +168,7 @@ void add_deficit(const Coupling<D>& coupling, std::span<const PairInertia<D>> pa
 } // namespace
 
 /// Numbers of the nodes of parts: those that are not the largest of their cell, but slivers between lines from sharp corners without a way out.
-/// In the order of the ranks that own their cells, and on a rank in that of its parts. -1: none.
+/// In the order of their cells, whichever ranks have these. -1: none.
 template <int D>
 std::vector<int> nodes_of_parts(const Grid<D>& grid, const Complex<D>& complex, CoupledSystem<D>& system)
 {
@@ -187,27 +195,17 @@ std::vector<int> nodes_of_parts(const Grid<D>& grid, const Complex<D>& complex, 
     system.nodes = static_cast<int>(own.size());
     if (grid.comm().size() == 1)
         return node;
-    const std::vector<std::vector<Place>> all = values_by_rank(grid.comm(), own);
-    std::vector<std::pair<Place, int>> others;
-    int first = 0;
-    system.nodes = 0;
-    for (int rank = 0; rank < grid.comm().size(); ++rank) {
-        if (rank == grid.comm().rank())
-            first = system.nodes;
-        for (const Place& place : all[rank])
-            others.emplace_back(place, system.nodes++);
-    }
-    std::sort(others.begin(), others.end());
+    std::vector<Place> all = all_values(grid.comm(), own);
+    std::sort(all.begin(), all.end());
+    system.nodes = static_cast<int>(all.size());
     system.own_node.assign(system.nodes, 0);
     for (int p = 0; p < complex.parts(); ++p)
-        if (node[p] >= 0) {
-            node[p] += first;
-            system.own_node[node[p]] = 1;
-        } else if (!complex.is_main(p) && !grid.owns(complex.cell_of_part(p))) {
-            const Place place = place_of(p);
-            const auto other = std::lower_bound(others.begin(), others.end(), std::pair(place, 0));
-            if (other != others.end() && other->first == place)
-                node[p] = other->second;
+        if (const auto found = std::lower_bound(all.begin(), all.end(), place_of(p));
+            found != all.end() && *found == place_of(p)) {
+            const bool owned = node[p] >= 0;
+            node[p] = static_cast<int>(found - all.begin());
+            if (owned)
+                system.own_node[node[p]] = 1;
         }
     return node;
 }
@@ -368,14 +366,21 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
     const double dx = coupling.grid->dx(), unit = coupling.density * dx * dx;
     const std::vector<int>& node = coupling.part_node;
     std::vector<TwistMatrix<D>> layers; // where a limit asks for them
+    std::vector<PairInertia<D>> all_pairs;
     const auto in_cells = [&](const UnknownVector<D>& x, double factor) {
         Potentials<D> p{std::vector<double>(complex.parts(), 0), std::vector<double>(complex.index.count, 0)};
+        CellField<D> shared; // with the cells of other ranks
+        if (coupling.grid->comm().size() > 1) {
+            shared = x.cells;
+            exchange(*coupling.grid, shared, DenseIndex<D>::shared_layers);
+        }
+        const CellField<D>& cells = shared.size() > 0 ? shared : x.cells;
         for (int part = 0; part < complex.parts(); ++part)
             p.part[part] = node[part] >= 0         ? factor * x.nodes[node[part]]
-                           : complex.is_main(part) ? factor * x.cells(complex.cell_of_part(part))
+                           : complex.is_main(part) ? factor * cells(complex.cell_of_part(part))
                                                    : 0.0;
-        for_each_index<D>(coupling.grid->low(), coupling.grid->high(),
-                          [&](const Index<D>& c) { p.cell[complex.index(c)] = factor * x.cells(c); });
+        for_each_index<D>(complex.index.low, complex.index.high(),
+                          [&](const Index<D>& c) { p.cell[complex.index(c)] = factor * cells(c); });
         return p;
     };
     const auto twist_in_cells = [&](Twist<D> twist) {
@@ -396,16 +401,19 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
             seen.push_back({{1.0, V.back()}});
             continue;
         }
-        if (layers.empty())
+        if (layers.empty()) {
             layers = layer_inertias(coupling);
+            all_pairs = pairs_of_ranks<D>(coupling.grid->comm(), {pairs.begin(), pairs.end()});
+        }
         LimitRate<D> limit =
             limit_rate<D>(coupling.solids[s], coupling.density, whole, layers[s] - coupling.gap_deficit[s], twists[s]);
-        sum[s].template tail<spin_size<D>>() += limit.turn / (unit * std::pow(dx, D));
+        if (coupling.grid->comm().root())
+            sum[s].template tail<spin_size<D>>() += limit.turn / (unit * std::pow(dx, D));
         for (WeightedTwist<D>& of : limit.seen)
             of.z = twist_in_cells(of.z);
         seen.push_back(std::move(limit.seen));
         for (const WeightedTwist<D>& of : limit.layer) {
-            add_deficit(coupling, pairs, static_cast<int>(s), of, deficits);
+            add_deficit<D>(coupling, all_pairs, static_cast<int>(s), of, deficits);
             const JacobiSteps<D> steps = jacobi_steps(coupling, static_cast<int>(s), of.z);
             const std::vector<Twist<D>> rate = layer_derivative<D>(
                 *coupling.grid, complex, derivatives, in_cells(steps.first, 1 / unit), in_cells(steps.next, 1 / unit),
@@ -428,6 +436,8 @@ std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Compl
         sum[s] = unit * std::pow(dx, D) * (sum[s] + flow[s]);
         sum[s].template head<D>() /= dx;
     }
+    if (!sum.empty())
+        coupling.grid->comm().sum(std::span<double>(sum.data()->data(), sum.size() * twist_size<D>));
     return sum;
 }
 

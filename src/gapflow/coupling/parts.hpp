@@ -13,14 +13,14 @@ template <int D>
 std::vector<int> nodes_of_parts(const Grid<D>& grid, const Complex<D>& complex, CoupledSystem<D>& system);
 
 /// As couple(), without films. `mass` holds the generalised mass of each solid (used for free ones): the system has the bodies' own mass until
-/// add_seen_mass() completes it. One rank.
+/// add_seen_mass() completes it. Collective.
 template <int D>
 Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, const std::vector<TwistMatrix<D>>& mass,
                          double density, const Complex<D>& complex, const Inertia<D>& inertia);
 
 /// dT of the fluid at fixed twists by each solid's place, and by its rotation about its reference point (energy_derivative.hpp). p: the impulse
 /// that sets the fluid at rest moving with these twists, L p = -K V. `arms` and `pairs`: the gaps of `coupling`, and Inertia::pairs. `wanted`: the solids
-/// whose derivatives are, empty: all; those of others are not complete. One rank.
+/// whose derivatives are, empty: all; those of others are not complete. Collective.
 template <int D>
 std::vector<Twist<D>>
 energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,

@@ -293,16 +293,22 @@ JacobiSteps<D> jacobi_steps(const Coupling<D>& coupling, int solid, const Twist<
     const auto at = [&](UnknownVector<D>& v, long row) -> double& {
         return L.is_cell(row) ? v.cells(L.cell(row)) : v.nodes[L.node(row)];
     };
-    std::vector<std::pair<long, double>> rest;
+    std::vector<std::pair<long, double>> rest, others; // of own rows, and of other ranks'
     for (const RowEntry<D>& k : K)
         if (const double bound = L.bound(k.row); bound > 0) {
             const double flux = k.flux.dot(z), y = flux / bound;
             at(steps.first, k.row) = y;
             rest.emplace_back(k.row, flux);
-            L.for_each(k.row, [&](long row, double value) { rest.emplace_back(row, -value * y); });
+            L.for_each(k.row, [&](long row, double value) { (L.owns(row) ? rest : others).emplace_back(row, -value * y); });
         }
+    if (L.grid().comm().size() > 1)
+        for (const auto& [row, flux] : all_values(L.grid().comm(), others))
+            if (L.owns(row))
+                rest.emplace_back(row, flux);
     for (const auto& [row, flux] : rest)
         at(steps.next, row) += flux / L.bound(row);
+    take_from_owners(coupling.system, steps.first.nodes);
+    take_from_owners(coupling.system, steps.next.nodes);
     return steps;
 }
 
@@ -382,6 +388,7 @@ void leave_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twist
         p.cells(entry.row) -= entry.flux.dot(twists[solid[entry.body]]);
     for (const auto& entry : coupling.gauge_nodes)
         p.nodes[entry.row] -= entry.flux.dot(twists[solid[entry.body]]);
+    take_from_owners(coupling.system, p.nodes);
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \

@@ -35,7 +35,7 @@ template <int D>
 LimitRate<D> limit_rate(const Solid<D>& solid, double density, const TwistMatrix<D>& seen, const TwistMatrix<D>& layer,
                         const Twist<D>& V);
 
-/// y = Y z of one solid and its next Jacobi step y' = (K z - L y)/diag(L). One rank.
+/// y = Y z of one solid and its next Jacobi step y' = (K z - L y)/diag(L). Collective.
 template <int D>
 struct JacobiSteps {
     UnknownVector<D> first, next;
@@ -52,7 +52,7 @@ void add_seen_mass(Coupling<D>& coupling);
 template <int D>
 void enter_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, UnknownVector<D>& outflow);
 
-/// The pressure p = p' - Y V of the free bodies' twists, from that of the system.
+/// The pressure p = p' - Y V of the free bodies' twists, from that of the system. Collective.
 template <int D>
 void leave_gauge(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists, UnknownVector<D>& p);
 

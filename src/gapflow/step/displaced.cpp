@@ -4,11 +4,11 @@
 #include "gapflow/complex/mouth_arm.hpp"
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/step/matching.hpp"
 #include "gapflow/stepping/standoff.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace gapflow {
@@ -18,6 +18,13 @@ namespace {
 // that is nearly parallel to a plane of the grid and passes it is a spike.
 constexpr double small_way = 0.05;
 constexpr double sealed = 1e-9; // conductance over the diagonal that leads out of no row
+
+template <class T>
+void gather_values(const Communicator& comm, std::vector<T>& values)
+{
+    if (comm.size() > 1)
+        values = all_values(comm, values);
+}
 
 } // namespace
 
@@ -31,14 +38,13 @@ EnergyTerms<D>::EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, co
     const CoupledSystem<D>&system = of.system, &other = near.coupling.system;
     const std::vector<MatchedPart> there = matched_parts(grid, complex, near.complex);
     const Differing differing = differing_cells(of, near.coupling);
-    const auto add = [&](const Index<D>& c, int own_node, long start) {
-        const long local = known_ + static_cast<long>(local_.size());
-        local_.push_back({start, 0, 0, {}});
-        if (own_node >= 0)
-            value_of_node_[own_node] = local;
-        else
-            local_value_.emplace_back(grid.key(c), local);
+    struct Row {
+        long cell;
+        int node; ///< -1: the cell's
+        long start;
     };
+    std::vector<Row> rows;
+    const auto add = [&](const Index<D>& c, int own_node, long start) { rows.push_back({grid.key(c), own_node, start}); };
     std::vector<char> done(cells_, 0);
     for (int part = 0; part < complex.parts(); ++part) {
         const Index<D> c = grid.wrapped(complex.cell_of_part(part));
@@ -56,16 +62,32 @@ EnergyTerms<D>::EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, co
         add(c, node[part], to_main ? key : to_node ? cells_ + near.node[match.part] : -1);
     }
     for (const long key : differing)
-        if (const Index<D> c = grid.cell_of_key(key); !done[key] && system.component(c) >= 0)
+        if (const Index<D> c = grid.cell_of_key(key); grid.owns(c) && !done[key] && system.component(c) >= 0)
             add(c, -1, other.component(c) >= 0 ? key : -1);
+    const Communicator& comm = grid.comm();
+    gather_values(comm, rows);
+    for (const Row& row : rows) {
+        const long local = known_ + static_cast<long>(local_.size());
+        local_.push_back({row.start, 0, 0, {}});
+        if (row.node >= 0)
+            value_of_node_[row.node] = local;
+        else
+            local_value_.emplace_back(row.cell, local);
+    }
     std::sort(local_value_.begin(), local_value_.end());
     add_faces(system, other);
-    add_links(system);
+    add_film(system);
     for (const auto& entry : of.cell_flux)
         fluxes_.push_back({value_of_cell(entry.row), entry.body, entry.flux});
     for (const auto& entry : of.node_flux)
         fluxes_.push_back({value_of_node_[entry.row], entry.body, entry.flux});
+    gather_values(comm, pairs_);
+    gather_values(comm, fluxes_);
+    gather_values(comm, gaps_);
+    add_links(system);
+    add_rows();
     factorise();
+    find_known_cells();
 }
 
 template <int D>
@@ -104,6 +126,7 @@ typename EnergyTerms<D>::Differing EnergyTerms<D>::differing_cells(const Couplin
     for (const Link& link : of.system.links)
         for (const auto& [key, weight] : link.cells)
             cells.push_back(key);
+    gather_values(grid.comm(), cells);
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;
@@ -132,7 +155,7 @@ void EnergyTerms<D>::add_faces(const CoupledSystem<D>& system, const CoupledSyst
                 return;
             const auto add = [&](long low, long high, double conductance) {
                 if (conductance != 0)
-                    add_pair(low >= 0 ? low : high, low >= 0 ? high : -1, conductance);
+                    pairs_.push_back({low >= 0 ? low : high, low >= 0 ? high : -1, conductance});
             };
             if (same) {
                 add(a, b, g - before);
@@ -144,24 +167,47 @@ void EnergyTerms<D>::add_faces(const CoupledSystem<D>& system, const CoupledSyst
 }
 
 template <int D>
-void EnergyTerms<D>::add_links(const CoupledSystem<D>& system)
+void EnergyTerms<D>::add_film(const CoupledSystem<D>& system)
 {
     for (int i = 0; i < system.nodes; ++i) {
         double rest = 0;
         for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, i); entry; ++entry) {
             rest += entry.value();
             if (const int j = static_cast<int>(entry.row()); j > i)
-                add_pair(value_of_node_[i], value_of_node_[j], -entry.value());
+                pairs_.push_back({value_of_node_[i], value_of_node_[j], -entry.value()});
         }
         if (rest != 0)
-            add_pair(value_of_node_[i], -1, rest);
+            pairs_.push_back({value_of_node_[i], -1, rest});
     }
+}
+
+template <int D>
+void EnergyTerms<D>::add_links(const CoupledSystem<D>& system)
+{
     for (const Link& link : system.links) {
         Sum sum{link.conductance, {}};
         for (const auto& [i, weight] : link.nodes)
             sum.values.emplace_back(value_of_node_[i], weight);
         for (const auto& [key, weight] : link.cells)
             sum.values.emplace_back(value_of_cell(grid_->cell_of_key(key)), weight);
+        sums_.push_back(std::move(sum));
+    }
+}
+
+template <int D>
+void EnergyTerms<D>::add_rows()
+{
+    for (const Pair& pair : pairs_)
+        for (const auto& [own, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)})
+            if (own >= known_) {
+                Local& row = local_[own - known_];
+                row.diagonal += pair.conductance;
+                if (other >= 0)
+                    row.others.emplace_back(other, pair.conductance);
+                else
+                    row.to_side += pair.conductance;
+            }
+    for (const Sum& sum : sums_)
         for (const auto& [own, weight] : sum.values)
             if (own >= known_) {
                 Local& row = local_[own - known_];
@@ -170,31 +216,52 @@ void EnergyTerms<D>::add_links(const CoupledSystem<D>& system)
                     if (other != own)
                         row.others.emplace_back(other, -sum.conductance * weight * factor);
             }
-        sums_.push_back(std::move(sum));
+}
+
+template <int D>
+void EnergyTerms<D>::find_known_cells()
+{
+    if (grid_->comm().size() == 1)
+        return;
+    const auto add = [&](long number) {
+        if (number >= 0 && number < cells_)
+            shared_cells_.push_back(number);
+    };
+    for (const Pair& pair : pairs_) {
+        add(pair.a);
+        add(pair.b);
     }
+    for (const Sum& sum : sums_)
+        for (const auto& [number, weight] : sum.values)
+            add(number);
+    for (const Flux& entry : fluxes_)
+        add(entry.value);
+    for (const Local& row : local_)
+        add(row.start);
+    std::sort(shared_cells_.begin(), shared_cells_.end());
+    shared_cells_.erase(std::unique(shared_cells_.begin(), shared_cells_.end()), shared_cells_.end());
 }
 
 template <int D>
-void EnergyTerms<D>::add_pair(long a, long b, double conductance)
+typename EnergyTerms<D>::Known EnergyTerms<D>::known_values(const PotentialFlow<D>& flow) const
 {
-    pairs_.push_back({a, b, conductance});
-    for (const auto& [own, other] : {std::pair(a, b), std::pair(b, a)})
-        if (own >= known_) {
-            Local& row = local_[own - known_];
-            row.diagonal += conductance;
-            if (other >= 0)
-                row.others.emplace_back(other, conductance);
-            else
-                row.to_side += conductance;
-        }
+    Known known{flow, {}};
+    for (const long key : shared_cells_)
+        known.cells.push_back(grid_->owns(grid_->cell_of_key(key)) ? flow.p.cells(grid_->cell_of_key(key)) : 0.0);
+    grid_->comm().sum(known.cells);
+    return known;
 }
 
 template <int D>
-double EnergyTerms<D>::value(long number, const PotentialFlow<D>& flow, const std::vector<double>& local) const
+double EnergyTerms<D>::value(long number, const Known& known, const std::vector<double>& local) const
 {
-    return number < cells_   ? flow.p.cells(grid_->cell_of_key(number))
-           : number < known_ ? flow.p.nodes[number - cells_]
-                             : local[number - known_];
+    if (number >= known_)
+        return local[number - known_];
+    if (number >= cells_)
+        return known.flow.p.nodes[number - cells_];
+    return known.cells.empty()
+               ? known.flow.p.cells(grid_->cell_of_key(number))
+               : known.cells[std::lower_bound(shared_cells_.begin(), shared_cells_.end(), number) - shared_cells_.begin()];
 }
 
 /// The local values are the solution of a system of their own, of one size with the surface of the displaced solid: slivers are joined with the rest by
@@ -241,24 +308,24 @@ void EnergyTerms<D>::factorise()
 }
 
 template <int D>
-std::vector<double> EnergyTerms<D>::local_values(const PotentialFlow<D>& flow) const
+std::vector<double> EnergyTerms<D>::local_values(const Known& known) const
 {
     const std::size_t count = local_.size();
     std::vector<double> local(count, 0.0);
     Eigen::VectorXd rest = Eigen::VectorXd::Zero(static_cast<long>(count));
     for (std::size_t k = 0; k < count; ++k)
         if (local_[k].start >= 0)
-            local[k] = value(local_[k].start, flow, local);
+            local[k] = value(local_[k].start, known, local);
     for (std::size_t k = 0; k < count; ++k) {
         if (!(local_[k].diagonal > 0))
             continue;
         rest[k] -= local_[k].diagonal * local[k];
         for (const auto& [number, conductance] : local_[k].others)
-            rest[k] += conductance * value(number, flow, local);
+            rest[k] += conductance * value(number, known, local);
     }
     for (const Flux& entry : fluxes_)
         if (entry.value >= known_ && local_[entry.value - known_].diagonal > 0)
-            rest[entry.value - known_] -= entry.flux.dot(flow.twists[entry.solid]);
+            rest[entry.value - known_] -= entry.flux.dot(known.flow.twists[entry.solid]);
     // What their fluxes lack has no way out; their mean stays.
     for (const Sealed& set : sealed_) {
         double sum = 0;
@@ -283,8 +350,9 @@ std::vector<double> EnergyTerms<D>::local_values(const PotentialFlow<D>& flow) c
 template <int D>
 double EnergyTerms<D>::energy(const PotentialFlow<D>& flow) const
 {
-    const std::vector<double> local = local_values(flow);
-    const auto at = [&](long number) { return value(number, flow, local); };
+    const Known known = known_values(flow);
+    const std::vector<double> local = local_values(known);
+    const auto at = [&](long number) { return value(number, known, local); };
     double energy = 0;
     for (const Pair& pair : pairs_) {
         const double drop = at(pair.a) - (pair.b >= 0 ? at(pair.b) : 0.0);
@@ -310,16 +378,19 @@ double EnergyTerms<D>::energy(const PotentialFlow<D>& flow) const
 template <int D>
 std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const Placed<D>& at)
 {
-    std::map<int, double> solids; // width of their gaps
-    for (const auto& mouth : at.complex.mouths)
-        for (const int solid : mouth.solid)
-            if (solid >= 0 && solid < static_cast<int>(bodies.size()) && bodies[solid].motion == Motion::free)
-                solids.emplace(solid, 1.0);
-    for (const GapArm<D>& arm : at.arms)
-        for (const int solid : arm.solid)
-            if (const auto found = solids.find(solid); found != solids.end())
-                found->second = std::min(found->second, arm.thickness);
     const double dx = model.grid.dx();
+    std::vector<double> has_mouth(bodies.size(), 0.0), less_width(bodies.size(), -1.0); // minus that of the gaps, or of a cell
+    for (const auto& mouth : at.complex.mouths)
+        if (model.grid.owns(model.grid.nearest_cell(model.grid.anchor() + dx * mouth.at)))
+            for (const int solid : mouth.solid)
+                if (solid >= 0 && solid < static_cast<int>(bodies.size()) && bodies[solid].motion == Motion::free)
+                    has_mouth[solid] = 1;
+    for (const GapArm<D>& arm : own_arms(at))
+        for (const int solid : arm.solid)
+            if (solid < static_cast<int>(bodies.size()))
+                less_width[solid] = std::max(less_width[solid], -arm.thickness);
+    model.grid.comm().max(has_mouth);
+    model.grid.comm().max(less_width);
     const auto terms = [&](int solid, int component, double way) {
         std::vector<RigidBody<D>> there = bodies;
         RigidBody<D>& body = there[solid];
@@ -340,11 +411,13 @@ std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<Rig
         return EnergyTerms<D>(coupling, complex, coupling.part_node, at);
     };
     std::vector<Displaced<D>> result;
-    for (const auto& [solid, width] : solids) {
+    for (int solid = 0; solid < static_cast<int>(bodies.size()); ++solid) {
+        if (!(has_mouth[solid] > 0))
+            continue;
         const double radius = std::max(bounding_radius(world_bounds(at.coupling.solids[solid].shape)), dx);
         for (int component = 0; component < twist_size<D>; ++component)
             if (at.coupling.solids[solid].admissible.col(component).norm() > 0) {
-                const double length = small_way * width * dx, way = component < D ? length : length / radius;
+                const double length = small_way * -less_width[solid] * dx, way = component < D ? length : length / radius;
                 result.push_back({solid, component, 2 * way, terms(solid, component, -way), terms(solid, component, way)});
             }
     }

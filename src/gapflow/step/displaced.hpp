@@ -16,10 +16,10 @@ namespace gapflow {
 template <int D>
 class EnergyTerms {
 public:
-    /// `of`: of the displaced solids; `near`: the other one.
+    /// `of`: of the displaced solids; `near`: the other one. All ranks have the terms of all. Collective.
     EnergyTerms(const Coupling<D>& of, const Complex<D>& complex, const std::vector<int>& node, const Placed<D>& near);
 
-    /// Of potentials and twists at the other place.
+    /// Of potentials and twists at the other place. Collective.
     double energy(const PotentialFlow<D>& flow) const;
 
 private:
@@ -50,15 +50,23 @@ private:
         double diagonal; ///< sum
     };
     using Differing = std::vector<long>; ///< cells by their keys, in their order
+    /// Values at the other place.
+    struct Known {
+        const PotentialFlow<D>& flow;
+        std::vector<double> cells; ///< on several ranks: of shared_cells_
+    };
 
     Differing differing_cells(const Coupling<D>& of, const Coupling<D>& other) const;
     long value_of_cell(const Index<D>& c) const;
-    void add_pair(long a, long b, double conductance);
     void add_faces(const CoupledSystem<D>& system, const CoupledSystem<D>& other);
+    void add_film(const CoupledSystem<D>& system);
     void add_links(const CoupledSystem<D>& system);
+    void add_rows();
     void factorise();
-    std::vector<double> local_values(const PotentialFlow<D>& flow) const;
-    double value(long number, const PotentialFlow<D>& flow, const std::vector<double>& local) const;
+    void find_known_cells();
+    Known known_values(const PotentialFlow<D>& flow) const;
+    std::vector<double> local_values(const Known& known) const;
+    double value(long number, const Known& known, const std::vector<double>& local) const;
 
     const Grid<D>* grid_;
     long cells_, known_;
@@ -69,7 +77,9 @@ private:
     std::vector<Flux> fluxes_;
     std::vector<Local> local_;
     std::vector<Sealed> sealed_;
-    SparseCholesky factor_;            ///< of L of the local values
+    SparseCholesky factor_; ///< of L of the local values
+    std::vector<long>
+        shared_cells_; ///< on several ranks: keys of the other place's cells that have values here, in their order
     std::vector<TwistMatrix<D>> seen_; ///< of each solid
     std::vector<NormalInertia<D>> gaps_;
 };
@@ -89,7 +99,7 @@ std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<Rig
 /// Of each solid, whether a component of its force is left by replace_forces().
 template <int D>
 std::vector<char> not_replaced(const std::vector<Displaced<D>>& displaced, std::size_t solids);
-/// Replaces the forces of these solids.
+/// Replaces the forces of these solids. Collective.
 template <int D>
 void replace_forces(const std::vector<Displaced<D>>& displaced, const PotentialFlow<D>& flow, std::vector<Twist<D>>& force);
 

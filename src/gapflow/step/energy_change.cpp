@@ -1,6 +1,8 @@
 #include "gapflow/step/energy_change.hpp"
 
 #include "gapflow/core/disjoint_sets.hpp"
+#include "gapflow/core/sharing.hpp"
+#include "gapflow/coupling/fluid_rows.hpp"
 #include "gapflow/step/matching.hpp"
 #include "gapflow/step/remainder.hpp"
 
@@ -46,6 +48,7 @@ public:
         share_out();
         add_masses();
         grid_.comm().sum(result_);
+        join_of_ranks();
         EnergyChange change;
         int count = 0;
         change.group = together_.numbers(count);
@@ -88,6 +91,7 @@ private:
             else
                 value = node >= 0 ? p[place]->nodes[node] : p[place]->cells(c);
         }
+        take_from_owners(own.coupling.system, nodes_[place][from]);
     }
 
     /// The same of the remainders. That of edges does not change, that of faces by v x omega, which does no work, and where another part becomes the largest of
@@ -172,6 +176,9 @@ private:
             }
             put(cell_of_node_[place][i], -0.5 * sign * rest * a[i] * b[i]);
         }
+        const std::vector<double> linked_a = values_in_links(system, cells_[place][0]),
+                                  linked_b = values_in_links(system, cells_[place][1]);
+        std::size_t cell = 0;
         for (const Link& link : rotational() ? std::vector<Link>{} : system.links) {
             double sum_a = 0, sum_b = 0;
             for (const auto& [node, weight] : link.nodes) {
@@ -179,11 +186,15 @@ private:
                 sum_b += weight * b[node];
             }
             for (const auto& [key, weight] : link.cells) {
-                sum_a += weight * cells_[place][0](grid_.cell_of_key(key));
-                sum_b += weight * cells_[place][1](grid_.cell_of_key(key));
+                sum_a += weight * linked_a[cell];
+                sum_b += weight * linked_b[cell++];
             }
-            put(link.nodes.empty() ? link.cells.front().first : cell_of_node_[place][link.nodes.front().first],
-                -0.5 * sign * link.conductance * sum_a * sum_b);
+            const double value = -0.5 * sign * link.conductance * sum_a * sum_b;
+            if (link.nodes.empty()) {
+                if (const long key = link.cells.front().first; grid_.owns(grid_.cell_of_key(key)))
+                    put(key, value);
+            } else if (const int node = link.nodes.front().first; system.owns(node))
+                put(cell_of_node_[place][node], value);
         }
         for (const auto& entry : coupling.cell_flux)
             put(grid_.key(entry.row), -0.5 * sign *
@@ -228,6 +239,17 @@ private:
         }
     }
 
+    /// Of the cells of all links, one after the other, whichever rank has them.
+    std::vector<double> values_in_links(const CoupledSystem<D>& system, const CellField<D>& field) const
+    {
+        std::vector<double> values;
+        for (const Link& link : system.links)
+            for (const auto& [key, weight] : link.cells)
+                values.push_back(grid_.owns(grid_.cell_of_key(key)) ? field(grid_.cell_of_key(key)) : 0.0);
+        grid_.comm().sum(values);
+        return values;
+    }
+
     /// D of the solids, and what gaps add to their masses.
     void add_masses()
     {
@@ -268,15 +290,18 @@ private:
     void share_out()
     {
         std::unordered_map<long, Shares> beside;
-        for (const Placed<D>* at : place_)
+        for (const Placed<D>* at : place_) {
+            std::unordered_map<long, int> cut_cell; // of a periodic domain with few cells a rank may have two images of one
             for (int p = 0; p < at->complex.parts(); ++p) {
                 const Index<D> c = grid_.wrapped(at->complex.cell_of_part(p));
-                if (!grid_.in_domain(c))
+                const int number = at->complex.part_cell[p];
+                if (!grid_.in_domain(c) || cut_cell.try_emplace(grid_.key(c), number).first->second != number)
                     continue;
                 for (const WallPatch<D>& patch : at->complex.patches_of(p))
                     if (const double share = weight_[patch.solid] * patch.area.norm(); share > 0)
                         add_share(beside[grid_.key(c)], patch.solid, share);
             }
+        }
         Shares everywhere;
         for (std::size_t s = 0; s < weight_.size(); ++s)
             if (weight_[s] > 0)
@@ -302,6 +327,22 @@ private:
                 all += share;
             for (const auto& [solid, share] : shares)
                 result_[solid] += value * share / all;
+        }
+    }
+
+    /// Solids that have changes in common on any rank.
+    void join_of_ranks()
+    {
+        if (grid_.comm().size() == 1)
+            return;
+        int count = 0;
+        for (const std::vector<int>& set : values_by_rank(grid_.comm(), together_.numbers(count))) {
+            std::vector<int> first(set.size(), -1);
+            for (int s = 0; s < static_cast<int>(set.size()); ++s)
+                if (int& other = first[set[s]]; other >= 0)
+                    together_.join(other, s);
+                else
+                    other = s;
         }
     }
 

@@ -24,7 +24,7 @@ struct Instant {
 template <int D>
 Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, std::unique_ptr<Placed<D>> placed,
                       PotentialFlow<D> flow);
-/// Impulse, force and energy after the flow has changed.
+/// Impulse, force and energy after the flow has changed. Collective.
 template <int D>
 void find_forces(Instant<D>& instant);
 

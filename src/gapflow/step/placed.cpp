@@ -103,6 +103,18 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
 }
 
 template <int D>
+std::vector<GapArm<D>> own_arms(const Placed<D>& at)
+{
+    std::vector<GapArm<D>> own;
+    for (const GapArm<D>& arm : at.arms) {
+        const FacePiece<D>& piece = at.complex.pieces[arm.piece];
+        if (owns_face(*at.coupling.grid, piece.axis, at.complex.index.index(piece.face)))
+            own.push_back(arm);
+    }
+    return own;
+}
+
+template <int D>
 Coupling<D> with_given_twists(Coupling<D> coupling)
 {
     coupling.system.bodies = 0;
@@ -120,6 +132,8 @@ template std::unique_ptr<Placed<2>> placed<2>(const Model<2>&, const std::vector
                                               const std::vector<TwistMatrix<2>>&, bool);
 template std::unique_ptr<Placed<3>> placed<3>(const Model<3>&, const std::vector<RigidBody<3>>&,
                                               const std::vector<TwistMatrix<3>>&, bool);
+template std::vector<GapArm<2>> own_arms<2>(const Placed<2>&);
+template std::vector<GapArm<3>> own_arms<3>(const Placed<3>&);
 template Coupling<2> with_given_twists<2>(Coupling<2>);
 template Coupling<3> with_given_twists<3>(Coupling<3>);
 

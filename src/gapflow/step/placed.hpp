@@ -65,6 +65,10 @@ template <int D>
 std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
                                   const std::vector<TwistMatrix<D>>& mass, bool circulation = false);
 
+/// Arms of this rank's faces.
+template <int D>
+std::vector<GapArm<D>> own_arms(const Placed<D>& at);
+
 /// The same system where the twists of all solids are given: it has no bodies.
 template <int D>
 Coupling<D> with_given_twists(Coupling<D> coupling);

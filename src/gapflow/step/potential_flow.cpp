@@ -1,6 +1,7 @@
 #include "gapflow/step/potential_flow.hpp"
 
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/coupling/fluid_rows.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/remainder.hpp"
@@ -49,6 +50,34 @@ void scale(UnknownVector<D>& v, double factor)
     v.nodes *= factor;
 }
 
+struct WeakRow {
+    long row;
+    double diagonal, flux;
+    long entries; ///< of L in it
+};
+
+/// Potentials of the rows in a list of entries, whichever rank has them.
+template <int D>
+class KnownRows {
+public:
+    /// Collective.
+    KnownRows(const FluidRows<D>& L, const UnknownVector<D>& p, const std::vector<std::pair<long, double>>& entries)
+    {
+        for (const auto& [row, value] : entries)
+            rows_.push_back(row);
+        std::sort(rows_.begin(), rows_.end());
+        rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
+        for (const long row : rows_)
+            values_.push_back(!L.owns(row) ? 0.0 : L.is_cell(row) ? p.cells(L.cell(row)) : p.nodes[L.node(row)]);
+        L.grid().comm().sum(values_);
+    }
+    double& operator()(long row) { return values_[std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin()]; }
+
+private:
+    std::vector<long> rows_;
+    std::vector<double> values_;
+};
+
 } // namespace
 
 SolverOptions solver_options(const Scene& scene)
@@ -84,26 +113,23 @@ void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow)
     const Complex<D>& complex = at.complex;
     const FluidRows<D> L(coupling);
     const double weak = weak_row * std::pow(coupling.grid->dx(), D - 2) / coupling.density;
-    struct Row {
-        long row;
-        double diagonal, flux;
-    };
-    std::vector<Row> rows;
+    std::vector<WeakRow> rows;
     const auto offer = [&](long row) {
         if (const double diagonal = L.diagonal(row); diagonal > 0 && diagonal < weak)
-            rows.push_back({row, diagonal, 0});
+            rows.push_back({row, diagonal, 0, 0});
     };
     for (int c = 0; c < complex.cut_cells(); ++c)
         if (const Index<D> cell = complex.index.index(complex.cut_cell[c]); coupling.grid->owns(cell))
             offer(L.row(cell));
-    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.row < b.row; });
+    std::sort(rows.begin(), rows.end(), [](const WeakRow& a, const WeakRow& b) { return a.row < b.row; });
     for (int node = 0; node < coupling.system.nodes; ++node)
         if (coupling.system.owns(node))
             offer(L.row(node));
-    if (rows.empty())
+    const Communicator& comm = coupling.grid->comm();
+    if (!comm.any(!rows.empty()))
         return;
     const auto add = [&](long row, double flux) {
-        const auto found = std::lower_bound(rows.begin(), rows.end(), row, [](const Row& r, long n) { return r.row < n; });
+        const auto found = std::lower_bound(rows.begin(), rows.end(), row, [](const WeakRow& r, long n) { return r.row < n; });
         if (found != rows.end() && found->row == row)
             found->flux += flux;
     };
@@ -113,16 +139,40 @@ void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow)
         add(L.row(entry.row), entry.flux.dot(flow.twists[entry.body]));
     if (!flow.remainder.empty()) {
         const UnknownVector<D> outflow = outflow_of_remainder(at, flow.remainder);
-        for (Row& row : rows)
+        for (WeakRow& row : rows)
             row.flux += L.is_cell(row.row) ? outflow.cells(L.cell(row.row)) : outflow.nodes[L.node(row.row)];
     }
-    const auto p = [&](long row) -> double& { return L.is_cell(row) ? flow.p.cells(L.cell(row)) : flow.p.nodes[L.node(row)]; };
+    std::vector<std::pair<long, double>> entries; // row by row
+    for (WeakRow& row : rows) {
+        const std::size_t before = entries.size();
+        L.for_each(row.row, [&](long other, double value) { entries.emplace_back(other, value); });
+        row.entries = static_cast<long>(entries.size() - before);
+    }
+    if (comm.size() > 1) {
+        rows = all_values(comm, rows);
+        entries = all_values(comm, entries);
+    }
+    std::vector<std::size_t> first{0}, order;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        first.push_back(first.back() + rows[k].entries);
+        order.push_back(k);
+    }
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rows[a].row < rows[b].row; });
+    KnownRows<D> p(L, flow.p, entries);
     for (int sweep = 0; sweep < weak_sweeps; ++sweep)
-        for (const Row& row : rows) {
-            double sum = -row.flux;
-            L.for_each(row.row, [&](long other, double value) { sum -= other == row.row ? 0.0 : value * p(other); });
-            p(row.row) = sum / row.diagonal;
+        for (const std::size_t k : order) {
+            double sum = -rows[k].flux;
+            for (std::size_t e = first[k]; e < first[k + 1]; ++e) {
+                const auto& [other, value] = entries[e];
+                sum -= other == rows[k].row ? 0.0 : value * p(other);
+            }
+            p(rows[k].row) = sum / rows[k].diagonal;
         }
+    for (const WeakRow& row : rows)
+        if (!L.is_cell(row.row))
+            flow.p.nodes[L.node(row.row)] = p(row.row);
+        else if (L.owns(row.row))
+            flow.p.cells(L.cell(row.row)) = p(row.row);
 }
 
 template <int D>

@@ -32,7 +32,7 @@ template <int D>
 std::vector<Twist<D>> impulses_of_given(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists);
 
 /// Potentials of rows with small conductances, slivers between walls and planes of the grid, from their own equations: the solver's tolerance is that of all rows
-/// together, and leaves them undetermined, but what walls displace there is the square of their gradients. One rank.
+/// together, and leaves them undetermined, but what walls displace there is the square of their gradients. The same on any number of ranks. Collective.
 template <int D>
 void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow);
 

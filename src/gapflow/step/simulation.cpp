@@ -209,7 +209,8 @@ template <int D>
 void Simulation<D>::advance_on_parts(double next_output, StepReport& report)
 {
     GapWays<D> ways; // of films
-    const Step step = choose_step<D>(model_, state_, coupling(), beyond_.histories, next_output, ways, instant_->placed->arms);
+    const Step step =
+        choose_step<D>(model_, state_, coupling(), beyond_.histories, next_output, ways, own_arms(*instant_->placed));
     instant_ = gapflow::advance(model_, *instant_, step, state_, report, stages_);
     beyond_ =
         timed(stages_, "continuation", [&] { return reconstruct(model_, coupling(), state_, model_.twists(state_.bodies)); });

@@ -16,10 +16,6 @@ template <int D>
 Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers,
                           const FaceField<D>* initial)
 {
-    if (model.grid.comm().size() > 1)
-        throw InputError(model.scene.file +
-                         ": gap.model: this version runs \"parts\" on one rank; run it without mpirun (threads work), or write "
-                         "gap.model = \"film\"");
     require_weight(model.scene, state.bodies);
     if (model.driven())
         throw InputError(

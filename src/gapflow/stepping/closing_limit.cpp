@@ -55,7 +55,7 @@ double limit_of_closing(const Model<D>& model, const State<D>& state, const std:
             return std::abs(sum);
         });
     }
-    return dt;
+    return model.grid.comm().min(dt);
 }
 
 template double limit_of_closing<2>(const Model<2>&, const State<2>&, const std::vector<Solid<2>>&,

@@ -11,7 +11,7 @@
 namespace gapflow {
 
 /// The step size dt, or a smaller one in which no gap changes by more than the part time.gap_cfl of its thickness, at velocities V and accelerations A of
-/// all solids. `arms`: of the complex there.
+/// all solids. `arms`: of the complex there, of this rank's faces. Collective.
 template <int D>
 double limit_of_closing(const Model<D>& model, const State<D>& state, const std::vector<Solid<D>>& solids,
                         const std::vector<Twist<D>>& V, const std::vector<Twist<D>>& A, std::span<const GapArm<D>> arms,
