@@ -31,6 +31,7 @@ Scene scene_of(const std::string& domain, const std::string& bodies)
 }
 
 const std::string plane = "gravity = [0.3, -1]\n[domain]\nsize = [1, 1]\ncells = [32, 32]\n";
+const std::string still_plane = "[domain]\nsize = [1, 1]\ncells = [32, 32]\n";
 const std::string space = "gravity = [0.3, -1, 0.1]\n[domain]\nsize = [1, 1, 1]\ncells = [16, 16, 16]\n";
 
 // Gaps, and mouths at their ends, beside x = 1/2 and y = 1/2, where ranks meet. Not along the grid: places are rounded to 2^-36 of a cell, and where walls
@@ -392,9 +393,68 @@ TEST(StepRanks, ABoxLands)
 
 TEST(StepRanks, BodiesInAPeriodicPlane)
 {
-    std::string still = plane;
-    still.replace(0, still.find('\n'), "gravity = [0, 0]");
-    expect_one_run<2>(scene_of(still + sides(2, "periodic"), mixture), 4);
+    expect_one_run<2>(scene_of(still_plane + sides(2, "periodic"), mixture), 4);
+}
+
+// Wider cells outside the middle of the domain, of which a rank has half.
+const std::string graded = "gravity = [0.3, -1]\n[domain]\nsize = [2, 2]\norigin = [-0.5, -0.5]\nspacing = 0.03125\n"
+                           "core.low = [0, 0]\ncore.high = [1, 1]\n";
+const std::string middle = R"(
+[[body]]
+name = "a"
+shape = "ball"
+radius = 0.11
+position = [0.45, 0.51]
+density = 2
+velocity = [0.5, 0.2]
+[[body]]
+name = "b"
+shape = "ball"
+radius = 0.1
+position = [0.665, 0.52]
+density = 0.1
+[[body]]
+name = "plate"
+shape = "box"
+size = [0.4, 0.02]
+position = [0.5, 0.75]
+rotation = 0.3
+density = 2
+angular_velocity = 1
+)";
+
+TEST(StepRanks, BodiesInAGradedPlane)
+{
+    expect_one_instant<2>(scene_of(graded, middle));
+    expect_one_run<2>(scene_of(graded, middle), 3);
+    expect_one_run<2>(scene_of(graded + sides(2, "far"), middle), 3);
+}
+
+// On the same number of ranks to the last bit.
+template <int D>
+void expect_same_bits(const Scene& scene)
+{
+    const Communicator all;
+    Simulation<D> whole(scene, all);
+    for (int k = 0; k < 2; ++k)
+        whole.step(100);
+    Simulation<D> on(scene, all, whole.state());
+    for (int k = 0; k < 2; ++k) {
+        whole.step(100);
+        on.step(100);
+    }
+    const StoredState a = whole.state(), b = on.state();
+    EXPECT_EQ(a.numbers, b.numbers);
+    EXPECT_EQ(a.integers, b.integers);
+    EXPECT_EQ(a.fields, b.fields);
+}
+
+TEST(StepRanks, GoOnBitForBit)
+{
+    expect_same_bits<2>(scene_of(plane, landing));
+    expect_same_bits<2>(scene_of(still_plane + "[domain.sides]\nx_low = \"periodic\"\nx_high = \"periodic\"\n", landing));
+    expect_same_bits<2>(scene_of(graded + sides(2, "far"), middle));
+    expect_same_bits<3>(scene_of(space + sides(3, "open"), space_balls));
 }
 
 TEST(StepRanks, BodiesInABox)
