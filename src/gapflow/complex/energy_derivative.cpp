@@ -297,7 +297,8 @@ private:
         std::vector<Number> energy(gaps_.arms.size());
         const auto counts = [&](std::size_t k) {
             const GapArm<D>& arm = gaps_.arms[k];
-            return wanted(arm) && (owns(arm) || by_plain_[arm.piece] != 0 || (!gaps_.loads.empty() && gaps_.loads[k].plain != 0));
+            return wanted(arm) &&
+                   (owns(arm) || by_plain_[arm.piece] != 0 || (!gaps_.loads.empty() && gaps_.loads[k].plain != 0));
         };
         for_each_job(static_cast<int>(energy.size()), [&](int k) {
             if (counts(k))

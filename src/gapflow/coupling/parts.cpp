@@ -355,11 +355,10 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
 }
 
 template <int D>
-std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex,
-                                        const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
-                                        const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms,
-                                        std::span<const PairInertia<D>> pairs, const std::vector<char>& wanted,
-                                        const Circulation<D>* circulation)
+std::vector<Twist<D>>
+energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
+                  const UnknownVector<D>& p, const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms,
+                  std::span<const PairInertia<D>> pairs, const std::vector<char>& wanted, const Circulation<D>* circulation)
 {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), 1) == wanted.end())
         return std::vector<Twist<D>>(twists.size(), Twist<D>::Zero());

@@ -22,10 +22,10 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
 /// that sets the fluid at rest moving with these twists, L p = -K V. `arms` and `pairs`: the gaps of `coupling`, and Inertia::pairs. `wanted`: the solids
 /// whose derivatives are, empty: all; those of others are not complete. Collective.
 template <int D>
-std::vector<Twist<D>>
-energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                  const UnknownVector<D>& p, const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms = {},
-                  std::span<const PairInertia<D>> pairs = {}, const std::vector<char>& wanted = {},
-                  const Circulation<D>* circulation = nullptr);
+std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex,
+                                        const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
+                                        const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms = {},
+                                        std::span<const PairInertia<D>> pairs = {}, const std::vector<char>& wanted = {},
+                                        const Circulation<D>* circulation = nullptr);
 
 } // namespace gapflow

@@ -322,6 +322,8 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
 template <int D>
 Instant<D> restored(const Model<D>& model, const State<D>& state)
 {
+    if (!state.remainder.empty())
+        require_one_rank(model);
     Instant<D> instant = instant_of<D>(
         model, state.bodies, placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty()),
         {model.twists(state.bodies), state.potential, 0, state.remainder});

@@ -247,6 +247,16 @@ double fresh(const Placed<D>& at, const SparseEdge<D>& edge, const FaceField<D>&
 } // namespace
 
 template <int D>
+void require_one_rank(const Model<D>& model)
+{
+    if (model.grid.comm().size() > 1)
+        throw InputError(
+            model.scene.file +
+            ": gap.model: this version runs \"parts\" in fluid that has its own velocity on one rank; run it without "
+            "mpirun (threads work), or write gap.model = \"film\"");
+}
+
+template <int D>
 Remainder<D> remainder_of(const Placed<D>& at, FaceField<D> velocity)
 {
     exchange(*at.coupling.grid, velocity);
@@ -439,6 +449,7 @@ void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOption
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void require_one_rank<D>(const Model<D>&);                                                                        \
     template Remainder<D> remainder_of<D>(const Placed<D>&, FaceField<D>);                                                     \
     template Remainder<D> carried<D>(const Placed<D>&, const Remainder<D>&, const Placed<D>&);                                 \
     template UnknownVector<D> outflow_of_edges<D>(const Placed<D>&, const Remainder<D>&);                                      \

@@ -6,6 +6,10 @@
 
 namespace gapflow {
 
+/// Throws InputError on several ranks: circulation needs one.
+template <int D>
+void require_one_rank(const Model<D>& model);
+
 /// Of a given velocity on the faces of the grid. `at`: with its edges. Collective.
 template <int D>
 Remainder<D> remainder_of(const Placed<D>& at, FaceField<D> velocity);

@@ -41,11 +41,8 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
             uniform[axis].fill(model.scene.fluid_velocity[axis]);
         initial = &uniform;
     }
-    if (initial && model.grid.comm().size() > 1)
-        throw InputError(
-            model.scene.file +
-            ": gap.model: this version runs \"parts\" in fluid that has its own velocity on one rank; run it without "
-            "mpirun (threads work), or write gap.model = \"film\"");
+    if (initial)
+        require_one_rank(model);
     PotentialFlow<D> flow = flow_of_twists(*at, model.twists(state.bodies), solver_options(model.scene));
     report.iterations = flow.iterations;
     report.solves = 1;

@@ -266,7 +266,7 @@ void expect_one_instant(const Scene& scene)
     };
     expect_near(here.impulse, alone.impulse, 1e-9, "impulse");
     expect_near(here.closed_form, alone.closed_form, 1e-9, "force");
-    expect_near(here.force, alone.force, 1e-5, "force"); // of displaced bodies to the accuracy of their local potentials
+    expect_near(here.force, alone.force, 1e-5, "force"); // of displaced bodies
     EXPECT_NEAR(here.energy, alone.energy, 1e-10 * alone.energy);
     EXPECT_EQ(here.displaced, alone.displaced);
     EXPECT_EQ(here.change.group, alone.change.group);
@@ -344,8 +344,6 @@ void expect_same(const StepReport& a, const StepReport& b, double accuracy)
     EXPECT_LT(a.divergence_max, 1e-6);
 }
 
-constexpr double to_local_potentials = 1e-2; // their iterations end early, with which the forces on displaced bodies are found
-
 /// Also on all ranks from the state of one, and the other way around.
 template <int D>
 void expect_one_run(const Scene& scene, int steps, double accuracy = 1e-8)
@@ -376,9 +374,10 @@ void expect_one_run(const Scene& scene, int steps, double accuracy = 1e-8)
     }
 }
 
+// Differences between displaced places enlarge those in the last bits of the places, and the plates start to spin.
 TEST(StepRanks, TwoPlates)
 {
-    expect_one_run<2>(scene_of(plane, plates), 1, to_local_potentials);
+    expect_one_run<2>(scene_of(plane, plates), 1, 1e-5);
 }
 
 TEST(StepRanks, BodiesInAPlane)
@@ -388,7 +387,7 @@ TEST(StepRanks, BodiesInAPlane)
 
 TEST(StepRanks, ABoxLands)
 {
-    expect_one_run<2>(scene_of(plane, landing), 4, to_local_potentials);
+    expect_one_run<2>(scene_of(plane, landing), 8);
 }
 
 TEST(StepRanks, BodiesInAPeriodicPlane)
