@@ -9,6 +9,7 @@ from harness import Row
 COASTING = "Ideal fluid on parts: bodies that coast far from walls"
 PLATES = "Ideal fluid on parts: plates and cylinders pulled apart"
 SPIN = "Ideal fluid on parts: a box that spins"
+VORTICES = "Ideal fluid on parts: vortices"
 SCENES = "Ideal fluid on parts: random scenes of touching bodies"
 PARTS = {"model": "parts", "roughness": 0.0}
 
@@ -105,4 +106,24 @@ def random_cases(quick):
               "; ".join([f"{len(records) - len(bad)} of {len(records)}"] + [f"{r['number']}: {', '.join(r['defects'])}"[:90] for r in bad]), not bad)
 
 
-ALL = [coasting_cases, spinning_cases, plates_cases, random_cases]
+def vortex_cases(quick):
+    """Flows with vorticity; figures of the unit tests."""
+    if quick:
+        return
+    for dimension, name, cells in ((2, "Taylor–Green vortices", "16, 32"), (3, "an ABC flow", "8, 16")):
+        found, passed = harness.unit_figures("unit_step", f"Circulation.VorticesAreCarriedAlong{dimension}D")
+        order, energy = float(found["order"]), float(found["energy"])
+        case = f"{name} carried by a uniform flow, {cells} cells a period, Courant number 0.5: "
+        yield Row(VORTICES, case + "order (errors)", ">= 1.8", f"{order:.2f} ({found['errors']})", passed and order >= 1.8)
+        yield Row(VORTICES, case + "energy", "within ±0.5 %", f"{energy:.3%}", passed and energy <= 5e-3)
+        if dimension == 2:
+            ratio = float(found["far_error"]) / float(found["errors"].split(", ")[1])
+            yield Row(VORTICES, "the same, 32 cells, Courant number 4: error over that at 0.5; energy", "<= 3; no gain above 0.5 %",
+                      f"{ratio:.1f}; {float(found['far_energy']):.3%}", passed and ratio <= 3 and float(found["far_energy"]) <= 5e-3)
+    found, passed = harness.unit_figures("unit_step", "Circulation.AVortexAndADiskKeepTheirEnergy")
+    energy = max(float(found["energy0"]), float(found["energy1"]))
+    yield Row(VORTICES, "a neutral disk in a vortex that fills a box, a quarter turn, 24, 36 cells: energy (magnitudes of its correction)", "within ±0.5 %",
+              f"{energy:.4%} ({', '.join(f'{float(c):.2%}' for c in found['corrected'].split(', '))})", passed and energy <= 5e-3)
+
+
+ALL = [coasting_cases, spinning_cases, plates_cases, vortex_cases, random_cases]

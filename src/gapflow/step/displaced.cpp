@@ -1,5 +1,6 @@
 #include "gapflow/step/displaced.hpp"
 
+#include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/gap_arm.hpp"
 #include "gapflow/complex/mouth_arm.hpp"
 #include "gapflow/core/disjoint_sets.hpp"
@@ -9,6 +10,7 @@
 #include "gapflow/stepping/standoff.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gapflow {
@@ -417,7 +419,9 @@ std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<Rig
         const double radius = std::max(bounding_radius(world_bounds(at.coupling.solids[solid].shape)), dx);
         for (int component = 0; component < twist_size<D>; ++component)
             if (at.coupling.solids[solid].admissible.col(component).norm() > 0) {
-                const double length = small_way * -less_width[solid] * dx, way = component < D ? length : length / radius;
+                // In places of the complex: else their rounding would be a part of the difference.
+                const double units = std::max(1.0, std::round(small_way * -less_width[solid] / place_unit)),
+                             length = units * place_unit * dx, way = component < D ? length : length / radius;
                 result.push_back({solid, component, 2 * way, terms(solid, component, -way), terms(solid, component, way)});
             }
     }

@@ -233,10 +233,20 @@ Carried carried_along(const std::function<Vec<D>(const Vec<D>&)>& steady, int ce
     return {std::sqrt(sum), run.energy() / before};
 }
 
+void record(const Carried& coarse, const Carried& fine)
+{
+    testing::Test::RecordProperty("errors", std::to_string(coarse.error) + ", " + std::to_string(fine.error));
+    testing::Test::RecordProperty("order", std::to_string(std::log2(coarse.error / fine.error)));
+    testing::Test::RecordProperty("energy", std::to_string(std::max(std::abs(coarse.energy - 1), std::abs(fine.energy - 1))));
+}
+
 TEST(Circulation, VorticesAreCarriedAlong2D)
 {
     const Carried coarse = carried_along<2>(taylor_green, 16, 0.5, 0.5), fine = carried_along<2>(taylor_green, 32, 0.5, 0.5),
                   far = carried_along<2>(taylor_green, 32, 4, 0.5);
+    record(coarse, fine);
+    RecordProperty("far_error", std::to_string(far.error));
+    RecordProperty("far_energy", std::to_string(std::abs(far.energy - 1)));
     EXPECT_GT(std::log2(coarse.error / fine.error), 1.8);
     EXPECT_LT(fine.error, 0.02);
     EXPECT_NEAR(fine.energy, 1, 1e-3);
@@ -247,6 +257,7 @@ TEST(Circulation, VorticesAreCarriedAlong2D)
 TEST(Circulation, VorticesAreCarriedAlong3D)
 {
     const Carried coarse = carried_along<3>(beltrami, 8, 0.5, 0.25), fine = carried_along<3>(beltrami, 16, 0.5, 0.25);
+    record(coarse, fine);
     EXPECT_GT(std::log2(coarse.error / fine.error), 1.8);
     EXPECT_LT(fine.error, 0.05);
     EXPECT_NEAR(fine.energy, 1, 1e-3);
@@ -298,9 +309,11 @@ TEST(Circulation, AVortexAndADiskKeepTheirEnergy)
             run.step(0.5 / cells);
             corrected[size] += std::abs(run.report.corrected_energy) / before;
         }
+        RecordProperty("energy" + std::to_string(size), std::to_string(std::abs(run.energy() / before - 1)));
         EXPECT_NEAR(run.energy() / before, 1, 2e-4);
         EXPECT_LT((run.state.bodies[0].centre() - Vec<2>(0.343, 0.509)).norm(), 0.02); // of 64 cells
     }
+    RecordProperty("corrected", std::to_string(corrected[0]) + ", " + std::to_string(corrected[1]));
     EXPECT_LT(corrected[0], 0.01);
     EXPECT_LT(corrected[1], 0.8 * corrected[0]);
 }
