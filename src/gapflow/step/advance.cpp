@@ -80,11 +80,28 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
     star.velocity.grid = remainder.empty() ? FaceField<D>(model.grid) : remainder.faces;
     star.twists = star.forced = forced;
     std::vector<Twist<D>> given = impulses_of_given(there.coupling, forced);
-    if (!remainder.empty()) {
-        star.outflow = outflow_of_edges(there, remainder);
-        const std::vector<Twist<D>> own = impulse_of_remainder(there, remainder);
+    const auto add = [&](const std::vector<Twist<D>>& impulse, double factor) {
         for (std::size_t b = 0; b < given.size(); ++b)
-            given[b] -= own[b];
+            given[b] += factor * impulse[b];
+    };
+    if (!old.stream.isZero(0)) { // the system is that of the whole motion, the flow that of what is relative to the stream
+        const Twist<D> stream = stream_twist<D>(old.stream);
+        const std::vector<Twist<D>> rest(given.size(), Twist<D>::Zero());
+        star.outflow = flux_of_twists(there.coupling, moved_by<D>(rest, -stream));
+        add(impulses_of_outflow(there.coupling, star.outflow), 1);
+        const UnknownVector<D> none{CellField<D>(model.grid), Eigen::VectorXd::Zero(there.coupling.system.nodes)};
+        add(fluid_impulse(there, PotentialFlow<D>{moved_by<D>(rest, stream), none, 0, {}}), 1);
+    }
+    if (!remainder.empty()) {
+        add(impulses_of_outflow(there.coupling, outflow_of_remainder(there, remainder)), 1);
+        add(impulse_of_remainder(there, remainder), -1);
+        UnknownVector<D> outflow = outflow_of_edges(there, remainder);
+        if (star.outflow.cells.size() > 0) {
+            for (long i = 0; i < outflow.cells.size(); ++i)
+                outflow.cells.data()[i] += star.outflow.cells.data()[i];
+            outflow.nodes += star.outflow.nodes;
+        }
+        star.outflow = std::move(outflow);
     }
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         if (state.bodies[b].motion == Motion::free)
@@ -249,6 +266,7 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     timed("contact", [&] { find_contacts(model, state, step); });
     const std::vector<TwistMatrix<D>> mass = model.masses(state.bodies, step.dt);
     Instant<D> now;
+    now.stream = old.stream;
     now.placed = timed("complex", [&] { return placed(model, state.bodies, mass, !old.flow.remainder.empty()); });
     now.displaced = timed("forces", [&] { return displaced(model, state.bodies, *now.placed); });
     const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
@@ -269,6 +287,7 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
         now.flow.twists = std::move(end.twists);
         now.flow.p = std::move(end.impulse);
         leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
+        now.flow.twists = moved_by<D>(std::move(now.flow.twists), -stream_twist<D>(now.stream));
         settle_weak_rows(*now.placed, now.flow);
         timed("forces", [&] { find_forces(now); });
         if (!state.forces_settle) {
@@ -305,7 +324,7 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     state.dt = step.dt;
     state.time = step.landing;
     state.steps = step.number;
-    finish_bodies(model, now.flow.twists, step, state);
+    finish_bodies(model, moved_by<D>(now.flow.twists, stream_twist<D>(now.stream)), step, state);
     state.wrenches = fluid_wrenches(model, old, now, forces, state.bodies, step.dt);
     FluidVelocity<D> velocity = face_velocities(now);
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, step.dt);
@@ -326,7 +345,8 @@ Instant<D> restored(const Model<D>& model, const State<D>& state)
         require_one_rank(model);
     Instant<D> instant = instant_of<D>(
         model, state.bodies, placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty()),
-        {model.twists(state.bodies), state.potential, 0, state.remainder});
+        {moved_by<D>(model.twists(state.bodies), stream_twist<D>(-to_vec<D>(model.scene.fluid_velocity))), state.potential, 0,
+         state.remainder});
     if (!state.forces_settle) {
         instant.displaced.clear();
         find_forces(instant);

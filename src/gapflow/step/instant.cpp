@@ -36,6 +36,19 @@ Circulation<D> in_cells(const Placed<D>& at, const Remainder<D>& remainder)
     return result;
 }
 
+/// On open faces.
+template <int D>
+void add_stream(const Instant<D>& instant, double factor, FaceField<D>& u)
+{
+    const Grid<D>& grid = *instant.placed->coupling.grid;
+    for (int axis = 0; axis < D; ++axis)
+        if (const double speed = factor * instant.stream[axis]; speed != 0)
+            for_each_index<D>(grid.low(), grid.high() + step<D>(axis), [&](const Index<D>& f) {
+                if (instant.placed->coupling.system.conductance(axis, f) > 0)
+                    u(axis, f) += speed;
+            });
+}
+
 } // namespace
 
 template <int D>
@@ -66,7 +79,7 @@ Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bo
                       PotentialFlow<D> flow)
 {
     std::vector<Displaced<D>> aside = displaced(model, bodies, *placed);
-    Instant<D> instant{std::move(placed), std::move(aside), std::move(flow), {}, {}};
+    Instant<D> instant{std::move(placed), std::move(aside), to_vec<D>(model.scene.fluid_velocity), std::move(flow), {}, {}};
     find_forces(instant);
     return instant;
 }
@@ -78,6 +91,7 @@ FluidVelocity<D> face_velocities(const Instant<D>& instant)
     u.grid = instant.flow.remainder.empty() ? FaceField<D>(*instant.placed->coupling.grid) : instant.flow.remainder.faces;
     UnknownVector<D> p = instant.flow.p;
     subtract_gradient(instant.placed->coupling, p, u);
+    add_stream(instant, 1, u.grid);
     return u;
 }
 
@@ -88,7 +102,9 @@ UnknownVector<D> net_outflow(const Instant<D>& instant, const FluidVelocity<D>& 
     const Grid<D>& grid = *coupling.grid;
     const UnknownVector<D>& p = instant.flow.p;
     UnknownVector<D> rest;
-    outflow(coupling, velocity, instant.flow.twists, rest);
+    FluidVelocity<D> relative{velocity.grid, {}, {}, {}};
+    add_stream(instant, -1, relative.grid);
+    outflow(coupling, relative, instant.flow.twists, rest);
     if (!instant.flow.remainder.empty()) {
         const UnknownVector<D> edges = outflow_of_edges(*instant.placed, instant.flow.remainder);
         for (long i = 0; i < rest.cells.size(); ++i)

@@ -12,6 +12,8 @@ template <int D>
 struct Instant {
     std::unique_ptr<Placed<D>> placed;
     std::vector<Displaced<D>> displaced; ///< for the forces of solids with mouths
+    Vec<D> stream =
+        Vec<D>::Zero(); ///< uniform velocity of the fluid (fluid.velocity): all that follows is of the motion relative to it
     PotentialFlow<D> flow;
     std::vector<Twist<D>> impulse; ///< dT/dV of the fluid's energy T, of every solid
     /// Rate of that impulse at constant impulses of the bodies themselves: dT/dx at fixed twists and, in 3D, omega x the angular impulse (the axes of
@@ -20,7 +22,25 @@ struct Instant {
     double energy = 0; ///< T
 };
 
-/// Of bodies and their flow. Collective.
+/// The fluid's uniform velocity, as a twist.
+template <int D>
+Twist<D> stream_twist(const Vec<D>& stream)
+{
+    Twist<D> twist = Twist<D>::Zero();
+    twist.template head<D>() = stream;
+    return twist;
+}
+
+/// All twists with another one added.
+template <int D>
+std::vector<Twist<D>> moved_by(std::vector<Twist<D>> twists, const Twist<D>& by)
+{
+    for (Twist<D>& twist : twists)
+        twist += by;
+    return twists;
+}
+
+/// Of bodies and their flow, relative to the scene's stream. Collective.
 template <int D>
 Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, std::unique_ptr<Placed<D>> placed,
                       PotentialFlow<D> flow);
@@ -28,7 +48,7 @@ Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bo
 template <int D>
 void find_forces(Instant<D>& instant);
 
-/// Velocities of the fluid on the faces of the grid. Collective.
+/// Velocities of the fluid on the faces of the grid, with the stream. Collective.
 template <int D>
 FluidVelocity<D> face_velocities(const Instant<D>& instant);
 

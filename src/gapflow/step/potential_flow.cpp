@@ -78,6 +78,20 @@ private:
     std::vector<double> values_;
 };
 
+/// impulse -= Y^T flux of the free bodies, the rows of this rank.
+template <int D>
+void subtract_in_gauge(const Coupling<D>& coupling, const UnknownVector<D>& flux, std::vector<Twist<D>>& impulse)
+{
+    std::vector<int> solid(coupling.system.bodies);
+    for (std::size_t s = 0; s < impulse.size(); ++s)
+        if (coupling.free_body[s] >= 0)
+            solid[coupling.free_body[s]] = static_cast<int>(s);
+    for (const auto& entry : coupling.gauge_cells)
+        impulse[solid[entry.body]] -= flux.cells(entry.row) * entry.flux;
+    for (const auto& entry : coupling.gauge_nodes)
+        impulse[solid[entry.body]] -= flux.nodes[entry.row] * entry.flux;
+}
+
 } // namespace
 
 SolverOptions solver_options(const Scene& scene)
@@ -104,6 +118,16 @@ PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twist
     flow.iterations = solve.iterations;
     settle_weak_rows(at, flow);
     return flow;
+}
+
+template <int D>
+UnknownVector<D> flux_of_twists(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists)
+{
+    UnknownVector<D> flux = zero(coupling);
+    add_flux(
+        coupling, twists, [](int) { return true; }, flux);
+    coupling.grid->comm().sum(std::span<double>(flux.nodes.data(), flux.nodes.size()));
+    return flux;
 }
 
 template <int D>
@@ -195,17 +219,20 @@ std::vector<Twist<D>> impulses_of_given(const Coupling<D>& coupling, const std::
     if (!coupling.gauge_cells.empty() || !coupling.gauge_nodes.empty()) {
         UnknownVector<D> flux = zero(coupling);
         add_flux(coupling, twists, given, flux);
-        std::vector<int> solid(coupling.system.bodies);
-        for (std::size_t s = 0; s < twists.size(); ++s)
-            if (coupling.free_body[s] >= 0)
-                solid[coupling.free_body[s]] = static_cast<int>(s);
-        for (const auto& entry : coupling.gauge_cells)
-            impulse[solid[entry.body]] -= flux.cells(entry.row) * entry.flux;
-        for (const auto& entry : coupling.gauge_nodes)
-            impulse[solid[entry.body]] -= flux.nodes[entry.row] * entry.flux;
+        subtract_in_gauge(coupling, flux, impulse);
     }
     if (!impulse.empty())
         comm.sum(std::span<double>(impulse.data()->data(), impulse.size() * twist_size<D>));
+    return impulse;
+}
+
+template <int D>
+std::vector<Twist<D>> impulses_of_outflow(const Coupling<D>& coupling, const UnknownVector<D>& outflow)
+{
+    std::vector<Twist<D>> impulse(coupling.solids.size(), Twist<D>::Zero());
+    subtract_in_gauge(coupling, outflow, impulse);
+    if (!impulse.empty())
+        coupling.grid->comm().sum(std::span<double>(impulse.data()->data(), impulse.size() * twist_size<D>));
     return impulse;
 }
 
@@ -236,8 +263,10 @@ std::vector<Twist<D>> fluid_impulse(const Placed<D>& at, const PotentialFlow<D>&
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template PotentialFlow<D> flow_of_twists<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&, Remainder<D>);  \
+    template UnknownVector<D> flux_of_twists<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                             \
     template void settle_weak_rows<D>(const Placed<D>&, PotentialFlow<D>&);                                                    \
     template std::vector<Twist<D>> impulses_of_given<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                     \
+    template std::vector<Twist<D>> impulses_of_outflow<D>(const Coupling<D>&, const UnknownVector<D>&);                        \
     template std::vector<Twist<D>> fluid_impulse<D>(const Placed<D>&, const PotentialFlow<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

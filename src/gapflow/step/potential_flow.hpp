@@ -26,10 +26,18 @@ template <int D>
 PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,
                                 Remainder<D> remainder = {});
 
+/// K V of all solids, in this rank's cells and in all nodes. Collective.
+template <int D>
+UnknownVector<D> flux_of_twists(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists);
+
 /// What the motion of the solids that are not free adds to the free bodies' impulses in their rows of the system: by the masses of gaps between both, and
 /// in another gauge by the fluid's rows. 0 for the others. Collective.
 template <int D>
 std::vector<Twist<D>> impulses_of_given(const Coupling<D>& coupling, const std::vector<Twist<D>>& twists);
+
+/// The same of an outflow that the fluid has without pressure, in all rows. Collective.
+template <int D>
+std::vector<Twist<D>> impulses_of_outflow(const Coupling<D>& coupling, const UnknownVector<D>& outflow);
 
 /// Potentials of rows with small conductances, slivers between walls and planes of the grid, from their own equations: the solver's tolerance is that of all rows
 /// together, and leaves them undetermined, but what walls displace there is the square of their gradients. The same on any number of ranks. Collective.

@@ -39,7 +39,8 @@ UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& 
         if (!has(here, c) || !has(old, c))
             return;
         const double square =
-            0.5 * (square_of_speed(old.system, velocity_before, c) + square_of_speed(here.system, velocity_after, c));
+            0.5 * (square_of_speed(old.system, velocity_before, c) + square_of_speed(here.system, velocity_after, c)) -
+            after.stream.squaredNorm();
         impulse.cells(c) = after.flow.p.cells(c) - before.flow.p.cells(c) - 0.5 * dt * here.density * square;
         known(c) = 1;
     });

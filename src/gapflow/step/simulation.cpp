@@ -280,6 +280,12 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
     report_state(model_, coupling(), state_, V, report);
     if (instant_) {
         report.energy_fluid = instant_->energy;
+        for (const RigidBody<D>& body : state_.bodies) // of the motion relative to the stream
+            if (body.motion == Motion::free && !instant_->stream.isZero(0)) {
+                RigidBody<D> relative = body;
+                relative.twist -= stream_twist<D>(instant_->stream);
+                report.energy_bodies += kinetic_energy(relative) - kinetic_energy(body);
+            }
         report.divergence_max = largest_divergence(*instant_, state_.velocity);
         corrected_.sum += report.corrected_energy;
         corrected_.magnitude += std::abs(report.corrected_energy);

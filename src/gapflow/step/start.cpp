@@ -29,25 +29,24 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
     std::unique_ptr<Placed<D>> at;
     {
         const auto timer = timers.measure("complex");
-        at = placed(model, state.bodies, model.masses(state.bodies, 0), initial || model.scene.fluid_velocity != Triple{});
+        at = placed(model, state.bodies, model.masses(state.bodies, 0), initial);
     }
     require_fluid(model, at->coupling);
     require_core(model, at->coupling, state.bodies);
     const auto timer = timers.measure("solve");
-    FaceField<D> uniform;
-    if (!initial && model.scene.fluid_velocity != Triple{}) {
-        uniform = FaceField<D>(model.grid);
-        for (int axis = 0; axis < D; ++axis)
-            uniform[axis].fill(model.scene.fluid_velocity[axis]);
-        initial = &uniform;
-    }
     if (initial)
         require_one_rank(model);
-    PotentialFlow<D> flow = flow_of_twists(*at, model.twists(state.bodies), solver_options(model.scene));
+    PotentialFlow<D> flow =
+        flow_of_twists(*at, moved_by<D>(model.twists(state.bodies), stream_twist<D>(-to_vec<D>(model.scene.fluid_velocity))),
+                       solver_options(model.scene));
     report.iterations = flow.iterations;
     report.solves = 1;
     if (initial) {
-        flow.remainder = remainder_of(*at, *initial);
+        FaceField<D> relative = *initial;
+        for (int axis = 0; axis < D; ++axis)
+            for (long i = 0; i < relative[axis].size(); ++i)
+                relative[axis].data()[i] -= model.scene.fluid_velocity[axis];
+        flow.remainder = remainder_of(*at, std::move(relative));
         const UnknownVector<D> p = flow.p;
         renew_gauge(*at, flow, solver_options(model.scene));
         flow.p = p;

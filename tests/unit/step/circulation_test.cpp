@@ -263,35 +263,57 @@ TEST(Circulation, VorticesAreCarriedAlong3D)
     EXPECT_NEAR(fine.energy, 1, 1e-3);
 }
 
-// Fluid and bodies that all move as one: the flow is uniform to round-off, whatever the bodies; it goes on so as far as what the grid sees of them stays the same.
+// Fluid and bodies that all move as one go on so, whatever the bodies; and a scene whose fluid and bodies all have one velocity more is the same scene, seen in motion.
 TEST(Circulation, UniformMotionGoesOn)
 {
     Scene scene = box_of_fluid(2, 24, SideScene::Kind::periodic);
-    scene.fluid_velocity = {0.7, -0.4, 0};
-    scene.bodies = {body("box", BodyScene::ShapeKind::box, {0.31, 0.42, 0}, {0.7, -0.4, 0}),
-                    body("disk", BodyScene::ShapeKind::ball, {0.31, 0.627, 0}, {0.7, -0.4, 0})};
+    const Vec<2> U(0.7, -0.4);
+    scene.fluid_velocity = {U[0], U[1], 0};
+    scene.bodies = {body("box", BodyScene::ShapeKind::box, {0.31, 0.42, 0}, scene.fluid_velocity),
+                    body("disk", BodyScene::ShapeKind::ball, {0.31, 0.627, 0}, scene.fluid_velocity)};
     scene.bodies[0].size = {0.3, 0.2, 0};
     scene.bodies[1].density = 3;
-    {
-        const Model<2> model(scene, Communicator(), Task::motion);
-        State<2> state(model);
-        StepReport report;
-        StageTimers timers;
-        const Instant<2> now = start_on_parts(model, state, report, timers);
-        for (int axis = 0; axis < 2; ++axis)
-            for_each_index<2>(model.grid.low(), model.grid.high(), [&](const Index<2>& f) {
-                if (now.placed->coupling.system.conductance(axis, f) > 0) {
-                    EXPECT_NEAR(state.velocity.grid(axis, f), scene.fluid_velocity[axis], 1e-7);
-                }
-            });
-    }
-    scene.bodies.erase(scene.bodies.begin());
     scene.max_step = 0.02;
     Simulation<2> simulation(scene, Communicator());
     for (int k = 0; k < 10; ++k)
         simulation.step(100);
-    EXPECT_NEAR(simulation.bodies()[0].twist[0], 0.7, 0.02);
-    EXPECT_NEAR(simulation.bodies()[0].twist[1], -0.4, 0.02);
+    for (const RigidBody<2>& one : simulation.bodies()) {
+        EXPECT_LT((one.twist.head<2>() - U).norm(), 1e-12);
+        EXPECT_LT(std::abs(one.twist[2]), 1e-12);
+    }
+    const Grid<2>& grid = simulation.grid();
+    for (int axis = 0; axis < 2; ++axis)
+        for_each_index<2>(grid.low(), grid.high(), [&](const Index<2>& f) {
+            if (simulation.coupling().system.conductance(axis, f) > 0) {
+                EXPECT_NEAR(simulation.velocity().grid(axis, f), U[axis], 1e-12);
+            }
+        });
+    EXPECT_LT(simulation.initial_report().energy_fluid + simulation.initial_report().energy_bodies, 1e-16);
+}
+
+// A stream that meets a free and a fixed disk: the same as two that move through fluid at rest, one of them as it is told.
+TEST(Circulation, AStreamIsFluidAtRestSeenInMotion)
+{
+    const double speed = 0.5, end = 0.06; // before they meet
+    std::array<Vec<2>, 2> place, velocity;
+    for (const bool stream : {false, true}) {
+        Scene scene = box_of_fluid(2, 32, SideScene::Kind::far);
+        const double on = stream ? 0 : speed, back = 0.5 * on * end;
+        if (stream)
+            scene.fluid_velocity = {-speed, 0, 0};
+        scene.bodies = {body("free", BodyScene::ShapeKind::ball, {0.43 - back, 0.513, 0}, {on, 0.3, 0}),
+                        body("other", BodyScene::ShapeKind::ball, {0.46 - back, 0.74, 0}, {on, 0, 0})};
+        scene.bodies[1].motion = stream ? BodyScene::Motion::fixed : BodyScene::Motion::prescribed;
+        scene.max_step = 0.01;
+        Simulation<2> simulation(scene, Communicator());
+        while (simulation.time() < end)
+            simulation.step(end);
+        place[stream] = simulation.bodies()[0].centre() + Vec<2>(stream ? 0.0 : -back, 0);
+        velocity[stream] = simulation.bodies()[0].twist.head<2>() - Vec<2>(on, 0);
+    }
+    EXPECT_LT((place[1] - place[0]).norm(), 0.05 / 32);
+    EXPECT_LT((velocity[1] - velocity[0]).norm(), 0.005);
+    EXPECT_GT((velocity[0] - Vec<2>(0, 0.3)).norm(), 0.03);
 }
 
 // A neutral disk that a vortex carries around.
