@@ -1,4 +1,6 @@
 // The Lagrangian step of ideal fluid on parts: energy, impulse, angular impulse, restart.
+#include "unit/step/scenes.hpp"
+
 #include "gapflow/step/advance.hpp"
 #include "gapflow/step/energy_change.hpp"
 #include "gapflow/step/simulation.hpp"
@@ -9,37 +11,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <random>
 
 namespace gapflow {
 namespace {
-
-Scene box_of_fluid(int dimension, int cells, SideScene::Kind sides)
-{
-    Scene scene;
-    scene.dimension = dimension;
-    scene.size = {1, 1, dimension == 2 ? 0.0 : 1.0};
-    scene.cells = {cells, cells, dimension == 2 ? 1 : cells};
-    for (int side = 0; side < 2 * dimension; ++side)
-        scene.sides[side].kind = sides;
-    scene.parts = true;
-    scene.end = 100;
-    scene.max_step = 1;
-    return scene;
-}
-
-BodyScene body(const std::string& name, BodyScene::ShapeKind shape, const Triple& position, const Triple& velocity = {})
-{
-    BodyScene b;
-    b.name = name;
-    b.shape = shape;
-    b.position = position;
-    b.density = 1;
-    b.radius = 0.1;
-    b.velocity = velocity;
-    return b;
-}
 
 SolverOptions exact()
 {
@@ -406,22 +381,7 @@ TEST(Step, GoesOnFromAStoredStateBitForBit)
     scene.bodies[0].density = 3;
     scene.bodies[1].velocity = {0.2, -0.1, 0};
     scene.max_step = 0.02;
-    Simulation<2> all(scene, Communicator());
-    for (int k = 0; k < 3; ++k)
-        all.step(100);
-    const StoredState stored = all.state();
-    Simulation<2> on(scene, Communicator(), stored);
-    for (int k = 0; k < 3; ++k) {
-        all.step(100);
-        on.step(100);
-    }
-    const StoredState a = all.state(), b = on.state();
-    ASSERT_EQ(a.numbers.size(), b.numbers.size());
-    for (const auto& [name, values] : a.numbers) {
-        const auto& other = b.numbers.at(name);
-        ASSERT_EQ(values.size(), other.size()) << name;
-        EXPECT_EQ(std::memcmp(values.data(), other.data(), values.size() * sizeof values[0]), 0) << name;
-    }
+    expect_to_go_on<2>(scene);
 }
 
 } // namespace
