@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -24,6 +25,8 @@ constexpr double energy_accuracy = 1e-5;
 constexpr double most_missed = 1e-2;
 constexpr int most_passes = 6;
 constexpr int passes_of_work = 3;
+// Of its energy, that of the difference between a body's velocity and its way: twice as fast as it went.
+constexpr double starting = 0.25;
 
 /// Impulses of the fluid's forces on the fluid's own impulse over a step, of every solid: trapezium of dT/dx, and what is missing in their work.
 template <int D>
@@ -41,25 +44,45 @@ std::vector<Twist<D>> trapezium(const std::vector<Twist<D>>& a, const std::vecto
     return mean;
 }
 
+/// Mean twist with which a body went from one place to another one.
+template <int D>
+Twist<D> twist_of_way(const RigidBody<D>& from, const RigidBody<D>& to, double dt)
+{
+    Twist<D> way;
+    way.template head<D>() = to.centre() - from.centre();
+    const Rotation<D> turn(to.pose.rotation * from.pose.rotation.inverse());
+    if constexpr (D == 2)
+        way[2] = std::remainder(turn.angle(), 2 * std::numbers::pi);
+    else {
+        const Eigen::AngleAxisd about(turn);
+        way.template tail<3>() = std::remainder(about.angle(), 2 * std::numbers::pi) * about.axis();
+    }
+    return way / dt;
+}
+
 /// Impulses of the free bodies that do the work which the trapezium of the forces, `mean`, misses of 1/2 V (N' - N) V': in each group of bodies in proportion to their own
 /// momenta M V_m, V_m the mean twist. Where bodies turn back within the step, so that their energy at V_m is small, no larger than at half their speeds.
 template <int D>
 std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_before, const Instant<D>& before,
                                        const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,
-                                       const std::vector<Twist<D>>& mean)
+                                       const std::vector<Twist<D>>& mean, double dt)
 {
-    EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow);
+    const Twist<D> stream = stream_twist<D>(before.stream); // bodies move over the grid with their whole velocities
+    EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow, stream);
     std::vector<double> square(change.work.size(), 0.0);
     std::vector<Twist<D>> impulse(mean.size(), Twist<D>::Zero());
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const int group = change.group[b];
         if (group < 0)
             continue;
-        const Twist<D>&V = before.flow.twists[b], &next = after.flow.twists[b], middle = 0.5 * (V + next);
-        change.work[group] -= middle.dot(mean[b]);
+        const Twist<D> V = before.flow.twists[b] + stream, next = after.flow.twists[b] + stream, middle = 0.5 * (V + next);
+        const TwistMatrix<D> mass = mass_matrix(bodies[b]);
+        // A body that starts has not gone the way that its mean velocity asks for, and N has not changed: it would be held back.
+        const Twist<D> went = twist_of_way(bodies_before[b], bodies[b], dt), late = middle - went;
+        const bool starts = late.dot(mass * late) > starting * middle.dot(mass * middle);
+        change.work[group] -= (starts ? went : middle).dot(mean[b]);
         if (bodies[b].motion != Motion::free)
             continue;
-        const TwistMatrix<D> mass = mass_matrix(bodies[b]);
         change.work[group] += 0.5 * V.dot((mass - mass_matrix(bodies_before[b])) * next);
         impulse[b] = mass * middle;
         square[group] += std::max(middle.dot(impulse[b]), 0.125 * (V.dot(mass * V) + next.dot(mass * next)));
@@ -116,7 +139,7 @@ StepForces<D> forces_of(const Instant<D>& old, const std::vector<RigidBody<D>>& 
                         const std::vector<RigidBody<D>>& bodies, double dt)
 {
     StepForces<D> forces{trapezium<D>(old.force, now.force, dt), {}};
-    forces.missing = missing_impulses(before, old, bodies, now, forces.mean);
+    forces.missing = missing_impulses(before, old, bodies, now, forces.mean, dt);
     return forces;
 }
 
@@ -293,7 +316,7 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
         if (!state.forces_settle) {
             if (--left == 0)
                 break;
-            forces.missing = timed("forces", [&] { return missing_impulses(before, old, state.bodies, now, none); });
+            forces.missing = timed("forces", [&] { return missing_impulses(before, old, state.bodies, now, none, step.dt); });
             continue;
         }
         StepForces<D> next = timed("forces", [&] { return forces_of(old, before, now, state.bodies, step.dt); });

@@ -18,7 +18,7 @@ template <int D>
 class ChangeOfEnergy {
 public:
     ChangeOfEnergy(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
-                   const PotentialFlow<D>& flow_after)
+                   const PotentialFlow<D>& flow_after, const Twist<D>& stream)
         : grid_(*before.coupling.grid), V_{&flow_before.twists, &flow_after.twists}, place_{&before, &after},
           cells_{{{flow_before.p.cells, flow_before.p.cells}, {flow_after.p.cells, flow_after.p.cells}}},
           together_(static_cast<int>(V_[0]->size()))
@@ -26,11 +26,12 @@ public:
         for (int solid = 0; solid < static_cast<int>(V_[0]->size()); ++solid) {
             double square = 0;
             const double radius = bounding_radius(world_bounds(before.coupling.solids[solid].shape));
-            for (const auto* V : V_)
-                square += (*V)[solid].template head<D>().squaredNorm() +
-                          ((*V)[solid].template tail<spin_size<D>>().isZero(0)
-                               ? 0.0
-                               : radius * radius * (*V)[solid].template tail<spin_size<D>>().squaredNorm());
+            for (const auto* V : V_) {
+                const Twist<D> whole = (*V)[solid] + stream;
+                const auto spin = whole.template tail<spin_size<D>>();
+                square +=
+                    whole.template head<D>().squaredNorm() + (spin.isZero(0) ? 0.0 : radius * radius * spin.squaredNorm());
+            }
             weight_.push_back(before.coupling.solids[solid].wall ? 0.0 : square);
         }
         for (int place = 0; place < 2; ++place)
@@ -366,12 +367,14 @@ private:
 
 template <int D>
 EnergyChange energy_change(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
-                           const PotentialFlow<D>& flow_after)
+                           const PotentialFlow<D>& flow_after, const Twist<D>& stream)
 {
-    return ChangeOfEnergy<D>(before, flow_before, after, flow_after).find();
+    return ChangeOfEnergy<D>(before, flow_before, after, flow_after, stream).find();
 }
 
-template EnergyChange energy_change<2>(const Placed<2>&, const PotentialFlow<2>&, const Placed<2>&, const PotentialFlow<2>&);
-template EnergyChange energy_change<3>(const Placed<3>&, const PotentialFlow<3>&, const Placed<3>&, const PotentialFlow<3>&);
+template EnergyChange energy_change<2>(const Placed<2>&, const PotentialFlow<2>&, const Placed<2>&, const PotentialFlow<2>&,
+                                       const Twist<2>&);
+template EnergyChange energy_change<3>(const Placed<3>&, const PotentialFlow<3>&, const Placed<3>&, const PotentialFlow<3>&,
+                                       const Twist<3>&);
 
 } // namespace gapflow

@@ -21,9 +21,9 @@ struct EnergyChange {
     std::vector<int> group;   ///< of each solid; -1: a wall, or one that does not move
 };
 
-/// Collective.
+/// `stream`: to which the flows' twists are relative. Collective.
 template <int D>
 EnergyChange energy_change(const Placed<D>& before, const PotentialFlow<D>& flow_before, const Placed<D>& after,
-                           const PotentialFlow<D>& flow_after);
+                           const PotentialFlow<D>& flow_after, const Twist<D>& stream = Twist<D>::Zero());
 
 } // namespace gapflow
