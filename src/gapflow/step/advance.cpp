@@ -25,7 +25,7 @@ constexpr double energy_accuracy = 1e-5;
 constexpr double most_missed = 1e-2;
 constexpr int most_passes = 6;
 constexpr int passes_of_work = 3;
-// Of its energy, that of the difference between a body's velocity and its way: twice as fast as it went.
+// Of a body's energy at its mean velocity, that at the velocity with which it went: half as fast.
 constexpr double starting = 0.25;
 
 /// Impulses of the fluid's forces on the fluid's own impulse over a step, of every solid: trapezium of dT/dx, and what is missing in their work.
@@ -78,8 +78,8 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
         const Twist<D> V = before.flow.twists[b] + stream, next = after.flow.twists[b] + stream, middle = 0.5 * (V + next);
         const TwistMatrix<D> mass = mass_matrix(bodies[b]);
         // A body that starts has not gone the way that its mean velocity asks for, and N has not changed: it would be held back.
-        const Twist<D> went = twist_of_way(bodies_before[b], bodies[b], dt), late = middle - went;
-        const bool starts = late.dot(mass * late) > starting * middle.dot(mass * middle);
+        const Twist<D> went = twist_of_way(bodies_before[b], bodies[b], dt);
+        const bool starts = went.dot(mass * went) < starting * middle.dot(mass * middle);
         change.work[group] -= (starts ? went : middle).dot(mean[b]);
         if (bodies[b].motion != Motion::free)
             continue;

@@ -296,6 +296,26 @@ TEST(Circulation, AStreamIsFluidAtRestSeenInMotion)
     EXPECT_GT((velocity[0] - Vec<2>(0, 0.3)).norm(), 0.03);
 }
 
+// A box that is released at rest across a stream begins to turn at once, with short steps as with long ones: it has gone no way yet when its first velocity is found.
+TEST(Circulation, ABodyAtRestInAStreamStarts)
+{
+    std::array<double, 2> spin;
+    for (const bool fine : {false, true}) {
+        Scene scene = box_of_fluid(2, 32, SideScene::Kind::periodic);
+        scene.fluid_velocity = {0.5, 0, 0};
+        scene.bodies = {body("box", BodyScene::ShapeKind::box, {0.513, 0.487, 0})};
+        scene.bodies[0].size = {0.3, 0.12, 0};
+        scene.bodies[0].angle = 0.35;
+        scene.max_step = fine ? 0.0025 : 0.01;
+        Simulation<2> simulation(scene, Communicator());
+        while (simulation.time() < 0.1)
+            simulation.step(0.1);
+        spin[fine] = simulation.bodies()[0].twist[2];
+    }
+    EXPECT_GT(spin[1], 0.2);
+    EXPECT_NEAR(spin[0], spin[1], 0.1 * spin[1]);
+}
+
 // A neutral disk that a vortex carries around.
 TEST(Circulation, AVortexAndADiskKeepTheirEnergy)
 {
