@@ -291,7 +291,8 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     Instant<D> now;
     now.stream = old.stream;
     now.placed = timed("complex", [&] { return placed(model, state.bodies, mass, !old.flow.remainder.empty()); });
-    now.displaced = timed("forces", [&] { return displaced(model, state.bodies, *now.placed); });
+    if (old.flow.remainder.empty()) // else their energies would not know it
+        now.displaced = timed("forces", [&] { return displaced(model, state.bodies, *now.placed); });
     const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
     const std::vector<Twist<D>> none(old.force.size(), Twist<D>::Zero());
     StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt), none};

@@ -60,10 +60,8 @@ void find_forces(Instant<D>& instant)
     const bool rotational = !instant.flow.remainder.empty();
     const Circulation<D> circulation = rotational ? in_cells(at, instant.flow.remainder) : Circulation<D>{};
     instant.force = energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs,
-                                         rotational ? std::vector<char>{} : not_replaced(instant.displaced, V.size()),
-                                         rotational ? &circulation : nullptr);
-    if (!rotational) // those do not know it
-        replace_forces(instant.displaced, instant.flow, instant.force);
+                                         not_replaced(instant.displaced, V.size()), rotational ? &circulation : nullptr);
+    replace_forces(instant.displaced, instant.flow, instant.force);
     instant.energy = rotational ? energy_of_remainder(at, instant.flow) : 0;
     for (std::size_t s = 0; s < V.size(); ++s) {
         instant.energy += 0.5 * V[s].dot(instant.impulse[s]);
@@ -78,7 +76,9 @@ template <int D>
 Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, std::unique_ptr<Placed<D>> placed,
                       PotentialFlow<D> flow)
 {
-    std::vector<Displaced<D>> aside = displaced(model, bodies, *placed);
+    std::vector<Displaced<D>> aside;
+    if (flow.remainder.empty()) // else their energies would not know it
+        aside = displaced(model, bodies, *placed);
     Instant<D> instant{std::move(placed), std::move(aside), to_vec<D>(model.scene.fluid_velocity), std::move(flow), {}, {}};
     find_forces(instant);
     return instant;
