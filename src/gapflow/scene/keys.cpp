@@ -27,7 +27,7 @@ std::vector<KeyInfo> gap_keys()
          any,
          {"film", "none", "parts"},
          "thin gaps carry films, or are left to the grid; parts: bodies of any thickness; added masses, and runs of ideal "
-         "fluid at rest but for the bodies"},
+         "fluid"},
         {"gap.threshold",
          T::number_or_word,
          "cells",

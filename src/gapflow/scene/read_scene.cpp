@@ -145,7 +145,32 @@ std::vector<const GapScene*> gaps_of(const Scene& scene)
     return gaps;
 }
 
-/// Runs with parts are those of ideal fluid that bodies or a velocity at the start set moving.
+/// Of ideal fluid a side has the velocity across it alone: that along it is the flow's own.
+void check_inflow_of_parts(const Values& v, const Scene& scene, int side)
+{
+    const SideScene& inflow = scene.sides[side];
+    const std::size_t across = side / 2, dimension = static_cast<std::size_t>(scene.dimension);
+    std::vector<std::vector<double>> rows = inflow.table.rows;
+    if (rows.empty())
+        rows.emplace_back(inflow.velocity.begin(), inflow.velocity.begin() + scene.dimension);
+    for (const std::vector<double>& row : rows)
+        for (std::size_t axis = 0; axis < dimension; ++axis) {
+            if (axis != across && row[axis] != scene.fluid_velocity[axis])
+                v.refuse("domain.sides." + side_names[side],
+                         std::string("ideal fluid with gap.model = \"parts\" flows along a side as it will, and this inflow "
+                                     "has its own velocity "
+                                     "along ") +
+                             "xyz"[axis],
+                         "write there what fluid.velocity has, or gap.model = \"film\"");
+            if (axis == across && scene.follow && scene.follow->axes[axis] && row[axis] != scene.fluid_velocity[axis])
+                v.refuse("domain.follow",
+                         "with gap.model = \"parts\" the fluid beyond sides that move is far away, and domain.sides." +
+                             side_names[side] + " has another velocity than fluid.velocity",
+                         "write the same there, or leave domain.follow out");
+        }
+}
+
+/// Runs with parts are those of ideal fluid.
 void check_parts(const Values& v, Purpose purpose, const Scene& scene)
 {
     if (!scene.parts || purpose != Purpose::run)
@@ -164,15 +189,13 @@ void check_parts(const Values& v, Purpose purpose, const Scene& scene)
                  "this version runs gap.model = \"parts\" in fluid that is at rest without bodies", remedy);
     if (scene.vapour_pressure)
         v.refuse("fluid.vapour_pressure", "this version runs gap.model = \"parts\" without cavitation", remedy);
-    if (scene.follow)
-        v.refuse("domain.follow", "this version runs gap.model = \"parts\" on a grid that stays where it is", remedy);
     for (int side = 0; side < 2 * scene.dimension; ++side) {
         const SideScene::Kind kind = scene.sides[side].kind;
-        if (kind != SideScene::Kind::wall && kind != SideScene::Kind::open && kind != SideScene::Kind::periodic &&
-            kind != SideScene::Kind::far)
-            v.refuse("domain.sides." + side_names[side],
-                     "this version runs gap.model = \"parts\" with walls, open, far and periodic sides",
-                     "write one of these, or gap.model = \"film\"");
+        if (kind == SideScene::Kind::surface)
+            v.refuse("domain.sides." + side_names[side], "this version runs gap.model = \"parts\" without water levels",
+                     "write \"open\", or gap.model = \"film\"");
+        if (kind == SideScene::Kind::inflow)
+            check_inflow_of_parts(v, scene, side);
     }
     for (const GapScene* gap : gaps_of(scene)) {
         if (gap->contact == GapScene::Contact::dry)

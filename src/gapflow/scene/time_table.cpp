@@ -177,6 +177,23 @@ std::vector<double> value_at(const TimeTable& table, double time)
     return value;
 }
 
+std::vector<double> integral_to(const TimeTable& table, double time)
+{
+    std::vector<double> sum(table.rows.at(0).size(), 0.0);
+    double from = 0;
+    const auto go_on_to = [&](double to) { // no row in between
+        const std::vector<double> low = value_at(table, from), high = value_at(table, to);
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            sum[i] += 0.5 * (to - from) * (low[i] + high[i]);
+        from = to;
+    };
+    for (const double row : table.time)
+        if (row > 0 && row < time)
+            go_on_to(row);
+    go_on_to(time);
+    return sum;
+}
+
 std::vector<double> derivative_at(const TimeTable& table, double time)
 {
     const std::ptrdiff_t k = segment(table, time), last = std::ssize(table.time) - 1;

@@ -15,4 +15,7 @@ namespace gapflow {
 TimeTable read_time_table(const std::string& file, const std::vector<std::string>& columns,
                           const std::vector<std::string>& optional = {});
 
+/// Integral of a table's columns from time 0.
+std::vector<double> integral_to(const TimeTable& table, double time);
+
 } // namespace gapflow

@@ -3,10 +3,13 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/energy_change.hpp"
+#include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/pressure.hpp"
 #include "gapflow/step/remainder.hpp"
+#include "gapflow/stepping/following.hpp"
 #include "gapflow/stepping/force_parts.hpp"
 #include "gapflow/stepping/motion.hpp"
+#include "gapflow/stepping/side_pressure.hpp"
 #include "gapflow/stepping/unilateral.hpp"
 
 #include <algorithm>
@@ -60,52 +63,102 @@ Twist<D> twist_of_way(const RigidBody<D>& from, const RigidBody<D>& to, double d
     return way / dt;
 }
 
+/// Its components along the axes that the grid follows.
+template <int D>
+Twist<D> along_grid(const FollowedBody<D>& followed, const Twist<D>& twist)
+{
+    Twist<D> along = Twist<D>::Zero();
+    for (int axis = 0; axis < D && followed.body >= 0; ++axis)
+        along[axis] = followed.axes[axis] ? twist[axis] : 0.0;
+    return along;
+}
+
 /// Impulses of the free bodies that do the work which the trapezium of the forces, `mean`, misses of 1/2 V (N' - N) V': in each group of bodies in proportion to their own
-/// momenta M V_m, V_m the mean twist. Where bodies turn back within the step, so that their energy at V_m is small, no larger than at half their speeds.
+/// momenta M V_m, V_m the mean twist. Where bodies turn back within the step, so that their energy at V_m is small, no larger than at half their speeds. Where the grid goes
+/// with a body, `grid` its velocity, V_m is that over the grid, and this body takes the reactions.
+/// What goes over the grid with less energy than the solver's `tolerance` leaves of the whole is let alone.
 template <int D>
 std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_before, const Instant<D>& before,
                                        const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,
-                                       const std::vector<Twist<D>>& mean, double dt)
+                                       const std::vector<Twist<D>>& mean, const Twist<D>& grid, double tolerance, double dt)
 {
     const Twist<D> stream = stream_twist<D>(before.stream); // bodies move over the grid with their whole velocities
-    EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow, stream);
+    EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow, Twist<D>(stream - grid));
     std::vector<double> square(change.work.size(), 0.0);
     std::vector<Twist<D>> impulse(mean.size(), Twist<D>::Zero());
+    const FollowedBody<D>& followed = before.followed;
+    Twist<D> lead = Twist<D>::Zero(), mean_of_all = Twist<D>::Zero();
+    double energy = 0; // of the whole motion, which may be large where little goes over the grid
+    if (followed.body >= 0) {
+        const int b = followed.body;
+        lead = along_grid(followed, Twist<D>(0.5 * (before.flow.twists[b] + after.flow.twists[b]) + stream));
+        for (const Twist<D>& one : mean)
+            mean_of_all += one;
+        energy = before.energy;
+        for (const RigidBody<D>& body : bodies_before)
+            energy += body.motion == Motion::free ? kinetic_energy(body) : 0.0;
+    }
+    const bool takes_reactions = followed.body >= 0 && bodies[followed.body].motion == Motion::free;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const int group = change.group[b];
         if (group < 0)
             continue;
-        const Twist<D> V = before.flow.twists[b] + stream, next = after.flow.twists[b] + stream, middle = 0.5 * (V + next);
+        const bool leads = static_cast<int>(b) == followed.body;
+        const Twist<D> V = before.flow.twists[b] + stream, next = after.flow.twists[b] + stream;
+        const Twist<D> of_grid = leads ? along_grid(followed, V) : lead,
+                       next_of_grid = leads ? along_grid(followed, next) : lead;
+        const Twist<D> start = V - of_grid, end = next - next_of_grid, middle = 0.5 * (V + next) - lead;
         const TwistMatrix<D> mass = mass_matrix(bodies[b]);
         // A body that starts has not gone the way that its mean velocity asks for, and N has not changed: it would be held back.
-        const Twist<D> went = twist_of_way(bodies_before[b], bodies[b], dt);
+        const Twist<D> went = twist_of_way(bodies_before[b], bodies[b], dt) - grid;
         const bool starts = went.dot(mass * went) < starting * middle.dot(mass * middle);
         change.work[group] -= (starts ? went : middle).dot(mean[b]);
-        if (bodies[b].motion != Motion::free)
-            continue;
-        change.work[group] += 0.5 * V.dot((mass - mass_matrix(bodies_before[b])) * next);
-        impulse[b] = mass * middle;
-        square[group] += std::max(middle.dot(impulse[b]), 0.125 * (V.dot(mass * V) + next.dot(mass * next)));
+        if (leads)
+            change.work[group] -= lead.dot(mean_of_all);
+        if (bodies[b].motion == Motion::free) {
+            change.work[group] += 0.5 * V.dot((mass - mass_matrix(bodies_before[b])) * next);
+            impulse[b] = mass * middle;
+            square[group] += std::max(middle.dot(impulse[b]), 0.125 * (start.dot(mass * start) + end.dot(mass * end)));
+        } else if (takes_reactions) {
+            const Twist<D> along = along_grid(followed, middle);
+            impulse[b] = along_grid(followed, Twist<D>(mass_matrix(bodies[followed.body]) * along));
+            square[group] += along.dot(impulse[b]);
+        }
     }
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (const int group = change.group[b]; group >= 0 && square[group] > 0)
-            impulse[b] *= change.work[group] / square[group];
+            impulse[b] *= square[group] > tolerance * energy ? change.work[group] / square[group] : 0.0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (takes_reactions && static_cast<int>(b) != followed.body)
+            impulse[followed.body] -= along_grid(followed, impulse[b]);
+        if (bodies[b].motion != Motion::free)
+            impulse[b].setZero();
+    }
     return impulse;
 }
 
 /// Twists before the fluid acts, with all impulses but its pressure's.
 template <int D>
 Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const Placed<D>& there,
-                             const Remainder<D>& remainder, const std::vector<Twist<D>>& forced, const StepForces<D>& forces,
-                             const State<D>& state, double dt)
+                             const Remainder<D>& remainder, const GivenSides<D>& sides, const std::vector<Twist<D>>& forced,
+                             const StepForces<D>& forces, const State<D>& state, double dt)
 {
     Intermediate<D> star;
     star.velocity.grid = remainder.empty() ? FaceField<D>(model.grid) : remainder.faces;
     star.twists = star.forced = forced;
-    std::vector<Twist<D>> given = impulses_of_given(there.coupling, forced);
+    const std::vector<Twist<D>> seen = without_sliding(model, forced);
+    std::vector<Twist<D>> given = impulses_of_given(there.coupling, seen);
     const auto add = [&](const std::vector<Twist<D>>& impulse, double factor) {
         for (std::size_t b = 0; b < given.size(); ++b)
             given[b] += factor * impulse[b];
+    };
+    const auto join = [&](UnknownVector<D> outflow) {
+        if (star.outflow.cells.size() > 0) {
+            for (long i = 0; i < outflow.cells.size(); ++i)
+                outflow.cells.data()[i] += star.outflow.cells.data()[i];
+            outflow.nodes += star.outflow.nodes;
+        }
+        star.outflow = std::move(outflow);
     };
     if (!old.stream.isZero(0)) { // the system is that of the whole motion, the flow that of what is relative to the stream
         const Twist<D> stream = stream_twist<D>(old.stream);
@@ -115,16 +168,24 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
         const UnknownVector<D> none{CellField<D>(model.grid), Eigen::VectorXd::Zero(there.coupling.system.nodes)};
         add(fluid_impulse(there, PotentialFlow<D>{moved_by<D>(rest, stream), none, 0, {}}), 1);
     }
+    if (seen != forced) {
+        std::vector<Twist<D>> slide = seen; // back
+        for (std::size_t s = 0; s < slide.size(); ++s)
+            slide[s] -= forced[s];
+        join(flux_of_twists(there.coupling, slide));
+    }
     if (!remainder.empty()) {
         add(impulses_of_outflow(there.coupling, outflow_of_remainder(there, remainder)), 1);
         add(impulse_of_remainder(there, remainder), -1);
-        UnknownVector<D> outflow = outflow_of_edges(there, remainder);
-        if (star.outflow.cells.size() > 0) {
-            for (long i = 0; i < outflow.cells.size(); ++i)
-                outflow.cells.data()[i] += star.outflow.cells.data()[i];
-            outflow.nodes += star.outflow.nodes;
-        }
-        star.outflow = std::move(outflow);
+        join(outflow_of_edges(there, remainder));
+    }
+    if (sides.any()) {
+        UnknownVector<D> outflow = outflow_of_sides(there, sides);
+        add(impulses_of_outflow(there.coupling, outflow), 1);
+        join(std::move(outflow));
+        const std::vector<Twist<D>> beyond = wrenches_from_beyond(model, there.coupling, state.time + 0.5 * dt);
+        for (std::size_t b = 0; b < beyond.size(); ++b)
+            given[b] += dt * beyond[b];
     }
     for (std::size_t b = 0; b < state.bodies.size(); ++b)
         if (state.bodies[b].motion == Motion::free)
@@ -136,10 +197,10 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
 /// The forces that follow from the flow at the step's end.
 template <int D>
 StepForces<D> forces_of(const Instant<D>& old, const std::vector<RigidBody<D>>& before, const Instant<D>& now,
-                        const std::vector<RigidBody<D>>& bodies, double dt)
+                        const std::vector<RigidBody<D>>& bodies, const Twist<D>& grid, double tolerance, double dt)
 {
     StepForces<D> forces{trapezium<D>(old.force, now.force, dt), {}};
-    forces.missing = missing_impulses(before, old, bodies, now, forces.mean, dt);
+    forces.missing = missing_impulses(before, old, bodies, now, forces.mean, grid, tolerance, dt);
     return forces;
 }
 
@@ -265,19 +326,20 @@ private:
 /// Mean of the fluid's force on every body: what the bodies' own momenta get.
 template <int D>
 std::vector<Twist<D>> fluid_wrenches(const Model<D>& model, const Instant<D>& old, const Instant<D>& now,
-                                     const StepForces<D>& forces, const std::vector<RigidBody<D>>& bodies, double dt)
+                                     const StepForces<D>& forces, const std::vector<RigidBody<D>>& bodies, double time,
+                                     double dt)
 {
-    std::vector<Twist<D>> wrenches;
+    std::vector<Twist<D>> wrenches = wrenches_from_beyond(model, now.placed->coupling, time);
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        wrenches.push_back(buoyancy(model, bodies[b]) +
-                           (forces.mean[b] + forces.missing[b] - (now.impulse[b] - old.impulse[b])) / dt);
+        wrenches[b] +=
+            buoyancy(model, bodies[b]) + (forces.mean[b] + forces.missing[b] - (now.impulse[b] - old.impulse[b])) / dt;
     return wrenches;
 }
 
 } // namespace
 
 template <int D>
-Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& step, State<D>& state, StepReport& report,
+Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, State<D>& state, StepReport& report,
                    StageTimers& timers)
 {
     const auto timed = [&](const char* stage, auto&& f) {
@@ -286,10 +348,13 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     };
     const std::vector<RigidBody<D>> before = state.bodies;
     state.bodies = timed("bodies", [&] { return moved(std::move(state.bodies), step); });
+    follow(model, state, step);
     timed("contact", [&] { find_contacts(model, state, step); });
     const std::vector<TwistMatrix<D>> mass = model.masses(state.bodies, step.dt);
     Instant<D> now;
     now.stream = old.stream;
+    now.followed = old.followed;
+    now.flow.sides = given_sides(model, step.landing);
     now.placed = timed("complex", [&] { return placed(model, state.bodies, mass, !old.flow.remainder.empty()); });
     if (old.flow.remainder.empty()) // else their energies would not know it
         now.displaced = timed("forces", [&] { return displaced(model, state.bodies, *now.placed); });
@@ -298,6 +363,7 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt), none};
     const TurnedRemainder<D> turned = timed("vorticity", [&] { return TurnedRemainder<D>(old, *now.placed, step.dt); });
     const ContactSet<D> contacts = state.contacts;
+    const Twist<D> grid = stream_twist<D>(model.grid_velocity);
     double last = std::numeric_limits<double>::infinity();
     state.forces_settle = true;
     int left = passes_of_work; // of a step whose forces do not settle
@@ -305,22 +371,26 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
         state.contacts = contacts;
         state.pressure.impulse = {CellField<D>(model.grid), {}};
         now.flow.remainder = timed("vorticity", [&] { return turned.find(pass > 1 ? &now.flow : nullptr); });
-        Projected<D> end = project(model, now.placed->coupling,
-                                   intermediate(model, old, *now.placed, now.flow.remainder, forced, forces, state, step.dt),
-                                   mass, step, state, report, timers);
+        Projected<D> end =
+            project(model, now.placed->coupling,
+                    intermediate(model, old, *now.placed, now.flow.remainder, now.flow.sides, forced, forces, state, step.dt),
+                    mass, step, state, report, timers);
         now.flow.twists = std::move(end.twists);
         now.flow.p = std::move(end.impulse);
         leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
-        now.flow.twists = moved_by<D>(std::move(now.flow.twists), -stream_twist<D>(now.stream));
+        now.flow.twists = moved_by<D>(without_sliding(model, std::move(now.flow.twists)), -stream_twist<D>(now.stream));
         settle_weak_rows(*now.placed, now.flow);
         timed("forces", [&] { find_forces(now); });
         if (!state.forces_settle) {
             if (--left == 0)
                 break;
-            forces.missing = timed("forces", [&] { return missing_impulses(before, old, state.bodies, now, none, step.dt); });
+            forces.missing = timed("forces", [&] {
+                return missing_impulses(before, old, state.bodies, now, none, grid, model.scene.tolerance, step.dt);
+            });
             continue;
         }
-        StepForces<D> next = timed("forces", [&] { return forces_of(old, before, now, state.bodies, step.dt); });
+        StepForces<D> next =
+            timed("forces", [&] { return forces_of(old, before, now, state.bodies, grid, model.scene.tolerance, step.dt); });
         const auto change = [&](std::size_t b) {
             return Twist<D>(next.mean[b] + next.missing[b] - forces.mean[b] - forces.missing[b]);
         };
@@ -349,9 +419,9 @@ Instant<D> advance(const Model<D>& model, const Instant<D>& old, const Step& ste
     state.time = step.landing;
     state.steps = step.number;
     finish_bodies(model, moved_by<D>(now.flow.twists, stream_twist<D>(now.stream)), step, state);
-    state.wrenches = fluid_wrenches(model, old, now, forces, state.bodies, step.dt);
+    state.wrenches = fluid_wrenches(model, old, now, forces, state.bodies, step.start + 0.5 * step.dt, step.dt);
     FluidVelocity<D> velocity = face_velocities(now);
-    state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, step.dt);
+    state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, model.grid_velocity, step.dt);
     state.velocity = std::move(velocity);
     if (!now.flow.remainder.empty()) {
         timed("vorticity", [&] { renew_gauge(*now.placed, now.flow, solver_options(model.scene)); });
@@ -369,8 +439,9 @@ Instant<D> restored(const Model<D>& model, const State<D>& state)
         require_one_rank(model);
     Instant<D> instant = instant_of<D>(
         model, state.bodies, placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty()),
-        {moved_by<D>(model.twists(state.bodies), stream_twist<D>(-to_vec<D>(model.scene.fluid_velocity))), state.potential, 0,
-         state.remainder});
+        {moved_by<D>(without_sliding(model, model.twists(state.bodies)),
+                     stream_twist<D>(-to_vec<D>(model.scene.fluid_velocity))),
+         state.potential, 0, state.remainder, given_sides(model, state.time)});
     if (!state.forces_settle) {
         instant.displaced.clear();
         find_forces(instant);
@@ -379,7 +450,7 @@ Instant<D> restored(const Model<D>& model, const State<D>& state)
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template Instant<D> advance<D>(const Model<D>&, const Instant<D>&, const Step&, State<D>&, StepReport&, StageTimers&);     \
+    template Instant<D> advance<D>(Model<D>&, const Instant<D>&, const Step&, State<D>&, StepReport&, StageTimers&);           \
     template Instant<D> restored<D>(const Model<D>&, const State<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

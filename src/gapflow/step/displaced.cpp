@@ -7,6 +7,7 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/sharing.hpp"
 #include "gapflow/step/matching.hpp"
+#include "gapflow/stepping/following.hpp"
 #include "gapflow/stepping/standoff.hpp"
 
 #include <algorithm>
@@ -393,11 +394,27 @@ std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<Rig
                 less_width[solid] = std::max(less_width[solid], -arm.thickness);
     model.grid.comm().max(has_mouth);
     model.grid.comm().max(less_width);
+    const FollowedBody<D> followed = followed_body(model);
+    const auto is_free = [&](int solid) {
+        return solid < static_cast<int>(bodies.size()) && bodies[solid].motion == Motion::free;
+    };
+    const bool given_mouth =
+        model.grid.comm().any(std::any_of(at.complex.mouths.begin(), at.complex.mouths.end(), [&](const auto& mouth) {
+            return std::any_of(mouth.solid.begin(), mouth.solid.end(),
+                               [&](int solid) { return solid >= 0 && !is_free(solid); });
+        }));
+    // A body with which the grid goes along the axis, displaced with it: all others are the other way. Where their forces are known, it has the reactions.
+    const auto with_grid = [&](int solid, int component) {
+        return solid == followed.body && component < D && followed.axes[component];
+    };
     const auto terms = [&](int solid, int component, double way) {
         std::vector<RigidBody<D>> there = bodies;
         RigidBody<D>& body = there[solid];
         const Vec<D> centre = body.centre();
-        if (component < D)
+        if (with_grid(solid, component)) {
+            for (int b = 0; b < static_cast<int>(there.size()); ++b)
+                there[b].pose.position[component] -= b == solid ? 0.0 : way;
+        } else if (component < D)
             body.pose.position[component] += way;
         else {
             Spin<D> angle = Spin<D>::Zero();
@@ -414,13 +431,16 @@ std::vector<Displaced<D>> displaced(const Model<D>& model, const std::vector<Rig
     };
     std::vector<Displaced<D>> result;
     for (int solid = 0; solid < static_cast<int>(bodies.size()); ++solid) {
-        if (!(has_mouth[solid] > 0))
+        if (!(has_mouth[solid] > 0) && !(given_mouth && solid == followed.body && is_free(solid)))
             continue;
         const double radius = std::max(bounding_radius(world_bounds(at.coupling.solids[solid].shape)), dx);
         for (int component = 0; component < twist_size<D>; ++component)
-            if (at.coupling.solids[solid].admissible.col(component).norm() > 0) {
+            if (at.coupling.solids[solid].admissible.col(component).norm() > 0 &&
+                (with_grid(solid, component) ? given_mouth : has_mouth[solid] > 0)) {
+                const double less =
+                    with_grid(solid, component) ? *std::max_element(less_width.begin(), less_width.end()) : less_width[solid];
                 // In places of the complex: else their rounding would be a part of the difference.
-                const double units = std::max(1.0, std::round(small_way * -less_width[solid] / place_unit)),
+                const double units = std::max(1.0, std::round(small_way * -less / place_unit)),
                              length = units * place_unit * dx, way = component < D ? length : length / radius;
                 result.push_back({solid, component, 2 * way, terms(solid, component, -way), terms(solid, component, way)});
             }

@@ -3,6 +3,8 @@
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/sharing.hpp"
 #include "gapflow/coupling/fluid_rows.hpp"
+#include "gapflow/grid/side_faces.hpp"
+#include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/matching.hpp"
 #include "gapflow/step/remainder.hpp"
 
@@ -21,7 +23,7 @@ public:
                    const PotentialFlow<D>& flow_after, const Twist<D>& stream)
         : grid_(*before.coupling.grid), V_{&flow_before.twists, &flow_after.twists}, place_{&before, &after},
           cells_{{{flow_before.p.cells, flow_before.p.cells}, {flow_after.p.cells, flow_after.p.cells}}},
-          together_(static_cast<int>(V_[0]->size()))
+          sides_{flow_before.sides, flow_after.sides}, together_(static_cast<int>(V_[0]->size()))
     {
         for (int solid = 0; solid < static_cast<int>(V_[0]->size()); ++solid) {
             double square = 0;
@@ -44,6 +46,7 @@ public:
     {
         result_.assign(V_[0]->size(), 0.0);
         add_faces();
+        add_sides();
         for (int place = 0; place < 2; ++place)
             add_lists(place);
         share_out();
@@ -152,6 +155,36 @@ private:
                 if (high)
                     put(grid_.key(grid_.wrapped(f)), low ? 0.5 * value : value);
             });
+    }
+
+    /// Inflow, and what is beyond pressure sides.
+    void add_sides()
+    {
+        for (int side = 0; side < 2 * D; ++side) {
+            const std::array<double, 2> speed{sides_[0].speed[side], sides_[1].speed[side]},
+                impulse{sides_[0].impulse[side], sides_[1].impulse[side]};
+            if (speed == std::array{0.0, 0.0} && impulse == std::array{0.0, 0.0})
+                continue;
+            const double outwards = side % 2 ? 1 : -1, density = place_[0]->coupling.density;
+            const auto energy = [&](const SideRow<D>& row, double a, double b) {
+                const double half = 0.5 * grid_.dx() * grid_.spread(side / 2, row.face[side / 2]);
+                return 0.5 * row.area * (density * half * speed[0] * speed[1] - outwards * (a * speed[1] + b * speed[0])) +
+                       0.5 * row.conductance * (a * impulse[1] + b * impulse[0] - impulse[0] * impulse[1]);
+            };
+            for_each_face_of_side(grid_, side / 2, side % 2, [&](const Index<D>& f) {
+                const SideRow<D> was = row_of_face(*place_[0], side, f), is = row_of_face(*place_[1], side, f);
+                const std::array<const CellField<D>*, 4> p{&cells_[0][0], &cells_[0][1], &cells_[1][0], &cells_[1][1]};
+                if (was.area == is.area && was.conductance == is.conductance && (*p[0])(is.cell) == (*p[2])(is.cell) &&
+                    (*p[1])(is.cell) == (*p[3])(is.cell))
+                    return;
+                put(grid_.key(is.cell),
+                    energy(is, (*p[2])(is.cell), (*p[3])(is.cell)) - energy(was, (*p[0])(is.cell), (*p[1])(is.cell)));
+            });
+            for (int place = 0; place < 2; ++place)
+                for (const SideRow<D>& row : nodes_of_side(*place_[place], side))
+                    put(grid_.key(row.cell),
+                        (place ? 1 : -1) * energy(row, nodes_[place][0][row.node], nodes_[place][1][row.node]));
+        }
     }
 
     /// Nodes, links and walls of one place.
@@ -357,6 +390,7 @@ private:
     std::array<std::array<FaceField<D>, 2>, 2> faces_;    ///< of each place and field: the remainder; empty: none
     std::array<std::vector<double>, 2> edges_;            ///< of each place: the same
     std::array<std::vector<long>, 2> cell_of_node_;       ///< of each place: keys
+    std::array<GivenSides<D>, 2> sides_;                  ///< of each field
     std::vector<double> weight_;                          ///< of each solid: square of its speed
     std::map<long, double> change_;                       ///< of each cell
     std::vector<double> result_;

@@ -1,5 +1,6 @@
 #include "gapflow/step/instant.hpp"
 
+#include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/remainder.hpp"
 
 #include <algorithm>
@@ -36,7 +37,15 @@ Circulation<D> in_cells(const Placed<D>& at, const Remainder<D>& remainder)
     return result;
 }
 
-/// On open faces.
+template <int D>
+bool is_inflow(const Grid<D>& grid, int axis, const Index<D>& face)
+{
+    const int place = face[axis];
+    return (place == 0 && grid.side(axis, 0) == SideKind::inflow) ||
+           (place == grid.cells()[axis] && grid.side(axis, 1) == SideKind::inflow);
+}
+
+/// On open faces, those of inflow too.
 template <int D>
 void add_stream(const Instant<D>& instant, double factor, FaceField<D>& u)
 {
@@ -44,9 +53,25 @@ void add_stream(const Instant<D>& instant, double factor, FaceField<D>& u)
     for (int axis = 0; axis < D; ++axis)
         if (const double speed = factor * instant.stream[axis]; speed != 0)
             for_each_index<D>(grid.low(), grid.high() + step<D>(axis), [&](const Index<D>& f) {
-                if (instant.placed->coupling.system.conductance(axis, f) > 0)
+                if (instant.placed->coupling.system.conductance(axis, f) > 0 || is_inflow(grid, axis, f))
                     u(axis, f) += speed;
             });
+}
+
+/// A grid that goes with a body: where this and the grid are displaced, T changes as where all other solids are displaced the other way.
+template <int D>
+void take_grid_along(Instant<D>& instant)
+{
+    const auto& [body, axes] = instant.followed;
+    for (int axis = 0; axis < D && body >= 0; ++axis) {
+        const auto of_both = [&](const Displaced<D>& one) { return one.solid == body && one.component == axis; };
+        if (!axes[axis] || std::any_of(instant.displaced.begin(), instant.displaced.end(), of_both))
+            continue;
+        double others = 0;
+        for (int s = 0; s < static_cast<int>(instant.force.size()); ++s)
+            others += s == body ? 0.0 : instant.force[s][axis];
+        instant.force[body][axis] = -others;
+    }
 }
 
 } // namespace
@@ -59,10 +84,16 @@ void find_forces(Instant<D>& instant)
     instant.impulse = fluid_impulse(at, instant.flow);
     const bool rotational = !instant.flow.remainder.empty();
     const Circulation<D> circulation = rotational ? in_cells(at, instant.flow.remainder) : Circulation<D>{};
-    instant.force = energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs,
-                                         not_replaced(instant.displaced, V.size()), rotational ? &circulation : nullptr);
+    instant.force =
+        energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs,
+                             instant.followed.body >= 0 ? std::vector<char>{} : not_replaced(instant.displaced, V.size()),
+                             rotational ? &circulation : nullptr);
+    const std::vector<Twist<D>> of_sides = forces_of_sides(at, instant.flow);
+    for (std::size_t s = 0; s < V.size(); ++s)
+        instant.force[s] += of_sides[s];
     replace_forces(instant.displaced, instant.flow, instant.force);
-    instant.energy = rotational ? energy_of_remainder(at, instant.flow) : 0;
+    take_grid_along(instant);
+    instant.energy = (rotational ? energy_of_remainder(at, instant.flow) : 0) + energy_of_sides(at, instant.flow);
     for (std::size_t s = 0; s < V.size(); ++s) {
         instant.energy += 0.5 * V[s].dot(instant.impulse[s]);
         if constexpr (D == 3) {
@@ -80,6 +111,7 @@ Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bo
     if (flow.remainder.empty()) // else their energies would not know it
         aside = displaced(model, bodies, *placed);
     Instant<D> instant{std::move(placed), std::move(aside), to_vec<D>(model.scene.fluid_velocity), std::move(flow), {}, {}};
+    instant.followed = followed_body(model);
     find_forces(instant);
     return instant;
 }
@@ -92,6 +124,7 @@ FluidVelocity<D> face_velocities(const Instant<D>& instant)
     UnknownVector<D> p = instant.flow.p;
     subtract_gradient(instant.placed->coupling, p, u);
     add_stream(instant, 1, u.grid);
+    add_side_velocities(*instant.placed, instant.flow.sides, instant.stream, u.grid);
     return u;
 }
 
@@ -105,6 +138,8 @@ UnknownVector<D> net_outflow(const Instant<D>& instant, const FluidVelocity<D>& 
     FluidVelocity<D> relative{velocity.grid, {}, {}, {}};
     add_stream(instant, -1, relative.grid);
     outflow(coupling, relative, instant.flow.twists, rest);
+    if (instant.flow.sides.any())
+        rest.nodes += outflow_of_sides(*instant.placed, instant.flow.sides).nodes;
     if (!instant.flow.remainder.empty()) {
         const UnknownVector<D> edges = outflow_of_edges(*instant.placed, instant.flow.remainder);
         for (long i = 0; i < rest.cells.size(); ++i)

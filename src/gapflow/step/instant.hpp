@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/step/displaced.hpp"
+#include "gapflow/stepping/following.hpp"
 
 #include <memory>
 #include <vector>
@@ -19,7 +20,8 @@ struct Instant {
     /// Rate of that impulse at constant impulses of the bodies themselves: dT/dx at fixed twists and, in 3D, omega x the angular impulse (the axes of
     /// twists do not turn with the body).
     std::vector<Twist<D>> force;
-    double energy = 0; ///< T
+    double energy = 0;          ///< T
+    FollowedBody<D> followed{}; ///< its force is that of T as a function of its place and, with it, the grid's
 };
 
 /// The fluid's uniform velocity, as a twist.

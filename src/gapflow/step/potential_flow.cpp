@@ -4,6 +4,7 @@
 #include "gapflow/core/sharing.hpp"
 #include "gapflow/coupling/fluid_rows.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
+#include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/remainder.hpp"
 
 #include <algorithm>
@@ -40,6 +41,14 @@ void require(const SolveReport& solve)
     if (!solve.converged)
         throw ComputationError("the pressure solve did not converge: " + solve.message + " (" +
                                std::to_string(solve.iterations) + " iterations)");
+}
+
+template <int D>
+void add(const UnknownVector<D>& v, UnknownVector<D>& to)
+{
+    for (long i = 0; i < v.cells.size(); ++i)
+        to.cells.data()[i] += v.cells.data()[i];
+    to.nodes += v.nodes;
 }
 
 template <int D>
@@ -103,16 +112,27 @@ SolverOptions solver_options(const Scene& scene)
 }
 
 template <int D>
+std::vector<Twist<D>> without_sliding(const Model<D>& model, std::vector<Twist<D>> twists)
+{
+    const std::vector<Twist<D>>& walls = model.walls.twists;
+    for (std::size_t w = 0; w < walls.size(); ++w)
+        twists[twists.size() - walls.size() + w] -= walls[w];
+    return twists;
+}
+
+template <int D>
 PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,
-                                Remainder<D> remainder)
+                                Remainder<D> remainder, const GivenSides<D>& sides)
 {
     const Coupling<D> given = with_given_twists(at.coupling);
     UnknownVector<D> rhs = remainder.empty() ? zero(given) : outflow_of_remainder(at, remainder);
     add_flux(
         given, twists, [](int) { return true; }, rhs);
     given.grid->comm().sum(std::span<double>(rhs.nodes.data(), rhs.nodes.size()));
+    if (sides.any())
+        add(outflow_of_sides(at, sides), rhs);
     scale(rhs, -1);
-    PotentialFlow<D> flow{std::move(twists), zero(given), 0, std::move(remainder)};
+    PotentialFlow<D> flow{std::move(twists), zero(given), 0, std::move(remainder), sides};
     const SolveReport solve = CoupledSolver<D>(given.system, options).solve(flow.p, rhs);
     require<D>(solve);
     flow.iterations = solve.iterations;
@@ -161,11 +181,14 @@ void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow)
         add(L.row(entry.row), entry.flux.dot(flow.twists[entry.body]));
     for (const auto& entry : coupling.node_flux)
         add(L.row(entry.row), entry.flux.dot(flow.twists[entry.body]));
-    if (!flow.remainder.empty()) {
-        const UnknownVector<D> outflow = outflow_of_remainder(at, flow.remainder);
+    const auto leave = [&](const UnknownVector<D>& outflow) {
         for (WeakRow& row : rows)
             row.flux += L.is_cell(row.row) ? outflow.cells(L.cell(row.row)) : outflow.nodes[L.node(row.row)];
-    }
+    };
+    if (!flow.remainder.empty())
+        leave(outflow_of_remainder(at, flow.remainder));
+    if (flow.sides.any())
+        leave(outflow_of_sides(at, flow.sides));
     std::vector<std::pair<long, double>> entries; // row by row
     for (WeakRow& row : rows) {
         const std::size_t before = entries.size();
@@ -262,7 +285,9 @@ std::vector<Twist<D>> fluid_impulse(const Placed<D>& at, const PotentialFlow<D>&
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template PotentialFlow<D> flow_of_twists<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&, Remainder<D>);  \
+    template PotentialFlow<D> flow_of_twists<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&, Remainder<D>,   \
+                                                const GivenSides<D>&);                                                         \
+    template std::vector<Twist<D>> without_sliding<D>(const Model<D>&, std::vector<Twist<D>>);                                 \
     template UnknownVector<D> flux_of_twists<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                             \
     template void settle_weak_rows<D>(const Placed<D>&, PotentialFlow<D>&);                                                    \
     template std::vector<Twist<D>> impulses_of_given<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                     \

@@ -6,9 +6,20 @@
 #include "gapflow/step/placed.hpp"
 #include "gapflow/stepping/state.hpp"
 
+#include <array>
 #include <vector>
 
 namespace gapflow {
+
+/// What is given at the sides of the domain at an instant.
+template <int D>
+struct GivenSides {
+    std::array<double, 2 * D> speed{}; ///< of inflow along the side's axis, relative to the stream
+    std::array<double, 2 * D>
+        impulse{}; ///< time integral of the reduced pressure beyond a pressure side since the start: p there
+
+    bool any() const { return speed != GivenSides().speed || impulse != GivenSides().impulse; }
+};
 
 template <int D>
 struct PotentialFlow {
@@ -16,15 +27,20 @@ struct PotentialFlow {
     UnknownVector<D> p; ///< density times the potential, negative; velocities are those of the remainder - grad p / density
     int iterations = 0;
     Remainder<D> remainder;
+    GivenSides<D> sides{};
 };
 
 /// Of a scene. Its keys "solver".
 SolverOptions solver_options(const Scene& scene);
 
-/// That of given twists, and of what the remainder asks for. Collective.
+/// Twists of all solids as ideal fluid sees them: walls that slide in their plane do nothing to it.
+template <int D>
+std::vector<Twist<D>> without_sliding(const Model<D>& model, std::vector<Twist<D>> twists);
+
+/// That of given twists, and of what the remainder and the sides ask for. Collective.
 template <int D>
 PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,
-                                Remainder<D> remainder = {});
+                                Remainder<D> remainder = {}, const GivenSides<D>& sides = {});
 
 /// K V of all solids, in this rank's cells and in all nodes. Collective.
 template <int D>

@@ -5,9 +5,9 @@
 namespace gapflow {
 namespace {
 
-/// Mean square of the velocity in a cell: of the means over the two faces along each axis, those that are open.
+/// Mean square of the velocity in a cell, seen from a frame: of the means over the two faces along each axis, those that are open.
 template <int D>
-double square_of_speed(const CoupledSystem<D>& system, const FaceField<D>& u, const Index<D>& c)
+double square_of_speed(const CoupledSystem<D>& system, const FaceField<D>& u, const Index<D>& c, const Vec<D>& frame)
 {
     double sum = 0;
     for (int axis = 0; axis < D; ++axis) {
@@ -15,7 +15,7 @@ double square_of_speed(const CoupledSystem<D>& system, const FaceField<D>& u, co
         int open = 0;
         for (int end = 0; end < 2; ++end)
             if (const Index<D> f = c + end * step<D>(axis); system.conductance(axis, f) > 0) {
-                squares += u(axis, f) * u(axis, f);
+                squares += (u(axis, f) - frame[axis]) * (u(axis, f) - frame[axis]);
                 ++open;
             }
         if (open > 0)
@@ -28,7 +28,7 @@ double square_of_speed(const CoupledSystem<D>& system, const FaceField<D>& u, co
 
 template <int D>
 UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& velocity_before, const Instant<D>& after,
-                                  const FaceField<D>& velocity_after, double dt)
+                                  const FaceField<D>& velocity_after, const Vec<D>& grid_velocity, double dt)
 {
     const Coupling<D>&old = before.placed->coupling, &here = after.placed->coupling;
     const Grid<D>& grid = *here.grid;
@@ -38,9 +38,9 @@ UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& 
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         if (!has(here, c) || !has(old, c))
             return;
-        const double square =
-            0.5 * (square_of_speed(old.system, velocity_before, c) + square_of_speed(here.system, velocity_after, c)) -
-            after.stream.squaredNorm();
+        const double square = 0.5 * (square_of_speed(old.system, velocity_before, c, grid_velocity) +
+                                     square_of_speed(here.system, velocity_after, c, grid_velocity)) -
+                              (after.stream - grid_velocity).squaredNorm();
         impulse.cells(c) = after.flow.p.cells(c) - before.flow.p.cells(c) - 0.5 * dt * here.density * square;
         known(c) = 1;
     });
@@ -80,8 +80,8 @@ UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& 
 }
 
 template UnknownVector<2> pressure_impulse<2>(const Instant<2>&, const FaceField<2>&, const Instant<2>&, const FaceField<2>&,
-                                              double);
+                                              const Vec<2>&, double);
 template UnknownVector<3> pressure_impulse<3>(const Instant<3>&, const FaceField<3>&, const Instant<3>&, const FaceField<3>&,
-                                              double);
+                                              const Vec<3>&, double);
 
 } // namespace gapflow

@@ -53,6 +53,14 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm,
 {
     if (!scene.parts)
         throw InputError(scene.file + ": gap.model: a velocity of the fluid at the start needs \"parts\"; write that");
+    if (scene.follow)
+        throw InputError(scene.file +
+                         ": domain.follow: a velocity of the fluid at the start needs a grid that stays; leave it out");
+    for (int side = 0; side < 2 * D; ++side)
+        if (scene.sides[side].kind == SideScene::Kind::inflow || scene.sides[side].kind == SideScene::Kind::pressure)
+            throw InputError(
+                scene.file + ": domain.sides." + side_names[side] +
+                ": a velocity of the fluid at the start needs sides that are walls, open, far or periodic; write one of these");
     const Grid<D>& grid = model_.grid;
     FaceField<D> faces(grid);
     for (int axis = 0; axis < D; ++axis)

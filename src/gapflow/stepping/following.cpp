@@ -4,15 +4,20 @@
 
 namespace gapflow {
 
-namespace {
-
 template <int D>
-std::size_t followed(const Model<D>& model)
+FollowedBody<D> followed_body(const Model<D>& model)
 {
+    FollowedBody<D> followed;
+    if (!model.scene.follow)
+        return followed;
     const auto found = std::find_if(model.bodies.begin(), model.bodies.end(),
                                     [&](const RigidBody<D>& body) { return body.name == model.scene.follow->body; });
-    return static_cast<std::size_t>(found - model.bodies.begin());
+    followed.body = static_cast<int>(found - model.bodies.begin());
+    std::copy_n(model.scene.follow->axes.begin(), D, followed.axes.begin());
+    return followed;
 }
+
+namespace {
 
 // The components along the axes that the grid follows.
 template <int D>
@@ -30,7 +35,7 @@ Vec<D> expected_grid_velocity(const Model<D>& model, const std::vector<RigidBody
 {
     if (!model.scene.follow)
         return Vec<D>::Zero();
-    const RigidBody<D>& body = bodies[followed(model)];
+    const RigidBody<D>& body = bodies[followed_body(model).body];
     return body.motion == Motion::fixed ? Vec<D>(Vec<D>::Zero()) : along_axes<D>(model, body.twist.template head<D>());
 }
 
@@ -39,7 +44,7 @@ void follow(Model<D>& model, State<D>& state, const Step& step)
 {
     if (!model.scene.follow)
         return;
-    const std::size_t b = followed(model);
+    const int b = followed_body(model).body;
     const Vec<D> by = along_axes<D>(model, state.bodies[b].pose.position - model.bodies[b].pose.position);
     place_grid<D>(model, by, (by - state.grid_shift) / step.dt, state);
 }
@@ -55,6 +60,7 @@ void place_grid(Model<D>& model, const Vec<D>& by, const Vec<D>& velocity, State
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template FollowedBody<D> followed_body<D>(const Model<D>&);                                                                \
     template Vec<D> expected_grid_velocity<D>(const Model<D>&, const std::vector<RigidBody<D>>&);                              \
     template void follow<D>(Model<D>&, State<D>&, const Step&);                                                                \
     template void place_grid<D>(Model<D>&, const Vec<D>&, const Vec<D>&, State<D>&);

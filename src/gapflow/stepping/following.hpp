@@ -4,7 +4,18 @@
 #include "gapflow/stepping/state.hpp"
 #include "gapflow/stepping/step.hpp"
 
+#include <array>
+
 namespace gapflow {
+
+/// The body with which the grid goes.
+template <int D>
+struct FollowedBody {
+    int body = -1;              ///< -1: none, the grid stays
+    std::array<bool, D> axes{}; ///< along which it goes
+};
+template <int D>
+FollowedBody<D> followed_body(const Model<D>& model);
 
 /// Velocity of the grid if it went with its body as that moves now; 0 of a grid that stays.
 template <int D>

@@ -5,6 +5,7 @@
 #include "gapflow/coupling/film_drag.hpp"
 #include "gapflow/coupling/fluid_parts.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
+#include "gapflow/solver/vectors.hpp"
 #include "gapflow/stepping/flooding.hpp"
 
 #include <algorithm>
@@ -111,6 +112,7 @@ void Projection<D>::assemble(bool voids_changed, bool links_changed)
         for (long i = 0; i < rhs_.cells.size(); ++i)
             rhs_.cells.data()[i] += beside.cells.data()[i];
         rhs_.nodes += beside.nodes;
+        squares_ += dot(*coupling.grid, beside, beside);
     }
     enter_gauge(coupling, without_pressure_, rhs_);
     for (long i = 0; i < rhs_.cells.size(); ++i)

@@ -429,6 +429,29 @@ TEST(StepRanks, BodiesInAGradedPlane)
     expect_one_run<2>(scene_of(graded + sides(2, "far"), middle), 3);
 }
 
+const std::string inflow = "[domain.sides]\nx_low = { inflow = [0.4, 0] }\nx_high = \"open\"\n";
+const std::string pressures = "[domain.sides]\nx_low = { pressure = 0.7 }\nx_high = { pressure = 0.1 }\n";
+// Through both sides, with gaps there.
+const std::string in_sides =
+    "[[body]]\nname = \"a\"\nshape = \"ball\"\nradius = 0.11\nposition = [0.03, 0.41]\ndensity = 2\nvelocity = [0.5, 0.2]\n"
+    "[[body]]\nname = \"b\"\nshape = \"ball\"\nradius = 0.1\nposition = [0.04, 0.628]\ndensity = 0.5\n"
+    "[[body]]\nname = \"plate\"\nshape = \"box\"\nsize = [0.4, 0.02]\nposition = [0.9, 0.511]\nrotation = 0.3\n"
+    "density = 2\nangular_velocity = 1\n";
+
+TEST(StepRanks, BodiesInAChannel)
+{
+    for (const std::string& ends : {inflow, pressures}) {
+        expect_one_run<2>(scene_of(plane + ends, mixture), 2);
+        expect_one_run<2>(scene_of(still_plane + ends, in_sides), 3);
+    }
+}
+
+TEST(StepRanks, AGridThatFollows)
+{
+    expect_one_run<2>(scene_of(still_plane + "follow = \"plate\"\n" + sides(2, "far"), mixture), 3);
+    expect_one_run<2>(scene_of(graded + "follow = \"plate\"\n" + sides(2, "far"), middle), 3);
+}
+
 // On the same number of ranks to the last bit.
 template <int D>
 void expect_same_bits(const Scene& scene)
@@ -453,6 +476,8 @@ TEST(StepRanks, GoOnBitForBit)
     expect_same_bits<2>(scene_of(plane, landing));
     expect_same_bits<2>(scene_of(still_plane + "[domain.sides]\nx_low = \"periodic\"\nx_high = \"periodic\"\n", landing));
     expect_same_bits<2>(scene_of(graded + sides(2, "far"), middle));
+    expect_same_bits<2>(scene_of(plane + inflow, landing));
+    expect_same_bits<2>(scene_of(graded + "follow = \"b\"\n" + sides(2, "far"), middle));
     expect_same_bits<3>(scene_of(space + sides(3, "open"), space_balls));
 }
 

@@ -171,7 +171,7 @@ void check_impulse()
     capsule.length = 5.0 * scene.spacing();
     capsule.angular_velocity = {D == 2 ? 3.0 : 1.0, 2.0, -1.5};
     scene.bodies = {capsule};
-    const Model<D> model(scene, Communicator(), Task::motion);
+    Model<D> model(scene, Communicator(), Task::motion);
     State<D> state(model);
     StepReport report;
     StageTimers timers;
