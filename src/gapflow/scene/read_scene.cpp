@@ -184,9 +184,6 @@ void check_parts(const Values& v, Purpose purpose, const Scene& scene)
                      "this version runs gap.model = \"parts\" with a velocity along axes without walls, and domain.sides." +
                          side_names[side] + " is one",
                      "make both sides there periodic, far or open, or write gap.model = \"film\"");
-    if (scene.pressure_gradient || scene.mean_velocity)
-        v.refuse(scene.pressure_gradient ? "fluid.pressure_gradient" : "fluid.mean_velocity",
-                 "this version runs gap.model = \"parts\" in fluid that is at rest without bodies", remedy);
     if (scene.vapour_pressure)
         v.refuse("fluid.vapour_pressure", "this version runs gap.model = \"parts\" without cavitation", remedy);
     for (int side = 0; side < 2 * scene.dimension; ++side) {

@@ -4,8 +4,10 @@
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/energy_change.hpp"
 #include "gapflow/step/given_sides.hpp"
+#include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/pressure.hpp"
 #include "gapflow/step/remainder.hpp"
+#include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/following.hpp"
 #include "gapflow/stepping/force_parts.hpp"
 #include "gapflow/stepping/motion.hpp"
@@ -63,6 +65,16 @@ Twist<D> twist_of_way(const RigidBody<D>& from, const RigidBody<D>& to, double d
     return way / dt;
 }
 
+/// Of the fluid and of free bodies.
+template <int D>
+double energy_of(const Instant<D>& at, const std::vector<RigidBody<D>>& bodies)
+{
+    double energy = at.energy;
+    for (const RigidBody<D>& body : bodies)
+        energy += body.motion == Motion::free ? kinetic_energy(body) : 0.0;
+    return energy;
+}
+
 /// Its components along the axes that the grid follows.
 template <int D>
 Twist<D> along_grid(const FollowedBody<D>& followed, const Twist<D>& twist)
@@ -82,8 +94,9 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
                                        const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,
                                        const std::vector<Twist<D>>& mean, const Twist<D>& grid, double tolerance, double dt)
 {
-    const Twist<D> stream = stream_twist<D>(before.stream); // bodies move over the grid with their whole velocities
-    EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow, Twist<D>(stream - grid));
+    const Twist<D> stream = stream_twist<D>(before.stream), end_stream = stream_twist<D>(after.stream);
+    EnergyChange change = energy_change(*before.placed, before.flow, *after.placed, after.flow,
+                                        Twist<D>(stream - grid)); // bodies move over the grid with their whole velocities
     std::vector<double> square(change.work.size(), 0.0);
     std::vector<Twist<D>> impulse(mean.size(), Twist<D>::Zero());
     const FollowedBody<D>& followed = before.followed;
@@ -91,12 +104,11 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
     double energy = 0; // of the whole motion, which may be large where little goes over the grid
     if (followed.body >= 0) {
         const int b = followed.body;
-        lead = along_grid(followed, Twist<D>(0.5 * (before.flow.twists[b] + after.flow.twists[b]) + stream));
+        lead = along_grid(followed,
+                          Twist<D>(0.5 * (before.flow.twists[b] + after.flow.twists[b]) + stream)); // which does not change
         for (const Twist<D>& one : mean)
             mean_of_all += one;
-        energy = before.energy;
-        for (const RigidBody<D>& body : bodies_before)
-            energy += body.motion == Motion::free ? kinetic_energy(body) : 0.0;
+        energy = energy_of(before, bodies_before);
     }
     const bool takes_reactions = followed.body >= 0 && bodies[followed.body].motion == Motion::free;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -104,7 +116,7 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
         if (group < 0)
             continue;
         const bool leads = static_cast<int>(b) == followed.body;
-        const Twist<D> V = before.flow.twists[b] + stream, next = after.flow.twists[b] + stream;
+        const Twist<D> V = before.flow.twists[b] + stream, next = after.flow.twists[b] + end_stream;
         const Twist<D> of_grid = leads ? along_grid(followed, V) : lead,
                        next_of_grid = leads ? along_grid(followed, next) : lead;
         const Twist<D> start = V - of_grid, end = next - next_of_grid, middle = 0.5 * (V + next) - lead;
@@ -139,7 +151,7 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
 
 /// Twists before the fluid acts, with all impulses but its pressure's.
 template <int D>
-Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const Placed<D>& there,
+Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const Placed<D>& there, const Vec<D>& end_stream,
                              const Remainder<D>& remainder, const GivenSides<D>& sides, const std::vector<Twist<D>>& forced,
                              const StepForces<D>& forces, const State<D>& state, double dt)
 {
@@ -160,8 +172,8 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
         }
         star.outflow = std::move(outflow);
     };
-    if (!old.stream.isZero(0)) { // the system is that of the whole motion, the flow that of what is relative to the stream
-        const Twist<D> stream = stream_twist<D>(old.stream);
+    if (!end_stream.isZero(0)) { // the system is that of the whole motion, the flow that of what is relative to the stream
+        const Twist<D> stream = stream_twist<D>(end_stream);
         const std::vector<Twist<D>> rest(given.size(), Twist<D>::Zero());
         star.outflow = flux_of_twists(there.coupling, moved_by<D>(rest, -stream));
         add(impulses_of_outflow(there.coupling, star.outflow), 1);
@@ -326,14 +338,58 @@ private:
 /// Mean of the fluid's force on every body: what the bodies' own momenta get.
 template <int D>
 std::vector<Twist<D>> fluid_wrenches(const Model<D>& model, const Instant<D>& old, const Instant<D>& now,
-                                     const StepForces<D>& forces, const std::vector<RigidBody<D>>& bodies, double time,
-                                     double dt)
+                                     const StepForces<D>& forces, const std::vector<RigidBody<D>>& bodies,
+                                     const Drive<D>& drive, double time, double dt)
 {
     std::vector<Twist<D>> wrenches = wrenches_from_beyond(model, now.placed->coupling, time);
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        wrenches[b] +=
-            buoyancy(model, bodies[b]) + (forces.mean[b] + forces.missing[b] - (now.impulse[b] - old.impulse[b])) / dt;
+        wrenches[b] += buoyancy(model, bodies[b]) + driving_wrench(bodies[b], drive) +
+                       (forces.mean[b] + forces.missing[b] - (now.impulse[b] - old.impulse[b])) / dt;
     return wrenches;
+}
+
+/// The instant of the step's end, its flow not known yet.
+template <int D>
+Instant<D> at_new_places(const Model<D>& model, const Instant<D>& old, const std::vector<RigidBody<D>>& bodies,
+                         const std::vector<TwistMatrix<D>>& mass, const Step& step, StageTimers& timers)
+{
+    Instant<D> now;
+    now.followed = old.followed;
+    now.flow.sides = given_sides(model, step.landing);
+    const bool rotational = !old.flow.remainder.empty();
+    {
+        const auto timer = timers.measure("complex");
+        now.placed = placed(model, bodies, mass, rotational);
+    }
+    const auto timer = timers.measure("forces");
+    if (!rotational) // else their energies would not know it
+        now.displaced = displaced(model, bodies, *now.placed);
+    return now;
+}
+
+/// The flow of the step's end that the impulses of `forces` and of all others make, and its own forces.
+template <int D>
+void find_flow(const Model<D>& model, const Instant<D>& old, const std::vector<Twist<D>>& forced, const StepForces<D>& forces,
+               const std::vector<TwistMatrix<D>>& mass, const Step& step, Instant<D>& now, State<D>& state, StepReport& report,
+               StageTimers& timers)
+{
+    Projected<D> end = project(
+        model, now.placed->coupling,
+        intermediate(model, old, *now.placed, now.stream, now.flow.remainder, now.flow.sides, forced, forces, state, step.dt),
+        mass, step, state, report, timers);
+    now.flow.twists = std::move(end.twists);
+    now.flow.p = std::move(end.impulse);
+    leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
+    now.flow.twists = moved_by<D>(without_sliding(model, std::move(now.flow.twists)), -stream_twist<D>(now.stream));
+    settle_weak_rows(*now.placed, now.flow);
+    const auto timer = timers.measure("forces");
+    find_forces(now);
+}
+
+/// Share of the energy that the work of a pass may miss.
+double may_miss(int pass)
+{
+    return pass == most_passes ? most_missed : pass > 1 ? energy_accuracy : 0.0;
 }
 
 } // namespace
@@ -351,14 +407,8 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     follow(model, state, step);
     timed("contact", [&] { find_contacts(model, state, step); });
     const std::vector<TwistMatrix<D>> mass = model.masses(state.bodies, step.dt);
-    Instant<D> now;
-    now.stream = old.stream;
-    now.followed = old.followed;
-    now.flow.sides = given_sides(model, step.landing);
-    now.placed = timed("complex", [&] { return placed(model, state.bodies, mass, !old.flow.remainder.empty()); });
-    if (old.flow.remainder.empty()) // else their energies would not know it
-        now.displaced = timed("forces", [&] { return displaced(model, state.bodies, *now.placed); });
-    const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
+    Instant<D> now = at_new_places(model, old, state.bodies, mass, step, timers);
+    MeanFlow<D> mean_flow(model, old, step.dt);
     const std::vector<Twist<D>> none(old.force.size(), Twist<D>::Zero());
     StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt), none};
     const TurnedRemainder<D> turned = timed("vorticity", [&] { return TurnedRemainder<D>(old, *now.placed, step.dt); });
@@ -371,16 +421,11 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
         state.contacts = contacts;
         state.pressure.impulse = {CellField<D>(model.grid), {}};
         now.flow.remainder = timed("vorticity", [&] { return turned.find(pass > 1 ? &now.flow : nullptr); });
-        Projected<D> end =
-            project(model, now.placed->coupling,
-                    intermediate(model, old, *now.placed, now.flow.remainder, now.flow.sides, forced, forces, state, step.dt),
-                    mass, step, state, report, timers);
-        now.flow.twists = std::move(end.twists);
-        now.flow.p = std::move(end.impulse);
-        leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
-        now.flow.twists = moved_by<D>(without_sliding(model, std::move(now.flow.twists)), -stream_twist<D>(now.stream));
-        settle_weak_rows(*now.placed, now.flow);
-        timed("forces", [&] { find_forces(now); });
+        state.drive = mean_flow.drive(state.drive);
+        now.stream = state.drive.flow;
+        const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
+        find_flow(model, old, forced, forces, mass, step, now, state, report, timers);
+        const bool is_kept = mean_flow.found(now, state.bodies);
         if (!state.forces_settle) {
             if (--left == 0)
                 break;
@@ -394,15 +439,10 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
         const auto change = [&](std::size_t b) {
             return Twist<D>(next.mean[b] + next.missing[b] - forces.mean[b] - forces.missing[b]);
         };
-        double energy = now.energy;
-        for (const RigidBody<D>& body : before)
-            energy += body.motion == Motion::free ? kinetic_energy(body) : 0.0;
-        const double missed = work_of(change, state.bodies, old, now).magnitude +
+        const double energy = energy_of(now, before),
+                     missed = work_of(change, state.bodies, old, now).magnitude +
                               timed("vorticity", [&] { return std::abs(turned.work(now.flow)); });
-        if ((pass > 1 || now.flow.remainder.empty()) && missed <= (pass == most_passes ? most_missed
-                                                                   : pass > 1          ? energy_accuracy
-                                                                                       : 0.0) *
-                                                                      energy)
+        if ((pass > 1 || now.flow.remainder.empty()) && (is_kept || pass == most_passes) && missed <= may_miss(pass) * energy)
             break;
         state.forces_settle = pass < most_passes && !(pass > 1 && missed > std::max(last, energy));
         if (!state.forces_settle) {
@@ -419,7 +459,7 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     state.time = step.landing;
     state.steps = step.number;
     finish_bodies(model, moved_by<D>(now.flow.twists, stream_twist<D>(now.stream)), step, state);
-    state.wrenches = fluid_wrenches(model, old, now, forces, state.bodies, step.start + 0.5 * step.dt, step.dt);
+    state.wrenches = fluid_wrenches(model, old, now, forces, state.bodies, state.drive, step.start + 0.5 * step.dt, step.dt);
     FluidVelocity<D> velocity = face_velocities(now);
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, model.grid_velocity, step.dt);
     state.velocity = std::move(velocity);
@@ -437,11 +477,12 @@ Instant<D> restored(const Model<D>& model, const State<D>& state)
 {
     if (!state.remainder.empty())
         require_one_rank(model);
+    const Vec<D> stream = model.driven() ? state.drive.flow : to_vec<D>(model.scene.fluid_velocity);
     Instant<D> instant = instant_of<D>(
         model, state.bodies, placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty()),
-        {moved_by<D>(without_sliding(model, model.twists(state.bodies)),
-                     stream_twist<D>(-to_vec<D>(model.scene.fluid_velocity))),
-         state.potential, 0, state.remainder, given_sides(model, state.time)});
+        {moved_by<D>(without_sliding(model, model.twists(state.bodies)), stream_twist<D>(-stream)), state.potential, 0,
+         state.remainder, given_sides(model, state.time)},
+        stream);
     if (!state.forces_settle) {
         instant.displaced.clear();
         find_forces(instant);

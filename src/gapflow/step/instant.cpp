@@ -105,12 +105,12 @@ void find_forces(Instant<D>& instant)
 
 template <int D>
 Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, std::unique_ptr<Placed<D>> placed,
-                      PotentialFlow<D> flow)
+                      PotentialFlow<D> flow, const Vec<D>& stream)
 {
     std::vector<Displaced<D>> aside;
     if (flow.remainder.empty()) // else their energies would not know it
         aside = displaced(model, bodies, *placed);
-    Instant<D> instant{std::move(placed), std::move(aside), to_vec<D>(model.scene.fluid_velocity), std::move(flow), {}, {}};
+    Instant<D> instant{std::move(placed), std::move(aside), stream, std::move(flow), {}, {}};
     instant.followed = followed_body(model);
     find_forces(instant);
     return instant;
@@ -186,7 +186,7 @@ double largest_divergence(const Instant<D>& instant, const FluidVelocity<D>& vel
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void find_forces<D>(Instant<D>&);                                                                                 \
     template Instant<D> instant_of<D>(const Model<D>&, const std::vector<RigidBody<D>>&, std::unique_ptr<Placed<D>>,           \
-                                      PotentialFlow<D>);                                                                       \
+                                      PotentialFlow<D>, const Vec<D>&);                                                        \
     template FluidVelocity<D> face_velocities<D>(const Instant<D>&);                                                           \
     template double largest_divergence<D>(const Instant<D>&, const FluidVelocity<D>&);                                         \
     template UnknownVector<D> net_outflow<D>(const Instant<D>&, const FluidVelocity<D>&);

@@ -13,8 +13,8 @@ template <int D>
 struct Instant {
     std::unique_ptr<Placed<D>> placed;
     std::vector<Displaced<D>> displaced; ///< for the forces of solids with mouths
-    Vec<D> stream =
-        Vec<D>::Zero(); ///< uniform velocity of the fluid (fluid.velocity): all that follows is of the motion relative to it
+    Vec<D> stream = Vec<D>::
+        Zero(); ///< uniform velocity of the fluid (fluid.velocity, and what drives it): all that follows is of the motion relative to it
     PotentialFlow<D> flow;
     std::vector<Twist<D>> impulse; ///< dT/dV of the fluid's energy T, of every solid
     /// Rate of that impulse at constant impulses of the bodies themselves: dT/dx at fixed twists and, in 3D, omega x the angular impulse (the axes of
@@ -42,10 +42,10 @@ std::vector<Twist<D>> moved_by(std::vector<Twist<D>> twists, const Twist<D>& by)
     return twists;
 }
 
-/// Of bodies and their flow, relative to the scene's stream. Collective.
+/// Of bodies and their flow, relative to a stream. Collective.
 template <int D>
 Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, std::unique_ptr<Placed<D>> placed,
-                      PotentialFlow<D> flow);
+                      PotentialFlow<D> flow, const Vec<D>& stream = Vec<D>::Zero());
 /// Impulse, force and energy after the flow has changed. Collective.
 template <int D>
 void find_forces(Instant<D>& instant);

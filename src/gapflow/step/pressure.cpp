@@ -38,9 +38,10 @@ UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& 
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         if (!has(here, c) || !has(old, c))
             return;
-        const double square = 0.5 * (square_of_speed(old.system, velocity_before, c, grid_velocity) +
-                                     square_of_speed(here.system, velocity_after, c, grid_velocity)) -
-                              (after.stream - grid_velocity).squaredNorm();
+        const double square =
+            0.5 * (square_of_speed(old.system, velocity_before, c, grid_velocity) +
+                   square_of_speed(here.system, velocity_after, c, grid_velocity)) -
+            0.5 * ((before.stream - grid_velocity).squaredNorm() + (after.stream - grid_velocity).squaredNorm());
         impulse.cells(c) = after.flow.p.cells(c) - before.flow.p.cells(c) - 0.5 * dt * here.density * square;
         known(c) = 1;
     });

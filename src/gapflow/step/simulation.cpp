@@ -3,6 +3,7 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/text.hpp"
 #include "gapflow/step/advance.hpp"
+#include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/start.hpp"
 #include "gapflow/stepping/configuration.hpp"
 #include "gapflow/stepping/drive.hpp"
@@ -56,6 +57,11 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm,
     if (scene.follow)
         throw InputError(scene.file +
                          ": domain.follow: a velocity of the fluid at the start needs a grid that stays; leave it out");
+    if (model_.driven())
+        throw InputError(
+            scene.file +
+            ": fluid: a velocity of the fluid at the start needs a box in which nothing drives the mean flow; leave out "
+            "fluid.pressure_gradient, fluid.mean_velocity and gravity along periodic axes");
     for (int side = 0; side < 2 * D; ++side)
         if (scene.sides[side].kind == SideScene::Kind::inflow || scene.sides[side].kind == SideScene::Kind::pressure)
             throw InputError(
@@ -294,6 +300,12 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
                 relative.twist -= stream_twist<D>(instant_->stream);
                 report.energy_bodies += kinetic_energy(relative) - kinetic_energy(body);
             }
+        if (model_.driven()) {
+            const Vec<D> flow = mean_velocity(model_, *instant_, state_.bodies);
+            double* const flows[] = {&report.mean_velocity_x, &report.mean_velocity_y, &report.mean_velocity_z};
+            for (int axis = 0; axis < D; ++axis)
+                *flows[axis] = flow[axis];
+        }
         report.divergence_max = largest_divergence(*instant_, state_.velocity);
         corrected_.sum += report.corrected_energy;
         corrected_.magnitude += std::abs(report.corrected_energy);

@@ -18,11 +18,6 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
                           const FaceField<D>* initial)
 {
     require_weight(model.scene, state.bodies);
-    if (model.driven())
-        throw InputError(
-            model.scene.file +
-            ": gap.model: bodies that are heavier or lighter than the fluid fall along a periodic axis, and this version "
-            "does not keep the mean velocity with \"parts\"; close an axis, or write gap.model = \"film\"");
     for (std::string& warning : placement_warnings<D>(model.scene, state.bodies, model.walls))
         report.notes.push_back(std::move(warning));
     for (std::string& note : take_out_overlaps<D>(model.scene, model.grid, state.bodies, model.walls))
@@ -54,7 +49,8 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
         flow.p = p;
         ++report.solves;
     }
-    Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow));
+    state.drive.flow = to_vec<D>(model.scene.fluid_velocity);
+    Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), state.drive.flow);
     state.velocity = face_velocities(instant);
     state.potential = instant.flow.p;
     state.remainder = instant.flow.remainder;

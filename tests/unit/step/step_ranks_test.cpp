@@ -446,6 +446,11 @@ TEST(StepRanks, BodiesInAChannel)
     }
 }
 
+TEST(StepRanks, BodiesFallAlongPeriodicAxes)
+{
+    expect_one_run<2>(scene_of(plane + sides(2, "periodic"), mixture), 3);
+}
+
 TEST(StepRanks, AGridThatFollows)
 {
     expect_one_run<2>(scene_of(still_plane + "follow = \"plate\"\n" + sides(2, "far"), mixture), 3);
