@@ -20,6 +20,19 @@ Vec<D> mean_velocity(const Model<D>& model, const Instant<D>& now, const std::ve
 }
 
 template <int D>
+double energy_of_stream(const Model<D>& model, const Instant<D>& now, const std::vector<RigidBody<D>>& bodies)
+{
+    if (!model.driven())
+        return 0;
+    double volume = model.grid.size().prod(), sum = 0;
+    for (const RigidBody<D>& body : bodies)
+        volume -= body.volume;
+    for (const Twist<D>& impulse : now.impulse)
+        sum += now.stream.dot(impulse.template head<D>());
+    return sum + 0.5 * model.scene.density * volume * now.stream.squaredNorm();
+}
+
+template <int D>
 MeanFlow<D>::MeanFlow(const Model<D>& model, const Instant<D>& old, double dt) : model_(model), start_(old.stream), dt_(dt)
 {
     for (int axis = 0; axis < D; ++axis) {
@@ -70,6 +83,8 @@ bool MeanFlow<D>::found(const Instant<D>& now, const std::vector<RigidBody<D>>& 
 
 template Vec<2> mean_velocity<2>(const Model<2>&, const Instant<2>&, const std::vector<RigidBody<2>>&);
 template Vec<3> mean_velocity<3>(const Model<3>&, const Instant<3>&, const std::vector<RigidBody<3>>&);
+template double energy_of_stream<2>(const Model<2>&, const Instant<2>&, const std::vector<RigidBody<2>>&);
+template double energy_of_stream<3>(const Model<3>&, const Instant<3>&, const std::vector<RigidBody<3>>&);
 template class MeanFlow<2>;
 template class MeanFlow<3>;
 

@@ -13,6 +13,10 @@ namespace gapflow {
 template <int D>
 Vec<D> mean_velocity(const Model<D>& model, const Instant<D>& now, const std::vector<RigidBody<D>>& bodies);
 
+/// What the fluid's kinetic energy has more than that of the motion relative to the stream, in a driven box. Collective.
+template <int D>
+double energy_of_stream(const Model<D>& model, const Instant<D>& now, const std::vector<RigidBody<D>>& bodies);
+
 /// The stream of a step's passes, which Drive::flow of a state on parts is. The potential's jump over a period is the stream's times the period, and only the mean gradient G of the pressure changes it: dU/dt = -G/rho. Where the
 /// mean velocity of fluid and solids is kept, G is what keeps it.
 template <int D>

@@ -293,9 +293,9 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
 {
     report_state(model_, coupling(), state_, V, report);
     if (instant_) {
-        report.energy_fluid = instant_->energy;
+        report.energy_fluid = instant_->energy + energy_of_stream(model_, *instant_, state_.bodies);
         for (const RigidBody<D>& body : state_.bodies) // of the motion relative to the stream
-            if (body.motion == Motion::free && !instant_->stream.isZero(0)) {
+            if (body.motion == Motion::free && !instant_->stream.isZero(0) && !model_.driven()) {
                 RigidBody<D> relative = body;
                 relative.twist -= stream_twist<D>(instant_->stream);
                 report.energy_bodies += kinetic_energy(relative) - kinetic_energy(body);
@@ -383,7 +383,7 @@ Budget<D> Simulation<D>::budget() const
 {
     Budget<D> sums = gapflow::budget(model_, coupling(), state_, model_.twists(state_.bodies));
     if (instant_)
-        sums.energy_grid = instant_->energy;
+        sums.energy_grid = instant_->energy + energy_of_stream(model_, *instant_, state_.bodies);
     return sums;
 }
 

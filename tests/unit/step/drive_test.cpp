@@ -49,6 +49,7 @@ void check_acceleration()
     for (int k = 0; k < 3; ++k) {
         simulation.step(100);
         const Twist<D>& V = simulation.bodies()[0].twist;
+        EXPECT_NEAR(simulation.budget().energy_grid, V[0] * V[0] * (1 - volume), 1e-9);
         const double u = 0.1 + 0.3 * simulation.time();
         EXPECT_NEAR(V[0], u, 1e-9);
         EXPECT_LT(V.template tail<twist_size<D> - 1>().norm(), 1e-8);
@@ -108,15 +109,25 @@ TEST(Drive, TheMeanVelocityIsKept)
             scene.mean_velocity = Triple{0, kept, 0};
         scene.max_step = 0.01;
         Simulation<2> simulation(scene, Communicator());
+        StepReport last;
         for (int k = 0; k < 3; ++k) {
             const double before = heavier_momentum(simulation), t = simulation.time();
-            const StepReport report = simulation.step(100);
+            const StepReport report = last = simulation.step(100);
             EXPECT_NEAR(report.mean_velocity_y, kept, 1e-9);
             double weight = 0;
             for (const RigidBody<2>& body : simulation.bodies())
                 weight -= body.mass - 2 * body.volume;
             EXPECT_NEAR((heavier_momentum(simulation) - before) / (simulation.time() - t), weight - report.pressure_gradient_y,
                         1e-3 * std::abs(weight));
+        }
+        double work = 0;
+        for (std::size_t b = 0; b < 2; ++b) {
+            const RigidBody<2>& body = simulation.bodies()[b];
+            work += (body.mass - 2 * body.volume) * (scene.bodies[b].position[1] - body.centre()[1]);
+        }
+        const StepReport& first = simulation.initial_report();
+        if (kept == 0) {
+            EXPECT_NEAR(last.energy_fluid + last.energy_bodies - first.energy_fluid - first.energy_bodies, work, 2e-3 * work);
         }
         EXPECT_LT(simulation.bodies()[0].twist[1], kept - 0.005);
         EXPECT_GT(simulation.bodies()[1].twist[1], kept + 0.005);
