@@ -158,8 +158,7 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
     Intermediate<D> star;
     star.velocity.grid = remainder.empty() ? FaceField<D>(model.grid) : remainder.faces;
     star.twists = star.forced = forced;
-    const std::vector<Twist<D>> seen = without_sliding(model, forced);
-    std::vector<Twist<D>> given = impulses_of_given(there.coupling, seen);
+    std::vector<Twist<D>> given = impulses_of_given(there.coupling, forced);
     const auto add = [&](const std::vector<Twist<D>>& impulse, double factor) {
         for (std::size_t b = 0; b < given.size(); ++b)
             given[b] += factor * impulse[b];
@@ -179,12 +178,6 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
         add(impulses_of_outflow(there.coupling, star.outflow), 1);
         const UnknownVector<D> none{CellField<D>(model.grid), Eigen::VectorXd::Zero(there.coupling.system.nodes)};
         add(fluid_impulse(there, PotentialFlow<D>{moved_by<D>(rest, stream), none, 0, {}}), 1);
-    }
-    if (seen != forced) {
-        std::vector<Twist<D>> slide = seen; // back
-        for (std::size_t s = 0; s < slide.size(); ++s)
-            slide[s] -= forced[s];
-        join(flux_of_twists(there.coupling, slide));
     }
     if (!remainder.empty()) {
         add(impulses_of_outflow(there.coupling, outflow_of_remainder(there, remainder)), 1);
@@ -380,7 +373,7 @@ void find_flow(const Model<D>& model, const Instant<D>& old, const std::vector<T
     now.flow.twists = std::move(end.twists);
     now.flow.p = std::move(end.impulse);
     leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
-    now.flow.twists = moved_by<D>(without_sliding(model, std::move(now.flow.twists)), -stream_twist<D>(now.stream));
+    now.flow.twists = moved_by<D>(std::move(now.flow.twists), -stream_twist<D>(now.stream));
     settle_weak_rows(*now.placed, now.flow);
     const auto timer = timers.measure("forces");
     find_forces(now);
@@ -480,8 +473,8 @@ Instant<D> restored(const Model<D>& model, const State<D>& state)
     const Vec<D> stream = model.driven() ? state.drive.flow : to_vec<D>(model.scene.fluid_velocity);
     Instant<D> instant = instant_of<D>(
         model, state.bodies, placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty()),
-        {moved_by<D>(without_sliding(model, model.twists(state.bodies)), stream_twist<D>(-stream)), state.potential, 0,
-         state.remainder, given_sides(model, state.time)},
+        {moved_by<D>(model.twists(state.bodies), stream_twist<D>(-stream)), state.potential, 0, state.remainder,
+         given_sides(model, state.time)},
         stream);
     if (!state.forces_settle) {
         instant.displaced.clear();

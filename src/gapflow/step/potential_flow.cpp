@@ -112,15 +112,6 @@ SolverOptions solver_options(const Scene& scene)
 }
 
 template <int D>
-std::vector<Twist<D>> without_sliding(const Model<D>& model, std::vector<Twist<D>> twists)
-{
-    const std::vector<Twist<D>>& walls = model.walls.twists;
-    for (std::size_t w = 0; w < walls.size(); ++w)
-        twists[twists.size() - walls.size() + w] -= walls[w];
-    return twists;
-}
-
-template <int D>
 PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,
                                 Remainder<D> remainder, const GivenSides<D>& sides)
 {
@@ -287,7 +278,6 @@ std::vector<Twist<D>> fluid_impulse(const Placed<D>& at, const PotentialFlow<D>&
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template PotentialFlow<D> flow_of_twists<D>(const Placed<D>&, std::vector<Twist<D>>, const SolverOptions&, Remainder<D>,   \
                                                 const GivenSides<D>&);                                                         \
-    template std::vector<Twist<D>> without_sliding<D>(const Model<D>&, std::vector<Twist<D>>);                                 \
     template UnknownVector<D> flux_of_twists<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                             \
     template void settle_weak_rows<D>(const Placed<D>&, PotentialFlow<D>&);                                                    \
     template std::vector<Twist<D>> impulses_of_given<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                     \

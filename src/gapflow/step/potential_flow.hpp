@@ -33,10 +33,6 @@ struct PotentialFlow {
 /// Of a scene. Its keys "solver".
 SolverOptions solver_options(const Scene& scene);
 
-/// Twists of all solids as ideal fluid sees them: walls that slide in their plane do nothing to it.
-template <int D>
-std::vector<Twist<D>> without_sliding(const Model<D>& model, std::vector<Twist<D>> twists);
-
 /// That of given twists, and of what the remainder and the sides ask for. Collective.
 template <int D>
 PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options,

@@ -32,10 +32,9 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
     const auto timer = timers.measure("solve");
     if (initial)
         require_one_rank(model);
-    PotentialFlow<D> flow = flow_of_twists(*at,
-                                           moved_by<D>(without_sliding(model, model.twists(state.bodies)),
-                                                       stream_twist<D>(-to_vec<D>(model.scene.fluid_velocity))),
-                                           solver_options(model.scene), {}, given_sides(model, 0.0));
+    PotentialFlow<D> flow =
+        flow_of_twists(*at, moved_by<D>(model.twists(state.bodies), stream_twist<D>(-to_vec<D>(model.scene.fluid_velocity))),
+                       solver_options(model.scene), {}, given_sides(model, 0.0));
     report.iterations = flow.iterations;
     report.solves = 1;
     if (initial) {
