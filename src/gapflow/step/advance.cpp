@@ -86,9 +86,9 @@ Twist<D> along_grid(const FollowedBody<D>& followed, const Twist<D>& twist)
 }
 
 /// Impulses of the free bodies that do the work which the trapezium of the forces, `mean`, misses of 1/2 V (N' - N) V': in each group of bodies in proportion to their own
-/// momenta M V_m, V_m the mean twist. Where bodies turn back within the step, so that their energy at V_m is small, no larger than at half their speeds. Where the grid goes
-/// with a body, `grid` its velocity, V_m is that over the grid, and this body takes the reactions.
-/// What goes over the grid with less energy than the solver's `tolerance` leaves of the whole is let alone.
+/// momenta M V_m, V_m the mean twist. Where bodies turn back within the step, so that their energy at V_m is small, no larger than at half their speeds.
+/// Where the grid goes with a body, `grid` its velocity, V_m is that over the grid, and this body takes the reactions. What goes over the grid with less
+/// energy than the solver's `tolerance` leaves of the whole is let alone.
 template <int D>
 std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_before, const Instant<D>& before,
                                        const std::vector<RigidBody<D>>& bodies, const Instant<D>& after,

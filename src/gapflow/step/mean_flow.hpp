@@ -9,7 +9,7 @@
 
 namespace gapflow {
 
-/// Mean velocity of fluid and solids over the domain: with the stream as much momentum as the relative motion has, in fluid alone, over the mass of the domain full of fluid. Collective.
+/// Mean velocity of fluid and solids over the domain. Collective.
 template <int D>
 Vec<D> mean_velocity(const Model<D>& model, const Instant<D>& now, const std::vector<RigidBody<D>>& bodies);
 
@@ -17,8 +17,8 @@ Vec<D> mean_velocity(const Model<D>& model, const Instant<D>& now, const std::ve
 template <int D>
 double energy_of_stream(const Model<D>& model, const Instant<D>& now, const std::vector<RigidBody<D>>& bodies);
 
-/// The stream of a step's passes, which Drive::flow of a state on parts is. The potential's jump over a period is the stream's times the period, and only the mean gradient G of the pressure changes it: dU/dt = -G/rho. Where the
-/// mean velocity of fluid and solids is kept, G is what keeps it.
+/// The stream of a step's passes; Drive::flow of a state on parts. The potential's jump over a period is the stream's times the period, and only the mean
+/// gradient G of the pressure changes it: dU/dt = -G/rho. Where the mean velocity of fluid and solids is kept, G is what keeps it.
 template <int D>
 class MeanFlow {
 public:
