@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -226,50 +227,49 @@ Work work_of(const Impulse& impulse, const std::vector<RigidBody<D>>& bodies, co
     return work;
 }
 
-/// The remainder at the new places, turned by the vorticity that the mean flux of the step's ends carries along.
+/// The remainder at the new places, turned by the vorticity that fluid and solids carry along in the step, with the mean of both ends' flux and twists.
 template <int D>
 class TurnedRemainder {
 public:
-    TurnedRemainder(const Instant<D>& old, const Placed<D>& there, double dt) : there_(there), dt_(dt)
+    TurnedRemainder(const Instant<D>& old, const Placed<D>& there, double dt) : old_(old), there_(there), dt_(dt)
     {
         if (old.flow.remainder.empty())
             return;
-        carried_ = carried(*old.placed, old.flow.remainder, there);
         flux_ = face_fluxes(*old.placed, old.flow);
-        open_ = open_areas(there);
-        mean(open_, open_areas(*old.placed));
+        FaceField<D> open = open_areas(there);
+        mean(open, open_areas(*old.placed));
+        carriers_.emplace(there, std::move(open));
     }
 
     /// `end`: the flow at the step's end; null: not known yet. In sub-steps of one cell (classical Runge-Kutta).
     Remainder<D> find(const PotentialFlow<D>* end) const
     {
-        Remainder<D> turned = carried_;
-        if (turned.empty())
-            return turned;
+        if (!carriers_)
+            return {};
         const FaceField<D> flux = end ? mean_flux(*end) : flux_;
+        const std::vector<Twist<D>> twists = end ? mean_twists(*end) : old_.flow.twists;
+        FaceField<D> w = old_.flow.remainder.faces;
         const int steps = std::max(1, static_cast<int>(std::ceil(courant(flux))));
         const double dt = dt_ / steps;
         for (int k = 0; k < steps; ++k) {
-            const FaceField<D> start = turned.faces;
-            const auto rate = [&](const FaceField<D>& at) { return vortex_impulse(there_, open_, flux, at, dt); };
-            const auto ahead = [&](double share, const FaceField<D>& change) {
+            const FaceField<D> start = w;
+            FaceField<D> rate;
+            for (const auto& [way, weight] :
+                 {std::pair(0.0, 1.0 / 6), std::pair(0.5, 1.0 / 3), std::pair(0.5, 1.0 / 3), std::pair(1.0, 1.0 / 6)}) {
                 FaceField<D> at = start;
-                add(at, share, change);
-                return at;
-            };
-            const FaceField<D> first = rate(start), second = rate(ahead(0.5, first)), third = rate(ahead(0.5, second)),
-                               fourth = rate(ahead(1, third));
-            for (const auto& [share, change] : {std::pair(1.0 / 6, &first), std::pair(1.0 / 3, &second),
-                                                std::pair(1.0 / 3, &third), std::pair(1.0 / 6, &fourth)})
-                add(turned.faces, share, *change);
+                if (way > 0)
+                    add(at, way, rate);
+                rate = vortex_impulse(*carriers_, flux, twists, at, dt);
+                add(w, weight, rate);
+            }
         }
-        return turned;
+        return remainder_of(there_, std::move(w));
     }
 
     /// Work of the turning by the mean flux of both ends, none where this flux is that by which it was found.
     double work(const PotentialFlow<D>& end) const
     {
-        if (carried_.empty())
+        if (!carriers_)
             return 0;
         const Coupling<D>& coupling = there_.coupling;
         const Grid<D>& grid = *coupling.grid;
@@ -277,10 +277,14 @@ public:
         double sum = 0;
         for (int axis = 0; axis < D; ++axis)
             for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-                sum += grid.spread(axis, f[axis]) * flux(axis, f) * (end.remainder.faces(axis, f) - carried_.faces(axis, f));
+                sum += grid.spread(axis, f[axis]) * flux(axis, f) *
+                       (end.remainder.faces(axis, f) - old_.flow.remainder.faces(axis, f));
             });
         return coupling.density * grid.face_area() * grid.dx() * grid.comm().sum(sum);
     }
+
+    /// What the solids carry, smoothed.
+    void spread(FaceField<D>& velocity) const { spread_in_solids(*carriers_, velocity); }
 
 private:
     FaceField<D> mean_flux(const PotentialFlow<D>& end) const
@@ -289,17 +293,25 @@ private:
         mean(flux, face_fluxes(there_, end));
         return flux;
     }
+    std::vector<Twist<D>> mean_twists(const PotentialFlow<D>& end) const
+    {
+        std::vector<Twist<D>> twists;
+        for (std::size_t s = 0; s < end.twists.size(); ++s)
+            twists.push_back(0.5 * (old_.flow.twists[s] + end.twists[s]));
+        return twists;
+    }
 
     /// Cells that the fluid passes in the step, the sum over the axes of the most along each.
     double courant(const FaceField<D>& flux) const
     {
         const Grid<D>& grid = *there_.coupling.grid;
+        const FaceField<D>& open = carriers_->open();
         double sum = 0;
         for (int axis = 0; axis < D; ++axis) {
             double most = 0;
             for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-                if (open_(axis, f) > 0)
-                    most = std::max(most, std::abs(flux(axis, f)) / (open_(axis, f) * grid.spread(axis, f[axis])));
+                if (open(axis, f) > 0)
+                    most = std::max(most, std::abs(flux(axis, f)) / (open(axis, f) * grid.spread(axis, f[axis])));
             });
             sum += grid.comm().max(most);
         }
@@ -321,11 +333,11 @@ private:
                 a[axis].data()[i] = 0.5 * (a[axis].data()[i] + b[axis].data()[i]);
     }
 
+    const Instant<D>& old_;
     const Placed<D>& there_;
     double dt_;
-    Remainder<D> carried_;
     FaceField<D> flux_; ///< before the step
-    FaceField<D> open_; ///< mean of both ends
+    std::optional<VorticityCarriers<D>> carriers_;
 };
 
 /// Mean of the fluid's force on every body: what the bodies' own momenta get.
@@ -457,7 +469,10 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, model.grid_velocity, step.dt);
     state.velocity = std::move(velocity);
     if (!now.flow.remainder.empty()) {
-        timed("vorticity", [&] { renew_gauge(*now.placed, now.flow, solver_options(model.scene)); });
+        timed("vorticity", [&] {
+            turned.spread(now.flow.remainder.faces);
+            renew_gauge(*now.placed, now.flow, solver_options(model.scene));
+        });
         timed("forces", [&] { find_forces(now); });
     }
     state.potential = now.flow.p;
@@ -470,12 +485,15 @@ Instant<D> restored(const Model<D>& model, const State<D>& state)
 {
     if (!state.remainder.empty())
         require_one_rank(model);
-    const Vec<D> stream = model.driven() ? state.drive.flow : to_vec<D>(model.scene.fluid_velocity);
-    Instant<D> instant = instant_of<D>(
-        model, state.bodies, placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty()),
-        {moved_by<D>(model.twists(state.bodies), stream_twist<D>(-stream)), state.potential, 0, state.remainder,
-         given_sides(model, state.time)},
-        stream);
+    auto at = placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty());
+    const Vec<D> stream = model.driven()              ? state.drive.flow
+                          : state.remainder.empty() ? to_vec<D>(model.scene.fluid_velocity)
+                                                      : Vec<D>(Vec<D>::Zero());
+    PotentialFlow<D> flow{
+        moved_by<D>(model.twists(state.bodies), stream_twist<D>(-stream)), state.potential, 0, {}, given_sides(model, state.time)};
+    if (!state.remainder.empty())
+        flow.remainder = remainder_of(*at, state.remainder.faces);
+    Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), stream);
     if (!state.forces_settle) {
         instant.displaced.clear();
         find_forces(instant);

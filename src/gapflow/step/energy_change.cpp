@@ -98,28 +98,12 @@ private:
         take_from_owners(own.coupling.system, nodes_[place][from]);
     }
 
-    /// The same of the remainders. That of edges does not change, that of faces by v x omega, which does no work, and where another part becomes the largest of
-    /// its cell: the flux's work on that is no body's.
+    /// The same of the remainders, which belong to the grid.
     void fill(const PotentialFlow<D>& before, const PotentialFlow<D>& after)
     {
-        const FaceField<D>&first = before.remainder.faces, &last = after.remainder.faces;
-        const Remainder<D> there = carried(*place_[0], before.remainder, *place_[1]);
-        const std::array<FaceField<D>, 2> flux{face_fluxes(*place_[0], before), face_fluxes(*place_[1], after)};
-        edges_ = {before.remainder.edges, after.remainder.edges};
-        faces_[0] = {first, first};
-        faces_[1] = {there.faces, last};
-        for (int axis = 0; axis < D; ++axis)
-            for_each_index<D>(grid_.low(), owned_faces_end(grid_, axis), [&](const Index<D>& f) {
-                if (!(place_[0]->coupling.system.conductance(axis, f) > 0 &&
-                      place_[1]->coupling.system.conductance(axis, f) > 0))
-                    return;
-                faces_[0][1](axis, f) = last(axis, f);
-                faces_[1][0](axis, f) = first(axis, f);
-                const double given = there.faces(axis, f) - first(axis, f);
-                put(grid_.key(grid_.wrapped(f)), -0.5 * grid_.face_area() * (flux[0](axis, f) + flux[1](axis, f)) *
-                                                     place_[0]->coupling.density * grid_.dx() * grid_.spread(axis, f[axis]) *
-                                                     given);
-            });
+        faces_ = {before.remainder.faces, after.remainder.faces};
+        edges_[0] = {before.remainder.edges, remainder_of(*place_[0], faces_[1]).edges};
+        edges_[1] = {remainder_of(*place_[1], faces_[0]).edges, after.remainder.edges};
     }
 
     void put(long cell, double value)
@@ -143,7 +127,7 @@ private:
                     const auto drop = [&](int field) {
                         const CellField<D>& p = cells_[place][field];
                         const double difference = (high ? p(f) : 0.0) - (low ? p(below) : 0.0);
-                        return rotational() ? difference - momentum(place, field, axis, f) : difference;
+                        return rotational() ? difference - momentum(field, axis, f) : difference;
                     };
                     of[place] = {place_[place]->coupling.system.conductance(axis, f), drop(0), drop(1)};
                 }
@@ -240,11 +224,11 @@ private:
                                                       b[entry.row] * entry.flux.dot((*V_[0])[entry.body])));
     }
 
-    bool rotational() const { return faces_[0][0][0].size() > 0; }
+    bool rotational() const { return faces_[0][0].size() > 0; }
     /// Of a field's remainder along a face.
-    double momentum(int place, int field, int axis, const Index<D>& f) const
+    double momentum(int field, int axis, const Index<D>& f) const
     {
-        return place_[place]->coupling.density * grid_.dx() * grid_.spread(axis, f[axis]) * faces_[place][field](axis, f);
+        return place_[0]->coupling.density * grid_.dx() * grid_.spread(axis, f[axis]) * faces_[field](axis, f);
     }
 
     /// What nodes, links and gaps carry, with circulation.
@@ -256,7 +240,7 @@ private:
         for (std::size_t e = 0; e < list.edges.size(); ++e) {
             double product = list.edges[e].conductance;
             for (int field = 0; field < 2; ++field) {
-                double sum = density * edges_[place][e];
+                double sum = density * edges_[place][field][e];
                 for (const auto& row : list.rows_of(list.edges[e]))
                     sum += row.weight * (row.node >= 0 ? nodes_[place][field][row.node] : cells_[place][field](row.cell));
                 product *= sum;
@@ -266,7 +250,7 @@ private:
         for (const CarriedFlux<D>& flux : list.carried) {
             double sum = 0;
             for (int field = 0; field < 2; ++field)
-                sum += (flux.axis >= 0 ? momentum(place, field, flux.axis, flux.face) : density * edges_[place][flux.edge]) *
+                sum += (flux.axis >= 0 ? momentum(field, flux.axis, flux.face) : density * edges_[place][field][flux.edge]) *
                        flux.flux.dot((*V_[1 - field])[flux.solid]);
             const Index<D> cell = flux.axis >= 0 ? grid_.wrapped(flux.face) : list.rows_of(list.edges[flux.edge])[0].cell;
             put(grid_.key(cell), -0.5 * sign * sum);
@@ -385,14 +369,14 @@ private:
     const Grid<D>& grid_;
     std::array<const std::vector<Twist<D>>*, 2> V_;
     std::array<const Placed<D>*, 2> place_;
-    std::array<std::array<CellField<D>, 2>, 2> cells_;    ///< of each place and field
-    std::array<std::array<Eigen::VectorXd, 2>, 2> nodes_; ///< of each place and field
-    std::array<std::array<FaceField<D>, 2>, 2> faces_;    ///< of each place and field: the remainder; empty: none
-    std::array<std::vector<double>, 2> edges_;            ///< of each place: the same
-    std::array<std::vector<long>, 2> cell_of_node_;       ///< of each place: keys
-    std::array<GivenSides<D>, 2> sides_;                  ///< of each field
-    std::vector<double> weight_;                          ///< of each solid: square of its speed
-    std::map<long, double> change_;                       ///< of each cell
+    std::array<std::array<CellField<D>, 2>, 2> cells_;        ///< of each place and field
+    std::array<std::array<Eigen::VectorXd, 2>, 2> nodes_;     ///< of each place and field
+    std::array<FaceField<D>, 2> faces_;                       ///< of each field: the remainder; empty: none
+    std::array<std::array<std::vector<double>, 2>, 2> edges_; ///< of each place and field: the same
+    std::array<std::vector<long>, 2> cell_of_node_;           ///< of each place: keys
+    std::array<GivenSides<D>, 2> sides_;                      ///< of each field
+    std::vector<double> weight_;                              ///< of each solid: square of its speed
+    std::map<long, double> change_;                           ///< of each cell
     std::vector<double> result_;
     DisjointSets together_; ///< solids that have changes in common
 };

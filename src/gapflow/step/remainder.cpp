@@ -1,12 +1,11 @@
 #include "gapflow/step/remainder.hpp"
 
 #include "gapflow/core/error.hpp"
-#include "gapflow/step/matching.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -29,6 +28,44 @@ double face_length(const Grid<D>& grid, int axis, const Index<D>& f)
     return grid.dx() * grid.spread(axis, f[axis]);
 }
 
+/// Whether a face lies between two cells of the domain.
+template <int D>
+bool is_inner(const Grid<D>& grid, int axis, const Index<D>& f)
+{
+    return grid.in_domain(grid.wrapped(f)) && grid.in_domain(grid.wrapped(Index<D>(f - step<D>(axis))));
+}
+
+/// The line integral along an edge, as a sum over velocities on faces of the grid: f(axis, face, length).
+template <int D, class F>
+void for_each_face_along(const Placed<D>& at, const SparseEdge<D>& edge, const F& f)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    if (edge.link >= 0)
+        return; // both nodes are at the cell's centre
+    if (edge.piece >= 0) {
+        const FacePiece<D>& piece = at.complex.pieces[edge.piece];
+        const Index<D> face = at.complex.index.index(piece.face);
+        f(int(piece.axis), face, face_length(grid, piece.axis, face));
+        return;
+    }
+    const auto rows = at.edges.rows_of(edge);
+    const Index<D> start = rows[0].cell;
+    for (const auto& row : rows) { // along the grid's lines from the first row's cell
+        Index<D> c = start;
+        for (int axis = 0; axis < D; ++axis) {
+            const int cells = grid.cells()[axis];
+            int way = row.cell[axis] - c[axis];
+            if (grid.periodic(axis))
+                way -= cells * static_cast<int>(std::lround(static_cast<double>(way) / cells));
+            for (; way != 0; way -= way > 0 ? 1 : -1) {
+                const Index<D> next = c + (way > 0 ? 1 : -1) * step<D>(axis), face = grid.wrapped(way > 0 ? next : c);
+                f(axis, face, (way > 0 ? -1 : 1) * row.weight * face_length(grid, axis, face));
+                c = next;
+            }
+        }
+    }
+}
+
 /// The remainder's momentum along what carries a flux.
 template <int D>
 double along(const Grid<D>& grid, const CarriedFlux<D>& flux, const Remainder<D>& remainder)
@@ -37,211 +74,44 @@ double along(const Grid<D>& grid, const CarriedFlux<D>& flux, const Remainder<D>
                           : remainder.edges[flux.edge];
 }
 
-/// Of one complex, seen from another one.
+/// Four faces meet at an edge of the grid (2D: a vertex) normal to the axes a and b: those around the low corner of cell v.
 template <int D>
-class EarlierRemainder {
-public:
-    EarlierRemainder(const Placed<D>& before, const Remainder<D>& remainder, const Placed<D>& after)
-        : grid_(*after.coupling.grid), before_(before), remainder_(remainder), after_(after),
-          parts_(matched_parts(grid_, after.complex, before.complex))
-    {
-        const Complex<D>& old = before.complex;
-        for (std::size_t k = 0; k < old.pieces.size(); ++k)
-            if (old.pieces[k].area > 0)
-                pieces_.emplace_back(old.pieces[k].axis, old.pieces[k].face, static_cast<std::int32_t>(k));
-        std::sort(pieces_.begin(), pieces_.end());
-        for (const SparseEdge<D>& edge : before.edges.edges)
-            if (edge.link >= 0 || edge.mouth >= 0)
-                others_.emplace_back(grid_.key(before.edges.rows_of(edge)[0].cell), &edge - before.edges.edges.data());
-        std::sort(others_.begin(), others_.end());
-    }
+struct AroundEdge {
+    std::array<Index<D>, 2> of_a, of_b;
+    AroundEdge(int a, int b, const Index<D>& v) : of_a{Index<D>(v - step<D>(b)), v}, of_b{Index<D>(v - step<D>(a)), v} {}
 
-    /// Velocity on a face between two parts or cells.
-    std::optional<double> velocity(int axis, const Index<D>& f, const PartOrCell& low, const PartOrCell& high) const
+    double curl(const Grid<D>& grid, int a, int b, const FaceField<D>& w) const
     {
-        const PartOrCell from = was(low), to = was(high);
-        if (from.exists() != low.exists() || to.exists() != high.exists())
-            return {};
-        const std::int32_t face = after_.complex.index(after_.complex.index.wrapped(f));
-        bool cut = false;
-        for (auto k = std::lower_bound(pieces_.begin(), pieces_.end(), std::tuple(std::int8_t(axis), face, -1));
-             k != pieces_.end() && std::get<0>(*k) == axis && std::get<1>(*k) == face; ++k) {
-            const FacePiece<D>& piece = before_.complex.pieces[std::get<2>(*k)];
-            cut = true;
-            if (piece.low.code != from.code || piece.high.code != to.code)
-                continue;
-            if (before_.complex.joins_main(piece))
-                return remainder_.faces(axis, f);
-            if (const std::int32_t edge = before_.edges.edge_of_piece[std::get<2>(*k)]; edge >= 0)
-                return remainder_.edges[edge] / face_length(grid_, axis, f);
-        }
-        if (!cut && before_.coupling.system.conductance(axis, f) > 0 && before_.complex.is_main(from) &&
-            before_.complex.is_main(to))
-            return remainder_.faces(axis, f);
-        return {};
+        return (w(a, of_a[0]) - w(a, of_a[1])) / face_length(grid, b, of_b[1]) +
+               (w(b, of_b[1]) - w(b, of_b[0])) / face_length(grid, a, of_a[1]);
     }
-
-    /// Of a link, or a mouth.
-    std::optional<double> along(const SparseEdge<D>& edge) const
+    template <class F>
+    void for_each(int a, int b, const F& f) const
     {
-        const Complex<D>&here = after_.complex, &there = before_.complex;
-        const long key = grid_.key(after_.edges.rows_of(edge)[0].cell);
-        std::optional<double> value;
-        double least = 0;
-        for (auto k = std::lower_bound(others_.begin(), others_.end(), std::pair(key, 0L));
-             k != others_.end() && k->first == key; ++k) {
-            const SparseEdge<D>& old = before_.edges.edges[k->second];
-            if ((old.link >= 0) != (edge.link >= 0))
-                continue;
-            double distance = 0;
-            if (edge.link >= 0) {
-                if (here.links[edge.link].solid != there.links[old.link].solid)
-                    continue;
-                distance = (here.links[edge.link].at - there.links[old.link].at).norm();
-            }
-            if (!value || distance < least) {
-                value = remainder_.edges[k->second];
-                least = distance;
-            }
-        }
-        return value;
+        for (const Index<D>& face : of_a)
+            f(a, face);
+        for (const Index<D>& face : of_b)
+            f(b, face);
     }
-
-private:
-    PartOrCell was(const PartOrCell& side) const
-    {
-        if (!side.exists())
-            return {};
-        if (side.is_cell())
-            return before_.complex.main_of(side.number());
-        const MatchedPart& match = parts_[side.number()];
-        return match.kind == MatchedPart::Kind::other  ? PartOrCell::part(match.part)
-               : match.kind == MatchedPart::Kind::main ? before_.complex.main_of(after_.complex.cell_of(side))
-                                                       : PartOrCell{};
-    }
-
-    const Grid<D>& grid_;
-    const Placed<D>& before_;
-    const Remainder<D>& remainder_;
-    const Placed<D>& after_;
-    std::vector<MatchedPart> parts_;                                          ///< of the later complex
-    std::vector<std::tuple<std::int8_t, std::int32_t, std::int32_t>> pieces_; ///< of the earlier one: axis, face, number
-    std::vector<std::pair<long, long>> others_;                               ///< cell, number of links and mouths
 };
 
-/// Edges of the grid (2D: vertices), normal to two axes, that lie in the fluid with all four faces around them open. The faces are those around the low corner of
-/// cell v.
-template <int D>
-class FreeEdges {
-public:
-    explicit FreeEdges(const Placed<D>& at) : at_(at), open_(open_areas(at)) {}
-
-    bool has(int a, int b, const Index<D>& v)
-    {
-        const Grid<D>& grid = *at_.coupling.grid;
-        double least = 1;
-        for (const auto& [axis, f] :
-             {std::pair(a, v), std::pair(a, Index<D>(v - step<D>(b))), std::pair(b, v), std::pair(b, Index<D>(v - step<D>(a)))})
-            least = std::min(least, open_(axis, f) / grid.relative_area(axis, f));
-        if (!(least > 0))
-            return false;
-        if (least >= 1)
-            return true;
-        Vec<D> x;
-        for (int axis = 0; axis < D; ++axis)
-            x[axis] = axis == a || axis == b ? grid.face_place(axis, v[axis]) : grid.centre_place(axis, v[axis]);
-        const FaceClipper<D>& clipper = *at_.coupling.clipper;
-        clipper.near(x, 0, near_);
-        return std::none_of(near_.begin(), near_.end(), [&](int k) {
-            const Image<D>& image = clipper.images()[k];
-            return !at_.coupling.solids[image.solid].wall && image.shape.distance(x) < 0;
-        });
-    }
-    const FaceField<D>& open() const { return open_; }
-
-private:
-    const Placed<D>& at_;
-    FaceField<D> open_;
-    std::vector<int> near_;
-};
-
-/// Faces that some fluid passes.
-template <int D>
-FaceField<D, std::int8_t> passable(const Placed<D>& at)
+/// f(number of the pair, a, b, v) for the edges of the grid beside this rank's cells.
+template <int D, class F>
+void for_each_edge(const Grid<D>& grid, const F& f)
 {
-    const Grid<D>& grid = *at.coupling.grid;
-    FaceField<D, std::int8_t> faces(grid, std::int8_t(0));
+    int pair = 0;
+    for (int a = 0; a < D; ++a)
+        for (int b = a + 1; b < D; ++b, ++pair)
+            for_each_index<D>(grid.low(), grid.high() + step<D>(a) + step<D>(b), [&](const Index<D>& v) { f(pair, a, b, v); });
+}
+
+template <int D>
+Vec<D> place_of_edge(const Grid<D>& grid, int a, int b, const Index<D>& v)
+{
+    Vec<D> x;
     for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
-                          [&](const Index<D>& f) { faces(axis, f) = at.coupling.system.conductance(axis, f) > 0; });
-    for (const FacePiece<D>& piece : at.complex.pieces)
-        if (const Index<D> f = at.complex.index.index(piece.face);
-            piece.low.exists() && piece.high.exists() && piece.area > 0 && owns_face(grid, piece.axis, f))
-            faces(piece.axis, f) = 1;
-    return faces;
-}
-
-/// Values of faces that have none yet from those beside them along any axis, for as long as some get one.
-template <int D>
-void spread_out(const Grid<D>& grid, const FaceField<D, std::int8_t>& wanted, FaceField<D, std::int8_t>& known,
-                FaceField<D>& values)
-{
-    constexpr int farthest = 4; // cells that a body uncovers in a step
-    struct Found {
-        int axis;
-        Index<D> face;
-        double value;
-    };
-    for (int layer = 0; layer < farthest; ++layer) {
-        exchange(grid, values, 1);
-        exchange(grid, known, 1);
-        std::vector<Found> found;
-        for (int axis = 0; axis < D; ++axis)
-            for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-                if (!wanted(axis, f) || known(axis, f))
-                    return;
-                double sum = 0;
-                int count = 0;
-                for (int along = 0; along < D; ++along)
-                    for (int side = -1; side < 2; side += 2)
-                        if (const Index<D> g = f + side * step<D>(along); known(axis, g)) {
-                            sum += values(axis, g);
-                            ++count;
-                        }
-                if (count > 0)
-                    found.push_back({axis, f, sum / count});
-            });
-        for (const Found& one : found) {
-            values(one.axis, one.face) = one.value;
-            known(one.axis, one.face) = 1;
-        }
-        if (grid.comm().sum(static_cast<long>(found.size())) == 0)
-            break;
-    }
-    exchange(grid, values);
-}
-
-/// Of an edge across which the velocity is that of the faces beside it.
-template <int D>
-double fresh(const Placed<D>& at, const SparseEdge<D>& edge, const FaceField<D>& velocity)
-{
-    const Grid<D>& grid = *at.coupling.grid;
-    if (edge.piece >= 0) {
-        const FacePiece<D>& piece = at.complex.pieces[edge.piece];
-        const Index<D> f = at.complex.index.index(piece.face);
-        return face_length(grid, piece.axis, f) * velocity(piece.axis, f);
-    }
-    if (edge.link >= 0)
-        return 0; // both nodes are at the cell's centre
-    double sum = 0;
-    const auto rows = at.edges.rows_of(edge);
-    for (int axis = 0; axis < D; ++axis) {
-        const Index<D> c = rows[0].cell;
-        const double u = 0.5 * (velocity(axis, c) + velocity(axis, Index<D>(c + step<D>(axis))));
-        for (const auto& row : rows)
-            sum -= row.weight * u * (grid.centre_place(axis, row.cell[axis]) - grid.centre_place(axis, c[axis]));
-    }
-    return sum;
+        x[axis] = axis == a || axis == b ? grid.face_place(axis, v[axis]) : grid.centre_place(axis, v[axis]);
+    return x;
 }
 
 } // namespace
@@ -261,49 +131,13 @@ Remainder<D> remainder_of(const Placed<D>& at, FaceField<D> velocity)
 {
     exchange(*at.coupling.grid, velocity);
     Remainder<D> remainder{std::move(velocity), {}};
-    for (const SparseEdge<D>& edge : at.edges.edges)
-        remainder.edges.push_back(fresh(at, edge, remainder.faces));
+    for (const SparseEdge<D>& edge : at.edges.edges) {
+        double sum = 0;
+        for_each_face_along(at, edge,
+                            [&](int axis, const Index<D>& f, double length) { sum += length * remainder.faces(axis, f); });
+        remainder.edges.push_back(sum);
+    }
     return remainder;
-}
-
-template <int D>
-Remainder<D> carried(const Placed<D>& before, const Remainder<D>& remainder, const Placed<D>& after)
-{
-    const Grid<D>& grid = *after.coupling.grid;
-    const Complex<D>& complex = after.complex;
-    const EarlierRemainder<D> earlier(before, remainder, after);
-    Remainder<D> result{FaceField<D>(grid), std::vector<double>(after.edges.edges.size())};
-    FaceField<D, std::int8_t> known(grid, std::int8_t(0));
-    for (int axis = 0; axis < D; ++axis)
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-            if (after.coupling.system.conductance(axis, f) > 0 && before.coupling.system.conductance(axis, f) > 0) {
-                result.faces(axis, f) = remainder.faces(axis, f);
-                known(axis, f) = 1;
-            }
-        });
-    for (const FacePiece<D>& piece : complex.pieces) {
-        const Index<D> f = complex.index.index(piece.face);
-        if (!complex.joins_main(piece) || !piece.low.exists() || !piece.high.exists() || !(piece.area > 0) ||
-            !owns_face(grid, piece.axis, f))
-            continue;
-        const auto velocity = earlier.velocity(piece.axis, f, piece.low, piece.high);
-        known(piece.axis, f) = velocity.has_value();
-        result.faces(piece.axis, f) = velocity.value_or(0.0);
-    }
-    spread_out(grid, passable(after), known, result.faces);
-    for (std::size_t e = 0; e < result.edges.size(); ++e) {
-        const SparseEdge<D>& edge = after.edges.edges[e];
-        std::optional<double> value;
-        if (edge.piece >= 0) {
-            const FacePiece<D>& piece = complex.pieces[edge.piece];
-            const Index<D> f = complex.index.index(piece.face);
-            if (value = earlier.velocity(piece.axis, f, piece.low, piece.high); value)
-                *value *= face_length(grid, piece.axis, f);
-        } else
-            value = earlier.along(edge);
-        result.edges[e] = value ? *value : fresh(after, edge, result.faces);
-    }
-    return result;
 }
 
 template <int D>
@@ -350,17 +184,9 @@ double energy_of_remainder(const Placed<D>& at, const PotentialFlow<D>& flow)
     double sum = 0;
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-            sum += grid.face_area() * flux(axis, f) * face_length(grid, axis, f) * flow.remainder.faces(axis, f);
+            sum += flux(axis, f) * face_length(grid, axis, f) * flow.remainder.faces(axis, f);
         });
-    for (std::size_t e = 0; e < flow.remainder.edges.size(); ++e) {
-        const SparseEdge<D>& edge = at.edges.edges[e];
-        sum += flow.remainder.edges[e] * edge.conductance *
-               (drop_along(at, edge, flow.p) + coupling.density * flow.remainder.edges[e]);
-    }
-    for (const CarriedFlux<D>& of : at.edges.carried)
-        if (of.axis < 0)
-            sum += flow.remainder.edges[of.edge] * of.flux.dot(flow.twists[of.solid]);
-    return 0.5 * coupling.density * sum;
+    return 0.5 * coupling.density * grid.face_area() * sum;
 }
 
 template <int D>
@@ -375,9 +201,22 @@ FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
             u.grid(axis, f) = coupling.system.conductance(axis, f) > 0 ? coupling.open(axis, f) * u.grid(axis, f) : 0.0;
         });
-    for (const CarriedFlux<D>& of : at.edges.carried)
+    std::vector<double> through(at.edges.edges.size());
+    for (std::size_t e = 0; e < through.size(); ++e) {
+        const SparseEdge<D>& edge = at.edges.edges[e];
+        through[e] = edge.conductance * (drop_along(at, edge, p) + coupling.density * flow.remainder.edges[e]);
+    }
+    for (const CarriedFlux<D>& of : at.edges.carried) {
+        const double flux = of.flux.dot(flow.twists[of.solid]);
         if (of.axis >= 0)
-            u.grid(of.axis, of.face) += of.flux.dot(flow.twists[of.solid]) / grid.face_area();
+            u.grid(of.axis, of.face) += flux / grid.face_area();
+        else
+            through[of.edge] += flux;
+    }
+    for (std::size_t e = 0; e < through.size(); ++e)
+        for_each_face_along(at, at.edges.edges[e], [&](int axis, const Index<D>& f, double length) {
+            u.grid(axis, f) += length / face_length(grid, axis, f) * through[e] / grid.face_area();
+        });
     exchange(grid, u.grid);
     return std::move(u.grid);
 }
@@ -392,74 +231,245 @@ FaceField<D> open_areas(const Placed<D>& at)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
             open(axis, f) = coupling.system.conductance(axis, f) > 0 ? coupling.open(axis, f) : 0.0;
         });
+    const double unit = coupling.density / std::pow(grid.dx(), D - 2);
+    for (const SparseEdge<D>& edge : at.edges.edges)
+        for_each_face_along(at, edge, [&](int axis, const Index<D>& f, double length) {
+            open(axis, f) +=
+                edge.piece >= 0 ? at.complex.pieces[edge.piece].area : std::abs(length) / grid.dx() * unit * edge.conductance;
+        });
     exchange(grid, open);
     return open;
 }
 
 template <int D>
-FaceField<D> vortex_impulse(const Placed<D>& at, const FaceField<D>& open, const FaceField<D>& flux,
+VorticityCarriers<D>::VorticityCarriers(const Placed<D>& at, FaceField<D> open_areas) : at_(&at), open_(std::move(open_areas))
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    for (CellField<D, int>& field : carrier_)
+        field = CellField<D, int>(grid, nothing);
+    const FaceClipper<D>& clipper = *at.coupling.clipper;
+    std::vector<int> near;
+    for_each_edge(grid, [&](int pair, int a, int b, const Index<D>& v) {
+        double least = 1;
+        bool inner = true;
+        AroundEdge<D>(a, b, v).for_each(a, b, [&](int axis, const Index<D>& f) {
+            inner = inner && is_inner(grid, axis, f);
+            least = std::min(least, open_(axis, f) / grid.relative_area(axis, f));
+        });
+        if (!inner)
+            return;
+        int& carrier = carrier_[pair](v);
+        carrier = fluid;
+        if (least >= 1)
+            return;
+        const Vec<D> x = place_of_edge(grid, a, b, v);
+        clipper.near(x, grid.dx(), near);
+        double nearest = least > 0 ? 0 : std::numeric_limits<double>::infinity();
+        for (const int k : near) {
+            const Image<D>& image = clipper.images()[k];
+            if (const double distance = image.shape.distance(x); distance < nearest) {
+                carrier = k;
+                nearest = distance;
+            }
+        }
+        if (carrier != fluid && at.coupling.solids[clipper.images()[carrier].solid].wall)
+            carrier = nothing;
+    });
+}
+
+template <int D>
+FaceField<D> vortex_impulse(const VorticityCarriers<D>& carriers, const FaceField<D>& flux, const std::vector<Twist<D>>& twists,
                             const FaceField<D>& remainder, double dt)
 {
-    const Coupling<D>& coupling = at.coupling;
-    const Grid<D>& grid = *coupling.grid;
+    const Placed<D>& at = carriers.at();
+    const Grid<D>& grid = *at.coupling.grid;
     FaceField<D> result(grid);
-    FreeEdges<D> free(at);
-    for (int a = 0; a < D; ++a)
-        for (int b = a + 1; b < D; ++b)
-            for_each_index<D>(grid.low(), grid.high() + step<D>(a) + step<D>(b), [&](const Index<D>& v) {
-                // Around the edge of the grid at the low corner of cell v.
-                const std::array<Index<D>, 2> of_a{Index<D>(v - step<D>(b)), v}, of_b{Index<D>(v - step<D>(a)), v};
-                if (!free.has(a, b, v))
-                    return;
-                const auto share = [&](int axis, const Index<D>& f) { return open(axis, f) / grid.relative_area(axis, f); };
-                const double along_a = face_length(grid, a, v), along_b = face_length(grid, b, v);
-                const double omega = (remainder(a, of_a[0]) - remainder(a, of_a[1])) / along_b +
-                                     (remainder(b, of_b[1]) - remainder(b, of_b[0])) / along_a;
-                if (omega == 0)
-                    return;
-                for (const Index<D>& fa : of_a)
-                    for (const Index<D>& fb : of_b) {
-                        const double factor = 0.25 * dt * omega *
-                                              (along_a / grid.relative_area(b, fb) + along_b / grid.relative_area(a, fa)) /
-                                              (share(a, fa) + share(b, fb));
-                        if (owns_face(grid, a, fa))
-                            result(a, fa) += factor / along_a * flux(b, fb);
-                        if (owns_face(grid, b, fb))
-                            result(b, fb) -= factor / along_b * flux(a, fa);
-                    }
-            });
+    const auto share = [&](int axis, const Index<D>& f) { return carriers.open()(axis, f) / grid.relative_area(axis, f); };
+    for_each_edge(grid, [&](int pair, int a, int b, const Index<D>& v) {
+        const int carrier = carriers.of(pair, v);
+        if (carrier == carriers.nothing)
+            return;
+        const AroundEdge<D> around(a, b, v);
+        const double omega = around.curl(grid, a, b, remainder);
+        if (omega == 0)
+            return;
+        const double along_a = face_length(grid, a, v), along_b = face_length(grid, b, v);
+        int open_a = 0, open_b = 0;
+        for (int k = 0; k < 2; ++k) {
+            open_a += share(a, around.of_a[k]) > 0;
+            open_b += share(b, around.of_b[k]) > 0;
+        }
+        for (const Index<D>& fa : around.of_a)
+            for (const Index<D>& fb : around.of_b) {
+                const double both = share(a, fa) + share(b, fb);
+                if (!(both > std::max(share(a, fa), share(b, fb))))
+                    continue; // one is closed
+                // Half of the velocity's mean over the open faces b for a, and a for b.
+                const double weight = 0.25 / open_a + 0.25 / open_b;
+                const double factor =
+                    weight * dt * omega * (along_a / grid.relative_area(b, fb) + along_b / grid.relative_area(a, fa)) / both;
+                result(a, fa) += factor / along_a * flux(b, fb);
+                result(b, fb) -= factor / along_b * flux(a, fa);
+            }
+        if (carrier == carriers.fluid)
+            return;
+        const Image<D>& image = at.coupling.clipper->images()[carrier];
+        const Vec<D> arm = place_of_edge(grid, a, b, v) - at.coupling.solids[image.solid].centre - image.shift;
+        const Vec<D> velocity = velocity_at<D>(twists[image.solid], arm);
+        for (int k = 0; k < 2; ++k) {
+            if (const Index<D>& f = around.of_a[k]; !(share(a, f) > 0))
+                result(a, f) += 0.5 * dt * omega * velocity[b];
+            if (const Index<D>& f = around.of_b[k]; !(share(b, f) > 0))
+                result(b, f) -= 0.5 * dt * omega * velocity[a];
+        }
+    });
     return result;
 }
+
+template <int D>
+void spread_in_solids(const VorticityCarriers<D>& carriers, FaceField<D>& velocity)
+{
+    constexpr int sweeps = 4;
+    constexpr double damping = 0.25 / D; // half of what takes the shortest wave away at once
+    const Grid<D>& grid = *carriers.at().coupling.grid;
+    FaceField<D, int> within(grid, carriers.nothing); // the solid that carries all vorticity beside a closed face
+    FaceField<D, std::int8_t> seen(grid);
+    for_each_edge(grid, [&](int pair, int a, int b, const Index<D>& v) {
+        AroundEdge<D>(a, b, v).for_each(a, b, [&](int axis, const Index<D>& f) {
+            const int carrier = carriers.open()(axis, f) > 0 ? carriers.nothing : carriers.of(pair, v);
+            within(axis, f) = !seen(axis, f) || within(axis, f) == carrier ? carrier : carriers.nothing;
+            seen(axis, f) = 1;
+        });
+    });
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        FaceField<D> change(grid);
+        for_each_edge(grid, [&](int pair, int a, int b, const Index<D>& v) {
+            if (carriers.of(pair, v) < 0)
+                return;
+            const AroundEdge<D> around(a, b, v);
+            const double by = damping * grid.dx() * grid.dx() * around.curl(grid, a, b, velocity);
+            for (int side = 0; side < 2; ++side) {
+                const double sign = side == 0 ? 1 : -1;
+                change(a, around.of_a[side]) -= sign * by / face_length(grid, b, v);
+                change(b, around.of_b[side]) += sign * by / face_length(grid, a, v);
+            }
+        });
+        for (int axis = 0; axis < D; ++axis)
+            for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+                if (within(axis, f) >= 0)
+                    velocity(axis, f) += change(axis, f);
+            });
+        exchange(grid, velocity);
+    }
+}
+
+namespace {
+
+/// Values of the cells without fluid, such that the velocity less the gradient of all values over the density has no divergence there either: conjugate gradients.
+template <int D>
+void extend_into_solids(const Coupling<D>& coupling, const FaceField<D>& velocity, CellField<D>& p)
+{
+    constexpr double enough = 1e-3; // of the divergence at first: any field is a gauge
+    const Grid<D>& grid = *coupling.grid;
+    std::vector<Index<D>> cells;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (coupling.system.component(c) < 0)
+            cells.push_back(c);
+    });
+    if (!grid.comm().any(!cells.empty()))
+        return;
+    const auto for_each_face = [&](const Index<D>& c, const auto& f) {
+        for (int axis = 0; axis < D; ++axis)
+            for (int end = 0; end < 2; ++end)
+                if (const Index<D> face = c + end * step<D>(axis); is_inner(grid, axis, face))
+                    f(axis, face, Index<D>(end ? face : Index<D>(c - step<D>(axis))), end ? 1.0 : -1.0,
+                      grid.relative_area(axis, face));
+    };
+    for (const Index<D>& c : cells)
+        p(c) = 0;
+    exchange(grid, p, 1);
+    const std::size_t n = cells.size();
+    std::vector<double> residual(n, 0.0), product(n);
+    for (std::size_t k = 0; k < n; ++k)
+        for_each_face(cells[k], [&](int axis, const Index<D>& f, const Index<D>& other, double sign, double area) {
+            residual[k] += area * (p(other) / face_length(grid, axis, f) - sign * coupling.density * velocity(axis, f));
+        });
+    CellField<D> search(grid);
+    const auto dot = [&](const std::vector<double>& a, const auto& b) {
+        double sum = 0;
+        for (std::size_t k = 0; k < n; ++k)
+            sum += a[k] * b(k);
+        return grid.comm().sum(sum);
+    };
+    double square = dot(residual, [&](std::size_t k) { return residual[k]; });
+    const double small = enough * enough * square;
+    for (std::size_t k = 0; k < n; ++k)
+        search(cells[k]) = residual[k];
+    while (square > small) {
+        exchange(grid, search, 1);
+        for (std::size_t k = 0; k < n; ++k) {
+            product[k] = 0;
+            for_each_face(cells[k], [&](int axis, const Index<D>& f, const Index<D>& other, double, double area) {
+                product[k] += area / face_length(grid, axis, f) * (search(cells[k]) - search(other));
+            });
+        }
+        const double curvature = dot(product, [&](std::size_t k) { return search(cells[k]); });
+        if (!(curvature > 0))
+            break;
+        const double step = square / curvature;
+        for (std::size_t k = 0; k < n; ++k) {
+            p(cells[k]) += step * search(cells[k]);
+            residual[k] -= step * product[k];
+        }
+        const double before = square;
+        square = dot(residual, [&](std::size_t k) { return residual[k]; });
+        for (std::size_t k = 0; k < n; ++k)
+            search(cells[k]) = residual[k] + square / before * search(cells[k]);
+    }
+}
+
+} // namespace
 
 template <int D>
 void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOptions& options)
 {
     const Coupling<D>& coupling = at.coupling;
-    PotentialFlow<D> of_remainder =
-        flow_of_twists(at, std::vector<Twist<D>>(coupling.solids.size(), Twist<D>::Zero()), options, flow.remainder);
+    const Grid<D>& grid = *coupling.grid;
+    CellField<D> p =
+        flow_of_twists(at, std::vector<Twist<D>>(coupling.solids.size(), Twist<D>::Zero()), options, flow.remainder).p.cells;
+    extend_into_solids(coupling, flow.remainder.faces, p);
     FluidVelocity<D> u{std::move(flow.remainder.faces), {}, {}, {}};
-    subtract_gradient(coupling, of_remainder.p, u);
-    flow.remainder.faces = std::move(u.grid);
-    exchange(*coupling.grid, flow.remainder.faces);
-    for (std::size_t e = 0; e < flow.remainder.edges.size(); ++e)
-        flow.remainder.edges[e] += drop_along(at, at.edges.edges[e], of_remainder.p) / coupling.density;
-    for (long i = 0; i < flow.p.cells.size(); ++i)
-        flow.p.cells.data()[i] -= of_remainder.p.cells.data()[i];
-    flow.p.nodes -= of_remainder.p.nodes;
+    UnknownVector<D> by{p, Eigen::VectorXd::Zero(coupling.system.nodes)};
+    subtract_gradient(coupling, by, u);
+    for (int axis = 0; axis < D; ++axis)
+        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
+            if (!(coupling.system.conductance(axis, f) > 0) && is_inner(grid, axis, f))
+                u.grid(axis, f) -=
+                    (by.cells(f) - by.cells(Index<D>(f - step<D>(axis)))) / (coupling.density * face_length(grid, axis, f));
+        });
+    flow.remainder = remainder_of(at, std::move(u.grid));
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        if (coupling.system.component(c) >= 0)
+            flow.p.cells(c) -= p(c);
+    });
+    for (int part = 0; part < at.complex.parts(); ++part)
+        if (const int node = at.node[part]; node >= 0)
+            flow.p.nodes[node] -= p(grid.wrapped(at.complex.cell_of_part(part)));
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void require_one_rank<D>(const Model<D>&);                                                                        \
     template Remainder<D> remainder_of<D>(const Placed<D>&, FaceField<D>);                                                     \
-    template Remainder<D> carried<D>(const Placed<D>&, const Remainder<D>&, const Placed<D>&);                                 \
     template UnknownVector<D> outflow_of_edges<D>(const Placed<D>&, const Remainder<D>&);                                      \
     template UnknownVector<D> outflow_of_remainder<D>(const Placed<D>&, const Remainder<D>&);                                  \
     template std::vector<Twist<D>> impulse_of_remainder<D>(const Placed<D>&, const Remainder<D>&);                             \
     template double energy_of_remainder<D>(const Placed<D>&, const PotentialFlow<D>&);                                         \
     template FaceField<D> face_fluxes<D>(const Placed<D>&, const PotentialFlow<D>&);                                           \
     template FaceField<D> open_areas<D>(const Placed<D>&);                                                                     \
-    template FaceField<D> vortex_impulse<D>(const Placed<D>&, const FaceField<D>&, const FaceField<D>&, const FaceField<D>&,   \
-                                            double);                                                                           \
+    template class VorticityCarriers<D>;                                                                                       \
+    template FaceField<D> vortex_impulse<D>(const VorticityCarriers<D>&, const FaceField<D>&, const std::vector<Twist<D>>&,    \
+                                            const FaceField<D>&, double);                                                      \
+    template void spread_in_solids<D>(const VorticityCarriers<D>&, FaceField<D>&);                                             \
     template void renew_gauge<D>(const Placed<D>&, PotentialFlow<D>&, const SolverOptions&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -4,19 +4,17 @@
 
 #include "gapflow/step/potential_flow.hpp"
 
+#include <array>
+
 namespace gapflow {
 
 /// Throws InputError on several ranks: circulation needs one.
 template <int D>
 void require_one_rank(const Model<D>& model);
 
-/// Of a given velocity on the faces of the grid. `at`: with its edges. Collective.
+/// Of a velocity on all faces of the grid, in solids too: what lies within them is the circulation around them. `at`: with its edges. Collective.
 template <int D>
 Remainder<D> remainder_of(const Placed<D>& at, FaceField<D> velocity);
-
-/// The remainder of a place at another one. Edges that were not there before take the mean velocity of the faces beside them along the same axis. Collective.
-template <int D>
-Remainder<D> carried(const Placed<D>& before, const Remainder<D>& remainder, const Placed<D>& after);
 
 /// D g w of the edges, that of the faces left out. Collective.
 template <int D>
@@ -34,21 +32,47 @@ std::vector<Twist<D>> impulse_of_remainder(const Placed<D>& at, const Remainder<
 template <int D>
 double energy_of_remainder(const Placed<D>& at, const PotentialFlow<D>& flow);
 
-/// Flux through the faces of the grid over the area of a whole one. Collective.
+/// Flux through the faces of the grid, of all parts and mouths there, over the area of a whole one. Collective.
 template <int D>
 FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow);
 
-/// Open areas of the faces of the grid over the area of a whole one. Collective.
+/// Open areas of the faces of the grid over the area of a whole one, of all parts there. Collective.
 template <int D>
 FaceField<D> open_areas(const Placed<D>& at);
 
-/// dt (q x omega) on the faces of the grid: no work is done by the flux q. `open`: areas of the flux, means over the step: a face that closes has less than it
-/// had. `remainder`: of omega. Collective.
+/// What carries the vorticity at each edge of the grid (2D: vertex): the fluid, where the four faces that meet there are open and it lies in no solid, else the
+/// solid that covers it or is nearest. None at the sides of the domain.
 template <int D>
-FaceField<D> vortex_impulse(const Placed<D>& at, const FaceField<D>& open, const FaceField<D>& flux,
+class VorticityCarriers {
+public:
+    static constexpr int fluid = -1, nothing = -2;
+
+    /// `open_areas`: of the fluxes, means over the step: a face that closes has less than it had. Collective.
+    VorticityCarriers(const Placed<D>& at, FaceField<D> open_areas);
+
+    /// `fluid`, `nothing`, or an image of FaceClipper::images(). `pair`: of the axes normal to the edge, in ascending order; v: the cell at whose low corner it is.
+    int of(int pair, const Index<D>& v) const { return carrier_[pair](v); }
+    const FaceField<D>& open() const { return open_; }
+    const Placed<D>& at() const { return *at_; }
+
+private:
+    const Placed<D>* at_;
+    FaceField<D> open_;
+    std::array<CellField<D, int>, D*(D - 1) / 2> carrier_;
+};
+
+/// dt (v x omega) on the faces of the grid: on open ones with v of the flux, which does no work, on closed ones with that of the solid's twist. `remainder`: of
+/// omega. Collective.
+template <int D>
+FaceField<D> vortex_impulse(const VorticityCarriers<D>& carriers, const FaceField<D>& flux, const std::vector<Twist<D>>& twists,
                             const FaceField<D>& remainder, double dt);
 
-/// The same flow with a remainder whose fluxes have no divergence: its potential is then that of the solids' motion alone. Collective.
+/// Smooths the vorticity within each solid by diffusion along closed faces: its sum remains, and the flow does. Collective.
+template <int D>
+void spread_in_solids(const VorticityCarriers<D>& carriers, FaceField<D>& velocity);
+
+/// The same flow with a remainder whose fluxes have no divergence but in parts beside others of their cell: its potential is then that of the solids' motion
+/// alone. Collective.
 template <int D>
 void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOptions& options);
 

@@ -30,25 +30,20 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
     require_fluid(model, at->coupling);
     require_core(model, at->coupling, state.bodies);
     const auto timer = timers.measure("solve");
-    if (initial)
-        require_one_rank(model);
+    state.drive.flow = initial ? Vec<D>(Vec<D>::Zero()) : to_vec<D>(model.scene.fluid_velocity);
     PotentialFlow<D> flow =
-        flow_of_twists(*at, moved_by<D>(model.twists(state.bodies), stream_twist<D>(-to_vec<D>(model.scene.fluid_velocity))),
+        flow_of_twists(*at, moved_by<D>(model.twists(state.bodies), stream_twist<D>(-state.drive.flow)),
                        solver_options(model.scene), {}, given_sides(model, 0.0));
     report.iterations = flow.iterations;
     report.solves = 1;
     if (initial) {
-        FaceField<D> relative = *initial;
-        for (int axis = 0; axis < D; ++axis)
-            for (long i = 0; i < relative[axis].size(); ++i)
-                relative[axis].data()[i] -= model.scene.fluid_velocity[axis];
-        flow.remainder = remainder_of(*at, std::move(relative));
+        require_one_rank(model);
+        flow.remainder = remainder_of(*at, *initial);
         const UnknownVector<D> p = flow.p;
         renew_gauge(*at, flow, solver_options(model.scene));
         flow.p = p;
         ++report.solves;
     }
-    state.drive.flow = to_vec<D>(model.scene.fluid_velocity);
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), state.drive.flow);
     state.velocity = face_velocities(instant);
     state.potential = instant.flow.p;

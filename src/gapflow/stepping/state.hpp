@@ -63,9 +63,9 @@ struct SteadyWatch {
 /// What the momentum of the fluid on parts has beside the gradient of a potential (step theory, "Circulation"). Empty: nothing, the flow has no circulation.
 template <int D>
 struct Remainder {
-    FaceField<D> faces; ///< velocity along their axes, of faces between the largest parts of two cells
+    FaceField<D> faces; ///< velocity along their axes, of all faces of the grid, in solids too
     std::vector<double>
-        edges; ///< of Placed::edges: the integral of velocity along each, from the rows with positive weights to the others
+        edges; ///< of Placed::edges, from `faces`: its integral along each, from the rows with positive weights to the others
 
     bool empty() const { return faces[0].size() == 0; }
 };

@@ -55,11 +55,11 @@ struct FreeRun {
     StepReport report;
     Instant<D> now;
 
-    FreeRun(const Scene& scene, const std::function<Vec<D>(const Vec<D>&)>& velocity)
+    explicit FreeRun(const Scene& scene, const std::function<Vec<D>(const Vec<D>&)>& velocity = nullptr)
         : model(accurate(scene), Communicator(), Task::motion), state(model)
     {
-        const FaceField<D> start = on_faces<D>(model.grid, velocity);
-        now = start_on_parts(model, state, report, timers, &start);
+        const FaceField<D> start = velocity ? on_faces<D>(model.grid, velocity) : FaceField<D>();
+        now = start_on_parts(model, state, report, timers, velocity ? &start : nullptr);
     }
     void step(double dt)
     {
@@ -157,7 +157,8 @@ void check_work()
     FreeRun<D> run(scene, vortex<D>);
     const Placed<D>& at = *run.now.placed;
     const FaceField<D> flux = face_fluxes(at, run.now.flow),
-                       change = vortex_impulse(at, open_areas(at), flux, run.now.flow.remainder.faces, 0.1);
+                       change = vortex_impulse(VorticityCarriers<D>(at, open_areas(at)), flux, run.now.flow.twists,
+                                               run.now.flow.remainder.faces, 0.1);
     double work = 0, magnitude = 0;
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(run.model.grid.low(), owned_faces_end(run.model.grid, axis), [&](const Index<D>& f) {
@@ -338,6 +339,58 @@ TEST(Circulation, AVortexAndADiskKeepTheirEnergy)
     RecordProperty("corrected", std::to_string(corrected[0]) + ", " + std::to_string(corrected[1]));
     EXPECT_LT(corrected[0], 0.01);
     EXPECT_LT(corrected[1], 0.8 * corrected[0]);
+}
+
+// A uniform flow that is given as a field has no circulation, and bodies that turn in it get none: it is the same as fluid.velocity.
+TEST(Circulation, AGivenUniformFlowIsAStream)
+{
+    std::array<Vec<2>, 2> place;
+    std::array<double, 2> spin;
+    for (const bool given : {false, true}) {
+        Scene scene = box_of_fluid(2, 32, SideScene::Kind::periodic);
+        const double speed = 0.5;
+        if (!given)
+            scene.fluid_velocity = {speed, 0, 0};
+        scene.bodies = {body("box", BodyScene::ShapeKind::box, {0.5, 0.65, 0}),
+                        body("disk", BodyScene::ShapeKind::ball, {0.5, 0.3, 0})};
+        scene.bodies[0].size = {0.3, 0.15, 0};
+        scene.bodies[0].angle = 0.35;
+        scene.bodies[1].motion = BodyScene::Motion::fixed;
+        FreeRun<2> run = given ? FreeRun<2>(scene, [&](const Vec<2>&) { return Vec<2>(speed, 0); }) : FreeRun<2>(scene);
+        for (int k = 0; k < 25; ++k)
+            run.step(0.016);
+        place[given] = run.state.bodies[0].centre();
+        spin[given] = run.state.bodies[0].twist[2];
+    }
+    EXPECT_GT(place[0][0] - 0.5, 0.02);
+    EXPECT_LT((place[1] - place[0]).norm(), 0.2 * (place[0][0] - 0.5)); // that of the steps' length
+    EXPECT_GT(spin[0], 1);
+    EXPECT_NEAR(spin[1], spin[0], 0.1 * spin[0]);
+}
+
+// A disk with circulation around it is driven across its way: its centre goes in a circle, (m + m_added) dV/dt = rho Gamma x V.
+TEST(Circulation, ADiskWithCirculationGoesInACircle)
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    const double radius = 0.1, circulation = 1, speed = 0.3, rate = circulation / (2 * pi * radius * radius);
+    const Vec<2> at(0.503, 0.502);
+    scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {at[0], at[1], 0}, {speed, 0, 0})};
+    FreeRun<2> run(scene, [&](const Vec<2>& x) { // of a vortex within the disk
+        const Vec<2> r = x - at;
+        const double within = std::min(1.0, r.squaredNorm() / std::pow(0.8 * radius, 2));
+        return Vec<2>((1 - std::pow(1 - within, 3)) * circulation / (2 * pi * std::max(r.squaredNorm(), 1e-12)) *
+                      Vec<2>(-r[1], r[0]));
+    });
+    const double before = run.energy();
+    const int steps = 24; // half a turn
+    for (int k = 0; k < steps; ++k)
+        run.step(pi / rate / steps);
+    const Vec<2> way = run.state.bodies[0].centre() - at, V = run.state.bodies[0].twist.head<2>();
+    RecordProperty("way_over_exact", std::to_string(way[1] * rate / (2 * speed)));
+    EXPECT_LT((way - Vec<2>(0, 2 * speed / rate)).norm(), 0.2 * 2 * speed / rate);
+    EXPECT_LT((V + Vec<2>(speed, 0)).norm(), 0.35 * speed);
+    EXPECT_NEAR(run.energy() / before, 1, 1e-3);
+    EXPECT_LT(std::abs(run.state.bodies[0].twist[2]), 1e-10);
 }
 
 // Potential swirl through the gap between a free and a fixed disk and around both.
