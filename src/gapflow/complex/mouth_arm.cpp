@@ -33,12 +33,15 @@ Vec<3> left_of_mouth(const GapMouth<3>& mouth, const Vec<3>&)
     return mouth.across;
 }
 
-/// What of a piece lies in a mouth in its plane. The rest, if any, leads to a wall that lies in the plane to round-off.
+/// What of a piece lies in a mouth in its plane. The rest, if any, leads to a wall that lies in the plane to round-off. Where the mouth's ends lie on a plane
+/// across it to round-off, what opens beyond that is the mouth's as well: it leads around it.
 double open_in(const GapMouth<2>& mouth, const FacePiece<2>& piece)
 {
     const int along = 1 - piece.axis;
-    const double from = std::min(mouth.at[along], mouth.end[along]), to = std::max(mouth.at[along], mouth.end[along]);
-    return std::min(to, piece.centroid[along] + 0.5 * piece.area) - std::max(from, piece.centroid[along] - 0.5 * piece.area);
+    const double from = std::min(mouth.at[along], mouth.end[along]), to = std::max(mouth.at[along], mouth.end[along]),
+                 open = std::min(to, piece.centroid[along] + 0.5 * piece.area) -
+                        std::max(from, piece.centroid[along] - 0.5 * piece.area);
+    return piece.area < parameters.joint_distance && open > -parameters.joint_distance ? piece.area : open;
 }
 
 double open_in(const GapMouth<3>& mouth, const FacePiece<3>&)

@@ -173,7 +173,7 @@ private:
     void draw_lines();
     bool draw(int number, bool turned);
     Hit joint_at(int solid, const Vec<2>& x, const Vec<2>& direction) const;
-    Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least, bool to_corners = false) const;
+    Hit nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least, bool to_corners = false, int from = -1) const;
     Hit arc_end(const OnEdge& place) const;
     std::pair<double, OnEdge> exit_of(const Vec<2>& start, const Vec<2>& direction) const;
     End open_at(const Hit& hit, const Vec<2>& x);

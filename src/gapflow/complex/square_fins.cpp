@@ -70,8 +70,8 @@ Square::End Square::open_at(const Hit& hit, const Vec<2>& x)
     return end;
 }
 
-/// `to_corners`: a segment that ends beside the ray counts, one that ends at its start does not.
-Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least, bool to_corners) const
+/// `to_corners`: a segment that ends beside the ray counts, one that ends at its start does not, if it belongs to the solid `from` (-1: to any).
+Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction, double least, bool to_corners, int from) const
 {
     Hit hit;
     hit.way = std::numeric_limits<double>::infinity();
@@ -79,7 +79,8 @@ Square::Hit Square::nearest_hit(const Vec<2>& start, const Vec<2>& direction, do
     for (std::size_t a = 0; a < arcs.size(); ++a)
         for (std::size_t k = 0; k < arcs[a].segments.size(); ++k) {
             const ArcSegment& segment = arcs[a].segments[k];
-            if (to_corners && ((segment.from - start).norm() < touching || (segment.to - start).norm() < touching))
+            if (to_corners && (from < 0 || arcs[a].solid == from) &&
+                ((segment.from - start).norm() < touching || (segment.to - start).norm() < touching))
                 continue;
             double way, t;
             if (!segment.curve) { // start + way direction = from + t along, from its left
@@ -340,10 +341,13 @@ bool Square::draw(int number, bool turned)
     if (!from)
         return false;
     const double touching = parameters.joint_distance;
-    // Through the lines of other solids, which end at a solid.
+    // Through the lines of other solids, which end at a solid. One in the rectangle's border to round-off leaves nothing open behind it.
     Vec<2> here = p;
+    bool at_border = line.to_wall && from->place.edge >= 0;
     for (;;) {
-        const Hit hit = nearest_hit(here, direction, touching, line.to_wall);
+        const Hit hit = at_border ? nearest_hit(here, direction, -touching, true, line.solid)
+                                  : nearest_hit(here, direction, touching, line.to_wall);
+        at_border = false;
         if (!(hit.way < (q - here).norm() - touching))
             break;
         const Vec<2> x = arcs[hit.arc].segments[hit.segment].at(hit.t);
