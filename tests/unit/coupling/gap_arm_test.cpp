@@ -267,6 +267,58 @@ TEST(GapMouths, ContinuousAsSidesCrossTheGrid)
     RecordProperty("percent", std::to_string(100 * worst));
 }
 
+/// Of the last of some bodies along y, in cells, in a closed square of n cells.
+struct Placed {
+    Vec<2> size, at; ///< no height: a ball of this radius
+};
+double lift(int n, const std::vector<Placed>& bodies)
+{
+    Scene scene;
+    scene.dimension = 2;
+    scene.parts = true;
+    scene.density = 1;
+    scene.size = {static_cast<double>(n), static_cast<double>(n), 0};
+    scene.cells = {n, n, 1};
+    for (const Placed& of : bodies) {
+        BodyScene body;
+        body.name = "b" + std::to_string(scene.bodies.size());
+        body.shape = of.size[1] > 0 ? BodyScene::ShapeKind::box : BodyScene::ShapeKind::ball;
+        body.size = {of.size[0], of.size[1], 0};
+        body.radius = of.size[0];
+        body.position = {of.at[0], of.at[1], 0};
+        body.density = 1;
+        scene.bodies.push_back(body);
+    }
+    const Eigen::MatrixXd M = added_mass<2>(scene, true);
+    return M(M.rows() - 2, M.cols() - 2);
+}
+
+TEST(GapMouths, WallsThatLieInPlanesToRoundOff)
+{
+    // Below the plane the wall leaves a sliver that the mouths divide as well.
+    const auto over_wall = [](double up) { return lift(24, {{{14, 4}, {12.31, 8 + up}}, {{6, 4}, {12.31, 12.3 + up}}}); };
+    const double beside = over_wall(-1e-7);
+    for (const double up : {-5e-10, -1e-11, -3e-12})
+        EXPECT_NEAR(over_wall(up) / beside, 1, 1e-3) << up; // else 1.07
+    // The mouth lies in one plane and its end in another: the sliver leads around the mouth.
+    const auto over_edges = [](double up) {
+        return lift(24, {{{8.4, 3.6}, {4.2, 10.2 + up}}, {{8.4, 3.6}, {19.8, 10.2 + up}}, {{12, 2.88}, {12, 14.34 + up}}});
+    };
+    EXPECT_NEAR(over_edges(0) / over_edges(1e-7), 1, 0.01); // else 1.38
+}
+
+TEST(GapMouths, CornersThatPassPlanesUnderABall)
+{
+    // Below the plane the mouth runs through two cells. Their parts beside the corner lie one above the other, and one of them ends on the mouth's line.
+    const auto mass = [](double up) {
+        return lift(24, {{{8.4, 3.6}, {4.2, 10.2 + up}}, {{8.4, 3.6}, {19.8, 10.2 + up}}, {{4.8, 0}, {12, 15.675 + up}}});
+    };
+    const double above = mass(1e-3);
+    EXPECT_NEAR(mass(-1e-3) / above, 1, 0.005); // else 1.24
+    for (const double up : {-0.2, -0.1})
+        EXPECT_NEAR(mass(up) / above, 1, 0.06) << up; // else 1.20
+}
+
 TEST(GapMouths, UniformMotionMovesTheDisplacedFluid)
 {
     // All in a container that moves with them: each body's impulse is that of the fluid which it displaces.
