@@ -55,6 +55,8 @@ def seats_in(folder):
         "box whose edges lie above those of two others (F27)": valve(up, seat_boxes(), shape="box", size=[0.3, 0.12], position=0.56),
         "the same, 4.8 cells wider on each side": valve(up, seat_boxes(), shape="box", size=[0.5, 0.12], position=0.56),
         "knife over a block (F28, F29)": valve(across, [dict(name="block", shape="box", size=[1.0, 0.3], position=[0.5, 0.15], motion="fixed")], shape="mesh", file=knife_file, position=0.3),
+        "the same knife in a domain that its back does not leave": lambda n, lift: dict(domain=domain((1.0, 1.25), (n, 5 * n // 4), sides=across), body=[
+            dict(name="block", shape="box", size=[1.0, 0.3], position=[0.5, 0.15], motion="fixed"), dict(name="valve", shape="mesh", file=knife_file, density=2.0, position=[0.5, 0.3 + lift / n])]),
         "poppet of 45 degrees over a port (F54)": poppet,
     }
 
