@@ -492,16 +492,35 @@ private:
         return arm;
     }
 
-    /// A face that moves with the corner's solid: of a link the dividing line is part of the wall.
+    /// A face that moves with the corner's solid: of a link the dividing line is part of the wall. With the walls' mean motion U and that of the corner's
+    /// solid, U_c, the terms of the face's energy without the relative flux are A delta (U U_c - 1/2 U^2), as of the link and the gap's face beside it.
     void add_motion(const GapMouth<D>& mouth, const FacePiece<D>& piece, MouthArm<D>& arm) const
     {
-        const int k = image_at(mouth.solid[0], 0.5 * (mouth.at + mouth.end));
-        const Vec<D> reference = planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift);
-        arm.carried.template head<T>() = piece.area * speed_along<D>(unit<D>(piece.axis), piece.centroid, reference);
+        const auto walls = walls_at(mouth);
+        if (!walls)
+            return;
+        const Vec<D> n = (mouth.end - mouth.at).normalized(), e = unit<D>(piece.axis);
+        const PairTwist<D> mean = piece.area * mean_motion<D>(*walls, {n, -n}, 0.5 * (mouth.at + mouth.end)).transpose() * e;
+        arm.carried.template head<T>() = piece.area * speed_along<D>(e, piece.centroid, walls->reference[0]);
         const double delta = grid_.spread(piece.axis, complex_.index.index(piece.face)[piece.axis]);
-        const PairMass<D> mass = delta / piece.area * arm.carried * arm.carried.transpose();
+        const PairMass<D> product = mean * arm.carried.transpose(),
+                          mass = delta / piece.area * (product + product.transpose() - mean * mean.transpose());
         arm.mass += mass;
         arm.motion += mass;
+        keep_still(mouth, *walls, arm);
+    }
+
+    /// Of the corner's solid and of the one across.
+    std::optional<GapWalls<D>> walls_at(const GapMouth<D>& mouth) const
+    {
+        const Vec<D> middle = 0.5 * (mouth.at + mouth.end);
+        const int first = image_at(mouth.solid[0], middle), second = image_at(mouth.solid[1], middle);
+        if (first < 0 || second < 0)
+            return {};
+        const auto reference = [&](int k) { return planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift); };
+        return GapWalls<D>{{GapWall<D>(images_[first].shape, planes_), GapWall<D>(images_[second].shape, planes_)},
+                           {reference(first), reference(second)},
+                           standoffs_.of(mouth.solid[0], mouth.solid[1]).distance};
     }
 
     /// From one of two parts to the other; `rest`: resistance of the link or face without the mouth.
@@ -511,13 +530,10 @@ private:
             -1, -1, mouth.solid, 0, PairTwist<D>::Zero(), PairMass<D>::Zero(), PairMass<D>::Zero(), PairTwist<D>::Zero(), {}};
         const double h = (mouth.end - mouth.at).norm(), part = mouth.length / open;
         const Vec<D> n = (mouth.end - mouth.at) / h, out = -left_of_mouth(mouth, n), middle = 0.5 * (mouth.at + mouth.end);
-        const int first = image_at(mouth.solid[0], middle), second = image_at(mouth.solid[1], middle);
-        if (first < 0 || second < 0)
+        const std::optional<GapWalls<D>> both = walls_at(mouth);
+        if (!both)
             return arm;
-        const auto reference = [&](int k) { return planes_.in_cells(solids_[images_[k].solid].centre + images_[k].shift); };
-        const GapWalls<D> walls{{GapWall<D>(images_[first].shape, planes_), GapWall<D>(images_[second].shape, planes_)},
-                                {reference(first), reference(second)},
-                                standoffs_.of(mouth.solid[0], mouth.solid[1]).distance};
+        const GapWalls<D>& walls = *both;
         const Eigen::Matrix<double, D, 2 * T> frame = mean_motion<D>(walls, {n, -n}, middle);
         // The flux in the frame of the walls less that relative to the corner's solid.
         PairTwist<D> carried = -h * frame.transpose() * out;
@@ -561,14 +577,7 @@ private:
         const double g = 1 / arm.resistance;
         arm.motion = -g * (own * uniform.transpose() + uniform * own.transpose() + uniform * uniform.transpose());
         arm.mass -= g * arm.flux * arm.flux.transpose();
-        for (int side = 0; side < 2; ++side) { // round-off of what moves no wall
-            const PlacedShape<D>& shape = walls.wall(side).shape();
-            if (solids_[mouth.solid[side]].wall)
-                still(arm, side * T, T);
-            else if (shape.shape().sphere_radius() &&
-                     (planes_.in_cells(shape.to_world(Vec<D>::Zero())) - walls.reference[side]).norm() < place_unit)
-                still(arm, side * T + D, spin_size<D>);
-        }
+        keep_still(mouth, walls, arm);
         return arm;
     }
 
@@ -591,6 +600,19 @@ private:
             slope[side] = half->normal[side].dot(along) / ((side == 0 ? 1 : -1) * n.dot(half->normal[side]));
         const double angle = std::atan(slope[0]) + std::atan(slope[1]);
         return std::abs(angle) > parameters.parallel ? (slope[0] + slope[1]) / angle : 1 + slope[0] * slope[0];
+    }
+
+    /// No energy of what moves no wall: sides of the domain, and the spin of a ball, which has some of round-off.
+    void keep_still(const GapMouth<D>& mouth, const GapWalls<D>& walls, MouthArm<D>& arm) const
+    {
+        for (int side = 0; side < 2; ++side) {
+            const PlacedShape<D>& shape = walls.wall(side).shape();
+            if (solids_[mouth.solid[side]].wall)
+                still(arm, side * T, T);
+            else if (shape.shape().sphere_radius() &&
+                     (planes_.in_cells(shape.to_world(Vec<D>::Zero())) - walls.reference[side]).norm() < place_unit)
+                still(arm, side * T + D, spin_size<D>);
+        }
     }
 
     /// No energy of some components of the twists.

@@ -307,6 +307,17 @@ TEST(GapMouths, WallsThatLieInPlanesToRoundOff)
     EXPECT_NEAR(over_edges(0) / over_edges(1e-7), 1, 0.01); // else 1.38
 }
 
+TEST(GapMouths, InPlanesSlideAsBesideThem)
+{
+    const auto slide = [](double x) {
+        Eigen::VectorXd V = Eigen::VectorXd::Zero(6);
+        V[0] = 0.5;
+        V[3] = -0.5;
+        return V.dot(added_mass<2>(rectangles(32, 0.075, {x, 0.1}, 0), true) * V);
+    };
+    EXPECT_NEAR(slide(0) / slide(2e-7), 1, 0.02); // else 1.056
+}
+
 TEST(GapMouths, CornersThatPassPlanesUnderABall)
 {
     // Below the plane the mouth runs through two cells. Their parts beside the corner lie one above the other, and one of them ends on the mouth's line.
