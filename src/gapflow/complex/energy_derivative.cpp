@@ -6,6 +6,8 @@
 #include "gapflow/grid/field.hpp"
 #include "gapflow/grid/side_distance.hpp"
 
+#include <cmath>
+
 namespace gapflow {
 namespace {
 
@@ -297,7 +299,7 @@ private:
         std::vector<Number> energy(gaps_.arms.size());
         const auto counts = [&](std::size_t k) {
             const GapArm<D>& arm = gaps_.arms[k];
-            return wanted(arm) &&
+            return wanted(arm) && std::isfinite(arm.resistance) && // a void has no energy
                    (owns(arm) || by_plain_[arm.piece] != 0 || (!gaps_.loads.empty() && gaps_.loads[k].plain != 0));
         };
         for_each_job(static_cast<int>(energy.size()), [&](int k) {

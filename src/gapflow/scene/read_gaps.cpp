@@ -70,7 +70,7 @@ void check_dry(const Values& v, const std::string& gap_table, const GapScene& ga
         return;
     const std::string name = gap_table + (v.given(gap_table + "contact") ? "contact" : "model");
     check_level(v, name, scene);
-    if (!gap.film)
+    if (!gap.film && !scene.parts)
         v.refuse(name, "dry contact needs the gap's film", "leave model = \"none\" and contact = \"dry\" to different pairs");
 }
 

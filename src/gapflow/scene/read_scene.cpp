@@ -170,6 +170,29 @@ void check_inflow_of_parts(const Values& v, const Scene& scene, int side)
         }
 }
 
+/// Voids in gaps of parts (dry contact, cavitation) are in fluid that bodies alone set moving.
+void check_voids_of_parts(const Values& v, const Scene& scene)
+{
+    const auto gaps = gaps_of(scene);
+    if (!scene.vapour_pressure &&
+        std::none_of(gaps.begin(), gaps.end(), [](const GapScene* gap) { return gap->contact == GapScene::Contact::dry; }))
+        return;
+    const auto refuse = [&](const std::string& key) {
+        v.refuse(key, "this version runs gap.model = \"parts\" with dry contact or cavitation in fluid that only bodies set moving",
+                 "leave it out, or leave out gap.contact and fluid.vapour_pressure, or write gap.model = \"film\"");
+    };
+    if (scene.fluid_velocity != Triple{})
+        refuse("fluid.velocity");
+    if (scene.pressure_gradient || scene.mean_velocity)
+        refuse(scene.pressure_gradient ? "fluid.pressure_gradient" : "fluid.mean_velocity");
+    if (scene.follow)
+        refuse("domain.follow");
+    for (int side = 0; side < 2 * scene.dimension; ++side)
+        if (const SideScene::Kind kind = scene.sides[side].kind;
+            kind == SideScene::Kind::inflow || kind == SideScene::Kind::pressure)
+            refuse("domain.sides." + side_names[side]);
+}
+
 /// Runs with parts are those of ideal fluid.
 void check_parts(const Values& v, Purpose purpose, const Scene& scene)
 {
@@ -184,8 +207,6 @@ void check_parts(const Values& v, Purpose purpose, const Scene& scene)
                      "this version runs gap.model = \"parts\" with a velocity along axes without walls, and domain.sides." +
                          side_names[side] + " is one",
                      "make both sides there periodic, far or open, or write gap.model = \"film\"");
-    if (scene.vapour_pressure)
-        v.refuse("fluid.vapour_pressure", "this version runs gap.model = \"parts\" without cavitation", remedy);
     for (int side = 0; side < 2 * scene.dimension; ++side) {
         const SideScene::Kind kind = scene.sides[side].kind;
         if (kind == SideScene::Kind::surface)
@@ -195,11 +216,10 @@ void check_parts(const Values& v, Purpose purpose, const Scene& scene)
             check_inflow_of_parts(v, scene, side);
     }
     for (const GapScene* gap : gaps_of(scene)) {
-        if (gap->contact == GapScene::Contact::dry)
-            v.refuse("gap.contact", "this version runs gap.model = \"parts\" without dry contact", remedy);
         if (gap->exit == GapScene::Exit::jet)
             v.refuse("gap.exit", "this version runs gap.model = \"parts\" with reversible exits", remedy);
     }
+    check_voids_of_parts(v, scene);
 }
 
 /// A side that moves has no place at which a flux could be measured.

@@ -7,6 +7,7 @@
 #include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/pressure.hpp"
 #include "gapflow/step/remainder.hpp"
+#include "gapflow/step/void_solve.hpp"
 #include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/following.hpp"
 #include "gapflow/stepping/force_parts.hpp"
@@ -152,14 +153,14 @@ std::vector<Twist<D>> missing_impulses(const std::vector<RigidBody<D>>& bodies_b
 
 /// Twists before the fluid acts, with all impulses but its pressure's.
 template <int D>
-Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const Placed<D>& there, const Vec<D>& end_stream,
-                             const Remainder<D>& remainder, const GivenSides<D>& sides, const std::vector<Twist<D>>& forced,
-                             const StepForces<D>& forces, const State<D>& state, double dt)
+Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const Placed<D>& there, const Coupling<D>& system,
+                             const Vec<D>& end_stream, const Remainder<D>& remainder, const GivenSides<D>& sides,
+                             const std::vector<Twist<D>>& forced, const StepForces<D>& forces, const State<D>& state, double dt)
 {
     Intermediate<D> star;
     star.velocity.grid = remainder.empty() ? FaceField<D>(model.grid) : remainder.faces;
     star.twists = star.forced = forced;
-    std::vector<Twist<D>> given = impulses_of_given(there.coupling, forced);
+    std::vector<Twist<D>> given = impulses_of_given(system, forced);
     const auto add = [&](const std::vector<Twist<D>>& impulse, double factor) {
         for (std::size_t b = 0; b < given.size(); ++b)
             given[b] += factor * impulse[b];
@@ -175,8 +176,8 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
     if (!end_stream.isZero(0)) { // the system is that of the whole motion, the flow that of what is relative to the stream
         const Twist<D> stream = stream_twist<D>(end_stream);
         const std::vector<Twist<D>> rest(given.size(), Twist<D>::Zero());
-        star.outflow = flux_of_twists(there.coupling, moved_by<D>(rest, -stream));
-        add(impulses_of_outflow(there.coupling, star.outflow), 1);
+        star.outflow = flux_of_twists(system, moved_by<D>(rest, -stream));
+        add(impulses_of_outflow(system, star.outflow), 1);
         const UnknownVector<D> none{CellField<D>(model.grid), Eigen::VectorXd::Zero(there.coupling.system.nodes)};
         add(fluid_impulse(there, PotentialFlow<D>{moved_by<D>(rest, stream), none, 0, {}}), 1);
     }
@@ -198,6 +199,26 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
             star.twists[b] +=
                 impulse_response(state.bodies[b], Twist<D>(old.impulse[b] + forces.mean[b] + forces.missing[b] + given[b]), dt);
     return star;
+}
+
+/// Adds what leaves rows without pressure, and impulses on the solids.
+template <int D>
+void add_outflow(const Coupling<D>& system, const UnknownVector<D>& outflow, const std::vector<Twist<D>>& impulse, double dt,
+                 const std::vector<RigidBody<D>>& bodies, Intermediate<D>& star)
+{
+    if (impulse.empty())
+        return;
+    const std::vector<Twist<D>> of_outflow = impulses_of_outflow(system, outflow);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b].motion == Motion::free)
+            star.twists[b] += impulse_response(bodies[b], Twist<D>(impulse[b] + of_outflow[b]), dt);
+    if (star.outflow.cells.size() == 0) {
+        star.outflow = outflow;
+        return;
+    }
+    for (long i = 0; i < outflow.cells.size(); ++i)
+        star.outflow.cells.data()[i] += outflow.cells.data()[i];
+    star.outflow.nodes += outflow.nodes;
 }
 
 /// The forces that follow from the flow at the step's end.
@@ -356,7 +377,7 @@ std::vector<Twist<D>> fluid_wrenches(const Model<D>& model, const Instant<D>& ol
 /// The instant of the step's end, its flow not known yet.
 template <int D>
 Instant<D> at_new_places(const Model<D>& model, const Instant<D>& old, const std::vector<RigidBody<D>>& bodies,
-                         const std::vector<TwistMatrix<D>>& mass, const Step& step, StageTimers& timers)
+                         const std::vector<TwistMatrix<D>>& mass, const Step& step, StepReport& report, StageTimers& timers)
 {
     Instant<D> now;
     now.followed = old.followed;
@@ -364,31 +385,35 @@ Instant<D> at_new_places(const Model<D>& model, const Instant<D>& old, const std
     const bool rotational = !old.flow.remainder.empty();
     {
         const auto timer = timers.measure("complex");
-        now.placed = placed(model, bodies, mass, rotational);
+        const VoidsBefore<D> voids{old.kept, old.placed->complex, old.placed->voids};
+        now.placed = placed(model, bodies, mass, rotational, &voids);
     }
+    now.kept.lost = old.kept.lost + now.placed->voids.lost;
+    if (now.placed->voids.lost > 0)
+        report.notes.push_back("a gap with a void in it is no gap any more: the void is gone at once");
     const auto timer = timers.measure("forces");
-    if (!rotational) // else their energies would not know it
+    if (!rotational && !now.placed->voids.any()) // else their energies would not know it
         now.displaced = displaced(model, bodies, *now.placed);
     return now;
 }
 
-/// The flow of the step's end that the impulses of `forces` and of all others make, and its own forces.
+/// The flow of the step's end, with the voids in gaps.
 template <int D>
-void find_flow(const Model<D>& model, const Instant<D>& old, const std::vector<Twist<D>>& forced, const StepForces<D>& forces,
-               const std::vector<TwistMatrix<D>>& mass, const Step& step, Instant<D>& now, State<D>& state, StepReport& report,
-               StageTimers& timers)
+void find_flow(const typename VoidSolve<D>::Solve& solve, VoidSolve<D>& voids, int pass, Instant<D>& now)
 {
-    Projected<D> end = project(
-        model, now.placed->coupling,
-        intermediate(model, old, *now.placed, now.stream, now.flow.remainder, now.flow.sides, forced, forces, state, step.dt),
-        mass, step, state, report, timers);
+    if (!now.placed->voids.parts.empty()) {
+        const std::optional<PotentialFlow<D>> last = pass > 1 ? std::optional(now.flow) : std::nullopt;
+        voids.find(solve, last ? &*last : nullptr, now.flow);
+        if (voids.any())
+            now.displaced.clear(); // they do not know voids
+        return;
+    }
+    Projected<D> end = solve(now.placed->coupling, {}, {});
     now.flow.twists = std::move(end.twists);
     now.flow.p = std::move(end.impulse);
     leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
     now.flow.twists = moved_by<D>(std::move(now.flow.twists), -stream_twist<D>(now.stream));
     settle_weak_rows(*now.placed, now.flow);
-    const auto timer = timers.measure("forces");
-    find_forces(now);
 }
 
 /// Share of the energy that the work of a pass may miss.
@@ -412,7 +437,8 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     follow(model, state, step);
     timed("contact", [&] { find_contacts(model, state, step); });
     const std::vector<TwistMatrix<D>> mass = model.masses(state.bodies, step.dt);
-    Instant<D> now = at_new_places(model, old, state.bodies, mass, step, timers);
+    Instant<D> now = at_new_places(model, old, state.bodies, mass, step, report, timers);
+    VoidSolve<D> voids(model, old, *now.placed, step.dt);
     MeanFlow<D> mean_flow(model, old, step.dt);
     const std::vector<Twist<D>> none(old.force.size(), Twist<D>::Zero());
     StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt), none};
@@ -429,7 +455,16 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
         state.drive = mean_flow.drive(state.drive);
         now.stream = state.drive.flow;
         const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
-        find_flow(model, old, forced, forces, mass, step, now, state, report, timers);
+        const auto solve = [&](Coupling<D>& system, const UnknownVector<D>& outflow, const std::vector<Twist<D>>& impulse) {
+            Intermediate<D> star = intermediate(model, old, *now.placed, system, now.stream, now.flow.remainder, now.flow.sides,
+                                                forced, forces, state, step.dt);
+            add_outflow(system, outflow, impulse, step.dt, state.bodies, star);
+            state.contacts = contacts;
+            state.pressure.impulse = {CellField<D>(model.grid), {}};
+            return project(model, system, std::move(star), mass, step, state, report, timers);
+        };
+        find_flow<D>(solve, voids, pass, now);
+        timed("forces", [&] { find_forces(now); });
         const bool is_kept = mean_flow.found(now, state.bodies);
         if (!state.forces_settle) {
             if (--left == 0)
@@ -468,6 +503,17 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     FluidVelocity<D> velocity = face_velocities(now);
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, model.grid_velocity, step.dt);
     state.velocity = std::move(velocity);
+    voids.give_pressure(now.flow, state.pressure.impulse);
+    if (voids.any()) {
+        now.left_outflow = voids.left_outflow(now);
+        const bool changed = voids.finish(now.flow, now.kept);
+        if (changed) {
+            const VoidsBefore<D> there{now.kept, now.placed->complex, now.placed->voids};
+            now.placed = timed("complex", [&] { return placed(model, state.bodies, mass, false, &there); });
+        }
+        timed("forces", [&] { find_forces(now); });
+    } else if (!old.kept.volume.empty())
+        now.kept.volume.assign(now.placed->complex.parts(), 0.0);
     if (!now.flow.remainder.empty()) {
         timed("vorticity", [&] {
             turned.spread(now.flow.remainder.faces);
@@ -481,11 +527,15 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
 }
 
 template <int D>
-Instant<D> restored(const Model<D>& model, const State<D>& state)
+Instant<D> restored(const Model<D>& model, const State<D>& state, const PartVoids& kept)
 {
     if (!state.remainder.empty())
         require_one_rank(model);
     auto at = placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty());
+    if (!kept.volume.empty()) {
+        const VoidsBefore<D> voids{kept, at->complex, at->voids};
+        at = placed(model, state.bodies, model.masses(state.bodies, state.dt), false, &voids);
+    }
     const Vec<D> stream = model.driven()              ? state.drive.flow
                           : state.remainder.empty() ? to_vec<D>(model.scene.fluid_velocity)
                                                       : Vec<D>(Vec<D>::Zero());
@@ -494,6 +544,7 @@ Instant<D> restored(const Model<D>& model, const State<D>& state)
     if (!state.remainder.empty())
         flow.remainder = remainder_of(*at, state.remainder.faces);
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), stream);
+    instant.kept = kept;
     if (!state.forces_settle) {
         instant.displaced.clear();
         find_forces(instant);
@@ -503,7 +554,7 @@ Instant<D> restored(const Model<D>& model, const State<D>& state)
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Instant<D> advance<D>(Model<D>&, const Instant<D>&, const Step&, State<D>&, StepReport&, StageTimers&);           \
-    template Instant<D> restored<D>(const Model<D>&, const State<D>&);
+    template Instant<D> restored<D>(const Model<D>&, const State<D>&, const PartVoids&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -18,8 +18,8 @@ template <int D>
 Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, State<D>& state, StepReport& report,
                    StageTimers& timers);
 
-/// The instant of the state's bodies with its potential. Collective.
+/// The instant of the state's bodies with its potential and with voids in gaps. Collective.
 template <int D>
-Instant<D> restored(const Model<D>& model, const State<D>& state);
+Instant<D> restored(const Model<D>& model, const State<D>& state, const PartVoids& voids = {});
 
 } // namespace gapflow

@@ -94,6 +94,13 @@ void find_forces(Instant<D>& instant)
     replace_forces(instant.displaced, instant.flow, instant.force);
     take_grid_along(instant);
     instant.energy = (rotational ? energy_of_remainder(at, instant.flow) : 0) + energy_of_sides(at, instant.flow);
+    if (at.voids.any()) { // L p + K V is what flows into voids
+        const UnknownVector<D> out = net_outflow(instant, face_velocities(instant));
+        const Grid<D>& grid = *at.coupling.grid;
+        double sum = 0;
+        for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) { sum += instant.flow.p.cells(c) * out.cells(c); });
+        instant.energy += 0.5 * (sum + instant.flow.p.nodes.dot(out.nodes));
+    }
     for (std::size_t s = 0; s < V.size(); ++s) {
         instant.energy += 0.5 * V[s].dot(instant.impulse[s]);
         if constexpr (D == 3) {
@@ -108,7 +115,7 @@ Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bo
                       PotentialFlow<D> flow, const Vec<D>& stream)
 {
     std::vector<Displaced<D>> aside;
-    if (flow.remainder.empty()) // else their energies would not know it
+    if (flow.remainder.empty() && !placed->voids.any()) // else their energies would not know it
         aside = displaced(model, bodies, *placed);
     Instant<D> instant{std::move(placed), std::move(aside), stream, std::move(flow), {}, {}};
     instant.followed = followed_body(model);
@@ -176,7 +183,7 @@ template <int D>
 double largest_divergence(const Instant<D>& instant, const FluidVelocity<D>& velocity)
 {
     const Grid<D>& grid = *instant.placed->coupling.grid;
-    const UnknownVector<D> rest = net_outflow(instant, velocity);
+    const UnknownVector<D> rest = instant.left_outflow.cells.size() > 0 ? instant.left_outflow : net_outflow(instant, velocity);
     double worst = rest.nodes.size() ? rest.nodes.cwiseAbs().maxCoeff() : 0.0;
     for_each_index<D>(grid.low(), grid.high(),
                       [&](const Index<D>& c) { worst = std::max(worst, std::abs(rest.cells(c)) / grid.relative_volume(c)); });

@@ -20,8 +20,10 @@ struct Instant {
     /// Rate of that impulse at constant impulses of the bodies themselves: dT/dx at fixed twists and, in 3D, omega x the angular impulse (the axes of
     /// twists do not turn with the body).
     std::vector<Twist<D>> force;
-    double energy = 0;          ///< T
-    FollowedBody<D> followed{}; ///< its force is that of T as a function of its place and, with it, the grid's
+    double energy = 0;               ///< T
+    FollowedBody<D> followed{};      ///< its force is that of T as a function of its place and, with it, the grid's
+    PartVoids kept{};                ///< voids with which the next step starts
+    UnknownVector<D> left_outflow{}; ///< net outflow of the rows in a step with voids; else empty
 };
 
 /// The fluid's uniform velocity, as a twist.

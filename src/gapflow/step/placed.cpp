@@ -82,17 +82,26 @@ EdgesOfParts<D> edges_of_parts(const Grid<D>& grid, const Coupling<D>& coupling,
 
 template <int D>
 std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
-                                  const std::vector<TwistMatrix<D>>& mass, bool circulation)
+                                  const std::vector<TwistMatrix<D>>& mass, bool circulation, const VoidsBefore<D>* voids)
 {
     auto result = std::make_unique<Placed<D>>();
     const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
     result->complex = build_complex<D>(model.grid, solids, &result->derivatives);
     const Complex<D>& complex = result->complex;
     result->arms = find_gap_arms<D>(model.grid, solids, complex, standoffs);
-    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, result->arms,
-                                               find_mouth_arms<D>(model.grid, solids, complex, standoffs), circulation);
+    std::vector<MouthArm<D>> mouths = find_mouth_arms<D>(model.grid, solids, complex, standoffs);
+    const bool with_voids = voids_are_possible(model.scene);
+    if (with_voids) {
+        result->voids = find_voids<D>(model, solids, complex, result->arms, mouths, voids);
+        leave_empty(complex, result->voids, result->arms, mouths);
+    }
+    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, result->arms, mouths, circulation);
     result->pairs = inertia.pairs;
     result->coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
+    if (with_voids) {
+        separate(complex, inertia, mouths, result->voids, result->coupling);
+        shut_empty(complex, result->voids, result->arms);
+    }
     add_seen_mass(result->coupling);
     result->coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, result->coupling.solids, FractionMode::cut_cell);
     result->coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *result->coupling.clipper));
@@ -129,9 +138,9 @@ Coupling<D> with_given_twists(Coupling<D> coupling)
 }
 
 template std::unique_ptr<Placed<2>> placed<2>(const Model<2>&, const std::vector<RigidBody<2>>&,
-                                              const std::vector<TwistMatrix<2>>&, bool);
+                                              const std::vector<TwistMatrix<2>>&, bool, const VoidsBefore<2>*);
 template std::unique_ptr<Placed<3>> placed<3>(const Model<3>&, const std::vector<RigidBody<3>>&,
-                                              const std::vector<TwistMatrix<3>>&, bool);
+                                              const std::vector<TwistMatrix<3>>&, bool, const VoidsBefore<3>*);
 template std::vector<GapArm<2>> own_arms<2>(const Placed<2>&);
 template std::vector<GapArm<3>> own_arms<3>(const Placed<3>&);
 template Coupling<2> with_given_twists<2>(Coupling<2>);

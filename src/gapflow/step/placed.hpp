@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gapflow/coupling/parts.hpp"
+#include "gapflow/step/void_parts.hpp"
 #include "gapflow/stepping/model.hpp"
 
 #include <memory>
@@ -57,13 +58,15 @@ struct Placed {
     std::vector<PairInertia<D>> pairs; ///< what gaps add to the masses of two solids
     std::vector<int> node;             ///< of each part, -1: none
     EdgesOfParts<D> edges;             ///< where asked for
+    Voids<D> voids;                    ///< in gaps
     Coupling<D> coupling;              ///< with the masses of the bodies at these places
 };
 
-/// `mass`: of all solids. `circulation`: whether the flow has some, which needs `edges`. Collective.
+/// `mass`: of all solids. `circulation`: whether the flow has some, which needs `edges`. `voids`: taken along from another place; null: none. Collective.
 template <int D>
 std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
-                                  const std::vector<TwistMatrix<D>>& mass, bool circulation = false);
+                                  const std::vector<TwistMatrix<D>>& mass, bool circulation = false,
+                                  const VoidsBefore<D>* voids = nullptr);
 
 /// Arms of this rank's faces.
 template <int D>

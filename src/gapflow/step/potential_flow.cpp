@@ -144,8 +144,26 @@ UnknownVector<D> flux_of_twists(const Coupling<D>& coupling, const std::vector<T
 template <int D>
 void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow)
 {
-    const Coupling<D>& coupling = at.coupling;
-    const Complex<D>& complex = at.complex;
+    UnknownVector<D> outflow;
+    const auto add = [&](UnknownVector<D> other) {
+        if (outflow.cells.size() > 0) {
+            for (long i = 0; i < other.cells.size(); ++i)
+                other.cells.data()[i] += outflow.cells.data()[i];
+            other.nodes += outflow.nodes;
+        }
+        outflow = std::move(other);
+    };
+    if (!flow.remainder.empty())
+        add(outflow_of_remainder(at, flow.remainder));
+    if (flow.sides.any())
+        add(outflow_of_sides(at, flow.sides));
+    settle_weak_rows(at.complex, at.coupling, outflow, flow);
+}
+
+template <int D>
+void settle_weak_rows(const Complex<D>& complex, const Coupling<D>& coupling, const UnknownVector<D>& outflow,
+                      PotentialFlow<D>& flow)
+{
     const FluidRows<D> L(coupling);
     const double weak = weak_row * std::pow(coupling.grid->dx(), D - 2) / coupling.density;
     std::vector<WeakRow> rows;
@@ -172,14 +190,9 @@ void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow)
         add(L.row(entry.row), entry.flux.dot(flow.twists[entry.body]));
     for (const auto& entry : coupling.node_flux)
         add(L.row(entry.row), entry.flux.dot(flow.twists[entry.body]));
-    const auto leave = [&](const UnknownVector<D>& outflow) {
+    if (outflow.cells.size() > 0)
         for (WeakRow& row : rows)
             row.flux += L.is_cell(row.row) ? outflow.cells(L.cell(row.row)) : outflow.nodes[L.node(row.row)];
-    };
-    if (!flow.remainder.empty())
-        leave(outflow_of_remainder(at, flow.remainder));
-    if (flow.sides.any())
-        leave(outflow_of_sides(at, flow.sides));
     std::vector<std::pair<long, double>> entries; // row by row
     for (WeakRow& row : rows) {
         const std::size_t before = entries.size();
@@ -280,6 +293,7 @@ std::vector<Twist<D>> fluid_impulse(const Placed<D>& at, const PotentialFlow<D>&
                                                 const GivenSides<D>&);                                                         \
     template UnknownVector<D> flux_of_twists<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                             \
     template void settle_weak_rows<D>(const Placed<D>&, PotentialFlow<D>&);                                                    \
+    template void settle_weak_rows<D>(const Complex<D>&, const Coupling<D>&, const UnknownVector<D>&, PotentialFlow<D>&);      \
     template std::vector<Twist<D>> impulses_of_given<D>(const Coupling<D>&, const std::vector<Twist<D>>&);                     \
     template std::vector<Twist<D>> impulses_of_outflow<D>(const Coupling<D>&, const UnknownVector<D>&);                        \
     template std::vector<Twist<D>> fluid_impulse<D>(const Placed<D>&, const PotentialFlow<D>&);

@@ -55,6 +55,10 @@ std::vector<Twist<D>> impulses_of_outflow(const Coupling<D>& coupling, const Unk
 /// together, and leaves them undetermined, but what walls displace there is the square of their gradients. The same on any number of ranks. Collective.
 template <int D>
 void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow);
+/// The same of another system of these rows, with a given outflow. On one rank.
+template <int D>
+void settle_weak_rows(const Complex<D>& complex, const Coupling<D>& coupling, const UnknownVector<D>& outflow,
+                      PotentialFlow<D>& flow);
 
 /// dT/dV of the fluid's energy alone, of all solids. Collective.
 template <int D>

@@ -5,6 +5,7 @@
 #include "gapflow/step/advance.hpp"
 #include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/start.hpp"
+#include "gapflow/step/void_solve.hpp"
 #include "gapflow/stepping/configuration.hpp"
 #include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/film_reversal.hpp"
@@ -30,6 +31,14 @@
 namespace gapflow {
 
 namespace {
+
+void list_state(StateArchive& archive, PartVoids& voids)
+{
+    archive.optional("part_voids", !voids.volume.empty(), [&] {
+        archive("volume", voids.volume);
+        archive("lost", voids.lost);
+    });
+}
 
 // The result of f(), its time counted as that of a stage.
 template <class F>
@@ -84,6 +93,7 @@ void Simulation<D>::begin(const FaceField<D>* velocity)
     std::vector<Twist<D>> V = model_.twists(state_.bodies);
     if (scene.parts) {
         instant_ = start_on_parts(model_, state_, initial_report_, stages_, velocity);
+        part_voids_ = instant_->kept;
     } else {
         Start<D> begin = start(model_, state_, initial_report_, stages_);
         here_ = std::move(begin.here);
@@ -106,6 +116,7 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const St
     initial_report_.notes = thickness_warnings<D>(model_.scene, model_.bodies, model_.walls, scene.thin);
     StateArchive archive(stored);
     list_state(archive, model_, state_);
+    list_state(archive, part_voids_);
     archive.finish();
     restore_configuration();
     const std::vector<Twist<D>> V = model_.twists(state_.bodies);
@@ -123,6 +134,7 @@ StoredState Simulation<D>::state() const
     StateArchive archive(stored);
     list_state(archive, model_,
                const_cast<State<D>&>(state_)); // one list for storing and restoring; storing does not change the object
+    list_state(archive, const_cast<PartVoids&>(part_voids_));
     return stored;
 }
 
@@ -133,7 +145,7 @@ void Simulation<D>::restore_configuration()
     if (model_.scene.follow)
         place_grid<D>(model_, Vec<D>(state_.grid_shift), Vec<D>(state_.grid_velocity), state_);
     if (model_.scene.parts)
-        instant_ = restored(model_, state_);
+        instant_ = restored(model_, state_, part_voids_);
     else
         here_ = configure_stored(model_, state_, stages_);
     fill_velocity_ghosts(model_.grid, state_.velocity.grid, model_.sides(state_.time));
@@ -207,12 +219,14 @@ void Simulation<D>::rehearse(double next_output)
         steps.push_back(BulkViscosity::acts);
     for (BulkViscosity viscosity : steps) {
         const State<D> start = state_;
+        const PartVoids voids = part_voids_;
         StepReport unused;
         if (model_.scene.parts)
             advance_on_parts(next_output, unused);
         else
             advance(next_output, viscosity, unused);
         Expectations<D> found = expectations(model_, state_, coupling());
+        part_voids_ = voids;
         put_back(start);
         expect(std::move(found), coupling(), state_);
         beyond_ = reconstruct(model_, coupling(), state_, model_.twists(state_.bodies));
@@ -226,6 +240,7 @@ void Simulation<D>::advance_on_parts(double next_output, StepReport& report)
     const Step step =
         choose_step<D>(model_, state_, coupling(), beyond_.histories, next_output, ways, own_arms(*instant_->placed));
     instant_ = gapflow::advance(model_, *instant_, step, state_, report, stages_);
+    part_voids_ = instant_->kept;
     beyond_ =
         timed(stages_, "continuation", [&] { return reconstruct(model_, coupling(), state_, model_.twists(state_.bodies)); });
 }
@@ -368,7 +383,10 @@ bool Simulation<D>::driven() const
 template <int D>
 std::vector<GapState> Simulation<D>::gaps() const
 {
-    return gap_states(model_, coupling(), state_);
+    std::vector<GapState> states = gap_states(model_, coupling(), state_);
+    if (instant_)
+        add_void_states(model_, *instant_->placed, state_, part_voids_, states);
+    return states;
 }
 
 template <int D>

@@ -111,6 +111,7 @@ private:
     State<D> state_;
     std::optional<Coupling<D>> here_;   ///< follows from the state, as `beyond_` does; of runs with films
     std::optional<Instant<D>> instant_; ///< the same of runs on parts
+    PartVoids part_voids_;              ///< of the same: part of the state
     Reconstruction<D> beyond_;
     std::set<FilmPair<D>> blind_told_; ///< pairs whose films' blind ends have been reported
     ToldOfCrowds crowds_told_;

@@ -3,6 +3,7 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/remainder.hpp"
+#include "gapflow/step/void_solve.hpp"
 #include "gapflow/stepping/core_requirement.hpp"
 #include "gapflow/stepping/force_parts.hpp"
 #include "gapflow/stepping/placement.hpp"
@@ -27,13 +28,21 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
         const auto timer = timers.measure("complex");
         at = placed(model, state.bodies, model.masses(state.bodies, 0), initial);
     }
+    PartVoids kept;
+    if (voids_are_possible(model.scene)) {
+        require_for_voids(model, initial);
+        kept = starting_voids(model.grid, at->complex, at->voids);
+        const VoidsBefore<D> voids{kept, at->complex, at->voids};
+        at = placed(model, state.bodies, model.masses(state.bodies, 0), initial, &voids);
+    }
     require_fluid(model, at->coupling);
     require_core(model, at->coupling, state.bodies);
     const auto timer = timers.measure("solve");
     state.drive.flow = initial ? Vec<D>(Vec<D>::Zero()) : to_vec<D>(model.scene.fluid_velocity);
-    PotentialFlow<D> flow =
-        flow_of_twists(*at, moved_by<D>(model.twists(state.bodies), stream_twist<D>(-state.drive.flow)),
-                       solver_options(model.scene), {}, given_sides(model, 0.0));
+    const std::vector<Twist<D>> twists = moved_by<D>(model.twists(state.bodies), stream_twist<D>(-state.drive.flow));
+    PotentialFlow<D> flow = at->voids.any()
+                                ? flow_beside_voids(*at, twists, solver_options(model.scene))
+                                : flow_of_twists(*at, twists, solver_options(model.scene), {}, given_sides(model, 0.0));
     report.iterations = flow.iterations;
     report.solves = 1;
     if (initial) {
@@ -45,6 +54,7 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
         ++report.solves;
     }
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), state.drive.flow);
+    instant.kept = std::move(kept);
     state.velocity = face_velocities(instant);
     state.potential = instant.flow.p;
     state.remainder = instant.flow.remainder;

@@ -1,0 +1,471 @@
+#include "gapflow/step/void_parts.hpp"
+
+#include "gapflow/core/error.hpp"
+#include "gapflow/step/matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace gapflow {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double least_way = 1e-9; // in dx: a dry gap that is closed stays this open, so that what it encloses has a pressure
+constexpr double touching = 1e-6;  // in dx: at the start a gap within this of the held distance is closed
+constexpr double whole = 1e-12;    // by which a share may differ from one
+
+/// What is known of a part from its faces.
+struct Faces {
+    bool gap = true;                ///< all of them
+    double area = 0, thickness = 0; ///< the sum over arms, and weighted by their areas
+    double mouth = 0;               ///< thickness at one
+    std::map<std::pair<int, int>, double> pairs;
+};
+
+template <int D>
+bool is_way_out(const Grid<D>& grid, const FacePiece<D>& piece)
+{
+    return piece.area > 0 &&
+           ((piece.low.exists() && piece.high.exists()) || is_open(grid.side(piece.axis, piece.low.exists())));
+}
+
+template <int D>
+std::vector<Faces> faces_of_parts(const Grid<D>& grid, const Complex<D>& complex, const std::vector<GapArm<D>>& arms,
+                                  const std::vector<MouthArm<D>>& mouths)
+{
+    std::vector<Faces> faces(complex.parts());
+    std::vector<const GapArm<D>*> arm(complex.pieces.size(), nullptr);
+    std::vector<const MouthArm<D>*> at_piece(complex.pieces.size(), nullptr), at_link(complex.links.size(), nullptr);
+    for (const GapArm<D>& a : arms)
+        arm[a.piece] = &a;
+    for (const MouthArm<D>& m : mouths)
+        (m.piece >= 0 ? at_piece[m.piece] : at_link[m.link]) = &m;
+    const auto add_mouth = [&](std::int32_t part, const MouthArm<D>& m, double thickness) {
+        faces[part].mouth = thickness;
+        faces[part].pairs.try_emplace(std::minmax(m.solid[0], m.solid[1]), 0.0);
+    };
+    std::vector<std::size_t> plain; // pieces
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
+        const FacePiece<D>& piece = complex.pieces[k];
+        if (!is_way_out(grid, piece))
+            continue;
+        if (!at_piece[k] && !(arm[k] && arm[k]->share > 1 - whole))
+            plain.push_back(k);
+        for (const PartOrCell& side : {piece.low, piece.high}) {
+            if (!side.is_part())
+                continue;
+            Faces& of = faces[side.number()];
+            if (at_piece[k])
+                add_mouth(side.number(), *at_piece[k], arm[k] ? arm[k]->thickness : piece.area);
+            else if (plain.empty() || plain.back() != k) {
+                of.area += piece.area;
+                of.thickness += piece.area * arm[k]->thickness;
+                of.pairs[std::minmax(arm[k]->solid[0], arm[k]->solid[1])] += piece.area;
+            }
+        }
+    }
+    for (std::size_t k = 0; k < complex.links.size(); ++k)
+        for (const std::int32_t part : {complex.links[k].a, complex.links[k].b})
+            if (at_link[k])
+                add_mouth(part, *at_link[k], complex.mouths[complex.links[k].mouth].length);
+            else if (complex.links[k].conductance > 0)
+                faces[part].gap = false;
+    for (Faces& of : faces)
+        of.gap = of.gap && !of.pairs.empty();
+    // A plane of the grid may divide a gap along it: plain faces between two parts of it. Those that lead elsewhere are its ends.
+    const auto in_gap = [&](const PartOrCell& side) { return side.is_part() && faces[side.number()].gap; };
+    for (bool again = true; again;) {
+        again = false;
+        for (const std::size_t k : plain)
+            for (const auto& [side, other] : {std::pair(complex.pieces[k].low, complex.pieces[k].high),
+                                              std::pair(complex.pieces[k].high, complex.pieces[k].low)})
+                if (in_gap(side) && !in_gap(other)) {
+                    faces[side.number()].gap = false;
+                    again = true;
+                }
+    }
+    return faces;
+}
+
+/// Middle of the open faces of each part, in the world.
+template <int D>
+std::vector<Vec<D>> places_of_parts(const Grid<D>& grid, const Complex<D>& complex)
+{
+    std::vector<Vec<D>> place(complex.parts(), Vec<D>::Zero());
+    std::vector<double> area(complex.parts(), 0.0);
+    for (const FacePiece<D>& piece : complex.pieces)
+        for (const PartOrCell& side : {piece.low, piece.high})
+            if (side.is_part() && is_way_out(grid, piece)) {
+                const Vec<D> middle = grid.cell_centre(complex.cell_of_part(side.number()));
+                place[side.number()] +=
+                    piece.area * (middle + grid.nearest_image(Vec<D>(grid.anchor() + grid.dx() * piece.centroid - middle)));
+                area[side.number()] += piece.area;
+            }
+    for (int part = 0; part < complex.parts(); ++part)
+        if (area[part] > 0)
+            place[part] /= area[part];
+        else
+            place[part] = grid.cell_centre(complex.cell_of_part(part));
+    return place;
+}
+
+/// Half of the walls of both solids; a side of the domain has none.
+template <int D>
+double wall_area(const Grid<D>& grid, const std::vector<Solid<D>>& solids, const Complex<D>& complex, const VoidPart<D>& of)
+{
+    double sum = 0;
+    for (const WallPatch<D>& patch : complex.patches_of(of.part))
+        if (patch.solid == of.a || patch.solid == of.b)
+            sum += patch.area.norm();
+    return (solids[of.a].wall || solids[of.b].wall ? 1.0 : 0.5) * sum * grid.face_area();
+}
+
+/// The voids of other parts of the complex, at another place of the bodies.
+template <int D>
+std::vector<double> taken_along(const Grid<D>& grid, const Complex<D>& complex, const Voids<D>& voids,
+                                const VoidsBefore<D>& before, double& lost)
+{
+    std::vector<double> volume(complex.parts(), 0.0);
+    if (before.voids.volume.empty())
+        return volume;
+    std::vector<char> taken(before.complex.parts(), 0);
+    const std::vector<MatchedPart> was = matched_parts(grid, complex, before.complex);
+    for (const VoidPart<D>& part : voids.parts)
+        if (const MatchedPart& match = was[part.part]; match.part >= 0 && before.voids.is_void(match.part)) {
+            volume[part.part] = before.voids.volume[match.part];
+            taken[match.part] = 1;
+        }
+    for (const VoidPart<D>& old : before.at.parts) {
+        if (!before.voids.is_void(old.part) || taken[old.part])
+            continue;
+        const VoidPart<D>* nearest = nullptr; // that part of the gap is gone: its void is beside it
+        double distance = 2 * grid.dx();
+        for (const VoidPart<D>& part : voids.parts)
+            if (const double d = grid.nearest_image(part.place - old.place).norm();
+                part.a == old.a && part.b == old.b && d < distance) {
+                distance = d;
+                nearest = &part;
+            }
+        if (nearest)
+            volume[nearest->part] += before.voids.volume[old.part];
+        else
+            lost += before.voids.volume[old.part];
+    }
+    return volume;
+}
+
+} // namespace
+
+bool voids_are_possible(const Scene& scene)
+{
+    const auto dry = [](const GapScene& gap) { return gap.contact == GapScene::Contact::dry; };
+    return scene.vapour_pressure.has_value() || dry(scene.gap) ||
+           std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const PairScene& pair) { return dry(pair.gap); });
+}
+
+template <int D>
+void require_for_voids(const Model<D>& model, bool circulation)
+{
+    const std::string& file = model.scene.file;
+    if (model.grid.comm().size() > 1)
+        throw InputError(file +
+                         ": gap.model: this version runs \"parts\" with dry contact or cavitation on one rank; run it without "
+                         "mpirun (threads work), or write gap.model = \"film\"");
+    if (circulation || model.driven())
+        throw InputError(
+            file + ": gap.model: this version runs \"parts\" with dry contact or cavitation in fluid without a velocity of "
+                   "its own; leave out gap.contact and fluid.vapour_pressure");
+}
+
+template <int D>
+const VoidPart<D>* Voids<D>::find(std::int32_t part) const
+{
+    const auto found =
+        std::lower_bound(parts.begin(), parts.end(), part, [](const VoidPart<D>& p, std::int32_t n) { return p.part < n; });
+    return found != parts.end() && found->part == part ? &*found : nullptr;
+}
+
+template <int D>
+bool Voids<D>::any() const
+{
+    return std::any_of(volume.begin(), volume.end(), [](double v) { return v > 0; });
+}
+
+template <int D>
+Voids<D> find_voids(const Model<D>& model, const std::vector<Solid<D>>& solids, const Complex<D>& complex,
+                    const std::vector<GapArm<D>>& arms, const std::vector<MouthArm<D>>& mouths, const VoidsBefore<D>* before)
+{
+    const Grid<D>& grid = model.grid;
+    const std::vector<Faces> faces = faces_of_parts(grid, complex, arms, mouths);
+    const std::vector<Vec<D>> place = places_of_parts(grid, complex);
+    Voids<D> voids;
+    for (int part = 0; part < complex.parts(); ++part) {
+        const Faces& of = faces[part];
+        if (!of.gap)
+            continue;
+        const auto& [a, b] = std::max_element(of.pairs.begin(), of.pairs.end(), [](const auto& x, const auto& y) {
+                                 return x.second < y.second;
+                             })->first;
+        const VoidLaw law = void_law(model.scene, solids[a].name, solids[b].name);
+        if (law.least_pressure == -infinity)
+            continue;
+        const double thickness = grid.dx() * (of.area > 0 ? of.thickness / of.area : of.mouth);
+        voids.parts.push_back(
+            {part, a, b, thickness, law.start, 0, law.least_pressure - model.hydrostatic(place[part]), place[part]});
+        voids.parts.back().area = wall_area(grid, solids, complex, voids.parts.back());
+    }
+    if (before)
+        voids.volume = taken_along(grid, complex, voids, *before, voids.lost);
+    return voids;
+}
+
+template <int D>
+PartVoids starting_voids(const Grid<D>& grid, const Complex<D>& complex, const Voids<D>& voids)
+{
+    PartVoids start{std::vector<double>(complex.parts(), 0.0), 0};
+    for (const VoidPart<D>& part : voids.parts)
+        if (part.held > 0 && part.thickness < part.held + touching * grid.dx())
+            start.volume[part.part] = part.held * part.area;
+    return start;
+}
+
+template <int D>
+void leave_empty(const Complex<D>& complex, const Voids<D>& voids, std::vector<GapArm<D>>& arms,
+                 std::vector<MouthArm<D>>& mouths)
+{
+    const auto is_void = [&](const PartOrCell& side) { return side.is_part() && voids.is_void(side.number()); };
+    for (GapArm<D>& arm : arms)
+        if (const FacePiece<D>& piece = complex.pieces[arm.piece]; is_void(piece.low) || is_void(piece.high)) {
+            arm.flux.setZero();
+            arm.motion.setZero();
+            arm.mass.setZero();
+        }
+    for (MouthArm<D>& mouth : mouths)
+        if (std::any_of(mouth.rows.begin(), mouth.rows.end(), [&](const auto& row) { return is_void(row.first); })) {
+            mouth.flux.setZero();
+            mouth.mass.setZero();
+            mouth.motion.setZero();
+        }
+}
+
+template <int D>
+void shut_empty(const Complex<D>& complex, const Voids<D>& voids, std::vector<GapArm<D>>& arms)
+{
+    for (GapArm<D>& arm : arms)
+        for (const PartOrCell& side : {complex.pieces[arm.piece].low, complex.pieces[arm.piece].high})
+            if (side.is_part() && voids.is_void(side.number()))
+                arm.resistance = infinity;
+}
+
+namespace {
+
+template <int D>
+class Edges {
+public:
+    Edges(const Complex<D>& complex, const Coupling<D>& coupling, Voids<D>& voids)
+        : complex_(complex), coupling_(coupling), voids_(voids), cells_(coupling.grid->cells().template cast<long>().prod())
+    {
+        for (VoidPart<D>& part : voids_.parts)
+            part.row = row_of(PartOrCell::part(part.part));
+    }
+
+    long row_of(const PartOrCell& side) const
+    {
+        const int node = side.is_part() ? coupling_.part_node[side.number()] : -1;
+        return node >= 0 ? cells_ + node
+                         : coupling_.grid->key(coupling_.grid->wrapped(complex_.index.index(complex_.cell_of(side))));
+    }
+
+    /// If any of the sides is a void.
+    void offer(double conductance, double area, const std::vector<std::pair<PartOrCell, double>>& sides)
+    {
+        const double dx = coupling_.grid->dx();
+        double permeable = 1;
+        bool leads_to_void = false;
+        for (const auto& [side, weight] : sides)
+            if (side.is_part() && voids_.is_void(side.number())) {
+                const VoidPart<D>& part = *voids_.find(side.number());
+                permeable = std::min(permeable, std::max(part.thickness - part.held, least_way * dx) / part.thickness);
+                leads_to_void = true;
+            }
+        if (!leads_to_void || !(conductance > 0))
+            return;
+        VoidEdge<D> edge{conductance, permeable, area * std::pow(dx, D - 1), {}};
+        for (const auto& [side, weight] : sides)
+            if (side.exists())
+                edge.rows.emplace_back(row_of(side), weight);
+        voids_.edges.push_back(std::move(edge));
+    }
+
+private:
+    const Complex<D>& complex_;
+    const Coupling<D>& coupling_;
+    Voids<D>& voids_;
+    long cells_;
+};
+
+} // namespace
+
+template <int D>
+void separate(const Complex<D>& complex, const Inertia<D>& inertia, const std::vector<MouthArm<D>>& mouths, Voids<D>& voids,
+              Coupling<D>& coupling)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const double unit = std::pow(grid.dx(), D - 2) / coupling.density;
+    Edges<D> edges(complex, coupling, voids);
+    if (voids.any()) {
+        for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
+            const FacePiece<D>& piece = complex.pieces[k];
+            if (is_way_out(grid, piece) && piece.low.exists() && piece.high.exists())
+                edges.offer(unit * inertia.piece_weight[k] /
+                                grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]),
+                            piece.area, {{piece.low, 1.0}, {piece.high, -1.0}});
+        }
+        std::size_t number = 0; // of Inertia::mouths
+        for (const MouthArm<D>& mouth : mouths)
+            if (mouth.resistance > 0) {
+                const RowsLink<D>& link = inertia.mouths[number++];
+                edges.offer(unit * link.conductance,
+                            mouth.piece >= 0 ? complex.pieces[mouth.piece].area : complex.links[mouth.link].open, link.rows);
+            }
+    }
+    voids.all = std::make_unique<Coupling<D>>();
+    if (voids.any()) {
+        std::map<long, double> rows;
+        for (const VoidPart<D>& part : voids.parts)
+            if (voids.is_void(part.part))
+                rows[part.row] = 0;
+        take_rows_out<D>(coupling, rows, nullptr);
+    }
+    *voids.all = coupling;
+    const long cells = grid.cells().template cast<long>().prod();
+    for (const VoidEdge<D>& edge : voids.edges) {
+        Link link{edge.permeable * edge.conductance, {}, {}};
+        for (const auto& [row, weight] : edge.rows)
+            if (row < cells)
+                link.cells.emplace_back(row, weight);
+            else
+                link.nodes.emplace_back(static_cast<int>(row - cells), weight);
+        voids.all->system.links.push_back(std::move(link));
+    }
+}
+
+template <int D>
+void take_rows_out(Coupling<D>& coupling, const std::map<long, double>& given, UnknownVector<D>* outflow)
+{
+    const Grid<D>& grid = *coupling.grid;
+    CoupledSystem<D>& system = coupling.system;
+    const long cells = grid.cells().template cast<long>().prod();
+    const auto is_given = [&](long row) { return given.contains(row); };
+    const auto is_given_node = [&](int node) { return given.contains(cells + node); };
+    std::set<long> beside;
+    const auto close = [&](int axis, Index<D> f) {
+        system.conductance(axis, f) = coupling.open(axis, f) = 0;
+        if (grid.periodic(axis) && (f[axis] == 0 || f[axis] == grid.cells()[axis])) {
+            f[axis] = grid.cells()[axis] - f[axis];
+            system.conductance(axis, f) = coupling.open(axis, f) = 0;
+        }
+    };
+    for (const auto& [row, value] : given) {
+        if (row >= cells)
+            continue;
+        const Index<D> c = grid.cell_of_key(row);
+        for (int axis = 0; axis < D; ++axis)
+            for (int end = 0; end < 2; ++end) {
+                const Index<D> f = c + end * step<D>(axis), next = grid.wrapped(c + (2 * end - 1) * step<D>(axis));
+                const double g = system.conductance(axis, f);
+                if (!(g > 0))
+                    continue;
+                if (outflow && grid.in_domain(next) && !is_given(grid.key(next))) {
+                    outflow->cells(next) -= g * value;
+                    system.links.push_back({g, {}, {{grid.key(next), 1.0}}});
+                    beside.insert(grid.key(next));
+                }
+                close(axis, f);
+            }
+    }
+    std::vector<Eigen::Triplet<double>> film;
+    for (int j = 0; j < system.film.outerSize(); ++j) {
+        double lost = 0;
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, j); entry; ++entry) {
+            const int i = static_cast<int>(entry.row());
+            if (is_given_node(j))
+                continue;
+            if (!is_given_node(i)) {
+                film.emplace_back(i, j, entry.value());
+                continue;
+            }
+            if (outflow)
+                outflow->nodes[j] += entry.value() * given.at(cells + i);
+            else
+                lost += entry.value();
+        }
+        if (lost != 0)
+            film.emplace_back(j, j, lost);
+        if (outflow && is_given_node(j)) // any number: the row has no other entry
+            film.emplace_back(j, j, 1.0);
+    }
+    system.film.setFromTriplets(film.begin(), film.end());
+    const auto touches = [&](const Link& link) {
+        return std::any_of(link.nodes.begin(), link.nodes.end(), [&](const auto& n) { return is_given_node(n.first); }) ||
+               std::any_of(link.cells.begin(), link.cells.end(), [&](const auto& c) { return is_given(c.first); });
+    };
+    if (!outflow)
+        std::erase_if(system.links, touches);
+    for (Link& link : system.links) {
+        if (!outflow || !touches(link))
+            continue;
+        double sum = 0;
+        for (const auto& [node, weight] : link.nodes)
+            sum += is_given_node(node) ? weight * given.at(cells + node) : 0.0;
+        for (const auto& [key, weight] : link.cells)
+            sum += is_given(key) ? weight * given.at(key) : 0.0;
+        std::erase_if(link.nodes, [&](const auto& n) { return is_given_node(n.first); });
+        std::erase_if(link.cells, [&](const auto& c) { return is_given(c.first); });
+        for (const auto& [node, weight] : link.nodes) {
+            outflow->nodes[node] += link.conductance * weight * sum;
+            beside.insert(cells + node);
+        }
+        for (const auto& [key, weight] : link.cells) {
+            outflow->cells(grid.cell_of_key(key)) += link.conductance * weight * sum;
+            beside.insert(key);
+        }
+    }
+    if (!outflow)
+        return;
+    std::erase_if(system.links, [](const Link& link) { return link.nodes.empty() && link.cells.empty(); });
+    const auto cell_gone = [&](const auto& entry) { return is_given(grid.key(entry.row)); };
+    const auto node_gone = [&](const auto& entry) { return is_given_node(entry.row); };
+    std::erase_if(coupling.cell_flux, cell_gone);
+    std::erase_if(system.cell_flux, cell_gone);
+    std::erase_if(coupling.node_flux, node_gone);
+    std::erase_if(system.node_flux, node_gone);
+    for (const auto& [row, value] : given)
+        if (row < cells)
+            coupling.kind(grid.cell_of_key(row)) = static_cast<std::int8_t>(CellKind::solid);
+    find_components(coupling);
+    for (const long row : beside)
+        system
+            .components[row < cells ? system.component(grid.cell_of_key(row))
+                                    : system.node_component[static_cast<int>(row - cells)]]
+            .grounded = true;
+    find_null_space(coupling);
+}
+
+#define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template struct Voids<D>;                                                                                                  \
+    template void require_for_voids<D>(const Model<D>&, bool);                                                                 \
+    template Voids<D> find_voids<D>(const Model<D>&, const std::vector<Solid<D>>&, const Complex<D>&,                          \
+                                    const std::vector<GapArm<D>>&, const std::vector<MouthArm<D>>&, const VoidsBefore<D>*);    \
+    template PartVoids starting_voids<D>(const Grid<D>&, const Complex<D>&, const Voids<D>&);                                  \
+    template void leave_empty<D>(const Complex<D>&, const Voids<D>&, std::vector<GapArm<D>>&, std::vector<MouthArm<D>>&);      \
+    template void shut_empty<D>(const Complex<D>&, const Voids<D>&, std::vector<GapArm<D>>&);                                  \
+    template void separate<D>(const Complex<D>&, const Inertia<D>&, const std::vector<MouthArm<D>>&, Voids<D>&, Coupling<D>&); \
+    template void take_rows_out<D>(Coupling<D>&, const std::map<long, double>&, UnknownVector<D>*);
+GAPFLOW_INSTANTIATE(2)
+GAPFLOW_INSTANTIATE(3)
+#undef GAPFLOW_INSTANTIATE
+
+} // namespace gapflow

@@ -1,0 +1,104 @@
+// Parts of gaps that can hold a void (theory of the step, "Voids").
+//
+// A part all of whose open faces are those of a gap, between two solids whose pair is dry or cavitates, is one in which the pressure may fall to the least
+// one. A part that is a void at a step's start has no energy: what leads to it, its edges, is no part of L, and its walls displace no fluid.
+#pragma once
+
+#include "gapflow/complex/inertia.hpp"
+#include "gapflow/coupling/coupling.hpp"
+#include "gapflow/stepping/model.hpp"
+#include "gapflow/stepping/void_set.hpp"
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace gapflow {
+
+/// Voids at the end of a step.
+struct PartVoids {
+    std::vector<double> volume; ///< of each part of the complex; empty: none is possible
+    double lost = 0;            ///< volume of those whose gap is gone, over the run
+
+    bool is_void(int part) const { return !volume.empty() && volume[part] > 0; }
+};
+
+template <int D>
+struct VoidPart {
+    std::int32_t part;
+    int a, b;              ///< solids
+    double thickness;      ///< of the gap
+    double held;           ///< distance at which a dry pair is held; else 0
+    double area;           ///< of the walls across the gap
+    double least_pressure; ///< reduced
+    Vec<D> place;
+    long row = -1; ///< as in FluidRows
+};
+
+/// A face, link or mouth that leads to a void: its flux is conductance times the sum of w p, of which w leaves each row.
+template <int D>
+struct VoidEdge {
+    double conductance; ///< of a full gap
+    double permeable;   ///< the share of the gap's thickness in which fluid flows
+    double area;        ///< of the full gap
+    std::vector<std::pair<long, double>> rows;
+};
+
+template <int D>
+struct Voids {
+    std::vector<VoidPart<D>> parts;   ///< by their parts
+    std::vector<double> volume;       ///< at the step's start, of all parts of the complex; empty: none
+    std::vector<VoidEdge<D>> edges;   ///< of the voids at the step's start
+    double lost = 0;                  ///< volume of voids whose gap is gone
+    std::unique_ptr<Coupling<D>> all; ///< the system with the bodies' own masses; the edges are its last links
+
+    /// Of a part of the complex; null: it can hold none.
+    const VoidPart<D>* find(std::int32_t part) const;
+    bool is_void(std::int32_t part) const { return !volume.empty() && volume[part] > 0; }
+    bool any() const;
+};
+
+/// Voids that bodies take along to another place.
+template <int D>
+struct VoidsBefore {
+    const PartVoids& voids;
+    const Complex<D>& complex;
+    const Voids<D>& at; ///< places of the parts there
+};
+
+/// Whether some pair of the scene can have voids.
+bool voids_are_possible(const Scene& scene);
+
+/// Throws InputError on several ranks, and for a fluid with a velocity of its own.
+template <int D>
+void require_for_voids(const Model<D>& model, bool circulation);
+
+/// Of a complex with these arms and mouths. With what is taken along from `before`, if not null.
+template <int D>
+Voids<D> find_voids(const Model<D>& model, const std::vector<Solid<D>>& solids, const Complex<D>& complex,
+                    const std::vector<GapArm<D>>& arms, const std::vector<MouthArm<D>>& mouths, const VoidsBefore<D>* before);
+
+/// Those that a scene starts with: where a dry pair is no further apart than it is held.
+template <int D>
+PartVoids starting_voids(const Grid<D>& grid, const Complex<D>& complex, const Voids<D>& voids);
+
+/// Arms and mouths of voids carry nothing that walls displace.
+template <int D>
+void leave_empty(const Complex<D>& complex, const Voids<D>& voids, std::vector<GapArm<D>>& arms,
+                 std::vector<MouthArm<D>>& mouths);
+/// After their inertia is known: the arms have no energy.
+template <int D>
+void shut_empty(const Complex<D>& complex, const Voids<D>& voids, std::vector<GapArm<D>>& arms);
+
+/// Takes the voids' edges out of the system of all parts, which has the bodies' own masses: fills `voids.edges`, the parts' rows and `voids.all`.
+template <int D>
+void separate(const Complex<D>& complex, const Inertia<D>& inertia, const std::vector<MouthArm<D>>& mouths, Voids<D>& voids,
+              Coupling<D>& coupling);
+
+/// Rows at given values. Their edges are grounds of the rows beside, and the flux that the values drive out of these rows is added to `outflow`;
+/// without it their edges are gone. K loses the rows where `outflow` is given.
+template <int D>
+void take_rows_out(Coupling<D>& coupling, const std::map<long, double>& given, UnknownVector<D>* outflow);
+
+} // namespace gapflow

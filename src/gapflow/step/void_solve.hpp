@@ -1,0 +1,84 @@
+// The flow at a step's end with voids in gaps (theory of the step, "Voids"). Of each part that can hold one, with the void's volume v and the outflow
+// r = L p + K V of the part,
+//
+//     0 <= p - b  |  v / dt + r >= 0,      b = p_before + dt (least pressure + rho/2 u^2),      v' = v + dt r.
+//
+// Parts at b are data: the others' system is solved until both conditions hold everywhere. Fluid runs into the gap of a void as through an orifice: of the potential's
+// drop along an edge into it dt rho/2 u^2 is lost.
+#pragma once
+
+#include "gapflow/step/instant.hpp"
+#include "gapflow/stepping/observation.hpp"
+#include "gapflow/stepping/unilateral.hpp"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace gapflow {
+
+template <int D>
+class VoidSolve {
+public:
+    /// `there`: at the step's end. Keeps references.
+    VoidSolve(const Model<D>& model, const Instant<D>& old, Placed<D>& there, double dt);
+
+    /// Solves for twists and potential with a system and with what voids add to the outflow of its rows and to the impulses of the solids; no rows: nothing.
+    using Solve = std::function<Projected<D>(Coupling<D>&, const UnknownVector<D>&, const std::vector<Twist<D>>&)>;
+    /// Becomes `flow`. `last`: the flow of the pass before; null: none.
+    Projected<D> find(const Solve& solve, const PotentialFlow<D>* last, PotentialFlow<D>& flow);
+    /// Whether there is a void at the step's start or end.
+    bool any() const;
+    /// Net outflow of all rows but what their voids and the edges of these take: what the solver's tolerance leaves.
+    UnknownVector<D> left_outflow(const Instant<D>& now) const;
+    /// Pressure impulses of the parts that can be voids.
+    void give_pressure(const PotentialFlow<D>& flow, UnknownVector<D>& impulse) const;
+    /// Volumes of the step's end, and the potentials with which the next step goes on. Whether other parts are voids than before.
+    bool finish(PotentialFlow<D>& flow, PartVoids& voids);
+
+private:
+    struct System;
+    System reduced() const;
+    void find_bounds(const PotentialFlow<D>* last);
+    void find_heads(const UnknownVector<D>& p);
+    bool ways_turn(const UnknownVector<D>& p);
+    bool is_drained(std::size_t edge) const;
+    bool update(const PotentialFlow<D>& flow, bool at_once);
+    /// Of the voids. `over_the_step`: of those that were voids before over the walls' way; else at the step's end.
+    std::vector<double> outflows(const PotentialFlow<D>& flow, bool over_the_step) const;
+    double flux(std::size_t edge, const UnknownVector<D>& p) const;
+    double value(const UnknownVector<D>& p, long row) const;
+    void put(UnknownVector<D>& p) const;
+    int number(long row) const;
+    bool passes_on(int part) const;
+    void pass_on(std::vector<double>& volume, std::vector<double>& potential, std::vector<double>& speed,
+                 std::vector<char>& front, double& lost) const;
+    double weight_in(std::size_t edge, std::size_t part) const;
+    bool fluid_beside(int part) const;
+    double true_potential(int part, const UnknownVector<D>& p) const;
+
+    const Model<D>& model_;
+    const Instant<D>& old_;
+    Placed<D>& there_;
+    double dt_;
+    long cells_;
+    UnknownVector<D> past_all_;                 ///< the potential before the step at the rows of its end
+    std::vector<double> past_, square_, bound_; ///< of each part: potential and square of the velocity before, b
+    std::vector<char> known_, was_void_, given_;
+    std::vector<int> turns_;                                   ///< of each edge in the pass
+    std::vector<double> head_;                                 ///< of each edge: the share of its conductance that is left
+    std::vector<std::pair<long, int>> at_;                     ///< rows and numbers of the parts, by rows
+    std::vector<std::vector<std::pair<int, Twist<D>>>> walls_; ///< K of each part
+    std::vector<std::vector<std::size_t>> edges_of_;           ///< of each part
+};
+
+/// The flow of given twists beside the voids of a placed complex, at whose rows p is 0. Collective.
+template <int D>
+PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options);
+
+/// Adds the parts of gaps to the pairs' states: voids, and the least and largest pressures of the last step.
+template <int D>
+void add_void_states(const Model<D>& model, const Placed<D>& at, const State<D>& state, const PartVoids& voids,
+                     std::vector<GapState>& gaps);
+
+} // namespace gapflow

@@ -1,0 +1,213 @@
+// Voids in gaps on parts: dry contact holds and lets go at the exact pull, cavitation bounds the pressure, fluid runs into voids and gains nothing by it.
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace gapflow {
+namespace {
+
+constexpr double ambient = 10, thickness = 1e-4;
+
+// A block of mass 1 and facing area 1 on the dry floor of a tank with an open top under pressure 10, pulled up.
+Scene block(int dimension, double pull)
+{
+    Scene scene = box_of_fluid(dimension, 16, SideScene::Kind::wall);
+    scene.size = dimension == 2 ? Triple{4, 2, 0} : Triple{3, 3, 1.5};
+    scene.cells = dimension == 2 ? std::array<int, 3>{32, 16, 1} : std::array<int, 3>{16, 16, 8};
+    scene.sides[2 * dimension - 1].kind = SideScene::Kind::open;
+    scene.reference_pressure = ambient;
+    scene.gap.contact = GapScene::Contact::dry;
+    scene.contact.thickness = thickness;
+    scene.max_step = 2e-3;
+    BodyScene box = body("block", BodyScene::ShapeKind::box,
+                         dimension == 2 ? Triple{2.013, 0.25 + thickness, 0} : Triple{1.513, 1.49, 0.25 + thickness});
+    box.size = dimension == 2 ? Triple{1, 0.5, 0} : Triple{1, 1, 0.5};
+    box.density.reset();
+    box.mass = 1;
+    box.inertia = dimension == 2 ? std::vector<double>{0.1} : std::vector<double>{0.1, 0.1, 0.1};
+    box.force[dimension - 1] = pull;
+    scene.bodies = {box};
+    return scene;
+}
+
+GapState gap_of(const std::vector<GapState>& gaps)
+{
+    EXPECT_EQ(gaps.size(), 1u);
+    return gaps.empty() ? GapState{} : gaps[0];
+}
+
+template <int D>
+void expect_to_hold()
+{
+    constexpr double share = 0.99;
+    Simulation<D> simulation(block(D, share * ambient), Communicator());
+    EXPECT_NEAR(gap_of(simulation.gaps()).void_volume, thickness, 1e-6 * thickness);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_LT(simulation.step(1).divergence_max, 1e-8);
+        const GapState gap = gap_of(simulation.gaps());
+        EXPECT_NEAR(gap.contact_force, (1 - share) * ambient, 1e-6 * ambient);
+        EXPECT_NEAR(gap.pressure_max, 0, 1e-12);
+        EXPECT_NEAR(gap.void_volume, thickness, 1e-3 * thickness);
+    }
+    EXPECT_LT(simulation.bodies()[0].twist.norm(), 1e-9); // what leaks in
+}
+
+TEST(PartVoids, ADryBlockHoldsUntilAmbientPressureTimesArea2D)
+{
+    expect_to_hold<2>();
+}
+
+TEST(PartVoids, ADryBlockHoldsUntilAmbientPressureTimesArea3D)
+{
+    expect_to_hold<3>();
+}
+
+// What pulls beyond the ambient pressure on the facing area moves block and fluid from rest: the speed after a step is in proportion to it.
+TEST(PartVoids, ADryBlockFeelsAmbientPressureTimesArea)
+{
+    std::vector<double> speed;
+    for (const double share : {1.001, 1.01}) {
+        Scene scene = block(2, share * ambient);
+        scene.max_step = 1e-4;
+        Simulation<2> simulation(scene, Communicator());
+        simulation.step(1);
+        const GapState gap = gap_of(simulation.gaps());
+        EXPECT_EQ(gap.contact_force, 0);
+        EXPECT_NEAR(gap.pressure_max, 0, 1e-12);
+        speed.push_back(simulation.bodies()[0].twist[1] / ((share - 1) * ambient * simulation.time()));
+    }
+    EXPECT_GT(speed[0], 0.3); // one over the mass and what it moves of the bulk, of the order of its own
+    EXPECT_LT(speed[0], 1);
+    EXPECT_NEAR(speed[1] / speed[0], 1, 1e-4);
+}
+
+// The void grows with the gap.
+TEST(PartVoids, AVoidGrowsWithItsGap)
+{
+    Simulation<2> simulation(block(2, 1.2 * ambient), Communicator());
+    double last = 0;
+    for (int i = 0; i < 8; ++i) {
+        last = simulation.bodies()[0].twist[1];
+        simulation.step(1);
+    }
+    const GapState gap = gap_of(simulation.gaps());
+    EXPECT_GT(gap.thickness, 2 * thickness);
+    EXPECT_LT(gap.void_volume, gap.thickness + simulation.bodies()[0].twist[1] * 2e-3);
+    EXPECT_GT(gap.void_volume, 0.5 * gap.thickness);
+    EXPECT_GT(simulation.bodies()[0].twist[1], last);
+}
+
+TEST(PartVoids, GravityAddsItsHead)
+{
+    Scene scene = block(2, 0);
+    scene.gravity = {0, -2, 0};
+    Simulation<2> simulation(scene, Communicator());
+    for (int i = 0; i < 3; ++i)
+        simulation.step(1);
+    const double top = ambient + 2 * (2 - 0.5 - thickness), weight = 2;
+    EXPECT_NEAR(gap_of(simulation.gaps()).contact_force, top + weight, 2 * thickness); // rho g thickness
+    EXPECT_NEAR(gap_of(simulation.gaps()).pressure_min, 0, 1e-12);
+}
+
+// A block held 0.01 above the floor over a void: water runs in at both ends towards Bernoulli's speed, sqrt(2 p0). The fluid outside starts in the mean time.
+TEST(PartVoids, AFloodFrontRunsAtBernoullisSpeed)
+{
+    Scene scene = block(2, 0);
+    scene.bodies[0].motion = BodyScene::Motion::prescribed;
+    scene.bodies[0].force = {0, 0, 0};
+    scene.bodies[0].motion_table = {"", {0, 0.005, 1}, {{2.013, 0.25 + thickness, 0}, {2.013, 0.26, 0}, {2.013, 0.26, 0}}};
+    Simulation<2> simulation(scene, Communicator());
+    std::vector<std::pair<double, double>> volume;
+    while (simulation.time() < 0.18) {
+        EXPECT_LT(simulation.step(1).divergence_max, 1e-6);
+        const GapState gap = gap_of(simulation.gaps());
+        volume.emplace_back(simulation.time(), gap.void_volume);
+        EXPECT_GE(gap.void_volume, 0);
+        EXPECT_LE(gap.void_volume, 0.01 * (1 + 1e-6));
+    }
+    const auto at = [&](double t) {
+        return std::find_if(volume.begin(), volume.end(), [&](const auto& v) { return v.first >= t; });
+    };
+    const double speed = (at(0.09)->second - at(0.13)->second) / (at(0.13)->first - at(0.09)->first) / 0.02;
+    EXPECT_NEAR(speed, std::sqrt(2 * ambient), 0.1 * speed);
+    EXPECT_EQ(volume.back().second, 0);
+}
+
+Scene plates()
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    scene.size = {4, 4, 0};
+    scene.sides[3].kind = SideScene::Kind::open;
+    scene.reference_pressure = 1;
+    scene.max_step = 2e-3;
+    for (const int side : {-1, 1}) {
+        BodyScene plate = body(side < 0 ? "lower" : "upper", BodyScene::ShapeKind::box, {2, 2 + side * 0.255, 0});
+        plate.size = {1, 0.5, 0};
+        plate.force = {0, 4.0 * side, 0};
+        scene.bodies.push_back(plate);
+    }
+    return scene;
+}
+
+TEST(PartVoids, APulledWetGapCavitates)
+{
+    Scene scene = plates();
+    scene.vapour_pressure = -1e6;
+    Simulation<2> without(scene, Communicator());
+    scene.vapour_pressure = 0.2;
+    Simulation<2> with(scene, Communicator());
+    for (int i = 0; i < 6; ++i) {
+        without.step(1);
+        EXPECT_LT(with.step(1).solves, 20);
+        const GapState gap = gap_of(with.gaps());
+        EXPECT_NEAR(gap.pressure_min, 0.2, 1e-3);
+        EXPECT_GT(gap.void_volume, 0);
+        EXPECT_LT(gap_of(without.gaps()).pressure_min, -1);
+    }
+    EXPECT_GT(with.bodies()[1].pose.position[1], without.bodies()[1].pose.position[1]);
+}
+
+// With a vapour pressure that is never reached all is as without.
+TEST(PartVoids, NoneWhereThePressureIsHigher)
+{
+    Scene scene = plates();
+    Simulation<2> without(scene, Communicator());
+    scene.vapour_pressure = -1e6;
+    Simulation<2> with(scene, Communicator());
+    for (int i = 0; i < 3; ++i) {
+        without.step(1);
+        with.step(1);
+    }
+    EXPECT_EQ(with.bodies()[1].twist, without.bodies()[1].twist);
+    EXPECT_EQ(gap_of(with.gaps()).void_volume, 0);
+}
+
+// Kinetic energy, less the work of the pull and of the ambient pressure on the voids.
+TEST(PartVoids, GainNoEnergy)
+{
+    Scene scene = block(2, 1.05 * ambient);
+    scene.bodies[0].free = {false, true, false, false, false, false};
+    Simulation<2> simulation(scene, Communicator());
+    const double start = simulation.bodies()[0].pose.position[1], void_at_start = gap_of(simulation.gaps()).void_volume;
+    double largest = 0, excess = 0;
+    while (simulation.time() < 0.25) {
+        const StepReport report = simulation.step(1);
+        const double work = 1.05 * ambient * (simulation.bodies()[0].pose.position[1] - start) -
+                            ambient * (gap_of(simulation.gaps()).void_volume - void_at_start),
+                     energy = report.energy_fluid + report.energy_bodies;
+        largest = std::max(largest, energy);
+        excess = std::max(excess, energy - work);
+    }
+    EXPECT_LT(excess, 0.02 * largest);
+}
+
+TEST(PartVoids, GoOnFromAStoredState)
+{
+    expect_to_go_on<2>(block(2, 1.05 * ambient));
+}
+
+} // namespace
+} // namespace gapflow
