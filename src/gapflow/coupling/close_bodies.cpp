@@ -16,12 +16,15 @@ BodyLayers<D>::BodyLayers(const Coupling<D>& coupling) : L_(coupling), K_(L_, co
 {
     for (const Solid<D>& solid : coupling.solids)
         moves_.push_back(solid.motion != Motion::fixed && !solid.wall);
+    moving_.assign(L_.locals(), 0);
     for (long local = 0; local < L_.locals(); ++local) { // those that move first, in their order
         const std::span<Entry> entries = K_.of(local);
         if (entries.size() > 1)
             std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
                 return std::pair(!moves_[a.body], a.body) < std::pair(!moves_[b.body], b.body);
             });
+        while (static_cast<std::size_t>(moving_[local]) < entries.size() && moves_[entries[moving_[local]].body])
+            ++moving_[local];
     }
     const Communicator& comm = L_.grid().comm();
     if (comm.size() == 1)
@@ -55,11 +58,8 @@ std::span<const typename BodyLayers<D>::Entry> BodyLayers<D>::of(long row) const
         const auto at = beside_.find(row);
         return at == beside_.end() ? std::span<const Entry>{} : std::span<const Entry>(at->second);
     }
-    const std::span<const Entry> all = K_.of(L_.local(row));
-    std::size_t count = 0;
-    while (count < all.size() && moves_[all[count].body])
-        ++count;
-    return all.first(count);
+    const long local = L_.local(row);
+    return K_.of(local).first(moving_[local]);
 }
 
 template <int D>

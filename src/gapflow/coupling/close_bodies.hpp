@@ -63,6 +63,7 @@ private:
     FluidRows<D> L_;
     BodyRows<D> K_;
     std::vector<char> moves_;
+    std::vector<std::int32_t> moving_;          ///< entries of each own row of bodies that move
     std::map<long, std::vector<Entry>> beside_; ///< rows of other ranks
 };
 

@@ -58,14 +58,17 @@ class FluidRows {
 public:
     explicit FluidRows(const Coupling<D>& coupling)
         : grid_(*coupling.grid), system_(coupling.system), cells_(grid_.cells().template cast<long>().prod()),
-          own_(grid_.low(), grid_.high()), linked_(own_.size + system_.nodes, 0)
+          own_(grid_.low(), grid_.high()), whole_(own_.size == cells_ && grid_.comm().size() == 1),
+          linked_(own_.size + system_.nodes, 0)
     {
-        for (std::size_t k = 0; k < system_.links.size(); ++k)
-            for (const auto& [row, weight] : members(system_.links[k]))
+        for (std::size_t k = 0; k < system_.links.size(); ++k) {
+            members_.push_back(members(system_.links[k]));
+            for (const auto& [row, weight] : members_[k])
                 if (owns(row)) {
                     links_.emplace_back(row, k);
                     linked_[local(row)] = 1;
                 }
+        }
         std::sort(links_.begin(), links_.end());
         links_.erase(std::unique(links_.begin(), links_.end()), links_.end());
     }
@@ -77,11 +80,11 @@ public:
     bool is_cell(long row) const { return row < cells_; }
     Index<D> cell(long row) const { return grid_.cell_of_key(row); }
     int node(long row) const { return static_cast<int>(row - cells_); }
-    bool owns(long row) const { return is_cell(row) ? grid_.owns(cell(row)) : system_.owns(node(row)); }
+    bool owns(long row) const { return whole_ || (is_cell(row) ? grid_.owns(cell(row)) : system_.owns(node(row))); }
     /// Numbers of own rows, cells before nodes. Their number.
     long local(const Index<D>& c) const { return own_.offset(c); }
     long local(int node) const { return own_.size + node; }
-    long local(long row) const { return is_cell(row) ? local(cell(row)) : local(node(row)); }
+    long local(long row) const { return whole_ ? row : is_cell(row) ? local(cell(row)) : local(node(row)); }
     long stride(int axis) const { return own_.stride[axis]; }
     long locals() const { return own_.size + system_.nodes; }
 
@@ -126,7 +129,7 @@ public:
             return;
         for (auto k = std::lower_bound(links_.begin(), links_.end(), std::pair(row, std::size_t{0}));
              k != links_.end() && k->first == row; ++k)
-            f(system_.links[k->second], members(system_.links[k->second]));
+            f(system_.links[k->second], members_[k->second]);
     }
     bool linked(long row) const { return linked_[local(row)]; }
     /// Whether a row of another rank may look at this own one, over a face on its low side or a link.
@@ -198,8 +201,10 @@ private:
     const CoupledSystem<D>& system_;
     long cells_;
     Block<D> own_;
+    bool whole_; ///< all rows are this rank's: their local numbers are theirs
     std::vector<char> linked_;
-    std::vector<std::pair<long, std::size_t>> links_; ///< own row, number of a link in it; by rows
+    std::vector<std::vector<std::pair<long, double>>> members_; ///< rows of each link
+    std::vector<std::pair<long, std::size_t>> links_;           ///< own row, number of a link in it; by rows
 };
 
 /// Entries of own rows, found by them.
