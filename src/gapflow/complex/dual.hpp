@@ -88,6 +88,9 @@ struct Dual {
         return result.add_rates(0, *this, slope);
     }
 
+    /// Its value as it is, with the rates of b times `factor`.
+    Dual& add_rates_of(const Dual& b, double factor) { return add_rates(1, b, factor); }
+
 private:
     /// Its own rates times `own`, and those of b.
     Dual& add_rates(double own, const Dual& b, double factor)

@@ -295,8 +295,7 @@ private:
     /// Energies of faces in gaps.
     void add_gaps()
     {
-        using Number = typename GapTerms<D>::Number;
-        std::vector<Number> energy(gaps_.arms.size());
+        std::vector<GapRates<D>> energy(gaps_.arms.size());
         const auto counts = [&](std::size_t k) {
             const GapArm<D>& arm = gaps_.arms[k];
             return wanted(arm) && std::isfinite(arm.resistance) && // a void has no energy
@@ -312,61 +311,72 @@ private:
                 continue;
             const FacePiece<D>& piece = complex_.pieces[arm.piece];
             for (int side = 0; side < 2; ++side)
-                result_[arm.solid[side]] += Eigen::Map<const Twist<D>>(&energy[k].rate[side * twist_size<D>]);
-            Vec<D> by_centroid = Eigen::Map<const Vec<D>>(&energy[k].rate[GapTerms<D>::centroid]) / piece.area;
+                result_[arm.solid[side]] += energy[k].pose.template segment<twist_size<D>>(side * twist_size<D>);
+            Vec<D> by_centroid = energy[k].centroid / piece.area;
             by_centroid[piece.axis] = 0;
-            by_area_[arm.piece] += energy[k].rate[GapTerms<D>::area] - by_centroid.dot(piece.centroid - face_centre(piece));
+            by_area_[arm.piece] += energy[k].area - by_centroid.dot(piece.centroid - face_centre(piece));
             by_moment_[arm.piece] += by_centroid;
         }
     }
-    typename GapTerms<D>::Number gap_energy(int number) const
+    /// Derivatives of E_f.
+    GapRates<D> gap_energy(int number) const
     {
-        using Number = typename GapTerms<D>::Number;
         const GapArm<D>& arm = gaps_.arms[number];
         const FacePiece<D>& piece = complex_.pieces[arm.piece];
-        const double delta = spread(piece), rest = rest_of(arm.piece, delta), d = q_of(piece.low) - q_of(piece.high) - rest;
-        const Number A = Number::variable(piece.area, GapTerms<D>::area);
-        const GapTerms<D> gap = gaps_.derivatives->of(arm, pair_twist(arm));
+        const PairTwist<D> V = pair_twist(arm);
+        GapLoads by;
+        by.share = -(by_plain_[arm.piece] + (gaps_.loads.empty() ? 0.0 : gaps_.loads[number].plain));
         if (!owns(arm)) // what this rank's faces lend to it
-            return -(by_plain_[arm.piece] + (gaps_.loads.empty() ? 0.0 : gaps_.loads[number].plain)) * gap.share;
-        const Number &c = gap.flux, &U = gap.motion;
-        const Number energy = A * U * d - (d * (c + delta * U) + loss(piece.low, piece.high, rest)) / gap.resistance -
-                              by_plain_[arm.piece] * gap.share + 0.5 * gap.mass + 0.5 * delta * A * U * U -
-                              0.5 * (c + delta * U) * (c + delta * U) / gap.resistance;
-        return energy + limits_of_motion(number, gap, A, delta);
+            return gaps_.derivatives->of(arm, V, by);
+        const double delta = spread(piece), rest = rest_of(arm.piece, delta), d = q_of(piece.low) - q_of(piece.high) - rest,
+                     A = piece.area, R = arm.resistance, U = arm.motion.dot(V), flow = arm.flux.dot(V) + delta * U;
+        by.resistance = (d * flow + loss(piece.low, piece.high, rest) + 0.5 * flow * flow) / (R * R);
+        by.flux = -(d + flow) / R;
+        by.motion = A * d + delta * A * U + delta * by.flux;
+        by.mass = 0.5;
+        GapRates<D> rates = limits_of_motion(number, by);
+        rates += gaps_.derivatives->of(arm, V, by);
+        rates.area += U * d + 0.5 * delta * U * U;
+        return rates;
     }
 
     /// What limits of D have in an arm: the layers' loads, and of the terms that make uniform motion exact with the weights M
     ///
     ///     -(Delta/R c M U + 1/2 Delta (Delta/R - A) U M U),
     ///
-    /// whose derivative takes c and U along two twists only: c M U = c(M U_0) + U(M c_0) - c_0 M U_0.
-    typename GapTerms<D>::Number limits_of_motion(std::size_t number, const GapTerms<D>& gap,
-                                                  const typename GapTerms<D>::Number& A, double delta) const
+    /// whose derivative takes c and U along two twists only: c M U = c(M U_0) + U(M c_0) - c_0 M U_0. That by the resistance is added to `by`.
+    GapRates<D> limits_of_motion(std::size_t number, GapLoads& by) const
     {
-        using Number = typename GapTerms<D>::Number;
         const GapArm<D>& arm = gaps_.arms[number];
+        const FacePiece<D>& piece = complex_.pieces[arm.piece];
+        const double delta = spread(piece), A = piece.area, R = arm.resistance;
         const PairTwist<D> none = PairTwist<D>::Zero();
-        PairTwist<D> y = none, by_flux = none, by_motion = none; // of the loads; M c_0 and M U_0
-        Number energy = 0;
+        PairTwist<D> y = none; // of the loads
+        GapRates<D> rates;
         if (!gaps_.loads.empty()) {
-            const LayerLoad<D>& load = gaps_.loads[number];
-            y = load.twist;
-            energy -= load.loss / gap.resistance + load.plain * gap.share;
+            y = gaps_.loads[number].twist;
+            by.resistance += gaps_.loads[number].loss / (R * R);
         }
         if (const PairMass<D> M = weight_of(arm); !M.isZero(0)) {
-            by_flux = M * arm.flux;
-            by_motion = M * arm.motion;
-            const Number a = delta / gap.resistance;
-            energy -= a * (gaps_.derivatives->motion_of(arm, by_flux) - by_flux.dot(arm.motion)) -
-                      0.5 * delta * (a - A) * by_motion.dot(arm.motion);
+            const PairTwist<D> by_motion = M * arm.motion;
+            const double square = by_motion.dot(arm.motion);
+            GapLoads of_flux;
+            of_flux.motion = -delta / R;
+            rates += gaps_.derivatives->of(arm, M * arm.flux, of_flux);
+            rates.area -= 0.5 * delta * square;
+            by.resistance -= 0.5 * delta * delta / (R * R) * square;
             y += delta * by_motion;
         }
         if (!y.isZero(0)) {
-            const GapTerms<D> at = gaps_.derivatives->of(arm, y);
-            energy += A * at.motion - (at.flux + delta * at.motion) / at.resistance;
+            const double U = arm.motion.dot(y);
+            GapLoads of_load;
+            of_load.flux = -1 / R;
+            of_load.motion = A - delta / R;
+            rates += gaps_.derivatives->of(arm, y, of_load);
+            rates.area += U;
+            by.resistance += (arm.flux.dot(y) + delta * U) / (R * R);
         }
-        return energy;
+        return rates;
     }
     /// M of the pair of an arm.
     PairMass<D> weight_of(const GapArm<D>& arm) const

@@ -17,7 +17,6 @@
 #pragma once
 
 #include "gapflow/complex/complex.hpp"
-#include "gapflow/complex/dual.hpp"
 
 #include <map>
 #include <memory>
@@ -72,14 +71,24 @@ template <int D>
 std::vector<GapArm<D>> find_gap_arms(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
                                      const Standoffs<D>& standoffs = {});
 
-/// What an arm is of one pair of twists, with the derivatives by the places and angles of its two solids, one after the other, and by area and
-/// centroid of its piece.
+/// Derivatives of a number by what an arm is of one pair of twists: share and resistance, c V, the mean motion, V B V.
+struct GapLoads {
+    double share = 0, resistance = 0, flux = 0, motion = 0, mass = 0;
+};
+/// Derivatives of a number by the places and angles of an arm's two solids, one after the other, and by area and centroid of its piece.
 template <int D>
-struct GapTerms {
-    static constexpr int area = 2 * twist_size<D>, centroid = area + 1;
-    using Number = Dual<centroid + D + 1>;
+struct GapRates {
+    PairTwist<D> pose = PairTwist<D>::Zero();
+    double area = 0;
+    Vec<D> centroid = Vec<D>::Zero();
 
-    Number share, resistance, flux, motion, mass;
+    GapRates& operator+=(const GapRates& other)
+    {
+        pose += other.pose;
+        area += other.area;
+        centroid += other.centroid;
+        return *this;
+    }
 };
 
 template <int D>
@@ -91,10 +100,8 @@ class GapDerivatives {
 public:
     /// Keeps references to its arguments.
     GapDerivatives(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
-    /// `arm`: one of find_gap_arms.
-    GapTerms<D> of(const GapArm<D>& arm, const PairTwist<D>& twist) const;
-    /// GapTerms::motion alone: without integrals.
-    typename GapTerms<D>::Number motion_of(const GapArm<D>& arm, const PairTwist<D>& twist) const;
+    /// Of what has the derivatives `by` by the terms of one of find_gap_arms and a pair of twists.
+    GapRates<D> of(const GapArm<D>& arm, const PairTwist<D>& twist, const GapLoads& by) const;
 
 private:
     std::shared_ptr<const GapFinder<D>> finder_;

@@ -1,6 +1,6 @@
 #include "gapflow/complex/gap_drag.hpp"
 
-#include "gapflow/complex/gap_way.hpp"
+#include "gapflow/complex/gap_place.hpp"
 
 #include <cmath>
 #include <map>
@@ -127,7 +127,7 @@ std::optional<OwnSection<D>> own_section(const GapWalls<D>& walls, const Vec<D>&
 
 /// Points of both walls at a section of a gap.
 template <int D>
-std::array<Vec<D>, 2> wall_points(const GapSection<D>& at, const Vec<D>& n)
+std::array<Vec<D>, 2> wall_points(const GapProfile<D, StillWalls<D>>& at, const Vec<D>& n)
 {
     return {at.middle - 0.5 * at.thickness * n, at.middle + 0.5 * at.thickness * n};
 }
@@ -398,12 +398,12 @@ GapDrag<D> drag_at(const GapSite<D>& site, const FacePiece<D>& piece, const Vec<
     if (site.along_face())
         drag.resistance = 12 * site.delta * site.walls.between_shapes(t0) / (A * t0 * t0 * t0);
     else {
-        GapShape<D> closing = shape_of_gap<D, StillWalls<D>>(site.walls, piece.centroid, site.n, site.here);
+        GapShape<D> closing = shape_of_gap<D, StillWalls<D>>(site.walls, piece.centroid, site.n, site.here, site.e, site.way);
         if constexpr (D == 3)
-            if (peak && !(closing.curvature.trace() > 0)) // beside the end of a wall
-                closing.shares = peak->hessian / peak->hessian.trace();
+            if (peak && !(closing.curvature > 0)) // beside the end of a wall
+                closing.share = site.e.dot(peak->hessian * site.way) / peak->hessian.trace();
         DragFace<D> face(site, piece, low, high, peak);
-        const auto lines = face.lines(site.e.dot(closing.shares * site.way));
+        const auto lines = face.lines(closing.share);
         double conductance = 0;
         for (const auto& line : lines) {
             const double b = line.width * A / face.area();
@@ -649,8 +649,6 @@ void order_walls(GapSite<D>& site)
     site.n = -site.n;
     std::swap(site.round[0], site.round[1]);
     std::swap(site.here.normal[0], site.here.normal[1]);
-    constexpr int T = twist_size<D>;
-    site.here.opening << site.here.opening.template tail<T>().eval(), site.here.opening.template head<T>().eval();
 }
 
 /// In 2D the fluid in a gap is one chain: of faces that follow each other across it the straighter ones count. Parts that others join

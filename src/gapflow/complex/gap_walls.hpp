@@ -1,8 +1,7 @@
-// The two walls of a gap and the thickness between them, in two kinds: at rest, with rows of their twists; and with one pair of twists, and with
-// the derivatives by their places and angles. Shared by what integrates along a gap (gap_way.hpp). Places in cells.
+// The two walls of a gap and the thickness between them, at rest, with rows of their twists; with one pair of twists and derivatives in gap_moving.hpp.
+// Shared by what integrates along a gap (gap_way.hpp). Places in cells.
 #pragma once
 
-#include "gapflow/complex/dual.hpp"
 #include "gapflow/complex/facet_cut.hpp"
 #include "gapflow/complex/gap_arm.hpp"
 #include "gapflow/complex/lever.hpp"
@@ -77,6 +76,15 @@ public:
     }
 
     const PlacedShape<D>& shape() const { return shape_; }
+    /// Of a ball, else 0.
+    double radius() const { return radius_; }
+    /// -1: fluid inside the ball.
+    double sign() const { return sign_; }
+    bool flat() const { return flat_; }
+    /// Centre of a ball, or a point of a plane.
+    const Vec<D>& point() const { return centre_; }
+    /// Of a plane.
+    const Vec<D>& normal() const { return normal_; }
     /// `face`: of this one, or where it would go on beyond its border; -1: of the solid.
     [[gnu::always_inline]] WallPoint<D, double> nearest(const Vec<D>& x, int face = -1) const
     {
@@ -91,24 +99,25 @@ public:
         }
         return nearest_of_shape(x, face);
     }
-    /// Derivative of the normal at a wall's point by the place to which it is the nearest: that of the surface through the place at one distance
-    /// from the wall.
-    Mat<D> normal_rate(const WallPoint<D, double>& at) const
+    /// Rate of the normal at a wall's point where the place to which it is the nearest moves by `way`: that of the surface through the place at one
+    /// distance from the wall. Symmetric: `way` times the rate for another way is that way times the rate for `way`.
+    Vec<D> normal_rate(const WallPoint<D, double>& at, const Vec<D>& way) const
     {
-        const Shape<D>& shape = shape_.shape();
-        const double sign = shape.inside_out() ? -1 : 1;
-        const Mat<D> across = Mat<D>::Identity() - at.normal * at.normal.transpose();
+        const Vec<D> across = way - at.normal.dot(way) * at.normal;
         if (radius_ > 0)
-            return sign / (radius_ + sign * at.distance) * across;
-        if (const auto bar = shape.round_bar()) {
-            const double radius = bar->radius / dx_;
-            const Vec<D> axis = shape_.rotation().col(0), from = at.x - in_cells(shape_.to_world(Vec<D>::Zero()));
-            const bool side = bar->flat ? at.face >= 2 : std::abs(axis.dot(from)) < bar->half / dx_;
-            if (side ? D == 2 : bar->flat)
-                return Mat<D>::Zero();
-            return sign / (radius + sign * at.distance) * (side ? Mat<D>(across - axis * axis.transpose()) : across);
-        }
-        return Mat<D>::Zero();
+            return sign_ / (radius_ + sign_ * at.distance) * across;
+        if (flat_)
+            return Vec<D>::Zero();
+        const Shape<D>& shape = shape_.shape();
+        const auto bar = shape.round_bar();
+        if (!bar)
+            return Vec<D>::Zero();
+        const double sign = shape.inside_out() ? -1 : 1, radius = bar->radius / dx_;
+        const Vec<D> axis = shape_.rotation().col(0), from = at.x - in_cells(shape_.to_world(Vec<D>::Zero()));
+        const bool side = bar->flat ? at.face >= 2 : std::abs(axis.dot(from)) < bar->half / dx_;
+        if (side ? D == 2 : bar->flat)
+            return Vec<D>::Zero();
+        return sign / (radius + sign * at.distance) * (side ? Vec<D>(across - axis.dot(way) * axis) : across);
     }
     /// At a point on the round border of a face: the direction normal to the border, in the face; of either sign. Nothing where borders are straight.
     std::optional<Vec<D>> across_border(const WallPoint<D, double>& at) const
@@ -174,6 +183,9 @@ public:
     }
 
     const GapWall<D>& wall(int side) const { return wall_[side]; }
+    /// Whether both are balls that turn about their centres, or one of them and a flat wall that stands still (gap_round.hpp).
+    bool round() const { return round_; }
+    void set_round(bool round) { round_ = round; }
     void swap()
     {
         std::swap(reference[0], reference[1]);
@@ -203,6 +215,7 @@ public:
 private:
     std::array<GapWall<D>, 2> wall_;
     double standoff_;
+    bool round_ = false;
 };
 
 /// A gap along the line through x along n.
@@ -217,6 +230,13 @@ struct GapProfile {
 template <int D, class Walls>
 struct SectionOf : GapProfile<D, Walls> {
     typename Walls::Row opening; ///< rate of the thickness
+};
+
+/// How a section was found: in both passes the place, and the walls' points nearest to it.
+template <int D>
+struct SectionTrace {
+    std::array<Vec<D>, 2> place;
+    std::array<std::array<WallPoint<D, double>, 2>, 2> wall;
 };
 
 /// Two walls that face each other.
@@ -264,12 +284,13 @@ public:
         return section;
     }
     /// The same without the opening.
-    std::optional<Profile> profile(const Place& x, const Place& n, GapStop* stop = nullptr) const
+    std::optional<Profile> profile(const Place& x, const Place& n, GapStop* stop = nullptr,
+                                   SectionTrace<D>* trace = nullptr) const
     {
         Profile profile;
         std::array<Place, 2> foot;
         std::array<S, 2> cosine;
-        if (!find(x, n, profile, foot, cosine, stop))
+        if (!find(x, n, profile, foot, cosine, stop, trace))
             return {};
         return profile;
     }
@@ -293,7 +314,8 @@ public:
     }
 
 private:
-    bool find(Place x, const Place& n, Profile& at, std::array<Place, 2>& foot, std::array<S, 2>& cosine, GapStop* stop) const
+    bool find(Place x, const Place& n, Profile& at, std::array<Place, 2>& foot, std::array<S, 2>& cosine, GapStop* stop,
+              SectionTrace<D>* trace = nullptr) const
     {
         const auto stopped = [&](int pass, int side, bool edge) {
             if (stop)
@@ -302,8 +324,14 @@ private:
         };
         for (int pass = 0; pass < 2; ++pass) { // the second one from the middle
             std::array<S, 2> way;
+            if constexpr (std::is_same_v<S, double>)
+                if (trace)
+                    trace->place[pass] = x;
             for (int side = 0; side < 2; ++side) {
                 const WallPoint<D, S> point = this->nearest(side, x, pass == 0 || extended_ ? face_[side] : -1);
+                if constexpr (std::is_same_v<S, double>)
+                    if (trace)
+                        trace->wall[pass][side] = point;
                 cosine[side] = (side == 0 ? 1.0 : -1.0) * n.dot(point.normal);
                 const bool edge = !point.on_face || (face_[side] >= 0 && point.face != face_[side]);
                 if (edge || cosine[side] < parameters.least_facing)
@@ -334,123 +362,5 @@ template <int D>
 using GapWalls = FacingWalls<D, StillWalls<D>>;
 template <int D>
 using GapSection = SectionOf<D, StillWalls<D>>;
-
-/// Variables: place and angle of the two solids one after the other, area and centroid of the piece of a face.
-template <int D>
-class MovingWalls {
-public:
-    using Scalar = typename GapTerms<D>::Number;
-    using Row = Scalar;
-    using Square = Scalar;
-    using Place = PlaceOf<D, Scalar>;
-    using Frame = Place;
-
-    /// Keeps a reference to `walls`.
-    MovingWalls(const GapWalls<D>& walls, const PairTwist<D>& twist, const Standoff<D>& standoff)
-        : walls_(walls), twist_(twist), standoff_(standoff.distance)
-    {
-        for (int k = 0; k < 2 * twist_size<D>; ++k)
-            standoff_.rate[k] = standoff.rate[k];
-        for (int side = 0; side < 2; ++side)
-            for (int axis = 0; axis < D; ++axis)
-                reference_[side][axis] = Scalar::variable(walls.reference[side][axis], side * twist_size<D> + axis);
-    }
-
-    static Row none() { return 0; }
-    static Square no_square() { return 0; }
-    static Square product(const Row& a, const Row& b) { return a * b; }
-    static Row along(const Frame& frame, const Place& v) { return frame.dot(v); }
-    Row row(int side, const Place& force, const SpinOf<D, Scalar>& torque) const
-    {
-        Row sum = 0;
-        for (int k = 0; k < D; ++k)
-            sum += twist_[side * twist_size<D> + k] * force[k];
-        for (int k = 0; k < spin_size<D>; ++k)
-            sum += twist_[side * twist_size<D> + D + k] * torque[k];
-        return sum;
-    }
-    const Place& reference_of(int side) const { return reference_[side]; }
-    const GapWall<D>& wall(int side) const { return walls_.wall(side); }
-    const GapWalls<D>& still() const { return walls_; }
-    const Scalar& standoff() const { return standoff_; }
-    Scalar between_shapes(const Scalar& thickness) const { return std::max(Scalar(thickness - standoff_), Scalar(place_unit)); }
-    /// Of a point at the end of a face, for places x near it: how far the point is from the end.
-    Scalar off_edge(int side, const WallPoint<D, Scalar>& at, const Place& x) const
-    {
-        const Vec<D> n = values_of<D>(at.normal), foot = values_of<D>(at.x);
-        Vec<D> out; // in the face, normal to its border
-        if constexpr (D == 2)
-            out = Vec<2>(-n[1], n[0]);
-        else if (const auto round = wall(side).across_border(walls_.nearest(side, values_of<D>(x))))
-            out = *round;
-        else { // a little beyond, the direction from the border to a place is normal to it
-            Vec<3> way;
-            for (int k = 0; k < 3; ++k)
-                way[k] = at.x[k].rate[Scalar::variables - 1];
-            out = way;
-            for (const double little : {parameters.tangent_share, -parameters.tangent_share})
-                if (const WallPoint<3, double> beyond =
-                        walls_.nearest(side, step_along<3>(values_of<3>(x), little / way.norm(), way));
-                    !beyond.on_face)
-                    out = beyond.normal - n.dot(beyond.normal) * n;
-        }
-        Scalar sum = 0;
-        for (int variable = 0; variable < Scalar::variables; ++variable) {
-            Vec<D> moved = Vec<D>::Zero();
-            if (const int own = variable - side * twist_size<D>; own >= 0 && own < D)
-                moved[own] = 1;
-            else if (own >= D && own < twist_size<D>)
-                moved = turned(own - D, foot - walls_.reference[side]);
-            for (int k = 0; k < D; ++k)
-                sum.rate[variable] += out[k] * (at.x[k].rate[variable] - moved[k]);
-        }
-        return sum;
-    }
-    WallPoint<D, Scalar> nearest(int side, const Place& x, int face = -1) const
-    {
-        const Vec<D> at = values_of<D>(x);
-        const WallPoint<D, double> point = walls_.nearest(side, at, face);
-        const Mat<D> bend = walls_.wall(side).normal_rate(point);
-        WallPoint<D, Scalar> result{{}, {}, point.distance, point.on_face, point.face};
-        for (int k = 0; k < D; ++k) {
-            result.x[k] = point.x[k];
-            result.normal[k] = point.normal[k];
-        }
-        for (int variable = 0; variable < Scalar::variables; ++variable) {
-            Vec<D> way, turn = Vec<D>::Zero(); // of x relative to the moved solid; of the normal by the solid's turn
-            for (int k = 0; k < D; ++k)
-                way[k] = x[k].rate[variable];
-            const Vec<D> moved = way;
-            if (const int own = variable - side * twist_size<D>; own >= 0 && own < D)
-                way[own] -= 1;
-            else if (own >= D && own < twist_size<D>) {
-                way -= turned(own - D, at - walls_.reference[side]);
-                turn = turned(own - D, point.normal);
-            }
-            const double by_distance = point.normal.dot(way);
-            const Vec<D> by_normal = turn + bend * way;
-            result.distance.rate[variable] = by_distance;
-            for (int k = 0; k < D; ++k) {
-                result.normal[k].rate[variable] = by_normal[k];
-                result.x[k].rate[variable] = moved[k] - point.normal[k] * by_distance - point.distance * by_normal[k];
-            }
-        }
-        return result;
-    }
-
-private:
-    static Vec<D> turned(int k, const Vec<D>& r)
-    {
-        if constexpr (D == 2)
-            return Vec<2>(-r[1], r[0]);
-        else
-            return Vec<3>::Unit(k).cross(r);
-    }
-
-    const GapWalls<D>& walls_;
-    PairTwist<D> twist_;
-    Scalar standoff_;
-    std::array<Place, 2> reference_;
-};
 
 } // namespace gapflow

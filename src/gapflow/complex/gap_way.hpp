@@ -1,11 +1,10 @@
 // Gaps as the faces of the grid cut them: the way along a gap from node to node, and the integrals along it.
 #pragma once
 
-#include "gapflow/complex/gap_walls.hpp"
+#include "gapflow/complex/gap_moving.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -74,8 +73,9 @@ typename MovingWalls<D>::Frame mean_motion(const FacingWalls<D, MovingWalls<D>>&
 /// In the plane of a gap.
 template <int D, class S = double>
 struct GapShape {
-    Eigen::Matrix<S, D, D> curvature; ///< the Hessian of the thickness, without its negative part
-    Eigen::Matrix<S, D, D> shares;    ///< of the closing that flow in each direction, of trace 1
+    S bend;               ///< second derivative of the thickness along the way, without the negative part of the Hessian
+    S share;              ///< e . Sigma way: of the closing that flows along the way
+    S curvature = S(0.0); ///< trace of that Hessian
 };
 
 /// A symmetric matrix without its negative part.
@@ -91,45 +91,48 @@ Eigen::Matrix<S, 2, 2> positive_part(const Eigen::Matrix<S, 2, 2>& A)
     return (mean + radius) / (2 * radius) * (A - (mean - radius) * Eigen::Matrix<S, 2, 2>::Identity());
 }
 
-/// `here`: the gap at x.
+/// `here`: the gap at x. The way is along e.
 template <int D, class Walls>
-GapShape<D, typename Walls::Scalar> shape_of_gap(const FacingWalls<D, Walls>& walls,
-                                                 const PlaceOf<D, typename Walls::Scalar>& x,
-                                                 const PlaceOf<D, typename Walls::Scalar>& n, const SectionOf<D, Walls>& here)
+GapShape<D, typename Walls::Scalar>
+shape_of_gap(const FacingWalls<D, Walls>& walls, const PlaceOf<D, typename Walls::Scalar>& x,
+             const PlaceOf<D, typename Walls::Scalar>& n, const GapProfile<D, Walls>& here,
+             const PlaceOf<D, typename Walls::Scalar>& e, const PlaceOf<D, typename Walls::Scalar>& way)
 {
     using S = typename Walls::Scalar;
     using Place = PlaceOf<D, S>;
     if constexpr (D == 2)
-        return {Eigen::Matrix<S, 2, 2>::Zero(), Eigen::Matrix<S, 2, 2>::Identity() - n * n.transpose()};
+        return {S(0.0), S(e.dot(way) - n.dot(e) * n.dot(way))};
     else {
         const Place u = n.unitOrthogonal(), v = n.cross(u);
-        const S t = here.thickness;
+        const S& t = here.thickness;
+        const PlaceOf<2, S> gradient = slope_along<D>(walls, x, n, here, u, v);
         const double h = 0.5;
         // Second derivative along d; where a wall ends on one side of x from the slope there.
-        const auto second = [&](const Place& d) {
+        const auto second = [&](const Place& d, const S& slope) {
             S sum = 0;
             int found = 0;
             for (const double s : {-h, h})
-                if (const auto at = walls.profile(step_along<D, S>(x, S(s), d), n)) {
-                    sum += at->thickness - t + s * here.slope.dot(d);
+                if (const auto at = thickness_at<D>(walls, step_along<D, S>(x, S(s), d), n)) {
+                    sum += *at - t + s * slope;
                     ++found;
                 }
             return found ? S(2.0 / (found * h * h) * sum) : S(0.0);
         };
         const double r = std::sqrt(0.5);
         Eigen::Matrix<S, 2, 2> hess;
-        hess(0, 0) = second(u);
-        hess(1, 1) = second(v);
-        hess(0, 1) = hess(1, 0) = 0.5 * (second(r * (u + v)) - second(r * (u - v)));
-        const PlaceOf<2, S> gradient(here.slope.dot(u), here.slope.dot(v));
-        const double e = parameters.faint_curvature;
+        hess(0, 0) = second(u, gradient[0]);
+        hess(1, 1) = second(v, gradient[1]);
+        hess(0, 1) = hess(1, 0) =
+            0.5 * (second(r * (u + v), r * (gradient[0] + gradient[1])) - second(r * (u - v), r * (gradient[0] - gradient[1])));
+        const double faint = parameters.faint_curvature;
         const Eigen::Matrix<S, 2, 2> curvature = positive_part<S>(hess);
-        Eigen::Matrix<S, 2, 2> shares = curvature;
-        shares += e / t * gradient * gradient.transpose() + e * e * t * Eigen::Matrix<S, 2, 2>::Identity();
-        shares /= shares.trace();
-        Eigen::Matrix<S, 3, 2> plane;
-        plane << u, v;
-        return {plane * curvature * plane.transpose(), plane * shares * plane.transpose()};
+        const PlaceOf<2, S> along(way.dot(u), way.dot(v)), across(e.dot(u), e.dot(v));
+        // Sigma = (curvature + faint/t gradient gradient^T + faint^2 t I) over its trace.
+        const S steep = faint / t, level = faint * faint * t;
+        const S share = across.dot(curvature * along) + steep * across.dot(gradient) * along.dot(gradient) +
+                        level * across.dot(along),
+                trace = curvature.trace() + steep * gradient.squaredNorm() + 2.0 * level;
+        return {S(along.dot(curvature * along)), S(share / trace), curvature.trace()};
     }
 }
 
@@ -168,92 +171,71 @@ struct FivePoints {
     }
 };
 
-/// Rows and thickness along a gap, and their integrals over pieces of it. Beyond the end of a wall the gap goes on as it is at the face, at rest.
-template <int D, class Walls = StillWalls<D>>
-class GapWay {
+/// A way along a gap, divided for its quadrature. Beyond the end of a wall the gap goes on as it is at the face, at rest.
+template <int D, class Walls>
+class DividedWay {
 public:
     using S = typename Walls::Scalar;
-    using Row = typename Walls::Row;
     using Place = PlaceOf<D, S>;
 
-    struct Point {
-        S weight, thickness;
-        Row flux; ///< D
-    };
+    /// Whether the walls meet on the way: it leads nowhere.
+    bool meets() const { return low_.meet || high_.meet; }
+
+protected:
+    static constexpr FivePoints rule{};
 
     /// Keeps references to its arguments, but the thickness, which is that at `start`.
-    GapWay(const FacingWalls<D, Walls>& walls, const Place& start, const Place& way, const Place& n, const S& thickness,
-           const typename Walls::Frame& frame)
+    DividedWay(const FacingWalls<D, Walls>& walls, const Place& start, const Place& way, const Place& n, const S& thickness,
+               const typename Walls::Frame& frame)
         : walls_(walls), start_(start), way_(way), n_(n), thickness_(thickness), frame_(frame)
     {
+        if (still().round())
+            round_.emplace(still(), values_of<D>(start), values_of<D>(way), values_of<D>(n));
     }
 
-    /// Quadrature of the stretch from .. to of the way. D is 0 where the gap is thinnest along the way: of a quadratic thickness there is no flux
-    /// across the line on which it does not change along the way. `bend`: second derivative of the thickness along the way. `from_start`: D is 0 at
-    /// the face, as in 2D.
-    std::vector<Point> points(const S& from, const S& to, const S& sigma, const S& bend, bool from_start = D == 2)
+    /// `bend`: second derivative of the thickness along the way.
+    void divide(const S& from, const S& to, const S& bend)
     {
-        constexpr int n = FivePoints::points;
-        const End low = end_towards(std::min(from, S(0.0))), high = end_towards(std::max(to, S(0.0)));
-        meets_ = low.meet || high.meet;
-        const Thinnest thinnest = find_thinnest(low, high, bend);
-        set_breaks({from, low.at, S(0.0), high.at, to}, low.at, high.at, thinnest);
-        std::vector<Point> result;
-        result.reserve(n * breaks_.size());
-        Row here = Walls::none(), zero = here;
-        const auto pass = [&](const S& s) {
-            if (s == 0.0)
-                at_face_ = here;
-            if (!from_start && s == thinnest.at) {
-                zero = here;
-                if (thinnest.beyond != 0.0)
-                    zero -= sigma * thinnest.beyond * at(s).first;
-            }
-        };
-        for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
-            const S length = breaks_[k + 1] - breaks_[k];
-            std::array<Row, n> rate;
-            std::array<S, n> t;
-            if (breaks_[k] < low.at || breaks_[k + 1] > high.at) {
-                rate.fill(Walls::none());
-                t.fill(thickness_);
-            } else {
-                for (int g = 0; g < n; ++g)
-                    std::tie(rate[g], t[g]) = at(breaks_[k] + rule.node[g] * length);
-                const auto [least, most] = std::minmax_element(t.begin(), t.end());
-                if (*most > parameters.way_widening * *least && breaks_.size() < parameters.most_intervals &&
-                    length > parameters.least_stretch) {
-                    breaks_.insert(breaks_.begin() + static_cast<long>(k) + 1, S(breaks_[k] + 0.5 * length));
-                    --k;
-                    continue;
-                }
-            }
-            pass(breaks_[k]);
-            if (breaks_[k] >= from && breaks_[k] < to)
-                for (int g = 0; g < n; ++g) {
-                    Point point{rule.weight[g] * length, t[g], here};
-                    for (int h = 0; h < n; ++h)
-                        point.flux -= sigma * length * rule.up_to[g][h] * rate[h];
-                    result.push_back(point);
-                }
-            for (int h = 0; h < n; ++h)
-                here -= sigma * length * rule.weight[h] * rate[h];
-        }
-        pass(breaks_.back());
-        if (from_start)
-            zero = at_face_;
-        for (Point& point : result)
-            point.flux -= zero;
-        at_face_ -= zero;
-        return result;
+        low_ = end_towards(std::min(from, S(0.0)));
+        high_ = end_towards(std::max(to, S(0.0)));
+        thinnest_ = find_thinnest(low_, high_, bend);
+        set_breaks({from, low_.at, S(0.0), high_.at, to}, low_.at, high_.at, thinnest_);
     }
-    /// D at the face, after points().
-    const Row& at_face() const { return at_face_; }
-    /// Whether the walls meet on the way, after points(): it leads nowhere.
-    bool meets() const { return meets_; }
+    /// Whether the walls do not face each other in a stretch.
+    bool beyond(std::size_t stretch) const { return breaks_[stretch] < low_.at || breaks_[stretch + 1] > high_.at; }
+    /// Divides a stretch where the thickness changes too much within it.
+    template <class Thicknesses>
+    bool divides(std::size_t stretch, const S& length, const Thicknesses& t)
+    {
+        const auto [least, most] = std::minmax_element(t.begin(), t.end());
+        if (!(*most > parameters.way_widening * *least && breaks_.size() < parameters.most_intervals &&
+              length > parameters.least_stretch))
+            return false;
+        breaks_.insert(breaks_.begin() + static_cast<long>(stretch) + 1, S(breaks_[stretch] + 0.5 * length));
+        return true;
+    }
+
+    /// Of the stretch on which the walls face each other.
+    struct End {
+        S at, growth, thickness; ///< there
+        bool meet = false;
+    };
+    struct Thinnest {
+        S at;     ///< the place between the ends
+        S beyond; ///< and how far beyond it the gap is thinnest
+        S length; ///< from `at` to where the thickness of a quadratic gap is zero, at complex places too
+    };
+
+    const FacingWalls<D, Walls>& walls_;
+    const Place &start_, &way_, &n_;
+    S thickness_;
+    const typename Walls::Frame& frame_;
+    End low_{}, high_{};
+    Thinnest thinnest_{};
+    std::vector<S> breaks_;
+    std::optional<RoundLine<D>> round_; ///< the same way of round walls
 
 private:
-    static constexpr FivePoints rule{};
     static constexpr int most_steps = 30; ///< of a root's search
 
     const GapWalls<D>& still() const
@@ -264,16 +246,19 @@ private:
             return walls_.still();
     }
     /// The still walls' way.
-    std::optional<GapProfile<D, StillWalls<D>>> still_at(double s, GapStop* stop = nullptr) const
+    std::optional<Growth<double>> still_at(double s, GapStop* stop = nullptr) const
     {
-        return still().profile(step_along<D>(values_of<D>(start_), s, values_of<D>(way_)), values_of<D>(n_), stop);
+        if (round_) {
+            if (const auto found = round_->at(s, stop))
+                return Growth<double>{found->thickness, found->growth};
+            return {};
+        }
+        const Vec<D> way = values_of<D>(way_);
+        if (const auto found = still().profile(step_along<D>(values_of<D>(start_), s, way), values_of<D>(n_), stop))
+            return Growth<double>{found->thickness, -found->slope.dot(way)};
+        return {};
     }
 
-    /// Of the stretch on which the walls face each other.
-    struct End {
-        S at, growth, thickness; ///< there
-        bool meet = false;
-    };
     /// `limit`, or where a wall ends before it, or where the walls meet.
     End end_towards(const S& limit) const
     {
@@ -281,31 +266,26 @@ private:
         const auto found = still_at(value_of(limit), &stop);
         if constexpr (std::is_same_v<S, double>)
             if (found)
-                return end_at(limit, found);
+                return {limit, found->growth, found->thickness};
         if (found)
-            return end_at(limit, walls_.profile(step_along<D, S>(start_, limit, way_), n_));
+            return end_at(limit, growth_at<D>(walls_, step_along<D, S>(start_, limit, way_), n_, way_));
         double in = 0, out = value_of(limit);
         for (double middle = 0.5 * out; middle != in && middle != out; middle = 0.5 * (in + out))
             (still_at(middle, &stop) ? in : out) = middle;
         S at = S(in);
         if constexpr (!std::is_same_v<S, double>)
             at = S::root(in, walls_.margin(step_along<D, S>(start_, S::along(in), way_), n_, stop));
-        End end = end_at(at, walls_.profile(step_along<D, S>(start_, at, way_), n_));
+        End end = end_at(at, growth_at<D>(walls_, step_along<D, S>(start_, at, way_), n_, way_));
         end.meet = stop.meet();
         return end;
     }
-    End end_at(const S& at, const std::optional<GapProfile<D, Walls>>& there) const
+    End end_at(const S& at, const std::optional<Growth<S>>& there) const
     {
         if (!there)
             return {at, S(0.0), thickness_};
-        return {at, S(-there->slope.dot(way_)), there->thickness};
+        return {at, there->growth, there->thickness};
     }
 
-    struct Thinnest {
-        S at;     ///< the place between the ends
-        S beyond; ///< and how far beyond it the gap is thinnest
-        S length; ///< from `at` to where the thickness of a quadratic gap is zero, at complex places too
-    };
     Thinnest find_thinnest(const End& low, const End& high, const S& bend) const
     {
         using std::abs;
@@ -323,7 +303,6 @@ private:
     /// Place and thickness: a false position that lets neither end stand.
     std::pair<S, S> root_of_growth(const End& low, const End& high) const
     {
-        const Vec<D> way = values_of<D>(way_);
         double end[2] = {value_of(low.at), value_of(high.at)}, weight[2] = {value_of(low.growth), value_of(high.growth)},
                place = end[0], thickness = value_of(thickness_);
         for (int k = 0, last = -1; k < most_steps; ++k) {
@@ -332,7 +311,7 @@ private:
             if (!found)
                 break;
             thickness = found->thickness;
-            const double here = -found->slope.dot(way);
+            const double here = found->growth;
             if (here == 0 || std::abs(place - before) < 16 * std::numeric_limits<double>::epsilon())
                 break;
             const int side = here < 0 ? 0 : 1;
@@ -343,10 +322,9 @@ private:
             last = side;
         }
         if constexpr (!std::is_same_v<S, double>)
-            if (const auto found = walls_.profile(step_along<D, S>(start_, S::along(place), way_), n_)) {
-                const S at = S::root(place, found->slope.dot(way_));
-                const auto there = walls_.profile(step_along<D, S>(start_, at, way_), n_);
-                return {at, there ? there->thickness : thickness_};
+            if (const auto found = growth_at<D>(walls_, step_along<D, S>(start_, S::along(place), way_), n_, way_)) {
+                const S at = S::root(place, found->growth);
+                return {at, thickness_at<D>(walls_, step_along<D, S>(start_, at, way_), n_).value_or(thickness_)};
             }
         return {S(place), S(thickness)};
     }
@@ -385,61 +363,115 @@ private:
                 add(s);
             }
     }
+};
 
-    /// Opening in the frame of the walls' mean motion, and thickness.
-    std::pair<Row, S> at(const S& s) const
+/// Rows and thickness along a gap, and their integrals over pieces of it. Rows of twists, or, of round walls, of the first wall's velocity less the second
+/// one's.
+template <int D, class Row = PairTwist<D>>
+class GapWay : public DividedWay<D, StillWalls<D>> {
+public:
+    using DividedWay<D, StillWalls<D>>::rule;
+
+    struct Point {
+        double weight, thickness;
+        Row flux; ///< D
+    };
+
+    GapWay(const GapWalls<D>& walls, const Vec<D>& start, const Vec<D>& way, const Vec<D>& n, double thickness,
+           const typename StillWalls<D>::Frame& frame)
+        : DividedWay<D, StillWalls<D>>(walls, start, way, n, thickness, frame)
     {
-        const auto found = walls_.across(step_along<D, S>(start_, s, way_), n_);
-        if (!found)
-            return {Walls::none(), thickness_};
-        return {found->opening - Walls::along(frame_, found->slope), found->thickness};
     }
 
-    const FacingWalls<D, Walls>& walls_;
-    const Place &start_, &way_, &n_;
-    S thickness_;
-    const typename Walls::Frame& frame_;
-    std::vector<S> breaks_;
-    Row at_face_ = Walls::none();
-    bool meets_ = false;
+    /// Quadrature of the stretch from .. to of the way. D is 0 where the gap is thinnest along the way: of a quadratic thickness there is no flux
+    /// across the line on which it does not change along the way. `bend`: second derivative of the thickness along the way. `from_start`: D is 0 at
+    /// the face, as in 2D.
+    std::vector<Point> points(double from, double to, double sigma, double bend, bool from_start = D == 2)
+    {
+        constexpr int n = FivePoints::points;
+        this->divide(from, to, bend);
+        const auto& thinnest = this->thinnest_;
+        const std::vector<double>& breaks = this->breaks_;
+        std::vector<Point> result;
+        result.reserve(n * breaks.size());
+        Row here = Row::Zero(), zero = here;
+        const auto pass = [&](double s) {
+            if (s == 0.0)
+                at_face_ = here;
+            if (!from_start && s == thinnest.at) {
+                zero = here;
+                if (thinnest.beyond != 0.0)
+                    zero -= sigma * thinnest.beyond * opening_at(s);
+            }
+        };
+        for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+            const double length = breaks[k + 1] - breaks[k];
+            std::array<Row, n> rate;
+            std::array<double, n> t;
+            if (this->beyond(k)) {
+                rate.fill(Row::Zero());
+                t.fill(this->thickness_);
+            } else {
+                find(breaks[k], length, rate, t);
+                if (this->divides(k, length, t)) {
+                    --k;
+                    continue;
+                }
+            }
+            pass(breaks[k]);
+            if (breaks[k] >= from && breaks[k] < to)
+                for (int g = 0; g < n; ++g) {
+                    Point point{rule.weight[g] * length, t[g], here};
+                    for (int h = 0; h < n; ++h)
+                        point.flux -= sigma * length * rule.up_to[g][h] * rate[h];
+                    result.push_back(point);
+                }
+            for (int h = 0; h < n; ++h)
+                here -= sigma * length * rule.weight[h] * rate[h];
+        }
+        pass(breaks.back());
+        if (from_start)
+            zero = at_face_;
+        for (Point& point : result)
+            point.flux -= zero;
+        at_face_ -= zero;
+        return result;
+    }
+    /// D at the face, after points().
+    const Row& at_face() const { return at_face_; }
+
+private:
+    /// Opening in the frame of the walls' mean motion, and thickness, at Gauss's points of a stretch.
+    void find(double from, double length, std::array<Row, FivePoints::points>& rate, std::array<double, FivePoints::points>& t,
+              int n = FivePoints::points) const
+    {
+        if constexpr (std::is_same_v<Row, Vec<D>>) {
+            typename RoundLine<D>::Places at;
+            RoundNumbers s = RoundNumbers::Constant(from);
+            for (int g = 0; g < n; ++g)
+                s[g] += rule.node[g] * length;
+            this->round_->find(s, at);
+            for (int g = 0; g < n; ++g) {
+                t[g] = at.face[g] ? at.thickness[g] : this->thickness_;
+                rate[g] = at.face[g] ? this->round_->opening(at, g) : Row::Zero().eval();
+            }
+        } else
+            for (int g = 0; g < n; ++g) {
+                const auto found =
+                    this->walls_.across(step_along<D>(this->start_, from + rule.node[g] * length, this->way_), this->n_);
+                t[g] = found ? found->thickness : this->thickness_;
+                rate[g] = found ? Row(found->opening - StillWalls<D>::along(this->frame_, found->slope)) : Row::Zero().eval();
+            }
+    }
+    Row opening_at(double s) const
+    {
+        std::array<Row, FivePoints::points> rate;
+        std::array<double, FivePoints::points> t;
+        find(s, 0, rate, t, 1);
+        return rate[0];
+    }
+
+    Row at_face_ = Row::Zero();
 };
-
-/// Place of a piece of a face in a gap.
-template <int D, class Walls>
-struct GapPlace {
-    using S = typename Walls::Scalar;
-    using Place = PlaceOf<D, S>;
-
-    FacingWalls<D, Walls> walls;
-    Place n;                  ///< from the first wall to the second one
-    SectionOf<D, Walls> here; ///< at the piece's centroid
-    S facing;                 ///< cosine of the angle between the walls there
-    // The way from node to node is centroid + s way, middle - 1/2 <= s <= middle + 1/2.
-    double delta = 1; ///< distance of the nodes along the face's axis
-    Place e = Place::Constant(S(0.0)), way = Place::Constant(S(0.0));
-    S middle = S(0.0);
-    Place nodes = Place::Constant(S(0.0)); ///< the middle between the two
-    std::array<S, 2> moved{};              ///< of its two ends: nodes that mouths move
-    // 3D: the piece lies around centroid + s line, from <= s <= to or the other way round.
-    Place line = Place::Constant(S(0.0));
-    S from = S(0.0), to = S(0.0);
-
-    bool along_face() const { return !(value_of(S(way.squaredNorm())) > parameters.parallel * parameters.parallel); }
-};
-
-/// A piece of a face in a gap.
-template <int D>
-struct GapSite : GapPlace<D, StillWalls<D>> {
-    std::int32_t piece;
-    std::array<std::int32_t, 2> solid;
-    std::array<bool, 2> still; ///< closed sides of the domain: they never move
-    std::array<bool, 2> round; ///< balls that turn about their centres: that moves nothing
-    Standoff<D> standoff;
-};
-
-/// Of all pieces of the complex that lie in gaps, in their order.
-template <int D>
-void for_each_gap(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
-                  const Standoffs<D>& standoffs, const std::function<void(const GapSite<D>&)>& visit);
 
 } // namespace gapflow
