@@ -188,6 +188,51 @@ TEST(GapArms, RoundWallsThatTurnMoveNothing)
         EXPECT_LT(M.col(spin).norm(), 1e-7); // round-off of places over the gap
 }
 
+/// Of the round walls in closed form, and of the same walls about reference points beside their centres, which are found as those of any shape.
+template <int D>
+void expect_closed_forms(const Scene& scene)
+{
+    const World<D> world(scene);
+    std::vector<Solid<D>> solids = world.model.solids(world.bodies);
+    const auto arms = [&] {
+        const Complex<D> complex = build_complex<D>(world.grid, solids);
+        return find_gap_arms<D>(world.grid, solids, complex);
+    };
+    const std::vector<GapArm<D>> round = arms();
+    for (Solid<D>& solid : solids)
+        if (!solid.wall)
+            solid.centre += Vec<D>::Constant(0.1);
+    const std::vector<GapArm<D>> any = arms();
+    ASSERT_EQ(round.size(), any.size());
+    ASSERT_GT(round.size(), 10u);
+    for (std::size_t k = 0; k < round.size(); ++k) {
+        const GapArm<D>&a = round[k], &b = any[k];
+        ASSERT_EQ(a.piece, b.piece);
+        EXPECT_NEAR(a.share, b.share, 1e-9);
+        EXPECT_NEAR(a.resistance, b.resistance, 1e-9 * b.resistance);
+        for (const int first : {0, twist_size<D>}) {
+            const Vec<D> flux = b.flux.template segment<D>(first);
+            EXPECT_LT((a.flux.template segment<D>(first) - flux).norm(), 1e-9 * (flux.norm() + 1e-2));
+            for (const int second : {0, twist_size<D>}) {
+                const Mat<D> mass = b.mass.template block<D, D>(first, second);
+                EXPECT_LT((a.mass.template block<D, D>(first, second) - mass).norm(), 1e-9 * (mass.norm() + 1e-2));
+            }
+        }
+    }
+}
+
+TEST(GapArms, OfRoundWallsInClosedForm)
+{
+    expect_closed_forms<2>(container(24, 1e-2, 0.4, {0.2, 0.1}, true));
+    Scene balls = over_a_floor(1e-2, {0.1, 0.44});
+    balls.bodies.push_back(balls.bodies[0]);
+    balls.bodies[1].name = "beside";
+    balls.bodies[1].radius = 0.7;
+    balls.bodies[1].position[0] += 1.5;
+    balls.bodies[1].position[2] += 0.9;
+    expect_closed_forms<3>(balls);
+}
+
 TEST(GapArms, ClosingAddsMass)
 {
     std::vector<GapArm<2>> arms;
