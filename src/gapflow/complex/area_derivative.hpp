@@ -47,8 +47,8 @@ struct LinkRate {
     Twist<D> conductance;
 };
 
-/// Sum of a solid's sections with the planes normal to an axis, in the grid of the core continued without end; of one that is inside out that of
-/// its cavity.
+/// Sum of a solid's sections within the domain with the planes normal to an axis, spaced as in the grid's core, those at the sides by half; of one
+/// that is inside out that of its cavity.
 template <int D>
 struct SeenVolume {
     double volume = 0;
@@ -72,12 +72,12 @@ using SpinMatrix = Eigen::Matrix<double, spin_size<D>, spin_size<D>>;
 template <int D>
 struct SeenSolid {
     std::array<SeenVolume<D>, D> along;
-    double volume = 0;                              ///< its own
+    double volume = 0;                              ///< its own, within the domain
     Vec<D> centroid = Vec<D>::Zero();               ///< its own, from the reference point
     SpinMatrix<D> rotation = SpinMatrix<D>::Zero(); ///< see seen_rotation.hpp
     double sign = 1;                                ///< -1: the solid is inside out
-    /// Of the solid that is in the fluid, inside the domain and not within another solid: the volume that the planes see through the walls of
-    /// the complex, over that of the whole solid, `all`.
+    /// Of the solid within the domain that is not within another solid: the volume that the planes see through the walls of the complex, over that
+    /// of the sections, `all`.
     double share = 1, all = 0;
     Vec<D> counts = Vec<D>::Zero(); ///< 0: of an axis along which the walls of two images are not told apart
 };
@@ -88,6 +88,9 @@ template <int D>
 struct SeenRate {
     SeenSolid<D> seen;
     std::array<SeenVolumeRate<D>, D> along;
+    // Of the volume, and of the centroid beside that it turns: as the solid leaves the domain.
+    Twist<D> volume = Twist<D>::Zero();
+    Eigen::Matrix<double, D, twist_size<D>> centroid = Eigen::Matrix<double, D, twist_size<D>>::Zero();
     std::array<SpinMatrix<D>, twist_size<D>> rotation;
     Twist<D> share = Twist<D>::Zero();
     Vec<D> share_by_walls = Vec<D>::Zero(), reference = Vec<D>::Zero();

@@ -56,8 +56,14 @@ public:
     using Place = PlaceOf<D, S>;
     using Square = Eigen::Matrix<S, spin_size<D>, spin_size<D>>;
 
-    TurningSurface(const PlacedSolid<D>& solid, const Vec<D>& c) : reference_(solid.reference), c_(moving(c))
+    TurningSurface(const PlacedSolid<D>& solid, const Vec<D>& c, const Window<D>* window,
+                   const Eigen::Matrix<double, D, twist_size<D>>& by_twist)
+        : reference_(solid.reference), window_(window && !window->holds(solid) ? window : nullptr), c_(moving(c))
     {
+        if constexpr (!std::is_same_v<S, double>)
+            for (int axis = 0; axis < D; ++axis)
+                for (int k = 0; k < twist_size<D>; ++k)
+                    c_[axis].rate[k] += by_twist(axis, k);
         sum_.setConstant(S(0.0));
         std::visit([&](const auto& kind) { add(kind); }, solid.kind);
     }
@@ -181,9 +187,12 @@ private:
     }
 
     /// `normal`: out of the solid, of any length. `closed`: a plane in which the segment lies counts as within the solid.
-    void add_segment(const Place& a, const Place& b, const Vec<D>& normal, bool closed)
+    void add_segment(const Place& from, const Place& to, const Vec<D>& normal, bool closed)
     {
         using std::sqrt;
+        Place a = from, b = to;
+        if (!cut(a, b))
+            return;
         const Place way = b - a;
         const S square = way.squaredNorm();
         if (!(value_of(square) > 0))
@@ -208,6 +217,25 @@ private:
         }
     }
 
+    /// To what lies in the window; false: nothing.
+    bool cut(Place& a, Place& b) const
+    {
+        for (int d = 0; d < D && window_; ++d)
+            for (int end = 0; end < 2 && window_->bounded(d); ++end) {
+                const double side = window_->side(d, end), sign = end ? -1 : 1;
+                const S over_a = sign * (a[d] - side), over_b = sign * (b[d] - side);
+                if (value_of(over_a) <= 0 && value_of(over_b) <= 0)
+                    return false;
+                if (value_of(over_a) >= 0 && value_of(over_b) >= 0)
+                    continue;
+                const S share = over_a / (over_a - over_b);
+                const Place at = a + share * (b - a);
+                (value_of(over_a) < 0 ? a : b) = at;
+                (value_of(over_a) < 0 ? a : b)[d] = S(side);
+            }
+        return true;
+    }
+
     /// Calls f(plane below, whether the slab begins at a, whether it ends at b) for the slabs between planes through which one goes from a to b.
     template <class F>
     static void for_each_slab(double a, double b, bool below, F&& f)
@@ -230,11 +258,13 @@ private:
         const Place lever = centre - c_, axis = turning(out);
         Place across;
         across << -axis[1], axis[0];
+        const auto turned_from = [&](int d) {
+            const S angle = angle_of(axis[d]);
+            return value_of(across[d]) < 0 ? -angle : angle;
+        };
         for (int d = 0; d < 2; ++d) {
             // x_d = centre_d + radius cos(phi - turned), phi from the axis: monotonous between ends and the extremes.
-            S turned = angle_of(axis[d]);
-            if (value_of(across[d]) < 0)
-                turned = -turned;
+            const S turned = turned_from(d);
             std::vector<S> stops{S(-0.5 * std::numbers::pi), S(0.5 * std::numbers::pi)};
             const auto offer = [&](const S& phi) {
                 for (const double round : {-2 * std::numbers::pi, 0.0, 2 * std::numbers::pi})
@@ -243,17 +273,26 @@ private:
             };
             offer(turned);
             offer(turned + std::numbers::pi);
-            for (double plane = std::ceil(value_of(centre[d]) - radius); plane <= value_of(centre[d]) + radius; ++plane) {
-                const S cosine = (plane - centre[d]) / radius;
+            const auto offer_line = [&](int e, double place) {
+                const S cosine = (place - centre[e]) / radius;
                 if (std::abs(value_of(cosine)) < 1)
                     for (const double sign : {-1.0, 1.0})
-                        offer(turned + sign * angle_of(cosine));
-            }
+                        offer(turned_from(e) + sign * angle_of(cosine));
+            };
+            for (double plane = std::ceil(value_of(centre[d]) - radius); plane <= value_of(centre[d]) + radius; ++plane)
+                offer_line(d, plane);
+            for (int e = 0; e < 2 && window_; ++e)
+                for (int end = 0; end < 2 && window_->bounded(e); ++end)
+                    offer_line(e, window_->side(e, end));
             std::sort(stops.begin(), stops.end(), [](const S& x, const S& y) { return value_of(x) < value_of(y); });
             for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
                 const S &from = stops[k], length = stops[k + 1] - from;
                 const double middle = value_of(from) + 0.5 * value_of(length),
                              plane = std::floor(value_of(centre[d]) + radius * std::cos(middle - value_of(turned)));
+                if (window_ &&
+                    !window_->holds(Vec<2>(values_of<2>(centre) + radius * (std::cos(middle) * values_of<2>(axis) +
+                                                                            std::sin(middle) * values_of<2>(across)))))
+                    continue;
                 const int pieces = 1 + static_cast<int>(value_of(length) / 0.4);
                 for (int piece = 0; piece < pieces; ++piece)
                     for (int g = 0; g < 3; ++g) {
@@ -266,7 +305,7 @@ private:
         }
     }
 
-    void add_facet(const std::vector<Place>& facet, const Vec<D>& normal, bool closed)
+    void add_facet(std::vector<Place> facet, const Vec<D>& normal, bool closed)
     {
         using std::sqrt;
         Place area = (facet[1] - facet[0]).cross(facet[2] - facet[0]);
@@ -277,6 +316,11 @@ private:
         Place n = area / length;
         if (values_of<D>(n).dot(normal) < 0)
             n = -n;
+        for (int d = 0; d < 3 && window_; ++d)
+            for (int end = 0; end < 2 && window_->bounded(d); ++end)
+                facet = half_of(facet, d, window_->side(d, end), end ? -1 : 1);
+        if (facet.size() < 3)
+            return;
         for (int d = 0; d < 3; ++d) {
             if (value_of(n[d]) == 0)
                 continue;
@@ -335,22 +379,25 @@ private:
         gauss_weight{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
     const Vec<D> reference_;
-    const Place c_;
+    const Window<D>* const window_; ///< null: it holds the solid
+    Place c_;
     Square sum_;
 };
 
 } // namespace
 
 template <int D>
-SpinMatrix<D> seen_rotation(const PlacedSolid<D>& solid, const Vec<D>& c)
+SpinMatrix<D> seen_rotation(const PlacedSolid<D>& solid, const Vec<D>& c, const Window<D>* window)
 {
-    return TurningSurface<D, double>(solid, c).sum();
+    return TurningSurface<D, double>(solid, c, window, Eigen::Matrix<double, D, twist_size<D>>::Zero()).sum();
 }
 
 template <int D>
-std::array<SpinMatrix<D>, twist_size<D>> seen_rotation_rate(const PlacedSolid<D>& solid, const Vec<D>& c)
+std::array<SpinMatrix<D>, twist_size<D>> seen_rotation_rate(const PlacedSolid<D>& solid, const Vec<D>& c,
+                                                            const Window<D>* window,
+                                                            const Eigen::Matrix<double, D, twist_size<D>>& by_twist)
 {
-    const auto sum = TurningSurface<D, Dual<twist_size<D>>>(solid, c).sum();
+    const auto sum = TurningSurface<D, Dual<twist_size<D>>>(solid, c, window, by_twist).sum();
     std::array<SpinMatrix<D>, twist_size<D>> rates;
     for (int k = 0; k < twist_size<D>; ++k)
         for (int i = 0; i < spin_size<D>; ++i)
@@ -360,8 +407,9 @@ std::array<SpinMatrix<D>, twist_size<D>> seen_rotation_rate(const PlacedSolid<D>
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template SpinMatrix<D> seen_rotation(const PlacedSolid<D>&, const Vec<D>&);                                                \
-    template std::array<SpinMatrix<D>, twist_size<D>> seen_rotation_rate(const PlacedSolid<D>&, const Vec<D>&);
+    template SpinMatrix<D> seen_rotation(const PlacedSolid<D>&, const Vec<D>&, const Window<D>*);                              \
+    template std::array<SpinMatrix<D>, twist_size<D>> seen_rotation_rate(                                                      \
+        const PlacedSolid<D>&, const Vec<D>&, const Window<D>*, const Eigen::Matrix<double, D, twist_size<D>>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

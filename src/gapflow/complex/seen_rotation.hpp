@@ -7,18 +7,20 @@
 #pragma once
 
 #include "gapflow/complex/area_derivative.hpp"
-#include "gapflow/complex/placed.hpp"
+#include "gapflow/complex/window.hpp"
 
 #include <array>
 
 namespace gapflow {
 
-/// S by omega. `c`: the solid's centroid, in cells. Of solids whose surface is round in 3D zero.
+/// S by omega of the surface within the window (null: of all). `c`: the solid's centroid, in cells. Of solids whose surface is round in 3D zero.
 template <int D>
-SpinMatrix<D> seen_rotation(const PlacedSolid<D>& solid, const Vec<D>& c);
+SpinMatrix<D> seen_rotation(const PlacedSolid<D>& solid, const Vec<D>& c, const Window<D>* window = nullptr);
 
-/// Its derivative by the solid's twist.
+/// Its derivative by the solid's twist; `c` moves with the solid and by `by_twist` more.
 template <int D>
-std::array<SpinMatrix<D>, twist_size<D>> seen_rotation_rate(const PlacedSolid<D>& solid, const Vec<D>& c);
+std::array<SpinMatrix<D>, twist_size<D>>
+seen_rotation_rate(const PlacedSolid<D>& solid, const Vec<D>& c, const Window<D>* window = nullptr,
+                   const Eigen::Matrix<double, D, twist_size<D>>& by_twist = Eigen::Matrix<double, D, twist_size<D>>::Zero());
 
 } // namespace gapflow

@@ -2,211 +2,16 @@
 
 #include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/seen_rotation.hpp"
+#include "gapflow/complex/seen_sections.hpp"
 #include "gapflow/complex/surface_rate.hpp"
+#include "gapflow/geometry/part_below.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace gapflow {
 namespace {
-
-/// Planes a cell apart.
-struct Planes {
-    double first, last;
-    /// The first that is not below x.
-    double from(double x) const { return x > first ? first + std::ceil(x - first) : first; }
-};
-
-template <int D>
-SeenVolume<D> sum_of_sections(const BallKind<D>& kind, const PlacedSolid<D>& solid, int d, const Planes& planes)
-{
-    SeenVolume<D> sum;
-    const double end = std::min(planes.last, kind.centre[d] + kind.radius);
-    for (double at = planes.from(kind.centre[d] - kind.radius); at <= end; ++at) {
-        const double r2 = kind.radius * kind.radius - (at - kind.centre[d]) * (at - kind.centre[d]);
-        sum.volume += r2 > 0 ? (D == 2 ? 2 * std::sqrt(r2) : std::numbers::pi * r2) : 0.0;
-    }
-    sum.moment = sum.volume * (kind.centre - solid.reference);
-    sum.moment[d] = 0;
-    return sum;
-}
-
-template <int D, class Kind>
-SeenVolume<D> sum_of_sections(const Kind& kind, const PlacedSolid<D>& solid, int d, const Planes& planes)
-{
-    SeenVolume<D> sum;
-    const double end = std::min(planes.last, solid.high[d]);
-    for (double at = planes.from(solid.low[d]); at <= end; ++at)
-        if constexpr (D == 2) {
-            const int axis = 1 - d;
-            const Stretch s = kind.line(axis, at * unit<2>(d));
-            if (s.empty())
-                continue;
-            sum.volume += s.to - s.from;
-            sum.moment[axis] += (s.to - s.from) * (0.5 * (s.to + s.from) - solid.reference[axis]);
-        } else if (const Section section = kind.section(d, at); !section.empty()) {
-            const Bulge whole = section.whole(); // clockwise
-            sum.volume -= whole.area;
-            for (const auto& [k, axis] : {std::pair{0, u_axis<3>(d)}, {1, v_axis<3>(d)}})
-                sum.moment[axis] -= whole.moment[k] - solid.reference[axis] * whole.area;
-        }
-    return sum;
-}
-
-template <int D>
-SeenVolume<D> sum_of_sections(const FacetKind<D>& kind, const PlacedSolid<D>& solid, int d, const Planes& planes)
-{
-    // The border of each section, facet by facet: 1/2 x cross dx and 1/3 x of it; in 2D its ends.
-    SeenVolume<D> sum;
-    for (const auto& element : kind.surface->elements) {
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (const int i : element) {
-            low = std::min(low, kind.vertices[i][d]);
-            high = std::max(high, kind.vertices[i][d]);
-        }
-        for (double at = planes.from(low); at < high && at <= planes.last; ++at) { // a vertex in the plane lies below it
-            std::array<Vec<D>, 2> up_down; // where the facet's border goes up through the plane and where down
-            for (int k = 0; k < D; ++k) {
-                const Vec<D>&a = kind.vertices[element[k]], &b = kind.vertices[element[(k + 1) % D]];
-                const bool above_a = a[d] > at, above_b = b[d] > at;
-                if (above_a == above_b)
-                    continue;
-                const double t = (at - a[d]) / (b[d] - a[d]);
-                const Vec<D> x = a + t * (b - a) - solid.reference;
-                if constexpr (D == 2) {
-                    // The solid lies on the left of the segment from a to b: upwards along x its interior has smaller y.
-                    const double sign = (d == 0 ? 1 : -1) * (above_b ? -1 : 1);
-                    sum.volume += sign * x[1 - d];
-                    sum.moment[1 - d] += 0.5 * sign * x[1 - d] * x[1 - d];
-                    break;
-                } else
-                    up_down[above_b ? 0 : 1] = x;
-            }
-            if constexpr (D == 3) {
-                const int u = u_axis<3>(d), v = v_axis<3>(d);
-                const double area = 0.5 * (up_down[1][u] * up_down[0][v] - up_down[1][v] * up_down[0][u]);
-                sum.volume += area;
-                for (const int axis : {u, v})
-                    sum.moment[axis] += area / 3 * (up_down[0][axis] + up_down[1][axis]);
-            }
-        }
-    }
-    return sum;
-}
-
-/// Calls f(at) for the planes between two places.
-template <class F>
-void for_each_plane(double low, double high, const Planes& planes, F&& f)
-{
-    const double end = std::min(planes.last, high);
-    for (double at = planes.from(low); at <= end; ++at)
-        f(at);
-}
-
-template <class Kind>
-void add_rates_of_convex(const Kind& kind, const PlacedSolid<2>& solid, int d, const Planes& planes, PieceRate<2>& rate)
-{
-    for_each_plane(solid.low[d], solid.high[d], planes, [&](double at) {
-        const int axis = 1 - d;
-        Vec<2> x = at * unit<2>(d);
-        const Stretch s = kind.line(axis, x);
-        if (s.empty())
-            return;
-        for (const auto& [place, sign] : {std::pair{s.from, 1.0}, {s.to, -1.0}}) {
-            x[axis] = place;
-            add_end(axis, sign, x, solid.reference[axis], solid.reference, kind.normal_at(x), rate);
-        }
-    });
-}
-
-/// The reference point in the plane.
-Vec<2> reference_in(const PlacedSolid<3>& solid, int d)
-{
-    return {solid.reference[u_axis<3>(d)], solid.reference[v_axis<3>(d)]};
-}
-
-template <class Kind>
-void add_rates_of_convex(const Kind& kind, const PlacedSolid<3>& solid, int d, const Planes& planes, PieceRate<3>& rate)
-{
-    for_each_plane(solid.low[d], solid.high[d], planes, [&](double at) {
-        const Section section = kind.section(d, at);
-        if (section.empty())
-            return;
-        for (int k = 0; k < section.count; ++k) {
-            const Curve& c = section.curve[k];
-            ArcSegment segment{section.corner[k], section.corner[(k + 1) % section.count],
-                               c.kind == Curve::Kind::ellipse ? &c : nullptr, c.surface};
-            if (section.single()) {
-                segment.from = segment.to = c.centre + c.semi1 * c.e1;
-                segment.whole = true;
-            }
-            add_segment({d, at, reference_in(solid, d)}, solid.reference, segment,
-                        kind.slope(d, at, segment.surface, Vec<2>(0.5 * (segment.from + segment.to))), rate);
-        }
-    });
-}
-
-/// By the facets' normals, out of what is enclosed.
-template <int D>
-void add_rates_of_facets(const FacetKind<D>& kind, const PlacedSolid<D>& solid, int d, const Planes& planes, PieceRate<D>& rate)
-{
-    for (std::size_t facet = 0; facet < kind.surface->elements.size(); ++facet) {
-        const auto& element = kind.surface->elements[facet];
-        std::array<double, D> place;
-        for (int k = 0; k < D; ++k)
-            place[k] = kind.vertices[element[k]][d];
-        const auto [low, high] = std::minmax_element(place.begin(), place.end());
-        const Vec<D> normal = facet_normal(kind, static_cast<int>(facet));
-        for_each_plane(*low, *high, planes, [&](double at) {
-            if (*low > at || *high <= at) // a vertex in the plane lies below it
-                return;
-            InlineVector<Vec<D>, 2> cut;
-            for (int k = 0; k < (D == 2 ? 1 : D); ++k) {
-                const Vec<D>&a = kind.vertices[element[k]], &b = kind.vertices[element[(k + 1) % D]];
-                if ((a[d] > at) != (b[d] > at))
-                    cut.push_back(a + (at - a[d]) / (b[d] - a[d]) * (b - a));
-            }
-            if constexpr (D == 2)
-                add_end(1 - d, normal[1 - d] > 0 ? -1 : 1, cut[0], solid.reference[1 - d], solid.reference, normal, rate);
-            else {
-                const int u = u_axis<3>(d), v = v_axis<3>(d);
-                Vec<2> from(cut[0][u], cut[0][v]), to(cut[1][u], cut[1][v]);
-                if ((to - from)[0] * normal[v] < (to - from)[1] * normal[u])
-                    std::swap(from, to);
-                add_segment({d, at, reference_in(solid, d)}, solid.reference, {from, to}, flat_slope(normal, d), rate);
-            }
-        });
-    }
-}
-
-/// Sum of a surface's sections: what they enclose.
-template <int D>
-SeenVolume<D> sum_of_sections(const PlacedSolid<D>& solid, int d, const Planes& planes)
-{
-    const SeenVolume<D> sum = std::visit([&](const auto& kind) { return sum_of_sections(kind, solid, d, planes); }, solid.kind);
-    return sum.volume < 0 ? -sum : sum; // facets of a surface that is inside out
-}
-
-/// Its derivative by the solid's twist.
-template <int D>
-SeenVolumeRate<D> rate_of_sections(const PlacedSolid<D>& solid, int d, const Planes& planes)
-{
-    return std::visit(
-        [&](const auto& kind) -> SeenVolumeRate<D> {
-            PieceRate<D> open{solid.solid}; // of what is open
-            if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, FacetKind<D>>) {
-                add_rates_of_facets(kind, solid, d, planes, open);
-                if (sum_of_sections(kind, solid, d, planes).volume < 0)
-                    return {open.area, open.moment};
-            } else
-                add_rates_of_convex(kind, solid, d, planes, open);
-            return {-open.area, -open.moment};
-        },
-        solid.kind);
-}
 
 template <int D>
 double period_of(const Grid<D>& grid, const GridPlanes<D>& planes, int d)
@@ -238,19 +43,75 @@ std::vector<WallSums<D>> wall_sums(const Grid<D>& grid, const GridPlanes<D>& pla
     return sums;
 }
 
-constexpr double everywhere = std::numeric_limits<double>::infinity();
-
-/// The planes that a solid meets.
+/// The planes of the domain that a solid meets.
 template <int D>
-Planes all_planes(const PlacedSolid<D>& solid, int d)
+Planes planes_within(const PlacedSolid<D>& solid, int d, const Window<D>& window)
 {
-    return {std::ceil(solid.low[d]) - 1, everywhere};
+    return {std::max(std::ceil(solid.low[d]) - 1, std::ceil(window.low[d])), window.high[d]};
 }
 
-/// What the planes see of all of a solid, and the share of it that they see through its walls.
+/// Calls f(planes, weight) for the planes of the domain that a solid meets, and for those at the sides, which count by half.
+template <int D, class F>
+void for_planes_within(const PlacedSolid<D>& solid, int d, const Window<D>& window, F&& f)
+{
+    f(planes_within(solid, d, window), 1.0);
+    for (int end = 0; end < 2; ++end)
+        if (const double side = window.side(d, end); side == std::floor(side) && side >= solid.low[d] && side <= solid.high[d])
+            f(Planes{side, side}, -0.5);
+}
+
+/// What of a solid lies beyond the sides of the domain: its volume, its first moment, and the rates of both, that of the moment at a fixed angle.
+template <int D>
+struct Beyond {
+    double volume = 0;
+    Vec<D> moment = Vec<D>::Zero();
+    Twist<D> volume_rate = Twist<D>::Zero();
+    Eigen::Matrix<double, D, twist_size<D>> moment_rate = Eigen::Matrix<double, D, twist_size<D>>::Zero();
+};
+
+/// `arm`: from its reference point to the origin of its shape. What lies beyond two sides counts twice.
+template <int D>
+Beyond<D> beyond_sides(const PlacedSolid<D>& solid, const Solid<D>& of, const GridPlanes<D>& planes, const Window<D>& window,
+                       const Vec<D>& arm)
+{
+    Beyond<D> sum;
+    const Mat<D>& turn = of.shape.rotation();
+    for (int d = 0; d < D; ++d)
+        for (int end = 0; end < 2; ++end) {
+            const double side = window.side(d, end), out = end ? 1 : -1;
+            if (!std::isfinite(side) || !(end ? solid.high[d] > side : solid.low[d] < side))
+                continue;
+            const Vec<D> inward = -out * turn.transpose() * unit<D>(d); // the part lies below it
+            PartBelow<D> part = part_below(of.shape.shape(), {inward, -out * planes.dx * (side - solid.reference[d] - arm[d])});
+            // In cells, from the reference point.
+            const double sign = solid.inverse ? -1 : 1, volume = sign * part.volume / std::pow(planes.dx, D),
+                         area = sign * part.section / std::pow(planes.dx, D - 1);
+            sum.volume += volume;
+            sum.moment += sign / std::pow(planes.dx, D + 1) * (turn * part.moment) + volume * arm;
+            const Vec<D> first = sign / std::pow(planes.dx, D) * (turn * part.section_moment);
+            const Mat<D> second = sign / std::pow(planes.dx, D + 1) * (turn * part.section_square * turn.transpose()) +
+                                  first * arm.transpose() + arm * first.transpose() + area * arm * arm.transpose();
+            const Vec<D> about = first + area * arm;
+            // The section moves outwards with the speed of its points, by_turn . x of a turn.
+            sum.volume_rate[d] += out * area;
+            sum.moment_rate.col(d) += out * about;
+            for (int k = 0; k < spin_size<D>; ++k) {
+                Spin<D> spin = Spin<D>::Zero();
+                spin[k] = 1;
+                Vec<D> by_turn;
+                for (int axis = 0; axis < D; ++axis)
+                    by_turn[axis] = spin_velocity<D>(spin, unit<D>(axis))[d];
+                sum.volume_rate[D + k] += out * by_turn.dot(about);
+                sum.moment_rate.col(D + k) += out * second * by_turn;
+            }
+        }
+    return sum;
+}
+
+/// What the planes see of a solid within the domain, and the share of it that they see through its walls. `rate`: of the volume and centroid; null: not wanted.
 template <int D>
 SeenSolid<D> seen_of(const PlacedSolid<D>& solid, const Solid<D>& of, const Grid<D>& grid, const GridPlanes<D>& planes,
-                     const WallSums<D>& walls)
+                     const Window<D>& window, const WallSums<D>& walls, SeenRate<D>* rate)
 {
     const MassProperties<D> own = of.shape.shape().mass_properties();
     SeenSolid<D> seen;
@@ -258,12 +119,35 @@ SeenSolid<D> seen_of(const PlacedSolid<D>& solid, const Solid<D>& of, const Grid
     seen.volume = own.volume / std::pow(planes.dx, D);
     const Vec<D> origin = planes.in_cells(of.shape.to_world(Vec<D>::Zero())), reference = planes.in_cells(of.centre);
     seen.centroid = of.shape.rotation() * own.centre / planes.dx;
+    Vec<D> arm;
     for (int d = 0; d < D; ++d)
-        seen.centroid[d] += rounded(origin[d]) - rounded(reference[d]);
-    seen.rotation = seen_rotation<D>(solid, solid.reference + seen.centroid);
+        arm[d] = rounded(origin[d]) - rounded(reference[d]);
+    seen.centroid += arm;
+    if (!window.holds(solid)) {
+        const Beyond<D> beyond = beyond_sides(solid, of, planes, window, arm);
+        const double left = std::max(seen.volume - beyond.volume, 0.0);
+        const bool ball =
+            std::holds_alternative<BallKind<D>>(solid.kind); // moves fluid as its centre moves, wherever it is cut
+        if (left > 0 && !ball)
+            seen.centroid = (seen.volume * seen.centroid - beyond.moment) / left;
+        seen.volume = left;
+        if (left > 0 && rate) {
+            rate->volume = -beyond.volume_rate;
+            if (!ball)
+                rate->centroid = (seen.centroid * beyond.volume_rate.transpose() - beyond.moment_rate) / left;
+        }
+    }
+    seen.rotation = seen_rotation<D>(solid, solid.reference + seen.centroid, &window);
     double within = 0;
     for (int d = 0; d < D; ++d) {
-        seen.along[d] = sum_of_sections(solid, d, all_planes(solid, d));
+        for_planes_within(solid, d, window, [&](const Planes& of_axis, double weight) {
+            const SeenVolume<D> sum = sum_of_sections(solid, d, of_axis, window);
+            seen.along[d].volume += weight * sum.volume;
+            seen.along[d].moment += weight * sum.moment;
+        });
+        if (const auto* ball = std::get_if<BallKind<D>>(&solid.kind))
+            seen.along[d].moment =
+                seen.along[d].volume * (ball->centre - solid.reference - (ball->centre - solid.reference)[d] * unit<D>(d));
         const double reach = std::max(solid.high[d] - solid.reference[d], solid.reference[d] - solid.low[d]) + 1;
         if (grid.periodic(d) && 2 * reach > period_of(grid, planes, d))
             continue;
@@ -271,34 +155,40 @@ SeenSolid<D> seen_of(const PlacedSolid<D>& solid, const Solid<D>& of, const Grid
         seen.all += seen.along[d].volume;
         within -= seen.sign * walls.moment[d];
         for (int end = 0; end < 2 && !grid.periodic(d); ++end) { // the solid's sections with the sides
-            const double side = end ? planes.place[d].back() : planes.place[d].front();
-            within += (end ? 1 : -1) * (side - solid.reference[d]) * sum_of_sections(solid, d, {side, side}).volume;
+            const double side = window.side(d, end);
+            within += (end ? 1 : -1) * (side - solid.reference[d]) * sum_of_sections(solid, d, {side, side}, window).volume;
         }
     }
     seen.share = seen.all > 0 ? std::clamp(within / seen.all, 0.0, 1.0) : 1.0;
     return seen;
 }
 
-/// By the solid's twist; the share at fixed area vectors of its walls.
+/// By the solid's twist; the share at fixed area vectors of its walls. Completes `result`, which has the rates of what is within the domain.
 template <int D>
-SeenRate<D> rate_of(const PlacedSolid<D>& solid, const SeenSolid<D>& seen, const Grid<D>& grid, const GridPlanes<D>& planes,
-                    const WallSums<D>& walls)
+void find_rate(const PlacedSolid<D>& solid, const SeenSolid<D>& seen, const Grid<D>& grid, const Window<D>& window,
+               const WallSums<D>& walls, SeenRate<D>& result)
 {
-    SeenRate<D> result;
     result.seen = seen;
     result.reference = solid.reference;
-    result.rotation = seen_rotation_rate<D>(solid, solid.reference + seen.centroid);
+    result.rotation = seen_rotation_rate<D>(solid, solid.reference + seen.centroid, &window, result.centroid);
     Twist<D> within = Twist<D>::Zero(), all = Twist<D>::Zero();
     for (int d = 0; d < D; ++d) {
         SeenVolumeRate<D>& along = result.along[d];
-        along = rate_of_sections(solid, d, all_planes(solid, d));
+        for_planes_within(solid, d, window, [&](const Planes& of_axis, double weight) {
+            const SeenVolumeRate<D> rate = rate_of_sections(solid, d, of_axis, window);
+            along.volume += weight * rate.volume;
+            along.moment += weight * rate.moment;
+        });
+        if (const auto* ball = std::get_if<BallKind<D>>(&solid.kind))
+            along.moment = (ball->centre - solid.reference) * along.volume.transpose() +
+                           seen.along[d].volume * rigid_rate<D>(ball->centre, solid.reference);
         if (seen.counts[d] > 0) {
             all += along.volume;
             within[d] += seen.sign * walls.area[d];
             for (int end = 0; end < 2 && !grid.periodic(d); ++end) {
-                const double side = end ? planes.place[d].back() : planes.place[d].front(), out = end ? 1 : -1;
-                within[d] -= out * sum_of_sections(solid, d, {side, side}).volume;
-                within += out * (side - solid.reference[d]) * rate_of_sections(solid, d, {side, side}).volume;
+                const double side = window.side(d, end), out = end ? 1 : -1;
+                within[d] -= out * sum_of_sections(solid, d, {side, side}, window).volume;
+                within += out * (side - solid.reference[d]) * rate_of_sections(solid, d, {side, side}, window).volume;
             }
         }
         for (int axis = 0; axis < D; ++axis) // about the reference point, which moves
@@ -309,7 +199,6 @@ SeenRate<D> rate_of(const PlacedSolid<D>& solid, const SeenSolid<D>& seen, const
         result.share = (within - seen.share * all) / seen.all;
         result.share_by_walls = -seen.sign / seen.all * seen.counts;
     }
-    return result;
 }
 
 /// Which of the items that are not null on this rank are null on all lower ones.
@@ -367,6 +256,7 @@ SeenEnergyRate<D> half_square_rate(const SeenRate<D>& rate, const Twist<D>& V)
     double sum = 0.5 * (omega.dot(seen.rotation * omega) - seen.volume * speed.squaredNorm());
     SeenEnergyRate<D> result;
     result.by_place.template tail<spin_size<D>>() = -seen.volume * moment<D>(seen.centroid, by_centroid);
+    result.by_place -= 0.5 * speed.squaredNorm() * rate.volume + seen.volume * (rate.centroid.transpose() * by_centroid);
     for (int k = 0; k < twist_size<D>; ++k)
         result.by_place[k] += 0.5 * omega.dot(rate.rotation[k] * omega);
     for (int d = 0; d < D; ++d) {
@@ -396,6 +286,7 @@ std::vector<TwistMatrix<D>> seen_masses(const Grid<D>& grid, const GridPlanes<D>
             reference[image.solid] = image.reference;
         }
     const std::vector<WallSums<D>> walls = wall_sums<D>(grid, planes, reference, complex);
+    const Window<D> window(grid, planes);
     const std::vector<char> own = held_first(grid.comm(), first);
     std::vector<TwistMatrix<D>> masses(solids.size(), TwistMatrix<D>::Zero());
     if (derivatives)
@@ -403,10 +294,11 @@ std::vector<TwistMatrix<D>> seen_masses(const Grid<D>& grid, const GridPlanes<D>
     for (std::size_t s = 0; s < solids.size(); ++s) {
         if (!own[s] || !std::isfinite(solids[s].shape.shape().mass_properties().volume))
             continue;
-        const SeenSolid<D> seen = seen_of(*first[s], solids[s], grid, planes, walls[s]);
+        SeenRate<D>* rate = derivatives ? &derivatives->seen[s] : nullptr;
+        const SeenSolid<D> seen = seen_of(*first[s], solids[s], grid, planes, window, walls[s], rate);
         masses[s] = seen_mass(seen);
-        if (derivatives)
-            derivatives->seen[s] = rate_of(*first[s], seen, grid, planes, walls[s]);
+        if (rate)
+            find_rate(*first[s], seen, grid, window, walls[s], *rate);
     }
     if (!masses.empty())
         grid.comm().sum(std::span<double>(masses.data()->data(), masses.size() * masses.data()->size()));

@@ -225,6 +225,43 @@ TEST(EnergyDerivative, IsThatOfDifferences3D)
     check_all<3>(2, SideKind::open);
 }
 
+/// One solid of a kind in the middle of a side or a little beside it.
+template <int D>
+void check_at_sides(int few)
+{
+    const Grid<D> grid = unit_grid<D>(D == 3 ? 8 : 16, all_sides<D>(SideKind::open));
+    for (const auto& [name, make] : kinds<D>()) {
+        if (name != "ball" && name != "capsule" && name != "faceted ball" && name != "box" && name != "cylinder")
+            continue;
+        for (int seed = 0; seed < few; ++seed) {
+            std::mt19937 random(2000 + seed);
+            Scene<D> scene(grid);
+            make(scene, random);
+            Solid<D>& solid = scene.solids[0];
+            Vec<D> shift = Vec<D>::Zero();
+            const int axis = seed % D, end = seed / D % 2;
+            shift[axis] = end + number(random, -0.05, 0.05) - solid.centre[axis];
+            solid.shape = solid.shape.shifted(shift);
+            solid.centre += shift + Vec<D>::Constant(seed % 2 ? 0.07 : 0.0); // a reference point beside the centre
+            Twist<D> twist;
+            for (int c = 0; c < twist_size<D>; ++c)
+                twist[c] = number(random, -1, 1) * (c < D ? 1 : 4);
+            const PoseError found = compare<D>(grid, scene.solids, {twist});
+            EXPECT_LE(found.error, 1e-5) << name << " " << seed << " component " << found.component << ", jump " << found.jump;
+        }
+    }
+}
+
+TEST(EnergyDerivative, OfSolidsThatReachOutOfAnOpenSide2D)
+{
+    check_at_sides<2>(8);
+}
+
+TEST(EnergyDerivative, OfSolidsThatReachOutOfAnOpenSide3D)
+{
+    check_at_sides<3>(2);
+}
+
 TEST(EnergyDerivative, OfSolidsAcrossAPeriodicSide)
 {
     // Moved by half a period: the same energy and derivative. Solids that overlap have one velocity: the fluid of a domain without open sides cannot
