@@ -529,18 +529,19 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
 template <int D>
 Instant<D> restored(const Model<D>& model, const State<D>& state, const PartVoids& kept)
 {
-    if (!state.remainder.empty())
-        require_one_rank(model);
     auto at = placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty());
     if (!kept.volume.empty()) {
         const VoidsBefore<D> voids{kept, at->complex, at->voids};
         at = placed(model, state.bodies, model.masses(state.bodies, state.dt), false, &voids);
     }
-    const Vec<D> stream = model.driven()              ? state.drive.flow
+    const Vec<D> stream = model.driven()            ? state.drive.flow
                           : state.remainder.empty() ? to_vec<D>(model.scene.fluid_velocity)
-                                                      : Vec<D>(Vec<D>::Zero());
-    PotentialFlow<D> flow{
-        moved_by<D>(model.twists(state.bodies), stream_twist<D>(-stream)), state.potential, 0, {}, given_sides(model, state.time)};
+                                                    : Vec<D>(Vec<D>::Zero());
+    PotentialFlow<D> flow{moved_by<D>(model.twists(state.bodies), stream_twist<D>(-stream)),
+                          state.potential,
+                          0,
+                          {},
+                          given_sides(model, state.time)};
     if (!state.remainder.empty())
         flow.remainder = remainder_of(*at, state.remainder.faces);
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), stream);

@@ -245,15 +245,15 @@ private:
                     sum += row.weight * (row.node >= 0 ? nodes_[place][field][row.node] : cells_[place][field](row.cell));
                 product *= sum;
             }
-            put(grid_.key(list.rows_of(list.edges[e])[0].cell), -0.5 * sign * product);
+            put(grid_.key(grid_.wrapped(list.rows_of(list.edges[e])[0].cell)), -0.5 * sign * product);
         }
         for (const CarriedFlux<D>& flux : list.carried) {
             double sum = 0;
             for (int field = 0; field < 2; ++field)
                 sum += (flux.axis >= 0 ? momentum(field, flux.axis, flux.face) : density * edges_[place][field][flux.edge]) *
                        flux.flux.dot((*V_[1 - field])[flux.solid]);
-            const Index<D> cell = flux.axis >= 0 ? grid_.wrapped(flux.face) : list.rows_of(list.edges[flux.edge])[0].cell;
-            put(grid_.key(cell), -0.5 * sign * sum);
+            const Index<D> cell = flux.axis >= 0 ? flux.face : list.rows_of(list.edges[flux.edge])[0].cell;
+            put(grid_.key(grid_.wrapped(cell)), -0.5 * sign * sum);
         }
     }
 

@@ -18,19 +18,25 @@ Circulation<D> in_cells(const Placed<D>& at, const Remainder<D>& remainder)
     const Complex<D>& complex = at.complex;
     const double dx = grid.dx();
     Circulation<D> result;
-    for (int axis = 0; axis < D; ++axis) {
+    for (int axis = 0; axis < D; ++axis) { // those of other ranks too, to which this one's lend
         result.face[axis].assign(complex.index.count, 0.0);
-        for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-            result.face[axis][complex.index(complex.index.wrapped(f))] = remainder.faces(axis, f) / dx;
-        });
+        const Index<D> known = grid.high() + Index<D>::Constant(grid.ghost());
+        for_each_index<D>(complex.index.low, complex.index.faces_end(axis).cwiseMin(known),
+                          [&](const Index<D>& f) { result.face[axis][complex.index(f)] = remainder.faces(axis, f) / dx; });
     }
+    const auto is_open_face = [&](const FacePiece<D>& piece) {
+        const bool inner = piece.low.exists() && piece.high.exists();
+        return piece.area > 0 && (inner || is_open(grid.side(piece.axis, piece.low.exists())));
+    };
     for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
         const FacePiece<D>& piece = complex.pieces[k];
         const Index<D> f = complex.index.index(piece.face);
         if (const std::int32_t edge = at.edges.edge_of_piece[k]; edge >= 0)
             result.piece.push_back(remainder.edges[edge] / (dx * dx * grid.spread(piece.axis, f[piece.axis])));
+        else if (complex.joins_main(piece) || (!owns_face(grid, piece.axis, f) && is_open_face(piece)))
+            result.piece.push_back(result.face[piece.axis][complex.index(complex.index.wrapped(f))]);
         else
-            result.piece.push_back(complex.joins_main(piece) ? remainder.faces(piece.axis, f) / dx : 0.0);
+            result.piece.push_back(0.0);
     }
     for (const std::int32_t edge : at.edges.edge_of_link)
         result.link.push_back(edge >= 0 ? remainder.edges[edge] / (dx * dx) : 0.0);

@@ -29,7 +29,7 @@ EdgesOfParts<D> edges_of_parts(const Grid<D>& grid, const Coupling<D>& coupling,
         const int node = side.is_part() ? coupling.part_node[side.number()] : -1;
         if (node < 0 && !complex.is_main(side))
             return; // a sliver without a way out
-        result.rows.push_back({node, grid.wrapped(complex.index.index(complex.cell_of(side))), weight});
+        result.rows.push_back({node, complex.index.index(complex.cell_of(side)), weight});
         ++result.edges.back().rows;
     };
     for (std::size_t k = 0; k < complex.pieces.size(); ++k) {

@@ -17,7 +17,7 @@ template <int D>
 struct SparseEdge {
     struct Row {
         int node;      ///< -1: a cell's
-        Index<D> cell; ///< of the grid, for nodes too
+        Index<D> cell; ///< in this rank's numbers, for nodes too: another rank's lies in the layers around its own
         double weight;
     };
     double conductance;                   ///< 0 where another edge stands for it

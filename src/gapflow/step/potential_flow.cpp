@@ -117,6 +117,8 @@ PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twist
 {
     const Coupling<D> given = with_given_twists(at.coupling);
     UnknownVector<D> rhs = remainder.empty() ? zero(given) : outflow_of_remainder(at, remainder);
+    if (!given.grid->comm().root())
+        rhs.nodes.setZero(); // of all ranks: it counts once in the sum below
     add_flux(
         given, twists, [](int) { return true; }, rhs);
     given.grid->comm().sum(std::span<double>(rhs.nodes.data(), rhs.nodes.size()));

@@ -1,6 +1,6 @@
 #include "gapflow/step/remainder.hpp"
 
-#include "gapflow/core/error.hpp"
+#include "gapflow/core/sharing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 namespace gapflow {
 namespace {
 
-/// Density times velocity, integrated along an edge: the sum of w p has this unit.
+/// Density times velocity, integrated along an edge: the sum of w p has this unit. `p`: with what other ranks have around this one's cells.
 template <int D>
 double drop_along(const Placed<D>& at, const SparseEdge<D>& edge, const UnknownVector<D>& p)
 {
@@ -40,6 +40,7 @@ template <int D, class F>
 void for_each_face_along(const Placed<D>& at, const SparseEdge<D>& edge, const F& f)
 {
     const Grid<D>& grid = *at.coupling.grid;
+    const DenseIndex<D>& index = at.complex.index;
     if (edge.link >= 0)
         return; // both nodes are at the cell's centre
     if (edge.piece >= 0) {
@@ -55,15 +56,64 @@ void for_each_face_along(const Placed<D>& at, const SparseEdge<D>& edge, const F
         for (int axis = 0; axis < D; ++axis) {
             const int cells = grid.cells()[axis];
             int way = row.cell[axis] - c[axis];
-            if (grid.periodic(axis))
+            if (index.wraps[axis])
                 way -= cells * static_cast<int>(std::lround(static_cast<double>(way) / cells));
             for (; way != 0; way -= way > 0 ? 1 : -1) {
-                const Index<D> next = c + (way > 0 ? 1 : -1) * step<D>(axis), face = grid.wrapped(way > 0 ? next : c);
+                const Index<D> next = c + (way > 0 ? 1 : -1) * step<D>(axis), face = index.wrapped(way > 0 ? next : c);
                 f(axis, face, (way > 0 ? -1 : 1) * row.weight * face_length(grid, axis, face));
                 c = next;
             }
         }
     }
+}
+
+/// Adds to a field at cells of any rank in the layers around this one's.
+template <int D>
+class SumAtCells {
+public:
+    SumAtCells(const Grid<D>& grid, CellField<D>& field) : grid_(grid), field_(field) {}
+    void add(const Index<D>& c, double value)
+    {
+        if (grid_.owns(c))
+            field_(c) += value;
+        else
+            beyond_.emplace_back(grid_.key(grid_.wrapped(c)), value);
+    }
+    /// Gives what is another rank's to it. Collective.
+    void finish()
+    {
+        if (grid_.comm().size() == 1)
+            return;
+        for (const auto& [key, value] : all_values(grid_.comm(), beyond_))
+            if (const Index<D> c = grid_.cell_of_key(key); grid_.owns(c))
+                field_(c) += value;
+    }
+
+private:
+    const Grid<D>& grid_;
+    CellField<D>& field_;
+    std::vector<std::pair<long, double>> beyond_;
+};
+
+/// Adds f(edge, its number, axis, face, length) on the faces along all edges, whichever ranks have them. Collective.
+template <int D, class F>
+void add_along_edges(const Placed<D>& at, FaceField<D>& to, const F& f)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    std::vector<SumAtCells<D>> inner; // the faces of edges that are another rank's lie between cells
+    for (int axis = 0; axis < D; ++axis)
+        inner.emplace_back(grid, to[axis]);
+    for (std::size_t e = 0; e < at.edges.edges.size(); ++e)
+        for_each_face_along(at, at.edges.edges[e], [&](int axis, const Index<D>& face, double length) {
+            const double value = f(at.edges.edges[e], e, axis, face, length);
+            if (owns_face(grid, axis, face))
+                to(axis, face) += value;
+            else
+                inner[axis].add(face, value);
+        });
+    for (SumAtCells<D>& sum : inner)
+        sum.finish();
+    exchange(grid, to);
 }
 
 /// The remainder's momentum along what carries a flux.
@@ -117,16 +167,6 @@ Vec<D> place_of_edge(const Grid<D>& grid, int a, int b, const Index<D>& v)
 } // namespace
 
 template <int D>
-void require_one_rank(const Model<D>& model)
-{
-    if (model.grid.comm().size() > 1)
-        throw InputError(
-            model.scene.file +
-            ": gap.model: this version runs \"parts\" in fluid that has its own velocity on one rank; run it without "
-            "mpirun (threads work), or write gap.model = \"film\"");
-}
-
-template <int D>
 Remainder<D> remainder_of(const Placed<D>& at, FaceField<D> velocity)
 {
     exchange(*at.coupling.grid, velocity);
@@ -145,12 +185,18 @@ UnknownVector<D> outflow_of_edges(const Placed<D>& at, const Remainder<D>& remai
 {
     const Coupling<D>& coupling = at.coupling;
     UnknownVector<D> sum{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
+    SumAtCells<D> cells(*coupling.grid, sum.cells);
     for (std::size_t e = 0; e < remainder.edges.size(); ++e) {
         const SparseEdge<D>& edge = at.edges.edges[e];
         const double flux = edge.conductance * coupling.density * remainder.edges[e];
         for (const auto& row : at.edges.rows_of(edge))
-            (row.node >= 0 ? sum.nodes[row.node] : sum.cells(row.cell)) += row.weight * flux;
+            if (row.node >= 0)
+                sum.nodes[row.node] += row.weight * flux;
+            else
+                cells.add(row.cell, row.weight * flux);
     }
+    cells.finish();
+    coupling.grid->comm().sum(std::span<double>(sum.nodes.data(), sum.nodes.size()));
     return sum;
 }
 
@@ -172,6 +218,8 @@ std::vector<Twist<D>> impulse_of_remainder(const Placed<D>& at, const Remainder<
     std::vector<Twist<D>> impulse(coupling.solids.size(), Twist<D>::Zero());
     for (const CarriedFlux<D>& flux : at.edges.carried)
         impulse[flux.solid] -= coupling.density * along(*coupling.grid, flux, remainder) * flux.flux;
+    if (!impulse.empty())
+        coupling.grid->comm().sum(std::span<double>(impulse.data()->data(), impulse.size() * twist_size<D>));
     return impulse;
 }
 
@@ -186,7 +234,7 @@ double energy_of_remainder(const Placed<D>& at, const PotentialFlow<D>& flow)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
             sum += flux(axis, f) * face_length(grid, axis, f) * flow.remainder.faces(axis, f);
         });
-    return 0.5 * coupling.density * grid.face_area() * sum;
+    return 0.5 * coupling.density * grid.face_area() * grid.comm().sum(sum);
 }
 
 template <int D>
@@ -197,6 +245,7 @@ FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
     FluidVelocity<D> u{flow.remainder.faces, {}, {}, {}};
     UnknownVector<D> p = flow.p;
     subtract_gradient(coupling, p, u);
+    exchange(grid, p.cells);
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
             u.grid(axis, f) = coupling.system.conductance(axis, f) > 0 ? coupling.open(axis, f) * u.grid(axis, f) : 0.0;
@@ -213,11 +262,9 @@ FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
         else
             through[of.edge] += flux;
     }
-    for (std::size_t e = 0; e < through.size(); ++e)
-        for_each_face_along(at, at.edges.edges[e], [&](int axis, const Index<D>& f, double length) {
-            u.grid(axis, f) += length / face_length(grid, axis, f) * through[e] / grid.face_area();
-        });
-    exchange(grid, u.grid);
+    add_along_edges(at, u.grid, [&](const SparseEdge<D>&, std::size_t e, int axis, const Index<D>& f, double length) {
+        return length / face_length(grid, axis, f) * through[e] / grid.face_area();
+    });
     return std::move(u.grid);
 }
 
@@ -232,12 +279,9 @@ FaceField<D> open_areas(const Placed<D>& at)
             open(axis, f) = coupling.system.conductance(axis, f) > 0 ? coupling.open(axis, f) : 0.0;
         });
     const double unit = coupling.density / std::pow(grid.dx(), D - 2);
-    for (const SparseEdge<D>& edge : at.edges.edges)
-        for_each_face_along(at, edge, [&](int axis, const Index<D>& f, double length) {
-            open(axis, f) +=
-                edge.piece >= 0 ? at.complex.pieces[edge.piece].area : std::abs(length) / grid.dx() * unit * edge.conductance;
-        });
-    exchange(grid, open);
+    add_along_edges(at, open, [&](const SparseEdge<D>& edge, std::size_t, int, const Index<D>&, double length) {
+        return edge.piece >= 0 ? at.complex.pieces[edge.piece].area : std::abs(length) / grid.dx() * unit * edge.conductance;
+    });
     return open;
 }
 
@@ -452,13 +496,15 @@ void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOption
         if (coupling.system.component(c) >= 0)
             flow.p.cells(c) -= p(c);
     });
+    Eigen::VectorXd of_nodes = Eigen::VectorXd::Zero(coupling.system.nodes);
     for (int part = 0; part < at.complex.parts(); ++part)
-        if (const int node = at.node[part]; node >= 0)
-            flow.p.nodes[node] -= p(grid.wrapped(at.complex.cell_of_part(part)));
+        if (const Index<D> c = at.complex.cell_of_part(part); at.node[part] >= 0 && grid.owns(c))
+            of_nodes[at.node[part]] = p(c);
+    grid.comm().sum(std::span<double>(of_nodes.data(), of_nodes.size()));
+    flow.p.nodes -= of_nodes;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template void require_one_rank<D>(const Model<D>&);                                                                        \
     template Remainder<D> remainder_of<D>(const Placed<D>&, FaceField<D>);                                                     \
     template UnknownVector<D> outflow_of_edges<D>(const Placed<D>&, const Remainder<D>&);                                      \
     template UnknownVector<D> outflow_of_remainder<D>(const Placed<D>&, const Remainder<D>&);                                  \

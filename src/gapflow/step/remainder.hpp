@@ -8,10 +8,6 @@
 
 namespace gapflow {
 
-/// Throws InputError on several ranks: circulation needs one.
-template <int D>
-void require_one_rank(const Model<D>& model);
-
 /// Of a velocity on all faces of the grid, in solids too: what lies within them is the circulation around them. `at`: with its edges. Collective.
 template <int D>
 Remainder<D> remainder_of(const Placed<D>& at, FaceField<D> velocity);

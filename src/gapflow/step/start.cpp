@@ -1,6 +1,6 @@
 #include "gapflow/step/start.hpp"
 
-#include "gapflow/core/error.hpp"
+#include "gapflow/grid/side_faces.hpp"
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/void_solve.hpp"
@@ -13,6 +13,19 @@
 #include <utility>
 
 namespace gapflow {
+namespace {
+
+/// The same, with nothing through the walls of the domain.
+template <int D>
+FaceField<D> within_walls(const Grid<D>& grid, FaceField<D> velocity)
+{
+    for (int side = 0; side < 2 * D; ++side)
+        if (grid.side(side / 2, side % 2) == SideKind::wall)
+            for_each_face_of_side(grid, side / 2, side % 2, [&](const Index<D>& f) { velocity(side / 2, f) = 0; });
+    return velocity;
+}
+
+} // namespace
 
 template <int D>
 Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& report, StageTimers& timers,
@@ -42,15 +55,13 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
     const std::vector<Twist<D>> twists = moved_by<D>(model.twists(state.bodies), stream_twist<D>(-state.drive.flow));
     PotentialFlow<D> flow = at->voids.any()
                                 ? flow_beside_voids(*at, twists, solver_options(model.scene))
-                                : flow_of_twists(*at, twists, solver_options(model.scene), {}, given_sides(model, 0.0));
+                                : flow_of_twists(*at, twists, solver_options(model.scene),
+                                                 initial ? remainder_of(*at, within_walls(model.grid, *initial)) : Remainder<D>{},
+                                                 given_sides(model, 0.0));
     report.iterations = flow.iterations;
     report.solves = 1;
     if (initial) {
-        require_one_rank(model);
-        flow.remainder = remainder_of(*at, *initial);
-        const UnknownVector<D> p = flow.p;
         renew_gauge(*at, flow, solver_options(model.scene));
-        flow.p = p;
         ++report.solves;
     }
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), state.drive.flow);

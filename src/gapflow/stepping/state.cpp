@@ -132,6 +132,8 @@ void list_state(StateArchive& archive, const Model<D>& model, State<D>& state)
         });
     if (model.scene.parts)
         archive.optional("circulation", !state.remainder.empty(), [&] {
+            bool goes_on = true; // what every rank finds: fields are on the root alone
+            archive("goes_on", goes_on);
             if (state.remainder.empty())
                 state.remainder.faces = FaceField<D>(grid);
             list_field(archive, "velocity", grid, state.remainder.faces);

@@ -416,8 +416,8 @@ TEST(Circulation, StaysAroundABody)
         return sum * scene.spacing();
     };
     const double before = around();
-    for (int k = 0; k < 12; ++k)
-        run.step(0.004);
+    for (int k = 0; k < 24; ++k)
+        run.step(0.002);
     EXPECT_GT((run.state.bodies[1].centre() - Vec<2>(0.5, 0.63)).norm(), 0.02 * scene.spacing());
     EXPECT_GT(std::abs(before), 5);
     EXPECT_NEAR(around(), before, 1e-2 * std::abs(before));

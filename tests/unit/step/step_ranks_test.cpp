@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
 #include <optional>
 #include <random>
 
@@ -344,12 +347,23 @@ void expect_same(const StepReport& a, const StepReport& b, double accuracy)
     EXPECT_LT(a.divergence_max, 1e-6);
 }
 
+template <int D>
+using Velocity = std::function<Vec<D>(const Vec<D>&)>;
+
+/// `velocity`: of the fluid; null: the scene's.
+template <int D>
+std::unique_ptr<Simulation<D>> start_of(const Scene& scene, const Communicator& comm, const Velocity<D>& velocity)
+{
+    return velocity ? std::make_unique<Simulation<D>>(scene, comm, velocity) : std::make_unique<Simulation<D>>(scene, comm);
+}
+
 /// Also on all ranks from the state of one, and the other way around.
 template <int D>
-void expect_one_run(const Scene& scene, int steps, double accuracy = 1e-8)
+void expect_one_run(const Scene& scene, int steps, double accuracy = 1e-8, const Velocity<D>& velocity = {})
 {
     const Communicator one(MPI_COMM_SELF), all;
-    Simulation<D> here(scene, all), alone(scene, one);
+    const auto ours_from_start = start_of<D>(scene, all, velocity), theirs_from_start = start_of<D>(scene, one, velocity);
+    Simulation<D>&here = *ours_from_start, &alone = *theirs_from_start;
     expect_same(here.initial_report(), alone.initial_report(), accuracy);
     for (int k = 0; k < steps && !all.any(testing::Test::HasFailure()); ++k) {
         SCOPED_TRACE("step " + std::to_string(k + 1));
@@ -457,12 +471,70 @@ TEST(StepRanks, AGridThatFollows)
     expect_one_run<2>(scene_of(graded + "follow = \"plate\"\n" + sides(2, "far"), middle), 3);
 }
 
+// A box and a disk with a gap, and the disk with one to the floor, across x = 1/2 and y = 1/2 in a vortex.
+const std::string in_vortex = R"(
+[[body]]
+name = "box"
+shape = "box"
+size = [0.3, 0.12]
+position = [0.52, 0.505]
+rotation = 0.2
+density = 2
+[[body]]
+name = "disk"
+shape = "ball"
+radius = 0.11
+position = [0.497, 0.318]
+density = 0.5
+[[body]]
+name = "low"
+shape = "ball"
+radius = 0.1
+position = [0.497, 0.1004]
+density = 2
+)";
+
+Vec<2> vortex(const Vec<2>& x)
+{
+    const double pi = std::numbers::pi;
+    return {std::sin(pi * x[0]) * std::cos(pi * x[1]), -std::cos(pi * x[0]) * std::sin(pi * x[1])};
+}
+
+Vec<2> vortices(const Vec<2>& x)
+{
+    return Vec<2>(0.5, 0.3) + vortex(2 * x);
+}
+
+Vec<3> vortex_in_space(const Vec<3>& x)
+{
+    const Vec<2> u = vortex(x.head<2>());
+    return {u[0] * x[2], u[1] * x[2], 0};
+}
+
+TEST(StepRanks, BodiesInAVortex)
+{
+    expect_one_run<2>(scene_of(plane, in_vortex), 4, 1e-8, vortex);
+    expect_one_run<2>(scene_of(graded, middle), 2, 1e-8, vortex); // with a velocity through its walls
+    expect_one_run<2>(scene_of(still_plane + sides(2, "far"), mixture), 2, 1e-8, vortex);
+}
+
+TEST(StepRanks, BodiesInPeriodicVortices)
+{
+    expect_one_run<2>(scene_of(still_plane + sides(2, "periodic"), in_vortex), 4, 1e-8, vortices);
+}
+
+TEST(StepRanks, BodiesInAVortexInSpace)
+{
+    expect_one_run<3>(scene_of(space, space_balls), 1, 1e-8, vortex_in_space);
+}
+
 // On the same number of ranks to the last bit.
 template <int D>
-void expect_same_bits(const Scene& scene)
+void expect_same_bits(const Scene& scene, const Velocity<D>& velocity = {})
 {
     const Communicator all;
-    Simulation<D> whole(scene, all);
+    const auto from_start = start_of<D>(scene, all, velocity);
+    Simulation<D>& whole = *from_start;
     for (int k = 0; k < 2; ++k)
         whole.step(100);
     Simulation<D> on(scene, all, whole.state());
@@ -482,6 +554,7 @@ TEST(StepRanks, GoOnBitForBit)
     expect_same_bits<2>(scene_of(still_plane + "[domain.sides]\nx_low = \"periodic\"\nx_high = \"periodic\"\n", landing));
     expect_same_bits<2>(scene_of(graded + sides(2, "far"), middle));
     expect_same_bits<2>(scene_of(plane + inflow, landing));
+    expect_same_bits<2>(scene_of(plane, in_vortex), vortex);
     expect_same_bits<2>(scene_of(graded + "follow = \"b\"\n" + sides(2, "far"), middle));
     expect_same_bits<3>(scene_of(space + sides(3, "open"), space_balls));
 }
