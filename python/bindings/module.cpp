@@ -123,6 +123,7 @@ PYBIND11_MODULE(_core, m)
 
     py::class_<Session, std::shared_ptr<Session>>(m, "Session")
         .def(py::init(&Session::make))
+        .def_static("start_grid", &Session::start_grid)
         .def_property_readonly("dimension", &Session::dimension)
         .def_property_readonly("time", &Session::time)
         .def_property_readonly("steps", &Session::steps)

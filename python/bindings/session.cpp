@@ -6,6 +6,7 @@
 #include "gapflow/core/text.hpp"
 #include "gapflow/output/columns.hpp"
 #include "gapflow/output/run.hpp"
+#include "gapflow/stepping/setup.hpp"
 
 #include <pybind11/stl.h>
 
@@ -97,12 +98,73 @@ void require_changeable(const Scene& from, const Scene& to)
 }
 
 template <int D>
-class SessionOf : public Session {
-public:
-    SessionOf(const Scene& scene, const std::string& folder, const std::string& resume) : scene_(scene)
+py::dict grid_dict(const Grid<D>& g)
+{
+    using namespace py::literals;
+    std::vector<bool> periodic;
+    for (int axis = 0; axis < D; ++axis)
+        periodic.push_back(g.periodic(axis));
+    py::object places = py::none();
+    if (g.graded()) {
+        py::list of_axes;
+        for (int axis = 0; axis < D; ++axis) {
+            py::array_t<double> x(g.cells()[axis] + 1);
+            for (int i = 0; i <= g.cells()[axis]; ++i)
+                x.mutable_at(i) = g.face_place(axis, i);
+            of_axes.append(std::move(x));
+        }
+        places = py::tuple(of_axes);
+    }
+    return py::dict("origin"_a = vector_array<D>(g.origin()), "spacing"_a = g.dx(), "places"_a = places,
+                    "cells"_a = py::tuple(py::cast(indices<D>(g.cells()))), "low"_a = py::tuple(py::cast(indices<D>(g.low()))),
+                    "high"_a = py::tuple(py::cast(indices<D>(g.high()))), "periodic"_a = py::tuple(py::cast(periodic)));
+}
+
+template <int D>
+py::dict start_grid_dict(const Scene& scene)
+{
+    std::optional<Grid<D>> grid;
     {
         const Computing computing;
-        run_ = std::make_unique<Run<D>>(scene_, Communicator(), RunPlace{folder, resume, GAPFLOW_VERSION});
+        grid = make_grid<D>(scene, Communicator());
+    }
+    return grid_dict(*grid);
+}
+
+/// Reads arrays only: needs no GIL.
+template <int D>
+FaceField<D> face_field(const Grid<D>& grid, const Session::FaceArrays& arrays)
+{
+    FaceField<D> field(grid);
+    for (int axis = 0; axis < D; ++axis) {
+        const auto values = arrays.at(axis).template unchecked<D>();
+        const Index<D> end = owned_faces_end(grid, axis);
+        for (int k = 0; k < D; ++k)
+            if (values.shape(k) != end[k] - grid.low()[k])
+                throw InputError("velocity: the arrays have other shapes than the grid's faces");
+        for_each_index<D>(grid.low(), end, [&](const Index<D>& f) {
+            const Index<D> i = f - grid.low();
+            if constexpr (D == 2)
+                field(axis, f) = values(i[0], i[1]);
+            else
+                field(axis, f) = values(i[0], i[1], i[2]);
+        });
+    }
+    return field;
+}
+
+template <int D>
+class SessionOf : public Session {
+public:
+    SessionOf(const Scene& scene, const std::string& folder, const std::string& resume, const FaceArrays& velocity)
+        : scene_(scene)
+    {
+        const Computing computing;
+        std::optional<FaceField<D>> faces;
+        if (!velocity.empty())
+            faces = face_field(make_grid<D>(scene_, Communicator()), velocity);
+        run_ = std::make_unique<Run<D>>(scene_, Communicator(), RunPlace{folder, resume, GAPFLOW_VERSION},
+                                        faces ? &*faces : nullptr);
         run_->write_start();
     }
 
@@ -178,29 +240,7 @@ public:
 
     void demand_changeable(const Scene& scene) const override { require_changeable(scene_, scene); }
 
-    py::dict grid() const override
-    {
-        using namespace py::literals;
-        const Grid<D>& g = state().grid();
-        std::vector<bool> periodic;
-        for (int axis = 0; axis < D; ++axis)
-            periodic.push_back(g.periodic(axis));
-        py::object places = py::none();
-        if (g.graded()) {
-            py::list of_axes;
-            for (int axis = 0; axis < D; ++axis) {
-                py::array_t<double> x(g.cells()[axis] + 1);
-                for (int i = 0; i <= g.cells()[axis]; ++i)
-                    x.mutable_at(i) = g.face_place(axis, i);
-                of_axes.append(std::move(x));
-            }
-            places = py::tuple(of_axes);
-        }
-        return py::dict("origin"_a = vector_array<D>(g.origin()), "spacing"_a = g.dx(), "places"_a = places,
-                        "cells"_a = py::tuple(py::cast(indices<D>(g.cells()))),
-                        "low"_a = py::tuple(py::cast(indices<D>(g.low()))),
-                        "high"_a = py::tuple(py::cast(indices<D>(g.high()))), "periodic"_a = py::tuple(py::cast(periodic)));
-    }
+    py::dict grid() const override { return grid_dict(state().grid()); }
 
     py::dict bodies() const override
     {
@@ -536,12 +576,19 @@ std::vector<std::pair<std::string, std::string>> gap_column_types()
     return types;
 }
 
-std::shared_ptr<Session> Session::make(const Scene& scene, const std::string& folder, const std::string& resume)
+std::shared_ptr<Session> Session::make(const Scene& scene, const std::string& folder, const std::string& resume,
+                                       const FaceArrays& velocity)
 {
     runtime().start();
     if (scene.dimension == 2)
-        return std::make_shared<SessionOf<2>>(scene, folder, resume);
-    return std::make_shared<SessionOf<3>>(scene, folder, resume);
+        return std::make_shared<SessionOf<2>>(scene, folder, resume, velocity);
+    return std::make_shared<SessionOf<3>>(scene, folder, resume, velocity);
+}
+
+py::dict Session::start_grid(const Scene& scene)
+{
+    runtime().start();
+    return scene.dimension == 2 ? start_grid_dict<2>(scene) : start_grid_dict<3>(scene);
 }
 
 } // namespace gapflow

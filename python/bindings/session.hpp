@@ -22,9 +22,15 @@ public:
     Session();
     virtual ~Session();
 
+    /// Arrays of doubles, one an axis, of this rank's faces, as face_velocity() has them.
+    using FaceArrays = std::vector<pybind11::array_t<double>>;
+
     /// The scene's simulation at its start or, with `resume`, where that checkpoint was written. `folder`: of the run's files; empty: none.
-    /// Throws InputError, ComputationError.
-    static std::shared_ptr<Session> make(const Scene& scene, const std::string& folder, const std::string& resume);
+    /// `velocity`: of the fluid at the start; empty: the scene's. Throws InputError, ComputationError.
+    static std::shared_ptr<Session> make(const Scene& scene, const std::string& folder, const std::string& resume,
+                                         const FaceArrays& velocity);
+    /// grid() of the scene's simulation at its start. Throws InputError. Collective.
+    static pybind11::dict start_grid(const Scene& scene);
 
     virtual int dimension() const = 0;
     virtual double time() const = 0;

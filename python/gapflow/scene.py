@@ -93,10 +93,10 @@ class GridOptions:
 @checked_names
 @dataclass(kw_only=True, slots=True)
 class Gap:
-    """Defaults for the gaps of all pairs: model ("film" or "none"), threshold (cells, or "auto"), contact ("wet" or "dry"),
-    roughness (length, or "auto"), entrance_loss, exit ("auto", "reversible" or "jet")."""
+    """Defaults for the gaps of all pairs: model ("film", "none", or "parts" for ideal fluid), threshold (cells, or "auto"), contact ("wet" or
+    "dry"), roughness (length, or "auto"), entrance_loss, exit ("auto", "reversible" or "jet")."""
 
-    model: Literal["film", "none"] | None = None
+    model: Literal["film", "none", "parts"] | None = None
     threshold: float | Literal["auto"] | None = None
     contact: Literal["wet", "dry"] | None = None
     roughness: float | Literal["auto"] | None = None

@@ -211,6 +211,7 @@ class Bodies(Mapping[str, BodyState]):
 
 Control = Callable[["Simulation"], Any]
 Callback = Callable[["Simulation", StepReport], Any]
+VelocityLike = Callable[[Floats], ArrayLike] | Sequence[ArrayLike]
 
 
 class SideValues(Mapping[str, Side]):
@@ -260,8 +261,13 @@ class Simulation(Named):
     time.end also a checkpoint to go on from.
     resume: a checkpoint.h5 of the same scene to go on from; with `output` the files there are cut back to it first and continued.
     Forces and velocities that were set are part of it.
+    velocity: of the fluid at the start, in place of the scene's fluid.velocity, for `gap.model = "parts"`: a function of points (n, D) that
+    returns velocities (n, D), called once for the centres of the faces normal to each axis; or D arrays, one an axis, with the velocity along
+    the axis on the faces normal to it, shapes as of `face_velocity(axis)`. In solids too: what lies within one is the circulation around it.
+    The fluid starts with the part of it that has no divergence and, at walls, their normal velocity.
 
-    Raises InputError (a ValueError) for a bad scene, also for a body thinner than a cell (grid.thin), and ComputationError (a
+    Raises InputError (a ValueError) for a bad scene, also for a body thinner than a cell (grid.thin), for a velocity of wrong shape, not finite,
+    with `resume`, or of a scene that cannot have it (docs/theory/step.md, "Limits"), and ComputationError (a
     RuntimeError) if the start cannot be computed. What it is told of at the start comes as SceneWarning.
     Calls that compute let other Python threads run, but only one computes at a time; to another thread the simulation is then
     busy (RuntimeError). After a ComputationError the simulation has no state to read any more.
@@ -271,13 +277,17 @@ class Simulation(Named):
 
     @checked_arguments
     def __init__(self, scene: SceneLike, *, set: Mapping[str, Any] | None = None,
-                 output: str | os.PathLike[str] | bool | None = None, resume: str | os.PathLike[str] | None = None) -> None:
+                 output: str | os.PathLike[str] | bool | None = None, resume: str | os.PathLike[str] | None = None,
+                 velocity: VelocityLike | None = None) -> None:
         self._source = _source_of(scene, set)
         self._scene = self._source.read("run")
         _warn(self._scene, 3)
         folder = "" if output is None or output is False else self._scene.output_directory if output is True else os.fspath(output)
         self._folder = folder
-        self._session = _core.Session(self._scene, folder, "" if resume is None else os.fspath(resume))
+        if velocity is not None and resume is not None:
+            raise _core.InputError("velocity: a run that goes on from a checkpoint has the velocity from there; give either of velocity and resume")
+        faces = [] if velocity is None else _on_faces(velocity, Grid(**_core.Session.start_grid(self._scene)))
+        self._session = _core.Session(self._scene, folder, "" if resume is None else os.fspath(resume), faces)
         for note in self._session.report()["notes"]:
             warnings.warn(note, SceneWarning, stacklevel=3)
         self._start()
@@ -668,6 +678,36 @@ def _numbers(values: ArrayLike) -> Sequence[float]:
         return np.atleast_1d(np.asarray(values, dtype=float)).ravel().tolist()
     except (TypeError, ValueError) as error:
         raise _core.InputError(f"{values!r}: are not numbers") from error
+
+
+def _on_faces(velocity: VelocityLike, grid: Grid) -> list[Floats]:
+    """The velocity along each axis on the faces normal to it."""
+    axes = range(len(grid.cells))
+    if not callable(velocity) and (not hasattr(velocity, "__len__") or len(velocity) != len(axes)):
+        raise _core.InputError(f"velocity: give a function of points, or {len(axes)} arrays, one for the faces normal to each axis")
+    faces = []
+    for axis in axes:
+        if callable(velocity):
+            places = np.meshgrid(*(grid.faces(k) if k == axis else grid.centres(k) for k in axes), indexing="ij")
+            points = np.stack(places, axis=-1).reshape(-1, len(axes))
+            values = _array("velocity(points)", velocity(points), points.shape)[:, axis].reshape(places[0].shape)
+        else:
+            shape = tuple(len(grid.faces(k) if k == axis else grid.centres(k)) for k in axes)
+            values = _array(f"velocity[{axis}]", velocity[axis], shape)
+        faces.append(values)
+    return faces
+
+
+def _array(name: str, values: ArrayLike, shape: tuple[int, ...]) -> Floats:
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise _core.InputError(f"{name}: are not numbers in an array") from error
+    if array.shape != shape:
+        raise _core.InputError(f"{name}: has the shape {array.shape}; give {shape}")
+    if not np.isfinite(array).all():
+        raise _core.InputError(f"{name}: {np.count_nonzero(~np.isfinite(array))} of its values are not finite; give numbers everywhere, in solids too")
+    return array
 
 
 def _frozen(value: Any) -> Any:

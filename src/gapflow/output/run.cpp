@@ -25,17 +25,20 @@ std::unique_ptr<Simulation<D>> restored(const Scene& scene, const Communicator& 
 } // namespace
 
 template <int D>
-Run<D>::Run(const Scene& scene, const Communicator& comm, const RunPlace& place)
+Run<D>::Run(const Scene& scene, const Communicator& comm, const RunPlace& place, const FaceField<D>* velocity)
     : version_(place.version), end_(scene.end), resumed_(!place.resume.empty())
 {
     std::optional<Checkpoint> from;
+    if (resumed_ && velocity)
+        throw InputError(place.resume + ": a checkpoint has the fluid's velocity; give either the one or the other");
     if (resumed_) {
         from = read_checkpoint(place.resume, comm);
         require_same_scene(place.resume, *from, scene);
         simulation_ = restored<D>(scene, comm, *from, place.resume);
         smallest_gap_ = from->position.smallest_gap;
     } else {
-        simulation_ = std::make_unique<Simulation<D>>(scene, comm);
+        simulation_ =
+            velocity ? std::make_unique<Simulation<D>>(scene, comm, *velocity) : std::make_unique<Simulation<D>>(scene, comm);
     }
     report_ = simulation_->initial_report();
     for (const RigidBody<D>& body : simulation_->bodies())

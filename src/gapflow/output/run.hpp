@@ -26,8 +26,9 @@ struct RunPlace {
 template <int D>
 class Run {
 public:
-    /// Reads the checkpoint, computes the start, prepares the folder. Throws InputError, ComputationError. Collective.
-    Run(const Scene& scene, const Communicator& comm, const RunPlace& place);
+    /// Reads the checkpoint, computes the start, prepares the folder. `velocity`: of the fluid at the start, as Simulation's; not of a run that goes on from a
+    /// checkpoint. Throws InputError, ComputationError. Collective.
+    Run(const Scene& scene, const Communicator& comm, const RunPlace& place, const FaceField<D>* velocity = nullptr);
 
     /// Writes the start's rows and fields, where there are files and the run does not go on from a checkpoint. Collective.
     void write_start();

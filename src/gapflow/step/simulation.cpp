@@ -48,6 +48,28 @@ auto timed(StageTimers& timers, const char* stage, F&& f)
     return f();
 }
 
+// Throws InputError where the fluid cannot have a velocity of its own at the start.
+template <int D>
+void require_given_velocity(const Model<D>& model)
+{
+    const Scene& scene = model.scene;
+    if (!scene.parts)
+        throw InputError(scene.file + ": gap.model: a velocity of the fluid at the start needs \"parts\"; write that");
+    if (scene.follow)
+        throw InputError(scene.file +
+                         ": domain.follow: a velocity of the fluid at the start needs a grid that stays; leave it out");
+    if (model.driven())
+        throw InputError(
+            scene.file +
+            ": fluid: a velocity of the fluid at the start needs a box in which nothing drives the mean flow; leave out "
+            "fluid.pressure_gradient, fluid.mean_velocity and gravity along periodic axes");
+    for (int side = 0; side < 2 * D; ++side)
+        if (scene.sides[side].kind == SideScene::Kind::inflow || scene.sides[side].kind == SideScene::Kind::pressure)
+            throw InputError(
+                scene.file + ": domain.sides." + side_names[side] +
+                ": a velocity of the fluid at the start needs sides that are walls, open, far or periodic; write one of these");
+}
+
 } // namespace
 
 template <int D>
@@ -61,27 +83,21 @@ Simulation<D>::Simulation(const Scene& scene, const Communicator& comm,
                           const std::function<gapflow::Vec<D>(const gapflow::Vec<D>&)>& velocity)
     : model_(scene, comm), state_(model_)
 {
-    if (!scene.parts)
-        throw InputError(scene.file + ": gap.model: a velocity of the fluid at the start needs \"parts\"; write that");
-    if (scene.follow)
-        throw InputError(scene.file +
-                         ": domain.follow: a velocity of the fluid at the start needs a grid that stays; leave it out");
-    if (model_.driven())
-        throw InputError(
-            scene.file +
-            ": fluid: a velocity of the fluid at the start needs a box in which nothing drives the mean flow; leave out "
-            "fluid.pressure_gradient, fluid.mean_velocity and gravity along periodic axes");
-    for (int side = 0; side < 2 * D; ++side)
-        if (scene.sides[side].kind == SideScene::Kind::inflow || scene.sides[side].kind == SideScene::Kind::pressure)
-            throw InputError(
-                scene.file + ": domain.sides." + side_names[side] +
-                ": a velocity of the fluid at the start needs sides that are walls, open, far or periodic; write one of these");
+    require_given_velocity(model_);
     const Grid<D>& grid = model_.grid;
     FaceField<D> faces(grid);
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(grid.low(), owned_faces_end(grid, axis),
                           [&](const Index<D>& f) { faces(axis, f) = velocity(grid.face_centre(axis, f))[axis]; });
     begin(&faces);
+}
+
+template <int D>
+Simulation<D>::Simulation(const Scene& scene, const Communicator& comm, const FaceField<D>& velocity)
+    : model_(scene, comm), state_(model_)
+{
+    require_given_velocity(model_);
+    begin(&velocity);
 }
 
 template <int D>

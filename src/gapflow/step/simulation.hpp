@@ -26,8 +26,10 @@ public:
     /// Builds the state at time 0 and projects the fluid's initial velocity. Throws InputError, ComputationError. Collective.
     Simulation(const Scene& scene, const Communicator& comm);
     /// The same of a run on parts whose fluid has a velocity of its own at the start, given at points of the domain: what of it has no divergence between
-    /// the bodies, in place of the scene's fluid.velocity. Throws also InputError if the scene is not one of parts, or on several ranks. Collective.
+    /// the bodies, in place of the scene's fluid.velocity. Throws also InputError if the scene is not one of parts. Collective.
     Simulation(const Scene& scene, const Communicator& comm, const std::function<Vec<D>(const Vec<D>&)>& velocity);
+    /// The same with the velocity along each face's axis, on this rank's faces of the scene's grid, make_grid().
+    Simulation(const Scene& scene, const Communicator& comm, const FaceField<D>& velocity);
     /// Continues from a state that state() returned, on any number of ranks: with the same bits on the same number of ranks and
     /// threads. Throws also StateError if the state is not of this scene's grid and bodies. Collective.
     Simulation(const Scene& scene, const Communicator& comm, const StoredState& state);
