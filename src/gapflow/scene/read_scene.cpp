@@ -178,7 +178,8 @@ void check_voids_of_parts(const Values& v, const Scene& scene)
         std::none_of(gaps.begin(), gaps.end(), [](const GapScene* gap) { return gap->contact == GapScene::Contact::dry; }))
         return;
     const auto refuse = [&](const std::string& key) {
-        v.refuse(key, "this version runs gap.model = \"parts\" with dry contact or cavitation in fluid that only bodies set moving",
+        v.refuse(key,
+                 "this version runs gap.model = \"parts\" with dry contact or cavitation in fluid that only bodies set moving",
                  "leave it out, or leave out gap.contact and fluid.vapour_pressure, or write gap.model = \"film\"");
     };
     if (scene.fluid_velocity != Triple{})
