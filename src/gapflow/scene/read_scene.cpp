@@ -219,6 +219,8 @@ void check_parts(const Values& v, Purpose purpose, const Scene& scene)
     for (const GapScene* gap : gaps_of(scene)) {
         if (gap->exit == GapScene::Exit::jet)
             v.refuse("gap.exit", "this version runs gap.model = \"parts\" with reversible exits", remedy);
+        if (gap->entrance_loss > 0)
+            v.refuse("gap.entrance_loss", "this version runs gap.model = \"parts\" without losses at entrances", remedy);
     }
     check_voids_of_parts(v, scene);
 }
