@@ -197,7 +197,7 @@ void check_voids_of_parts(const Values& v, const Scene& scene)
 /// Runs with parts are those of ideal fluid.
 void check_parts(const Values& v, Purpose purpose, const Scene& scene)
 {
-    if (!scene.parts || purpose != Purpose::run)
+    if (!scene.parts || !(purpose == Purpose::run || (purpose == Purpose::check && scene.end > 0)))
         return;
     const std::string remedy = "leave it out, or write gap.model = \"film\"";
     if (scene.viscosity > 0)

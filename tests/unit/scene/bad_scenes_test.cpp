@@ -96,6 +96,13 @@ TEST(BadScenes, OverridesAreRefused)
         EXPECT_THAT(message_of(scene.path(), {{key, value}}), testing::HasSubstr(expected)) << key << "=" << value;
 }
 
+TEST(BadScenes, CheckRefusesWhatARunOnPartsWould)
+{
+    const std::string file = folder + "parts_entrance_loss.toml";
+    EXPECT_EQ(message_of(file, {}, Purpose::check), message_of(file));
+    EXPECT_EQ(message_of(file, {}, Purpose::added_mass), "accepted");
+}
+
 TEST(BadScenes, WhatIsNeededDependsOnThePurpose)
 {
     const test::TemporaryFile still("still.toml",
