@@ -165,14 +165,6 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
         for (std::size_t b = 0; b < given.size(); ++b)
             given[b] += factor * impulse[b];
     };
-    const auto join = [&](UnknownVector<D> outflow) {
-        if (star.outflow.cells.size() > 0) {
-            for (long i = 0; i < outflow.cells.size(); ++i)
-                outflow.cells.data()[i] += star.outflow.cells.data()[i];
-            outflow.nodes += star.outflow.nodes;
-        }
-        star.outflow = std::move(outflow);
-    };
     if (!end_stream.isZero(0)) { // the system is that of the whole motion, the flow that of what is relative to the stream
         const Twist<D> stream = stream_twist<D>(end_stream);
         const std::vector<Twist<D>> rest(given.size(), Twist<D>::Zero());
@@ -184,12 +176,12 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
     if (!remainder.empty()) {
         add(impulses_of_outflow(there.coupling, outflow_of_remainder(there, remainder)), 1);
         add(impulse_of_remainder(there, remainder), -1);
-        join(outflow_of_edges(there, remainder));
+        add_to(star.outflow, outflow_of_edges(there, remainder));
     }
     if (sides.any()) {
-        UnknownVector<D> outflow = outflow_of_sides(there, sides);
+        const UnknownVector<D> outflow = outflow_of_sides(there, sides);
         add(impulses_of_outflow(there.coupling, outflow), 1);
-        join(std::move(outflow));
+        add_to(star.outflow, outflow);
         const std::vector<Twist<D>> beyond = wrenches_from_beyond(model, there.coupling, state.time + 0.5 * dt);
         for (std::size_t b = 0; b < beyond.size(); ++b)
             given[b] += dt * beyond[b];
@@ -212,13 +204,7 @@ void add_outflow(const Coupling<D>& system, const UnknownVector<D>& outflow, con
     for (std::size_t b = 0; b < bodies.size(); ++b)
         if (bodies[b].motion == Motion::free)
             star.twists[b] += impulse_response(bodies[b], Twist<D>(impulse[b] + of_outflow[b]), dt);
-    if (star.outflow.cells.size() == 0) {
-        star.outflow = outflow;
-        return;
-    }
-    for (long i = 0; i < outflow.cells.size(); ++i)
-        star.outflow.cells.data()[i] += outflow.cells.data()[i];
-    star.outflow.nodes += outflow.nodes;
+    add_to(star.outflow, outflow);
 }
 
 /// The forces that follow from the flow at the step's end.

@@ -153,12 +153,8 @@ UnknownVector<D> net_outflow(const Instant<D>& instant, const FluidVelocity<D>& 
     outflow(coupling, relative, instant.flow.twists, rest);
     if (instant.flow.sides.any())
         rest.nodes += outflow_of_sides(*instant.placed, instant.flow.sides).nodes;
-    if (!instant.flow.remainder.empty()) {
-        const UnknownVector<D> edges = outflow_of_edges(*instant.placed, instant.flow.remainder);
-        for (long i = 0; i < rest.cells.size(); ++i)
-            rest.cells.data()[i] += edges.cells.data()[i];
-        rest.nodes += edges.nodes;
-    }
+    if (!instant.flow.remainder.empty())
+        add_to(rest, outflow_of_edges(*instant.placed, instant.flow.remainder));
     Eigen::VectorXd nodes = Eigen::VectorXd::Zero(coupling.system.nodes);
     for (int i = 0; i < coupling.system.nodes; ++i)
         if (coupling.system.owns(i))

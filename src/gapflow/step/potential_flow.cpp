@@ -44,14 +44,6 @@ void require(const SolveReport& solve)
 }
 
 template <int D>
-void add(const UnknownVector<D>& v, UnknownVector<D>& to)
-{
-    for (long i = 0; i < v.cells.size(); ++i)
-        to.cells.data()[i] += v.cells.data()[i];
-    to.nodes += v.nodes;
-}
-
-template <int D>
 void scale(UnknownVector<D>& v, double factor)
 {
     for (long i = 0; i < v.cells.size(); ++i)
@@ -123,7 +115,7 @@ PotentialFlow<D> flow_of_twists(const Placed<D>& at, std::vector<Twist<D>> twist
         given, twists, [](int) { return true; }, rhs);
     given.grid->comm().sum(std::span<double>(rhs.nodes.data(), rhs.nodes.size()));
     if (sides.any())
-        add(outflow_of_sides(at, sides), rhs);
+        add_to(rhs, outflow_of_sides(at, sides));
     scale(rhs, -1);
     PotentialFlow<D> flow{std::move(twists), zero(given), 0, std::move(remainder), sides};
     const SolveReport solve = CoupledSolver<D>(given.system, options).solve(flow.p, rhs);
@@ -147,18 +139,10 @@ template <int D>
 void settle_weak_rows(const Placed<D>& at, PotentialFlow<D>& flow)
 {
     UnknownVector<D> outflow;
-    const auto add = [&](UnknownVector<D> other) {
-        if (outflow.cells.size() > 0) {
-            for (long i = 0; i < other.cells.size(); ++i)
-                other.cells.data()[i] += outflow.cells.data()[i];
-            other.nodes += outflow.nodes;
-        }
-        outflow = std::move(other);
-    };
     if (!flow.remainder.empty())
-        add(outflow_of_remainder(at, flow.remainder));
+        add_to(outflow, outflow_of_remainder(at, flow.remainder));
     if (flow.sides.any())
-        add(outflow_of_sides(at, flow.sides));
+        add_to(outflow, outflow_of_sides(at, flow.sides));
     settle_weak_rows(at.complex, at.coupling, outflow, flow);
 }
 

@@ -30,6 +30,19 @@ struct PotentialFlow {
     GivenSides<D> sides{};
 };
 
+/// sum += v. An empty sum is 0.
+template <int D>
+void add_to(UnknownVector<D>& sum, const UnknownVector<D>& v)
+{
+    if (sum.cells.size() == 0) {
+        sum = v;
+        return;
+    }
+    for (long i = 0; i < v.cells.size(); ++i)
+        sum.cells.data()[i] += v.cells.data()[i];
+    sum.nodes += v.nodes;
+}
+
 /// Of a scene. Its keys "solver".
 SolverOptions solver_options(const Scene& scene);
 
