@@ -322,36 +322,11 @@ public:
     py::dict films() const override
     {
         using namespace py::literals;
-        const UnknownVector<D> p = state().reduced_pressure();
-        const FilmNetwork<D>& network = state().coupling().network;
+        const GapMeshes<D> gaps = state().gap_meshes();
         const std::vector<Solid<D>>& solids = state().coupling().solids;
-        std::vector<Vec<D>> nodes, normal;
-        std::vector<double> thickness, pressure, depth, area;
-        std::vector<std::array<int, D>> elements;
-        std::vector<int> node_film, element_film;
         py::list pairs;
-        for (const Film<D>& film : network.films) {
-            const FilmMesh<D>& mesh = film.mesh;
-            const int number = static_cast<int>(pairs.size()), first = static_cast<int>(nodes.size());
-            pairs.append(py::make_tuple(solids[mesh.master].name, solids[mesh.other].name));
-            for (std::size_t i = 0; i < mesh.mid.size(); ++i) {
-                const int node = film.first_node + static_cast<int>(i);
-                nodes.push_back(mesh.mid[i]);
-                thickness.push_back(mesh.h[i] + mesh.skin);
-                pressure.push_back(p.nodes[node] + state().hydrostatic(mesh.mid[i]));
-                depth.push_back(state().voids().depth(node));
-                node_film.push_back(number);
-            }
-            for (const FilmElement<D>& element : mesh.elements) {
-                std::array<int, D> corners = element.nodes;
-                for (int& node : corners)
-                    node += first;
-                elements.push_back(corners);
-                normal.push_back(element.normal);
-                area.push_back(element.measure);
-                element_film.push_back(number);
-            }
-        }
+        for (const auto& [a, b] : gaps.solids)
+            pairs.append(py::make_tuple(solids[a].name, solids[b].name));
         const auto numbers = [](const std::vector<double>& v) { return Numbers(static_cast<py::ssize_t>(v.size()), v.data()); };
         const auto integers = [](const std::vector<int>& v) {
             return py::array_t<int>(static_cast<py::ssize_t>(v.size()), v.data());
@@ -359,12 +334,13 @@ public:
         const auto vectors = [](const std::vector<Vec<D>>& v) {
             return table<double, D>(v.size(), [&](std::size_t i) -> const Vec<D>& { return v[i]; });
         };
-        return py::dict("bodies"_a = pairs, "nodes"_a = vectors(nodes), "node_film"_a = integers(node_film),
-                        "thickness"_a = numbers(thickness), "pressure"_a = numbers(pressure), "void_depth"_a = numbers(depth),
+        return py::dict("bodies"_a = pairs, "nodes"_a = vectors(gaps.nodes), "node_film"_a = integers(gaps.node_gap),
+                        "thickness"_a = numbers(gaps.thickness), "pressure"_a = numbers(gaps.pressure),
+                        "void_depth"_a = numbers(gaps.void_depth),
                         "elements"_a = table<int, D>(
-                            elements.size(), [&](std::size_t i) -> const auto& { return elements[i]; }),
-                        "element_film"_a = integers(element_film), "velocity"_a = vectors(state().velocity().film),
-                        "normal"_a = vectors(normal), "area"_a = numbers(area));
+                            gaps.elements.size(), [&](std::size_t i) -> const auto& { return gaps.elements[i]; }),
+                        "element_film"_a = integers(gaps.element_gap), "velocity"_a = vectors(gaps.velocity),
+                        "normal"_a = vectors(gaps.normal), "area"_a = numbers(gaps.area));
     }
 
     py::list gaps() const override

@@ -95,7 +95,8 @@ class Grid:
 
 @dataclass(frozen=True, slots=True)
 class Films:
-    """The films in all gaps: meshes half-way between the surfaces, N nodes and M elements (2D: segments, 3D: triangles)."""
+    """The films in all gaps, with gap.model = "parts" the gaps thinner than about a cell: meshes half-way between the surfaces, N nodes and M elements
+    (2D: segments, 3D: triangles)."""
 
     bodies: list[tuple[str, str]]
     """The two bodies (or walls) of each film."""

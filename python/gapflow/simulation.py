@@ -480,7 +480,7 @@ class Simulation(Named):
 
     @property
     def films(self) -> Films:
-        """Meshes, thicknesses, pressures and velocities of all films."""
+        """Meshes, thicknesses, pressures and velocities of all films, or of the gaps of gap.model = "parts". Collective."""
         return self._cached("films", lambda: Films(**{key: _frozen(v) for key, v in self._session.films().items()}))
 
     @property

@@ -74,6 +74,17 @@ def test_films_and_gaps_are_consistent():
     assert len(empty.gaps) == 0 and empty.gaps["thickness"].shape == (0,) and empty.films.nodes.shape == (0, 2)
 
 
+def test_gaps_of_parts_have_meshes():
+    sim = gapflow.Simulation(plates_scene(), set={"gap.model": "parts"})
+    sim.run(until=0.02)
+    films, gaps = sim.films, sim.gaps
+    assert films.bodies == [("upper", "lower")] and len(gaps) == 1
+    gap = sim.bodies["upper"].centre[1] - sim.bodies["lower"].centre[1] - 0.5
+    assert np.allclose(films.thickness, gap, atol=1e-8) and gaps["thickness"][0] == pytest.approx(gap, rel=1e-9)
+    lengths = np.linalg.norm(np.diff(films.nodes[films.elements], axis=1)[:, 0], axis=1)
+    assert np.allclose(lengths, films.area) and films.pressure.min() < 0 and gaps["film_nodes"][0] > 0
+
+
 def test_face_velocities_are_divergence_free_and_sum_to_cell_values():
     sim = gapflow.Simulation(ball_scene())
     sim.run(until=0.03)

@@ -67,36 +67,18 @@ std::string frame_name(const std::string& name, int frame, const std::string& ex
     return name + number + extension;
 }
 
-// Mid-gap meshes of all films with thickness, full pressure and velocity; and the depth of voids, where a scene can have some.
+// Meshes half-way between the surfaces of gaps, with thickness, full pressure and velocity; and the depth of voids, where a scene can have some.
 template <int D>
-VtkSurface<D> film_surface(const Simulation<D>& simulation)
+VtkSurface<D> film_surface(GapMeshes<D> gaps, bool voids)
 {
-    VtkSurface<D> surface;
-    VtkArray thickness{"thickness", 1, {}}, pressure{"pressure", 1, {}}, depth{"void_depth", 1, {}},
-        velocity{"velocity", D, {}};
-    const UnknownVector<D> p = simulation.reduced_pressure();
-    for (const Film<D>& film : simulation.coupling().network.films) {
-        const int first = static_cast<int>(surface.points.size());
-        for (std::size_t i = 0; i < film.mesh.mid.size(); ++i) {
-            surface.points.push_back(film.mesh.mid[i]);
-            thickness.values.push_back(film.mesh.h[i] + film.mesh.skin);
-            depth.values.push_back(simulation.voids().depth(film.first_node + static_cast<int>(i)));
-            pressure.values.push_back(p.nodes[film.first_node + static_cast<int>(i)] +
-                                      simulation.hydrostatic(film.mesh.mid[i]));
-        }
-        for (std::size_t e = 0; e < film.mesh.elements.size(); ++e) {
-            std::array<int, D> nodes = film.mesh.elements[e].nodes;
-            for (int& node : nodes)
-                node += first;
-            surface.elements.push_back(nodes);
-            const Vec<D>& u = simulation.velocity().film[film.first_element + e];
-            velocity.values.insert(velocity.values.end(), u.data(), u.data() + D);
-        }
-    }
-    surface.point_data = {thickness, pressure};
-    if (simulation.voids().possible())
-        surface.point_data.push_back(depth);
-    surface.cell_data = {velocity};
+    VtkSurface<D> surface{std::move(gaps.nodes), std::move(gaps.elements), {}, {}};
+    VtkArray velocity{"velocity", D, {}};
+    for (const Vec<D>& u : gaps.velocity)
+        velocity.values.insert(velocity.values.end(), u.data(), u.data() + D);
+    surface.point_data = {{"thickness", 1, std::move(gaps.thickness)}, {"pressure", 1, std::move(gaps.pressure)}};
+    if (voids)
+        surface.point_data.push_back({"void_depth", 1, std::move(gaps.void_depth)});
+    surface.cell_data = {std::move(velocity)};
     return surface;
 }
 
@@ -311,6 +293,7 @@ void RunFiles<D>::write_fields(const Simulation<D>& simulation)
     arrays.push_back(field_array(simulation, "kind"));
     const std::string fields = "fields/" + frame_name("fields", frame_, cells_extension(simulation.grid()));
     write_cells<D>(folder_ / fields, simulation.grid(), arrays, options);
+    const VtkSurface<D> gaps = film_surface(simulation.gap_meshes(), simulation.voids_are_possible());
     on_root(simulation.grid().comm(), [&] {
         collection_.add(simulation.time(), "fields", fields);
         for (const RigidBody<D>& body : simulation.bodies()) {
@@ -325,7 +308,7 @@ void RunFiles<D>::write_fields(const Simulation<D>& simulation)
         }
         write_profiles(simulation);
         const std::string films = "films/" + frame_name("films", frame_, "vtp");
-        write_vtp<D>(folder_ / films, film_surface(simulation), options);
+        write_vtp<D>(folder_ / films, gaps, options);
         collection_.add(simulation.time(), "films", films);
         collection_.write();
     });

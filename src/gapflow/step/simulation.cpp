@@ -3,6 +3,7 @@
 #include "gapflow/core/error.hpp"
 #include "gapflow/core/text.hpp"
 #include "gapflow/step/advance.hpp"
+#include "gapflow/step/gap_flow.hpp"
 #include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/start.hpp"
 #include "gapflow/step/void_solve.hpp"
@@ -324,6 +325,8 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
 {
     report_state(model_, coupling(), state_, V, report);
     if (instant_) {
+        report.film_nodes = count_gap_parts(*instant_->placed);
+        report.cells -= report.film_nodes;
         report.energy_fluid = instant_->energy + energy_of_stream(model_, *instant_, state_.bodies);
         for (const RigidBody<D>& body : state_.bodies) // of the motion relative to the stream
             if (body.motion == Motion::free && !instant_->stream.isZero(0) && !model_.driven()) {
@@ -400,9 +403,17 @@ template <int D>
 std::vector<GapState> Simulation<D>::gaps() const
 {
     std::vector<GapState> states = gap_states(model_, coupling(), state_);
-    if (instant_)
+    if (instant_) {
+        add_gap_parts(model_, *instant_->placed, state_, states);
         add_void_states(model_, *instant_->placed, state_, part_voids_, states);
+    }
     return states;
+}
+
+template <int D>
+GapMeshes<D> Simulation<D>::gap_meshes() const
+{
+    return instant_ ? gapflow::gap_meshes(model_, *instant_, state_) : film_meshes(model_, *here_, state_);
 }
 
 template <int D>

@@ -6,6 +6,7 @@
 #include "gapflow/step/instant.hpp"
 #include "gapflow/stepping/core_check.hpp"
 #include "gapflow/stepping/force_parts.hpp"
+#include "gapflow/stepping/gap_meshes.hpp"
 #include "gapflow/stepping/leaving.hpp"
 #include "gapflow/stepping/observation.hpp"
 #include "gapflow/stepping/reconstruction.hpp"
@@ -74,9 +75,14 @@ public:
     bool settled() const;
     /// Whether a mean pressure gradient drives the fluid along periodic axes.
     bool driven() const;
+    /// Pairs with a gap or a contact. Collective.
     std::vector<GapState> gaps() const;
+    /// Films, or the gaps of the complex of parts. Collective.
+    GapMeshes<D> gap_meshes() const;
     /// Voids in the films.
     const VoidSet<D>& voids() const { return state_.voids; }
+    /// Whether gaps of the scene can have voids.
+    bool voids_are_possible() const { return instant_ ? gapflow::voids_are_possible(model_.scene) : state_.voids.possible(); }
     /// Net outflow of this rank's cells, as gapflow::net_outflow(). Collective.
     CellField<D> outflow() const;
     Budget<D> budget() const;

@@ -316,6 +316,44 @@ TEST(StepRanks, AnInstantOfAPeriodicBox)
     expect_one_instant<3>(scene_of(space + sides(3, "periodic"), space_bodies));
 }
 
+/// Of a mesh: area, and the sums over it of thickness and speed.
+template <int D>
+std::array<double, 3> sums_of(const GapMeshes<D>& mesh)
+{
+    std::array<double, 3> sums{};
+    for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+        sums[0] += mesh.area[k];
+        sums[1] += mesh.area[k] * mesh.velocity[k].norm();
+        for (const int node : mesh.elements[k])
+            sums[2] += mesh.area[k] * mesh.thickness[node];
+    }
+    return sums;
+}
+
+TEST(StepRanks, GapsAreThoseOfOneRank)
+{
+    const Scene scene = scene_of(space, space_bodies);
+    Simulation<3> here(scene, Communicator()), alone(scene, Communicator(MPI_COMM_SELF));
+    here.step(100);
+    alone.step(100);
+    const GapMeshes<3> a = here.gap_meshes(), b = alone.gap_meshes();
+    EXPECT_EQ(a.solids, b.solids);
+    EXPECT_EQ(a.elements.size(), b.elements.size());
+    const auto sums = sums_of(a), expected = sums_of(b);
+    for (std::size_t k = 0; k < sums.size(); ++k)
+        EXPECT_NEAR(sums[k], expected[k], 1e-6 * std::abs(expected[k])) << k;
+    const std::vector<GapState> gaps = here.gaps(), others = alone.gaps();
+    ASSERT_EQ(gaps.size(), others.size());
+    ASSERT_GT(gaps.size(), 1u);
+    for (std::size_t k = 0; k < gaps.size(); ++k) {
+        EXPECT_EQ(gaps[k].body_b, others[k].body_b);
+        EXPECT_EQ(gaps[k].film_nodes, others[k].film_nodes);
+        EXPECT_NEAR(gaps[k].film_area, others[k].film_area, 1e-10 * others[k].film_area);
+        EXPECT_NEAR(gaps[k].thickness, others[k].thickness, 1e-8 * scene.spacing());
+        EXPECT_NEAR(gaps[k].force, others[k].force, 1e-5 * std::abs(others[k].force) + 1e-9);
+    }
+}
+
 template <int D>
 void expect_same(const Simulation<D>& a, const Simulation<D>& b, double dt, double accuracy)
 {
