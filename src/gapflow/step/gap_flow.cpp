@@ -2,6 +2,7 @@
 
 #include "gapflow/complex/gap_surface.hpp"
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/step/gap_speed.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +14,6 @@
 
 namespace gapflow {
 namespace {
-
-/// A part of the complex, or a whole cell, in the unknowns.
-template <int D>
-double value_of(const Placed<D>& at, const UnknownVector<D>& p, const PartOrCell& side)
-{
-    const Complex<D>& complex = at.complex;
-    if (side.is_part() && at.node[side.number()] >= 0)
-        return p.nodes[at.node[side.number()]];
-    return p.cells(complex.index.index(complex.cell_of(side)));
-}
 
 /// This rank's parts in gaps, with their pairs.
 template <int D>
@@ -41,45 +32,6 @@ std::set<std::tuple<int, int, std::int32_t>> gap_parts(const Placed<D>& at)
     }
     return parts;
 }
-
-/// Flux along the axis of an arm's face, over its area, relative to the stream.
-template <int D>
-double velocity_through(const Instant<D>& instant, const GapArm<D>& arm)
-{
-    const Placed<D>& at = *instant.placed;
-    const Grid<D>& grid = *at.coupling.grid;
-    const double dx = grid.dx(), density = at.coupling.density;
-    const FacePiece<D>& piece = at.complex.pieces[arm.piece];
-    const Index<D> face = at.complex.index.index(piece.face);
-    const double delta = grid.spread(piece.axis, face[piece.axis]);
-    PairTwist<D> V;
-    for (int side = 0; side < 2; ++side) {
-        Twist<D> twist = instant.flow.twists[arm.solid[side]];
-        twist.template head<D>() /= dx;
-        V.template segment<twist_size<D>>(side * twist_size<D>) = twist;
-    }
-    double drop = (value_of(at, instant.flow.p, piece.low) - value_of(at, instant.flow.p, piece.high)) / (density * dx * dx);
-    if (const Remainder<D>& w = instant.flow.remainder; !w.empty()) {
-        const std::int32_t edge = at.edges.edge_of_piece[arm.piece];
-        drop += edge >= 0 ? w.edges[edge] / (dx * dx) : w.faces(piece.axis, face) / dx * delta;
-    }
-    const double U = arm.motion.dot(V);
-    return dx * ((drop - arm.flux.dot(V) - delta * U) / (arm.resistance * piece.area) + U);
-}
-
-/// Of what flows through faces of one part: its velocity along a gap is the one nearest to that of all, by their areas.
-template <int D>
-struct Through {
-    Mat<D> square = Mat<D>::Zero();
-    Vec<D> sum = Vec<D>::Zero();
-
-    Vec<D> along(const Vec<D>& normal) const
-    {
-        const Mat<D> across = Mat<D>::Identity() - normal * normal.transpose();
-        const Mat<D> of_plane = across * square * across;
-        return across * of_plane.completeOrthogonalDecomposition().solve(across * sum);
-    }
-};
 
 /// The values of all ranks, one rank's after the other's. Collective.
 std::vector<double> gathered(const Communicator& comm, const std::vector<double>& own)
@@ -202,19 +154,7 @@ GapMeshes<D> gap_meshes(const Model<D>& model, const Instant<D>& instant, const 
     const Placed<D>& at = *instant.placed;
     const Grid<D>& grid = *at.coupling.grid;
     const UnknownVector<D> p = reduced_pressure(state);
-    std::map<std::tuple<int, int, std::int32_t>, Through<D>> through; // each pair and part
-    for (const GapArm<D>& arm : at.arms) {
-        if (!is_of_gap(arm))
-            continue;
-        const auto [a, b] = std::minmax(arm.solid[0], arm.solid[1]);
-        const FacePiece<D>& piece = at.complex.pieces[arm.piece];
-        for (const PartOrCell& side : {piece.low, piece.high})
-            if (side.is_part() && grid.owns(at.complex.cell_of_part(side.number()))) {
-                Through<D>& sum = through[{a, b, side.number()}];
-                sum.square(piece.axis, piece.axis) += piece.area;
-                sum.sum[piece.axis] += piece.area * (velocity_through(instant, arm) + instant.stream[piece.axis]);
-            }
-    }
+    const auto through = flow_through_gaps(instant);
     GapMeshes<D> meshes;
     for (const GapSurface<D>& surface : gap_surfaces<D>(grid, at.coupling.solids, at.complex, at.arms)) {
         const auto [a, b] = surface.solid;
@@ -240,12 +180,39 @@ GapMeshes<D> gap_meshes(const Model<D>& model, const Instant<D>& instant, const 
                 node += first;
             meshes.elements.push_back(nodes);
             meshes.element_gap.push_back(number);
-            meshes.velocity.push_back(through[{a, b, element.part}].along(element.normal));
+            meshes.velocity.push_back(through.at({a, b, element.part}).along(element.normal));
             meshes.normal.push_back(element.normal);
             meshes.area.push_back(element.area);
         }
     }
     return of_all_ranks(grid.comm(), meshes);
+}
+
+template <int D>
+std::vector<ForceParts<D>> split_forces(const Model<D>& model, const Placed<D>& at, const State<D>& state)
+{
+    std::vector<ForceParts<D>> forces(state.bodies.size());
+    const Grid<D>& grid = *at.coupling.grid;
+    const UnknownVector<D> p = reduced_pressure(state);
+    std::vector<Twist<D>> of_gaps(forces.size(), Twist<D>::Zero());
+    std::set<std::int32_t> parts;
+    for (const auto& [a, b, part] : gap_parts(at))
+        parts.insert(part);
+    for (const std::int32_t part : parts)
+        for (const WallPatch<D>& patch : at.complex.patches_of(part))
+            if (static_cast<std::size_t>(patch.solid) < of_gaps.size()) { // walls come after the bodies
+                Twist<D> area;
+                area << patch.area, grid.dx() * patch.moment;
+                of_gaps[patch.solid] += value_of(at, p, PartOrCell::part(part)) * grid.face_area() * area;
+            }
+    grid.comm().sum(std::span<double>(of_gaps.data()->data(), of_gaps.size() * twist_size<D>));
+    for (std::size_t b = 0; b < forces.size(); ++b) {
+        forces[b].film = of_gaps[b];
+        forces[b].buoyancy = buoyancy(model, state.bodies[b]);
+        forces[b].pressure = state.wrenches[b] - forces[b].film - forces[b].buoyancy;
+    }
+    add_contact_forces(state, state.dt, forces);
+    return forces;
 }
 
 template <int D>
@@ -320,6 +287,7 @@ void add_gap_parts(const Model<D>& model, const Placed<D>& at, const State<D>& s
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template int count_gap_parts<D>(const Placed<D>&);                                                                         \
+    template std::vector<ForceParts<D>> split_forces<D>(const Model<D>&, const Placed<D>&, const State<D>&);                   \
     template GapMeshes<D> gap_meshes<D>(const Model<D>&, const Instant<D>&, const State<D>&);                                  \
     template void add_gap_parts<D>(const Model<D>&, const Placed<D>&, const State<D>&, std::vector<GapState>&);
 GAPFLOW_INSTANTIATE(2)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gapflow/step/instant.hpp"
+#include "gapflow/stepping/force_parts.hpp"
 #include "gapflow/stepping/gap_meshes.hpp"
 #include "gapflow/stepping/observation.hpp"
 
@@ -17,6 +18,11 @@ int count_gap_parts(const Placed<D>& at);
 /// of the parts that meet there, void depths likewise. The same on every rank. Collective.
 template <int D>
 GapMeshes<D> gap_meshes(const Model<D>& model, const Instant<D>& at, const State<D>& state);
+
+/// Parts of the forces on every body, means over the step: `film` is the reduced pressure in gaps, `pressure` what else the fluid does, without buoyancy.
+/// Collective.
+template <int D>
+std::vector<ForceParts<D>> split_forces(const Model<D>& model, const Placed<D>& at, const State<D>& state);
 
 /// Adds gaps' parts to the states of pairs: their number, the area of the walls across them, the pressures and their force. Pairs come in the order of their
 /// solids. Collective.

@@ -1,5 +1,6 @@
 #include "gapflow/step/pressure.hpp"
 
+#include "gapflow/step/gap_speed.hpp"
 #include "gapflow/step/matching.hpp"
 
 namespace gapflow {
@@ -34,14 +35,25 @@ UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& 
     const Grid<D>& grid = *here.grid;
     UnknownVector<D> impulse{CellField<D>(grid), Eigen::VectorXd::Zero(here.system.nodes)};
     CellField<D, std::int8_t> known(grid, std::int8_t(0));
+    const Complex<D>& complex = after.placed->complex;
+    const std::vector<double> was_square = squares_in_gaps(before, grid_velocity),
+                              is_square = squares_in_gaps(after, grid_velocity);
+    const double of_stream =
+        0.5 * ((before.stream - grid_velocity).squaredNorm() + (after.stream - grid_velocity).squaredNorm());
+    /// In a cell, of its largest part where this lies in a gap.
+    const auto square_at = [&](const Instant<D>& at, const std::vector<double>& in_gaps, const FaceField<D>& u,
+                               const Index<D>& c) {
+        const PartOrCell main = at.placed->complex.main_of(at.placed->complex.index(c));
+        const double square = main.is_part() ? in_gaps[main.number()] : -1.0;
+        return square >= 0 ? square : square_of_speed(at.placed->coupling.system, u, c, grid_velocity);
+    };
     const auto has = [](const Coupling<D>& c, const Index<D>& cell) { return c.system.component(cell) >= 0; };
     for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
         if (!has(here, c) || !has(old, c))
             return;
         const double square =
-            0.5 * (square_of_speed(old.system, velocity_before, c, grid_velocity) +
-                   square_of_speed(here.system, velocity_after, c, grid_velocity)) -
-            0.5 * ((before.stream - grid_velocity).squaredNorm() + (after.stream - grid_velocity).squaredNorm());
+            0.5 * (square_at(before, was_square, velocity_before, c) + square_at(after, is_square, velocity_after, c)) -
+            of_stream;
         impulse.cells(c) = after.flow.p.cells(c) - before.flow.p.cells(c) - 0.5 * dt * here.density * square;
         known(c) = 1;
     });
@@ -62,19 +74,26 @@ UnknownVector<D> pressure_impulse(const Instant<D>& before, const FaceField<D>& 
                 }
         impulse.cells(c) = count > 0 ? sum / count : 0.0;
     });
-    const Complex<D>& complex = after.placed->complex;
     const std::vector<MatchedPart> was = matched_parts(grid, complex, before.placed->complex);
     for (int p = 0; p < complex.parts(); ++p) {
         const int node = after.placed->node[p];
         if (node < 0 || !here.system.owns(node))
             continue;
         const Index<D> c = complex.cell_of_part(p);
-        if (was[p].kind == MatchedPart::Kind::other && before.placed->node[was[p].part] >= 0)
+        double square = is_square[p] - of_stream; // of a gap; of other small parts not known
+        if (was[p].kind == MatchedPart::Kind::other && before.placed->node[was[p].part] >= 0) {
             impulse.nodes[node] = after.flow.p.nodes[node] - before.flow.p.nodes[before.placed->node[was[p].part]];
-        else if (was[p].kind == MatchedPart::Kind::main && has(old, c))
+            if (was_square[was[p].part] >= 0)
+                square = 0.5 * (is_square[p] + was_square[was[p].part]) - of_stream;
+        } else if (was[p].kind == MatchedPart::Kind::main && has(old, c))
             impulse.nodes[node] = after.flow.p.nodes[node] - before.flow.p.cells(c);
-        else if (has(here, c))
-            impulse.nodes[node] = impulse.cells(c);
+        else {
+            if (has(here, c))
+                impulse.nodes[node] = impulse.cells(c);
+            continue;
+        }
+        if (is_square[p] >= 0)
+            impulse.nodes[node] -= 0.5 * dt * here.density * square;
     }
     grid.comm().sum(std::span<double>(impulse.nodes.data(), impulse.nodes.size()));
     return impulse;

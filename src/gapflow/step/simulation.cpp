@@ -258,6 +258,8 @@ void Simulation<D>::advance_on_parts(double next_output, StepReport& report)
         choose_step<D>(model_, state_, coupling(), beyond_.histories, next_output, ways, own_arms(*instant_->placed));
     instant_ = gapflow::advance(model_, *instant_, step, state_, report, stages_);
     part_voids_ = instant_->kept;
+    if (model_.scene.forces)
+        force_parts_ = split_forces(model_, *instant_->placed, state_);
     beyond_ =
         timed(stages_, "continuation", [&] { return reconstruct(model_, coupling(), state_, model_.twists(state_.bodies)); });
 }

@@ -14,6 +14,26 @@ Twist<D> buoyancy(const Model<D>& model, const RigidBody<D>& body)
 }
 
 template <int D>
+void add_contact_forces(const State<D>& state, double dt, std::vector<ForceParts<D>>& forces)
+{
+    const auto add = [&](int solid, const Twist<D>& impulse) {
+        if (static_cast<std::size_t>(solid) < forces.size()) // walls come after the bodies
+            forces[solid].contact += impulse / dt;
+    };
+    for (const Contact<D>& contact : state.contacts.contacts()) {
+        if (!contact.closed)
+            continue;
+        const auto add_row = [&](const RelativeRow<D>& row, double impulse) {
+            add(contact.point.a, impulse * row.a);
+            add(contact.point.b, impulse * row.b);
+        };
+        add_row(contact.normal, contact.impulse);
+        for (int k = 0; k < D - 1; ++k)
+            add_row(contact.tangents[k], contact.tangential[k]);
+    }
+}
+
+template <int D>
 std::vector<ForceParts<D>> force_parts(const Model<D>& model, const Coupling<D>& there, const Projected<D>& end,
                                        const Diffusion<D>& diffusion, const Step& step, const State<D>& state)
 {
@@ -50,21 +70,12 @@ std::vector<ForceParts<D>> force_parts(const Model<D>& model, const Coupling<D>&
         for (std::size_t b = 0; b < parts.size(); ++b)
             add(static_cast<int>(b), &ForceParts<D>::film, shear[b]);
     }
-    for (const Contact<D>& contact : state.contacts.contacts()) {
-        if (!contact.closed)
-            continue;
-        const auto add_row = [&](const RelativeRow<D>& row, double impulse) {
-            add(contact.point.a, &ForceParts<D>::contact, impulse * row.a);
-            add(contact.point.b, &ForceParts<D>::contact, impulse * row.b);
-        };
-        add_row(contact.normal, contact.impulse);
-        for (int k = 0; k < D - 1; ++k)
-            add_row(contact.tangents[k], contact.tangential[k]);
-    }
+    add_contact_forces(state, step.dt, parts);
     return parts;
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void add_contact_forces<D>(const State<D>&, double, std::vector<ForceParts<D>>&);                                 \
     template Twist<D> buoyancy<D>(const Model<D>&, const RigidBody<D>&);                                                       \
     template std::vector<ForceParts<D>> force_parts<D>(const Model<D>&, const Coupling<D>&, const Projected<D>&,               \
                                                        const Diffusion<D>&, const Step&, const State<D>&);

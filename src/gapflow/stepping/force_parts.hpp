@@ -26,6 +26,10 @@ template <int D>
 std::vector<ForceParts<D>> force_parts(const Model<D>& model, const Coupling<D>& there, const Projected<D>& end,
                                        const Diffusion<D>& diffusion, const Step& step, const State<D>& state);
 
+/// Adds what contacts do, means over a step of length dt.
+template <int D>
+void add_contact_forces(const State<D>& state, double dt, std::vector<ForceParts<D>>& forces);
+
 /// Buoyancy of a body: the force that fluid at rest exerts on it.
 template <int D>
 Twist<D> buoyancy(const Model<D>& model, const RigidBody<D>& body);

@@ -82,7 +82,10 @@ TEST(GapFlow, AFlatGapInSpaceHasItsThicknessAndArea)
 
 TEST(GapFlow, PairsHaveWhatTheirMeshHas)
 {
-    Simulation<2> simulation(plate_over_a_floor<2>(0.013, 0.7), Communicator());
+    Scene scene = plate_over_a_floor<2>(0.013, 0.7);
+    scene.forces = true;
+    scene.gravity = {0, -2, 0};
+    Simulation<2> simulation(scene, Communicator());
     simulation.step(100);
     const GapMeshes<2> mesh = simulation.gap_meshes();
     const std::vector<GapState> gaps = simulation.gaps();
@@ -92,6 +95,14 @@ TEST(GapFlow, PairsHaveWhatTheirMeshHas)
     EXPECT_NEAR(gaps[0].opening_rate, simulation.bodies()[0].twist[1], 1e-4); // it turns a little
     EXPECT_NEAR(gaps[0].film_area, 0.4, 0.05);                                // parts beside the mouths have walls beyond them
     EXPECT_GE(gaps[0].film_nodes, 8);
+    const ForceParts<2>& forces = simulation.force_parts()[0];
+    EXPECT_NEAR(forces.buoyancy[1], 2 * 0.04, 1e-12);
+    EXPECT_NEAR((forces.fluid() - simulation.fluid_wrenches()[0]).norm(), 0, 1e-12 * simulation.fluid_wrenches()[0].norm());
+    double lift = 0; // of the pressure in the mesh, without the hydrostatic part
+    for (std::size_t k = 0; k < mesh.elements.size(); ++k)
+        for (const int node : mesh.elements[k])
+            lift += 0.5 * mesh.area[k] * (mesh.pressure[node] - simulation.hydrostatic(mesh.nodes[node]));
+    EXPECT_NEAR(forces.film[1], lift, 0.25 * std::abs(lift)); // pressures in the parts at the gap's ends are of first order
     EXPECT_LE(gaps[0].pressure_min, *std::min_element(mesh.pressure.begin(), mesh.pressure.end()));
     EXPECT_GE(gaps[0].pressure_max, *std::max_element(mesh.pressure.begin(), mesh.pressure.end()));
 }
