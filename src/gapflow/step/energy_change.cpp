@@ -5,6 +5,7 @@
 #include "gapflow/coupling/fluid_rows.hpp"
 #include "gapflow/grid/side_faces.hpp"
 #include "gapflow/step/given_sides.hpp"
+#include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/matching.hpp"
 #include "gapflow/step/remainder.hpp"
 
@@ -228,7 +229,7 @@ private:
     /// Of a field's remainder along a face.
     double momentum(int field, int axis, const Index<D>& f) const
     {
-        return place_[0]->coupling.density * grid_.dx() * grid_.spread(axis, f[axis]) * (*faces_[field])(axis, f);
+        return place_[0]->coupling.density * face_length(grid_, axis, f) * (*faces_[field])(axis, f);
     }
 
     /// What nodes, links and gaps carry, with circulation.

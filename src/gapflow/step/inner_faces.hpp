@@ -1,15 +1,20 @@
-// Faces of the grid between two cells of the domain, where circulation has its momentum.
+// Faces of the grid as edges of the complex: what circulation has its momentum along.
 #pragma once
 
 #include "gapflow/grid/field.hpp"
+#include "gapflow/grid/side_distance.hpp"
 
 namespace gapflow {
 
-/// Between the centres of the cells beside a face.
+/// Between the centres of the cells beside a face; at an open side to where the potential is that beyond.
 template <int D>
 double face_length(const Grid<D>& grid, int axis, const Index<D>& f)
 {
-    return grid.dx() * grid.spread(axis, f[axis]);
+    const double length = grid.dx() * grid.spread(axis, f[axis]);
+    const int end = f[axis] > 0;
+    if ((end && f[axis] < grid.cells()[axis]) || !is_open(grid.side(axis, end)))
+        return length;
+    return length * side_distance(grid, axis, end, f);
 }
 
 /// Whether a face lies between two cells of the domain.

@@ -34,7 +34,7 @@ Circulation<D> in_cells(const Placed<D>& at, const Remainder<D>& remainder)
         const FacePiece<D>& piece = complex.pieces[k];
         const Index<D> f = complex.index.index(piece.face);
         if (const std::int32_t edge = at.edges.edge_of_piece[k]; edge >= 0)
-            result.piece.push_back(remainder.edges[edge] / (dx * dx * grid.spread(piece.axis, f[piece.axis])));
+            result.piece.push_back(remainder.edges[edge] / (dx * face_length(grid, piece.axis, f)));
         else if (complex.joins_main(piece) || (!owns_face(grid, piece.axis, f) && is_open_face(piece)))
             result.piece.push_back(result.face[piece.axis][complex.index(complex.index.wrapped(f))]);
         else

@@ -39,11 +39,11 @@ void for_each_edge(const Grid<D>& grid, const F& f)
     for (int a = 0; a < D; ++a)
         for (int b = a + 1; b < D; ++b)
             for_each_index<D>(grid.low(), grid.high() + step<D>(a) + step<D>(b), [&](const Index<D>& v) {
-                const AroundEdge<D> around(a, b, v);
-                bool inner = true;
-                around.for_each(a, b, [&](int axis, const Index<D>& face) { inner = inner && is_inner(grid, axis, face); });
-                if (inner)
-                    f(around, a, b, v);
+                const auto within = [&](int axis) {
+                    return grid.periodic(axis) || (v[axis] > 0 && v[axis] < grid.cells()[axis]);
+                };
+                if (within(a) && within(b))
+                    f(AroundEdge<D>(a, b, v), a, b, v);
             });
 }
 

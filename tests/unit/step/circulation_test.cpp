@@ -349,7 +349,7 @@ TEST(Circulation, AVortexRingGoesOn)
     RecordProperty("speed", std::to_string((place() - start) / 0.1));
     RecordProperty("energy", std::to_string(run.energy() / before - 1));
     EXPECT_NEAR(place() - start, 0.1, 0.005);
-    EXPECT_NEAR(run.energy() / before, 1, 5e-3);
+    EXPECT_NEAR(run.energy() / before, 1, 5e-4); // of far sides, too
 }
 
 // Fluid and bodies that all move as one go on so, whatever the bodies; and a scene whose fluid and bodies all have one velocity more is the same scene, seen in motion.
