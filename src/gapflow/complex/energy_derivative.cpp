@@ -428,9 +428,18 @@ private:
         for (std::size_t k = 0; k < complex_.pieces.size(); ++k) {
             const FacePiece<D>& piece = complex_.pieces[k];
             const Vec<D> centre = face_centre(piece);
+            const bool turns = circulation_ && piece.low.exists() && piece.high.exists() &&
+                               owns_face(grid_, piece.axis, complex_.index.index(piece.face));
             for (const PieceRate<D>& rate : derivatives_.of(k)) {
                 double by_area = by_area_[k];
                 Vec<D> by_moment = by_moment_[k];
+                if (turns) { // what the solid covers more is open less
+                    const Twist<D> of =
+                        spread(piece) * circulation_->face[piece.axis][piece.face] * circulation_->covered[rate.solid];
+                    const Vec<D> turn = turned<D>(of.template tail<spin_size<D>>(), piece.axis);
+                    by_area += of[piece.axis] + turn.dot(centre - rate.reference);
+                    by_moment += turn;
+                }
                 for (const auto& [side, out] : {std::pair{piece.low, 1.0}, {piece.high, -1.0}})
                     if (const int patch = patch_of(side, rate.solid); patch >= 0) {
                         const Vec<D> turn = out * turned<D>(by_patch_[patch].template tail<spin_size<D>>(), piece.axis);

@@ -52,6 +52,7 @@ template <int D>
 struct Circulation {
     std::array<std::vector<double>, D> face; ///< by the numbers of Complex::index
     std::vector<double> piece, link;         ///< of each
+    std::vector<Twist<D>> covered;           ///< twists by which each solid moves what it covers of faces
 };
 
 /// 1/2 sum_k weight_k z_k . D z_k.
@@ -87,8 +88,8 @@ struct DerivedGaps {
 
 /// dT by each solid's place (cells) and by its rotation (radians) about its reference point, at fixed twists (cells and radians a unit of time); T over the
 /// fluid's density, in cells^(D + 2) a unit of time squared. Without the solids' own masses. `seen`: of each solid, what of D counts; with its
-/// whole D its twist with the weight 1. With circulation it is the derivative of -1/2 m . g m - p . K V + 1/2 V . D V at fixed potentials and circulation, whose
-/// sum is the momentum m. This rank's share, of its own faces, walls and gaps: all ranks' sum up to it. Potentials are those of all of the complex. Collective.
+/// whole D its twist with the weight 1. With circulation it is the derivative of -1/2 m . g m - p . K V - w . W V + 1/2 V . D V at fixed potentials and circulation w, whose
+/// sum is the momentum m, W V the flux of the solids through what they cover of faces, but for the motion of its arms' reference points. This rank's share, of its own faces, walls and gaps: all ranks' sum up to it. Potentials are those of all of the complex. Collective.
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Grid<D>& grid, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
                                         const Potentials<D>& potentials, std::span<const Twist<D>> twists,

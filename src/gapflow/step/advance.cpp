@@ -3,11 +3,13 @@
 #include "gapflow/body/forces.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
 #include "gapflow/step/energy_change.hpp"
+#include "gapflow/step/gauge.hpp"
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/pressure.hpp"
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/void_solve.hpp"
+#include "gapflow/step/vorticity.hpp"
 #include "gapflow/stepping/drive.hpp"
 #include "gapflow/stepping/following.hpp"
 #include "gapflow/stepping/force_parts.hpp"
@@ -174,9 +176,11 @@ Intermediate<D> intermediate(const Model<D>& model, const Instant<D>& old, const
         add(fluid_impulse(there, PotentialFlow<D>{moved_by<D>(rest, stream), none, 0, {}}), 1);
     }
     if (!remainder.empty()) {
-        add(impulses_of_outflow(there.coupling, outflow_of_remainder(there, remainder)), 1);
+        UnknownVector<D> outflow = outflow_of_edges(there, remainder);
+        add_to(star.outflow, outflow);
+        add_to(outflow, outflow_of_faces(there, remainder));
+        add(impulses_of_outflow(there.coupling, outflow), 1);
         add(impulse_of_remainder(there, remainder), -1);
-        add_to(star.outflow, outflow_of_edges(there, remainder));
     }
     if (sides.any()) {
         const UnknownVector<D> outflow = outflow_of_sides(there, sides);
@@ -233,119 +237,6 @@ Work work_of(const Impulse& impulse, const std::vector<RigidBody<D>>& bodies, co
         }
     return work;
 }
-
-/// The remainder at the new places, turned by the vorticity that fluid and solids carry along in the step, with the mean of both ends' flux and twists.
-template <int D>
-class TurnedRemainder {
-public:
-    TurnedRemainder(const Instant<D>& old, const Placed<D>& there, double dt) : old_(old), there_(there), dt_(dt)
-    {
-        if (old.flow.remainder.empty())
-            return;
-        flux_ = face_fluxes(*old.placed, old.flow);
-        FaceField<D> open = open_areas(there);
-        mean(open, open_areas(*old.placed));
-        carriers_.emplace(there, std::move(open));
-    }
-
-    /// `end`: the flow at the step's end; null: not known yet. In sub-steps of one cell (classical Runge-Kutta).
-    Remainder<D> find(const PotentialFlow<D>* end) const
-    {
-        if (!carriers_)
-            return {};
-        const FaceField<D> flux = end ? mean_flux(*end) : flux_;
-        const std::vector<Twist<D>> twists = end ? mean_twists(*end) : old_.flow.twists;
-        FaceField<D> w = old_.flow.remainder.faces;
-        const int steps = std::max(1, static_cast<int>(std::ceil(courant(flux))));
-        const double dt = dt_ / steps;
-        for (int k = 0; k < steps; ++k) {
-            const FaceField<D> start = w;
-            FaceField<D> rate;
-            for (const auto& [way, weight] :
-                 {std::pair(0.0, 1.0 / 6), std::pair(0.5, 1.0 / 3), std::pair(0.5, 1.0 / 3), std::pair(1.0, 1.0 / 6)}) {
-                FaceField<D> at = start;
-                if (way > 0)
-                    add(at, way, rate);
-                rate = vortex_impulse(*carriers_, flux, twists, at, dt);
-                add(w, weight, rate);
-            }
-        }
-        return remainder_of(there_, std::move(w));
-    }
-
-    /// Work of the turning by the mean flux of both ends, none where this flux is that by which it was found.
-    double work(const PotentialFlow<D>& end) const
-    {
-        if (!carriers_)
-            return 0;
-        const Coupling<D>& coupling = there_.coupling;
-        const Grid<D>& grid = *coupling.grid;
-        const FaceField<D> flux = mean_flux(end);
-        double sum = 0;
-        for (int axis = 0; axis < D; ++axis)
-            for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-                sum += grid.spread(axis, f[axis]) * flux(axis, f) *
-                       (end.remainder.faces(axis, f) - old_.flow.remainder.faces(axis, f));
-            });
-        return coupling.density * grid.face_area() * grid.dx() * grid.comm().sum(sum);
-    }
-
-    /// What the solids carry, smoothed.
-    void spread(FaceField<D>& velocity) const { spread_in_solids(*carriers_, velocity); }
-
-private:
-    FaceField<D> mean_flux(const PotentialFlow<D>& end) const
-    {
-        FaceField<D> flux = flux_;
-        mean(flux, face_fluxes(there_, end));
-        return flux;
-    }
-    std::vector<Twist<D>> mean_twists(const PotentialFlow<D>& end) const
-    {
-        std::vector<Twist<D>> twists;
-        for (std::size_t s = 0; s < end.twists.size(); ++s)
-            twists.push_back(0.5 * (old_.flow.twists[s] + end.twists[s]));
-        return twists;
-    }
-
-    /// Cells that the fluid passes in the step, the sum over the axes of the most along each.
-    double courant(const FaceField<D>& flux) const
-    {
-        const Grid<D>& grid = *there_.coupling.grid;
-        const FaceField<D>& open = carriers_->open();
-        double sum = 0;
-        for (int axis = 0; axis < D; ++axis) {
-            double most = 0;
-            for_each_index<D>(grid.low(), owned_faces_end(grid, axis), [&](const Index<D>& f) {
-                if (open(axis, f) > 0)
-                    most = std::max(most, std::abs(flux(axis, f)) / (open(axis, f) * grid.spread(axis, f[axis])));
-            });
-            sum += grid.comm().max(most);
-        }
-        return sum * dt_ / grid.dx();
-    }
-
-    void add(FaceField<D>& to, double factor, const FaceField<D>& change) const
-    {
-        for (int axis = 0; axis < D; ++axis)
-            for (long i = 0; i < change[axis].size(); ++i)
-                to[axis].data()[i] += factor * change[axis].data()[i];
-        exchange(*there_.coupling.grid, to);
-    }
-
-    static void mean(FaceField<D>& a, const FaceField<D>& b)
-    {
-        for (int axis = 0; axis < D; ++axis)
-            for (long i = 0; i < a[axis].size(); ++i)
-                a[axis].data()[i] = 0.5 * (a[axis].data()[i] + b[axis].data()[i]);
-    }
-
-    const Instant<D>& old_;
-    const Placed<D>& there_;
-    double dt_;
-    FaceField<D> flux_; ///< before the step
-    std::optional<VorticityCarriers<D>> carriers_;
-};
 
 /// Mean of the fluid's force on every body: what the bodies' own momenta get.
 template <int D>
@@ -428,7 +319,7 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     MeanFlow<D> mean_flow(model, old, step.dt);
     const std::vector<Twist<D>> none(old.force.size(), Twist<D>::Zero());
     StepForces<D> forces{trapezium<D>(old.force, old.force, step.dt), none};
-    const TurnedRemainder<D> turned = timed("vorticity", [&] { return TurnedRemainder<D>(old, *now.placed, step.dt); });
+    TurnedRemainder<D> turned(old, *now.placed, solver_options(model.scene), step.dt);
     const ContactSet<D> contacts = state.contacts;
     const Twist<D> grid = stream_twist<D>(model.grid_velocity);
     double last = std::numeric_limits<double>::infinity();
@@ -437,7 +328,7 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     for (int pass = 1;; ++pass) {
         state.contacts = contacts;
         state.pressure.impulse = {CellField<D>(model.grid), {}};
-        now.flow.remainder = timed("vorticity", [&] { return turned.find(pass > 1 ? &now.flow : nullptr); });
+        now.flow.remainder = timed("vorticity", [&] { return turned.find(pass > 1 ? &now : nullptr); });
         state.drive = mean_flow.drive(state.drive);
         now.stream = state.drive.flow;
         const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
@@ -465,9 +356,8 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
         const auto change = [&](std::size_t b) {
             return Twist<D>(next.mean[b] + next.missing[b] - forces.mean[b] - forces.missing[b]);
         };
-        const double energy = energy_of(now, before),
-                     missed = work_of(change, state.bodies, old, now).magnitude +
-                              timed("vorticity", [&] { return std::abs(turned.work(now.flow)); });
+        const double energy = energy_of(now, before), missed = work_of(change, state.bodies, old, now).magnitude +
+                                                               timed("vorticity", [&] { return std::abs(turned.work(now)); });
         if ((pass > 1 || now.flow.remainder.empty()) && (is_kept || pass == most_passes) && missed <= may_miss(pass) * energy)
             break;
         state.forces_settle = pass < most_passes && !(pass > 1 && missed > std::max(last, energy));
@@ -501,10 +391,7 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     } else if (!old.kept.volume.empty())
         now.kept.volume.assign(now.placed->complex.parts(), 0.0);
     if (!now.flow.remainder.empty()) {
-        timed("vorticity", [&] {
-            turned.spread(now.flow.remainder.faces);
-            renew_gauge(*now.placed, now.flow, solver_options(model.scene));
-        });
+        timed("vorticity", [&] { renew_gauge(*now.placed, now.flow, solver_options(model.scene)); });
         timed("forces", [&] { find_forces(now); });
     }
     state.potential = now.flow.p;

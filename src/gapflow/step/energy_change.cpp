@@ -5,6 +5,7 @@
 #include "gapflow/coupling/fluid_rows.hpp"
 #include "gapflow/grid/side_faces.hpp"
 #include "gapflow/step/given_sides.hpp"
+#include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/matching.hpp"
 #include "gapflow/step/remainder.hpp"
 
@@ -101,9 +102,9 @@ private:
     /// The same of the remainders, which belong to the grid.
     void fill(const PotentialFlow<D>& before, const PotentialFlow<D>& after)
     {
-        faces_ = {before.remainder.faces, after.remainder.faces};
-        edges_[0] = {before.remainder.edges, remainder_of(*place_[0], faces_[1]).edges};
-        edges_[1] = {remainder_of(*place_[1], faces_[0]).edges, after.remainder.edges};
+        faces_ = {&before.remainder.faces, &after.remainder.faces};
+        edges_[0] = {before.remainder.edges, along_edges(*place_[0], *faces_[1])};
+        edges_[1] = {along_edges(*place_[1], *faces_[0]), after.remainder.edges};
     }
 
     void put(long cell, double value)
@@ -224,11 +225,11 @@ private:
                                                       b[entry.row] * entry.flux.dot((*V_[0])[entry.body])));
     }
 
-    bool rotational() const { return faces_[0][0].size() > 0; }
+    bool rotational() const { return faces_[0] != nullptr; }
     /// Of a field's remainder along a face.
     double momentum(int field, int axis, const Index<D>& f) const
     {
-        return place_[0]->coupling.density * grid_.dx() * grid_.spread(axis, f[axis]) * faces_[field](axis, f);
+        return place_[0]->coupling.density * face_length(grid_, axis, f) * (*faces_[field])(axis, f);
     }
 
     /// What nodes, links and gaps carry, with circulation.
@@ -255,6 +256,10 @@ private:
             const Index<D> cell = flux.axis >= 0 ? flux.face : list.rows_of(list.edges[flux.edge])[0].cell;
             put(grid_.key(grid_.wrapped(cell)), -0.5 * sign * sum);
         }
+        for (const CarriedFlux<D>& flux : list.covered) // of one solid alone
+            for (int field = 0; field < 2; ++field)
+                result_[flux.solid] -=
+                    0.5 * sign * momentum(field, flux.axis, flux.face) * flux.flux.dot((*V_[1 - field])[flux.solid]);
     }
 
     /// Of the cells of all links, one after the other, whichever rank has them.
@@ -371,7 +376,7 @@ private:
     std::array<const Placed<D>*, 2> place_;
     std::array<std::array<CellField<D>, 2>, 2> cells_;        ///< of each place and field
     std::array<std::array<Eigen::VectorXd, 2>, 2> nodes_;     ///< of each place and field
-    std::array<FaceField<D>, 2> faces_;                       ///< of each field: the remainder; empty: none
+    std::array<const FaceField<D>*, 2> faces_{};              ///< of each field: the remainder; null: none
     std::array<std::array<std::vector<double>, 2>, 2> edges_; ///< of each place and field: the same
     std::array<std::vector<long>, 2> cell_of_node_;           ///< of each place: keys
     std::array<GivenSides<D>, 2> sides_;                      ///< of each field

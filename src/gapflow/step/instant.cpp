@@ -1,6 +1,8 @@
 #include "gapflow/step/instant.hpp"
 
+#include "gapflow/step/covered.hpp"
 #include "gapflow/step/given_sides.hpp"
+#include "gapflow/step/inner_faces.hpp"
 #include "gapflow/step/remainder.hpp"
 
 #include <algorithm>
@@ -32,7 +34,7 @@ Circulation<D> in_cells(const Placed<D>& at, const Remainder<D>& remainder)
         const FacePiece<D>& piece = complex.pieces[k];
         const Index<D> f = complex.index.index(piece.face);
         if (const std::int32_t edge = at.edges.edge_of_piece[k]; edge >= 0)
-            result.piece.push_back(remainder.edges[edge] / (dx * dx * grid.spread(piece.axis, f[piece.axis])));
+            result.piece.push_back(remainder.edges[edge] / (dx * face_length(grid, piece.axis, f)));
         else if (complex.joins_main(piece) || (!owns_face(grid, piece.axis, f) && is_open_face(piece)))
             result.piece.push_back(result.face[piece.axis][complex.index(complex.index.wrapped(f))]);
         else
@@ -64,6 +66,23 @@ void add_stream(const Instant<D>& instant, double factor, FaceField<D>& u)
             });
 }
 
+/// Of -w . W V, W V the solids' flux through what they cover: as their centres move, about which they turn.
+template <int D>
+void add_arms(const Placed<D>& at, const FaceField<D>& w, const std::vector<Twist<D>>& twists, std::vector<Twist<D>>& force)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    std::vector<Twist<D>> sum(force.size(), Twist<D>::Zero());
+    for (const CarriedFlux<D>& of : at.edges.covered) {
+        const double momentum = at.coupling.density * face_length(grid, of.axis, of.face) * w(of.axis, of.face);
+        const Spin<D> spin = twists[of.solid].template tail<spin_size<D>>();
+        sum[of.solid].template head<D>() -= momentum * of.flux[of.axis] * spin_velocity<D>(spin, unit<D>(of.axis));
+    }
+    if (!sum.empty())
+        grid.comm().sum(std::span<double>(sum.data()->data(), sum.size() * twist_size<D>));
+    for (std::size_t s = 0; s < force.size(); ++s)
+        force[s] += sum[s];
+}
+
 /// A grid that goes with a body: where this and the grid are displaced, T changes as where all other solids are displaced the other way.
 template <int D>
 void take_grid_along(Instant<D>& instant)
@@ -89,17 +108,31 @@ void find_forces(Instant<D>& instant)
     const std::vector<Twist<D>>& V = instant.flow.twists;
     instant.impulse = fluid_impulse(at, instant.flow);
     const bool rotational = !instant.flow.remainder.empty();
-    const Circulation<D> circulation = rotational ? in_cells(at, instant.flow.remainder) : Circulation<D>{};
+    Circulation<D> circulation;
+    std::vector<Twist<D>> moving;
+    if (rotational) {
+        circulation = in_cells(at, instant.flow.remainder);
+        for (std::size_t s = 0; s < V.size(); ++s) {
+            moving.push_back(moving_walls(at.coupling.solids[s], V[s]));
+            circulation.covered.push_back(moving.back());
+            circulation.covered.back().template head<D>() /= at.coupling.grid->dx();
+        }
+    }
     instant.force =
         energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs,
                              instant.followed.body >= 0 ? std::vector<char>{} : not_replaced(instant.displaced, V.size()),
                              rotational ? &circulation : nullptr);
+    if (rotational) {
+        instant.flux = face_fluxes(at, instant.flow);
+        add_arms(at, instant.flow.remainder.faces, moving, instant.force);
+    }
     const std::vector<Twist<D>> of_sides = forces_of_sides(at, instant.flow);
     for (std::size_t s = 0; s < V.size(); ++s)
         instant.force[s] += of_sides[s];
     replace_forces(instant.displaced, instant.flow, instant.force);
     take_grid_along(instant);
-    instant.energy = (rotational ? energy_of_remainder(at, instant.flow) : 0) + energy_of_sides(at, instant.flow);
+    instant.energy = (rotational ? 0.5 * work_of_fluxes(at.coupling, instant.flux, instant.flow.remainder.faces) : 0) +
+                     energy_of_sides(at, instant.flow);
     if (at.voids.any()) { // L p + K V is what flows into voids
         const UnknownVector<D> out = net_outflow(instant, face_velocities(instant));
         const Grid<D>& grid = *at.coupling.grid;

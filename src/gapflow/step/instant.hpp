@@ -21,6 +21,7 @@ struct Instant {
     /// twists do not turn with the body).
     std::vector<Twist<D>> force;
     double energy = 0;               ///< T
+    FaceField<D> flux{};             ///< of volume through the faces of the grid (face_fluxes()), with circulation; else empty
     FollowedBody<D> followed{};      ///< its force is that of T as a function of its place and, with it, the grid's
     PartVoids kept{};                ///< voids with which the next step starts
     UnknownVector<D> left_outflow{}; ///< net outflow of the rows in a step with voids; else empty

@@ -4,6 +4,7 @@
 #include "gapflow/complex/mouth_arm.hpp"
 #include "gapflow/coupling/grid_conductance.hpp"
 #include "gapflow/coupling/pressure_gauge.hpp"
+#include "gapflow/step/covered.hpp"
 #include "gapflow/stepping/standoff.hpp"
 
 #include <algorithm>
@@ -106,8 +107,10 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
     result->coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, result->coupling.solids, FractionMode::cut_cell);
     result->coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *result->coupling.clipper));
     result->node = result->coupling.part_node;
-    if (circulation)
+    if (circulation) {
         result->edges = edges_of_parts(model.grid, result->coupling, complex, inertia);
+        result->edges.covered = covered_fluxes(*result);
+    }
     return result;
 }
 

@@ -43,6 +43,7 @@ struct EdgesOfParts {
     std::vector<std::int32_t> edge_of_piece; ///< -1: none
     std::vector<std::int32_t> edge_of_link;
     std::vector<CarriedFlux<D>> carried; ///< of this rank's faces
+    std::vector<CarriedFlux<D>> covered; ///< the same of what solids cover of them, which is not the fluid's
 
     std::span<const typename SparseEdge<D>::Row> rows_of(const SparseEdge<D>& edge) const
     {

@@ -1,6 +1,7 @@
 #include "gapflow/step/start.hpp"
 
 #include "gapflow/grid/side_faces.hpp"
+#include "gapflow/step/gauge.hpp"
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/void_solve.hpp"

@@ -5,6 +5,7 @@
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/simulation.hpp"
 #include "gapflow/step/start.hpp"
+#include "gapflow/step/vorticity.hpp"
 #include "gapflow/stepping/motion.hpp"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <sstream>
 
 namespace gapflow {
 namespace {
@@ -157,8 +159,7 @@ void check_work()
     FreeRun<D> run(scene, vortex<D>);
     const Placed<D>& at = *run.now.placed;
     const FaceField<D> flux = face_fluxes(at, run.now.flow),
-                       change = vortex_impulse(VorticityCarriers<D>(at, open_areas(at)), flux, run.now.flow.twists,
-                                               run.now.flow.remainder.faces, 0.1);
+                       change = vortex_impulse(run.model.grid, flux, run.now.flow.remainder.faces, 0.1);
     double work = 0, magnitude = 0;
     for (int axis = 0; axis < D; ++axis)
         for_each_index<D>(run.model.grid.low(), owned_faces_end(run.model.grid, axis), [&](const Index<D>& f) {
@@ -173,6 +174,77 @@ TEST(Circulation, TurningDoesNoWork)
 {
     check_work<2>();
     check_work<3>();
+}
+
+/// The flux of fluid and solids through whole faces has no divergence.
+template <int D>
+void check_volume()
+{
+    Scene scene = box_of_fluid(D, 12, SideScene::Kind::wall);
+    scene.bodies = {body("box", BodyScene::ShapeKind::box, {0.41, 0.33, 0.47}, {0.3, 0.2, 0.1}),
+                    body("ball", BodyScene::ShapeKind::ball, {0.43, 0.68, 0.49}, {-0.1, 0.2, 0.3})};
+    scene.bodies[0].size = {0.3, 0.25, D == 3 ? 0.2 : 0.0};
+    scene.bodies[0].angle = D == 2 ? 0.4 : 0;
+    scene.bodies[1].radius = 0.2;
+    for (BodyScene& one : scene.bodies)
+        one.angular_velocity = {D == 3 ? 0.4 : 1.3, 0, D == 3 ? 1.3 : 0.0};
+    const FreeRun<D> run(scene, vortex<D>);
+    const Grid<D>& grid = run.model.grid;
+    const FaceField<D> flux = face_fluxes(*run.now.placed, run.now.flow);
+    double worst = 0;
+    for_each_index<D>(grid.low(), grid.high(), [&](const Index<D>& c) {
+        double sum = 0;
+        for (int axis = 0; axis < D; ++axis)
+            sum += flux(axis, Index<D>(c + step<D>(axis))) - flux(axis, c);
+        worst = std::max(worst, std::abs(sum));
+    });
+    EXPECT_LT(worst, 1e-8);
+}
+
+TEST(Circulation, FluidAndSolidsTogetherKeepTheirVolume2D)
+{
+    check_volume<2>();
+}
+
+TEST(Circulation, FluidAndSolidsTogetherKeepTheirVolume3D)
+{
+    check_volume<3>();
+}
+
+// Vorticity that is uniform stays so, beside walls at rest and walls that move and turn.
+TEST(Circulation, UniformVorticityStaysUniform)
+{
+    const double omega = 2 * pi;
+    const auto rotation = [&](const Vec<2>& x) { return Vec<2>(-0.5 * omega * (x[1] - 0.5), 0.5 * omega * (x[0] - 0.5)); };
+    for (const bool free : {false, true}) {
+        Scene scene = box_of_fluid(2, 24, SideScene::Kind::wall);
+        const Vec<2> at(0.5003, 0.6523), V = rotation(at);
+        scene.bodies = {body("body", free ? BodyScene::ShapeKind::box : BodyScene::ShapeKind::ball, {at[0], at[1], 0},
+                             free ? Triple{V[0], V[1], 0} : Triple{})};
+        scene.bodies[0].size = {0.25, 0.12, 0};
+        scene.bodies[0].angle = 0.3;
+        if (!free)
+            scene.bodies[0].motion = BodyScene::Motion::fixed;
+        FreeRun<2> run(scene, rotation);
+        const double before = run.energy();
+        double corrected = 0;
+        for (int k = 0; k < 36; ++k) { // a quarter turn
+            run.step(0.5 / 36);
+            corrected += std::abs(run.report.corrected_energy) / before;
+        }
+        const FaceField<2>& w = run.now.flow.remainder.faces;
+        double worst = 0;
+        for (int i = 1; i < 24; ++i)
+            for (int j = 1; j < 24; ++j)
+                worst =
+                    std::max(worst, std::abs(24 * (w(1, {i, j}) - w(1, {i - 1, j}) - w(0, {i, j}) + w(0, {i, j - 1})) - omega));
+        std::ostringstream figure;
+        figure << worst / omega;
+        RecordProperty(free ? "free" : "fixed", figure.str());
+        EXPECT_LT(worst, 1e-8 * omega);
+        EXPECT_NEAR(run.energy() / before, 1, free ? 2e-5 : 1e-10);
+        EXPECT_LT(corrected, 2e-3);
+    }
 }
 
 // Steady flows of ideal fluid that a uniform flow carries across a periodic box.
@@ -224,14 +296,15 @@ void record(const Carried& coarse, const Carried& fine)
 TEST(Circulation, VorticesAreCarriedAlong2D)
 {
     const Carried coarse = carried_along<2>(taylor_green, 16, 0.5, 0.5), fine = carried_along<2>(taylor_green, 32, 0.5, 0.5),
-                  far = carried_along<2>(taylor_green, 32, 4, 0.5);
+                  one = carried_along<2>(taylor_green, 32, 1, 0.5), far = carried_along<2>(taylor_green, 32, 4, 0.5);
     record(coarse, fine);
+    RecordProperty("one_error", std::to_string(one.error));
     RecordProperty("far_error", std::to_string(far.error));
     RecordProperty("far_energy", std::to_string(std::abs(far.energy - 1)));
     EXPECT_GT(std::log2(coarse.error / fine.error), 1.8);
     EXPECT_LT(fine.error, 0.02);
     EXPECT_NEAR(fine.energy, 1, 1e-3);
-    EXPECT_LT(far.error, 3 * coarse.error);
+    EXPECT_LT(far.error, 1.5 * one.error);
     EXPECT_NEAR(far.energy, 1, 2e-3);
 }
 
@@ -242,6 +315,41 @@ TEST(Circulation, VorticesAreCarriedAlong3D)
     EXPECT_GT(std::log2(coarse.error / fine.error), 1.8);
     EXPECT_LT(fine.error, 0.05);
     EXPECT_NEAR(fine.energy, 1, 1e-3);
+}
+
+// A thin ring whose vorticity is Gaussian across it, exp(-(s/delta)^2): Gamma/(4 pi R) (log(8 R/delta) - 0.558) (P. G. Saffman, Stud. Appl. Math. 49, 1970).
+TEST(Circulation, AVortexRingGoesOn)
+{
+    const int cells = 32;
+    const double R = 0.2, delta = 0.06, speed = (std::log(8 * R / delta) - 0.558) / (4 * pi * R);
+    const Vec<3> at(0.5, 0.5, 0.4);
+    FreeRun<3> run(
+        box_of_fluid(3, cells, SideScene::Kind::far), [&](const Vec<3>& x) { // of this vorticity, not yet without divergence
+            const double outside = std::hypot(x[0] - at[0], x[1] - at[1]) - R, ahead = x[2] - at[2];
+            return Vec<3>(0, 0,
+                          std::exp(-std::pow(ahead / delta, 2)) * std::erfc(outside / delta) / (2 * std::sqrt(pi) * delta));
+        });
+    // Centroid of the vorticity across a half-plane through the axis.
+    const auto place = [&] {
+        const FaceField<3>& w = run.now.flow.remainder.faces;
+        double sum = 0, moment = 0;
+        for (int k = 1; k < cells; ++k)
+            for (int i = cells / 2 + 1; i < cells; ++i) {
+                const int j = cells / 2;
+                const double omega = w(0, {i, j, k}) - w(0, {i, j, k - 1}) - w(2, {i, j, k}) + w(2, {i - 1, j, k});
+                sum += omega;
+                moment += omega * k / cells;
+            }
+        return moment / sum;
+    };
+    const double before = run.energy(), start = place(), time = 0.1 / speed;
+    const int steps = 24;
+    for (int k = 0; k < steps; ++k)
+        run.step(time / steps);
+    RecordProperty("speed", std::to_string((place() - start) / 0.1));
+    RecordProperty("energy", std::to_string(run.energy() / before - 1));
+    EXPECT_NEAR(place() - start, 0.1, 0.005);
+    EXPECT_NEAR(run.energy() / before, 1, 5e-4); // of far sides, too
 }
 
 // Fluid and bodies that all move as one go on so, whatever the bodies; and a scene whose fluid and bodies all have one velocity more is the same scene, seen in motion.
@@ -333,11 +441,13 @@ TEST(Circulation, AVortexAndADiskKeepTheirEnergy)
             corrected[size] += std::abs(run.report.corrected_energy) / before;
         }
         RecordProperty("energy" + std::to_string(size), std::to_string(std::abs(run.energy() / before - 1)));
-        EXPECT_NEAR(run.energy() / before, 1, 2e-4);
+        EXPECT_NEAR(run.energy() / before, 1, 2e-5);
+        RecordProperty("place" + std::to_string(size),
+                       std::to_string((run.state.bodies[0].centre() - Vec<2>(0.343, 0.509)).norm()));
         EXPECT_LT((run.state.bodies[0].centre() - Vec<2>(0.343, 0.509)).norm(), 0.02); // of 64 cells
     }
     RecordProperty("corrected", std::to_string(corrected[0]) + ", " + std::to_string(corrected[1]));
-    EXPECT_LT(corrected[0], 0.01);
+    EXPECT_LT(corrected[0], 2e-3);
     EXPECT_LT(corrected[1], 0.8 * corrected[0]);
 }
 
@@ -388,6 +498,7 @@ TEST(Circulation, ADiskWithCirculationGoesInACircle)
     const Vec<2> way = run.state.bodies[0].centre() - at, V = run.state.bodies[0].twist.head<2>();
     RecordProperty("way_over_exact", std::to_string(way[1] * rate / (2 * speed)));
     EXPECT_LT((way - Vec<2>(0, 2 * speed / rate)).norm(), 0.2 * 2 * speed / rate);
+    RecordProperty("speed", std::to_string((V + Vec<2>(speed, 0)).norm() / speed));
     EXPECT_LT((V + Vec<2>(speed, 0)).norm(), 0.35 * speed);
     EXPECT_NEAR(run.energy() / before, 1, 1e-3);
     EXPECT_LT(std::abs(run.state.bodies[0].twist[2]), 1e-10);

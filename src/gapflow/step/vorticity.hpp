@@ -1,0 +1,51 @@
+// The flow carries its vorticity (theory of the step, "Circulation"): dw/dt = v x omega of the remainder w.
+#pragma once
+
+#include "gapflow/step/instant.hpp"
+
+#include <utility>
+
+namespace gapflow {
+
+/// dt (v x omega) on the inner faces of the grid, v of the flux, which does no work. Where this has no divergence, vorticity that is uniform stays so (2D).
+/// `remainder`: of omega. Collective.
+template <int D>
+FaceField<D> vortex_impulse(const Grid<D>& grid, const FaceField<D>& flux, const FaceField<D>& remainder, double dt);
+
+/// The remainder at the end of a step, turned by the vorticity that the flow carries along.
+template <int D>
+class TurnedRemainder {
+public:
+    /// `old` and `there`, the places at the end, must outlive it.
+    TurnedRemainder(const Instant<D>& old, const Placed<D>& there, const SolverOptions& options, double dt)
+        : old_(old), there_(there), options_(options), dt_(dt)
+    {
+    }
+
+    /// `end`: the step's end as found so far; null: the flux stays that of the start. Goes on in sub-steps of one cell with the flux at their times: linear between the
+    /// ends, and with several of them a parabola, for which the flux that the vorticity has half-way is found by a solve. The mean flux of both ends does no
+    /// work. Collective.
+    Remainder<D> find(const Instant<D>* end);
+
+    /// Work of the turning by the mean flux of both ends, none where `end` has the flux by which it was found. Collective.
+    double work(const Instant<D>& end) const;
+
+private:
+    const Grid<D>& grid() const { return *there_.coupling.grid; }
+    /// `share` of the way from the flux at the start to that at the end.
+    FaceField<D> flux_at(const Instant<D>* end, double share) const;
+    FaceField<D> mean_flux(const Instant<D>& end) const;
+    double courant(const FaceField<D>& flux) const;
+    std::pair<FaceField<D>, FaceField<D>> sub_steps(const Instant<D>* end, int steps) const;
+    void find_curve(std::pair<FaceField<D>, FaceField<D>> half_and_end);
+    void add(FaceField<D>& to, double factor, const FaceField<D>& change) const;
+    void take_work(const Instant<D>& end, FaceField<D>& w) const;
+
+    const Instant<D>& old_;
+    const Placed<D>& there_;
+    SolverOptions options_;
+    double dt_;
+    FaceField<D> curve_; ///< of the flux half-way, over the mean of both ends; empty: none
+};
+
+} // namespace gapflow
