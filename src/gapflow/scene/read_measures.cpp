@@ -158,7 +158,7 @@ FluxScene read_flux(const Values& v, const Scene& scene)
         check_partners(v, "gap", "a gap", scene);
         const std::vector<std::string> names = v.texts("gap");
         std::copy(names.begin(), names.end(), flux.bodies.begin());
-        if (!scene.gap_of(names[0], names[1]).film)
+        if (!scene.parts && !scene.gap_of(names[0], names[1]).film)
             v.refuse("gap", "this gap has no film: its model is \"none\"",
                      "measure through a plane instead, or let it be a film");
     }

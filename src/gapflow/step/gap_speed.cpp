@@ -7,7 +7,15 @@
 namespace gapflow {
 namespace {
 
-/// Flux along the axis of an arm's face over its area, relative to the stream.
+/// From the first wall to the second one, by the rates of its opening; sides of the domain have none.
+template <int D>
+Vec<D> normal_of(const GapArm<D>& arm)
+{
+    return arm.opening.template segment<D>(twist_size<D>) - arm.opening.template head<D>();
+}
+
+} // namespace
+
 template <int D>
 double velocity_through(const Instant<D>& instant, const GapArm<D>& arm)
 {
@@ -31,15 +39,6 @@ double velocity_through(const Instant<D>& instant, const GapArm<D>& arm)
     const double U = arm.motion.dot(V);
     return dx * ((drop - arm.flux.dot(V) - delta * U) / (arm.resistance * piece.area) + U);
 }
-
-/// From the first wall to the second one, by the rates of its opening; sides of the domain have none.
-template <int D>
-Vec<D> normal_of(const GapArm<D>& arm)
-{
-    return arm.opening.template segment<D>(twist_size<D>) - arm.opening.template head<D>();
-}
-
-} // namespace
 
 template <int D>
 std::map<std::tuple<int, int, std::int32_t>, Through<D>> flow_through_gaps(const Instant<D>& instant)
@@ -74,6 +73,7 @@ std::vector<double> squares_in_gaps(const Instant<D>& instant, const Vec<D>& fra
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template double velocity_through<D>(const Instant<D>&, const GapArm<D>&);                                                  \
     template std::map<std::tuple<int, int, std::int32_t>, Through<D>> flow_through_gaps<D>(const Instant<D>&);                 \
     template std::vector<double> squares_in_gaps<D>(const Instant<D>&, const Vec<D>&);
 GAPFLOW_INSTANTIATE(2)

@@ -34,6 +34,10 @@ struct Through {
     }
 };
 
+/// Flux along the axis of an arm's face over its area, relative to the stream.
+template <int D>
+double velocity_through(const Instant<D>& instant, const GapArm<D>& arm);
+
 /// Of this rank's parts in gaps, by the two solids (the first has the smaller number) and the part. With the stream.
 template <int D>
 std::map<std::tuple<int, int, std::int32_t>, Through<D>> flow_through_gaps(const Instant<D>& instant);

@@ -85,6 +85,7 @@ template <int D>
 std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
                                   const std::vector<TwistMatrix<D>>& mass, bool circulation, const VoidsBefore<D>* voids)
 {
+    const bool with_edges = circulation || !model.scene.fluxes.empty(); // which are measured by them
     auto result = std::make_unique<Placed<D>>();
     const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
     result->complex = build_complex<D>(model.grid, solids, &result->derivatives);
@@ -96,7 +97,7 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
         result->voids = find_voids<D>(model, solids, complex, result->arms, mouths, voids);
         leave_empty(complex, result->voids, result->arms, mouths);
     }
-    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, result->arms, mouths, circulation);
+    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, result->arms, mouths, with_edges);
     result->pairs = inertia.pairs;
     result->coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
     if (with_voids) {
@@ -107,7 +108,7 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
     result->coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, result->coupling.solids, FractionMode::cut_cell);
     result->coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *result->coupling.clipper));
     result->node = result->coupling.part_node;
-    if (circulation) {
+    if (with_edges) {
         result->edges = edges_of_parts(model.grid, result->coupling, complex, inertia);
         result->edges.covered = covered_fluxes(*result);
     }

@@ -192,11 +192,12 @@ double work_of_fluxes(const Coupling<D>& coupling, const FaceField<D>& flux, con
 }
 
 template <int D>
-FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
+EdgeFluxes<D> edge_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
 {
     const Coupling<D>& coupling = at.coupling;
     const Grid<D>& grid = *coupling.grid;
-    FluidVelocity<D> u{flow.remainder.faces, {}, {}, {}};
+    const Remainder<D>& remainder = flow.remainder;
+    FluidVelocity<D> u{remainder.empty() ? FaceField<D>(grid) : remainder.faces, {}, {}, {}};
     UnknownVector<D> p = flow.p;
     subtract_gradient(coupling, p, u);
     exchange(grid, p.cells);
@@ -207,7 +208,8 @@ FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
     std::vector<double> through(at.edges.edges.size());
     for (std::size_t e = 0; e < through.size(); ++e) {
         const SparseEdge<D>& edge = at.edges.edges[e];
-        through[e] = edge.conductance * (drop_along(at, edge, p) + coupling.density * flow.remainder.edges[e]);
+        through[e] =
+            edge.conductance * (drop_along(at, edge, p) + (remainder.empty() ? 0.0 : coupling.density * remainder.edges[e]));
     }
     for (const CarriedFlux<D>& of : at.edges.carried) {
         const double flux = of.flux.dot(flow.twists[of.solid]);
@@ -216,12 +218,26 @@ FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
         else
             through[of.edge] += flux;
     }
-    for (const CarriedFlux<D>& of : at.edges.covered)
-        u.grid(of.axis, of.face) += of.flux.dot(flow.twists[of.solid]) / grid.face_area();
-    add_along_edges(at, u.grid, [&](const SparseEdge<D>&, std::size_t e, int axis, const Index<D>& f, double length) {
-        return length / face_length(grid, axis, f) * through[e] / grid.face_area();
+    return {std::move(u.grid), std::move(through)};
+}
+
+template <int D>
+FaceField<D> on_faces(const Placed<D>& at, EdgeFluxes<D> fluxes)
+{
+    const Grid<D>& grid = *at.coupling.grid;
+    add_along_edges(at, fluxes.face, [&](const SparseEdge<D>&, std::size_t e, int axis, const Index<D>& f, double length) {
+        return length / face_length(grid, axis, f) * fluxes.edge[e] / grid.face_area();
     });
-    return std::move(u.grid);
+    return std::move(fluxes.face);
+}
+
+template <int D>
+FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
+{
+    EdgeFluxes<D> fluxes = edge_fluxes(at, flow);
+    for (const CarriedFlux<D>& of : at.edges.covered)
+        fluxes.face(of.axis, of.face) += of.flux.dot(flow.twists[of.solid]) / at.coupling.grid->face_area();
+    return on_faces(at, std::move(fluxes));
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
@@ -232,6 +248,8 @@ FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
     template UnknownVector<D> outflow_of_remainder<D>(const Placed<D>&, const Remainder<D>&);                                  \
     template std::vector<Twist<D>> impulse_of_remainder<D>(const Placed<D>&, const Remainder<D>&);                             \
     template double work_of_fluxes<D>(const Coupling<D>&, const FaceField<D>&, const FaceField<D>&);                           \
+    template EdgeFluxes<D> edge_fluxes<D>(const Placed<D>&, const PotentialFlow<D>&);                                          \
+    template FaceField<D> on_faces<D>(const Placed<D>&, EdgeFluxes<D>);                                                        \
     template FaceField<D> face_fluxes<D>(const Placed<D>&, const PotentialFlow<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -32,6 +32,20 @@ UnknownVector<D> outflow_of_remainder(const Placed<D>& at, const Remainder<D>& r
 template <int D>
 std::vector<Twist<D>> impulse_of_remainder(const Placed<D>& at, const Remainder<D>& remainder);
 
+/// Of the fluid alone: through the faces of the grid between the largest parts of two cells, over the area of a whole face, and through each of the other edges.
+/// Potentials in the layer around a rank's block are filled in. Collective.
+template <int D>
+struct EdgeFluxes {
+    FaceField<D> face;
+    std::vector<double> edge;
+};
+template <int D>
+EdgeFluxes<D> edge_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow);
+
+/// The fluxes of edges added to those of the faces on their way.
+template <int D>
+FaceField<D> on_faces(const Placed<D>& at, EdgeFluxes<D> fluxes);
+
 /// Flux of volume through the faces of the grid, of all parts and mouths there and of what solids cover, over the area of a whole one. It has no divergence in
 /// whole cells. Collective.
 template <int D>

@@ -5,6 +5,7 @@
 #include "gapflow/step/advance.hpp"
 #include "gapflow/step/gap_flow.hpp"
 #include "gapflow/step/mean_flow.hpp"
+#include "gapflow/step/part_flux.hpp"
 #include "gapflow/step/start.hpp"
 #include "gapflow/step/void_solve.hpp"
 #include "gapflow/stepping/configuration.hpp"
@@ -386,6 +387,8 @@ std::vector<PointValues<D>> Simulation<D>::sample(std::span<const Vec<D>> points
 template <int D>
 VolumeFlux Simulation<D>::volume_flux(const FluxScene& through) const
 {
+    if (instant_)
+        return flux_on_parts(model_, *instant_, state_, through);
     return gapflow::volume_flux(model_, coupling(), state_, model_.twists(state_.bodies), through);
 }
 

@@ -48,14 +48,18 @@ VolumeFlux values_of(const Sums& grid, const Sums& films, const Communicator& co
 template <int D>
 class Flows {
 public:
-    Flows(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V)
-        : grid_(model.grid), here_(here), state_(state), V_(V), faces_(grid_, *here.clipper, here.solids, *here.fractions)
+    Flows(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
+          const FaceFluxes<D>* fluxes = nullptr)
+        : grid_(model.grid), here_(here), state_(state), V_(V), fluxes_(fluxes),
+          faces_(grid_, *here.clipper, here.solids, *here.fractions)
     {
     }
 
     // Volume of solids that passes a face of this rank along its axis. Wholly solid faces away from surfaces have no parts stored.
     double of_bodies(int axis, const Index<D>& f)
     {
+        if (fluxes_ && grid_.in_domain(grid_.wrapped(f)) && grid_.in_domain(grid_.wrapped(Index<D>(f - step<D>(axis)))))
+            return fluxes_->bodies(axis, f) * grid_.face_area();
         const FaceFractions<D>& fractions = *here_.fractions;
         double sum = 0;
         const auto add = [&](int solid, double area, const Vec<D>& arm) {
@@ -87,12 +91,17 @@ public:
     // Of the grid's own fluid through a face. On a side of the domain a film's fluid passes through mouths.
     double of_grid(int axis, const Index<D>& f) const
     {
+        if (fluxes_)
+            return fluxes_->fluid(axis, f) * grid_.face_area();
         const int last = grid_.cells()[axis];
         const bool on_side = !grid_.periodic(axis) && (f[axis] == 0 || f[axis] == last);
         if (on_side && static_cast<CellKind>(here_.kind(f[axis] == last ? Index<D>(f - step<D>(axis)) : f)) == CellKind::film)
             return 0;
         return here_.open(axis, f) * state_.velocity.grid(axis, f) * grid_.face_area();
     }
+
+    // Part of it in gaps, where they are parts of the grid's fluid.
+    double of_gaps(int axis, const Index<D>& f) const { return fluxes_ ? fluxes_->gaps(axis, f) * grid_.face_area() : 0.0; }
 
     // A face that a film closes: its fluid moves with the film's master there, and relative to it through the film's elements.
     double with_master(int axis, const Index<D>& f) const
@@ -147,6 +156,7 @@ private:
     const Coupling<D>& here_;
     const State<D>& state_;
     const std::vector<Twist<D>>& V_;
+    const FaceFluxes<D>* fluxes_;
     FaceCache<D> faces_;
     std::vector<int> near_;
 };
@@ -164,6 +174,7 @@ VolumeFlux through_side(Flows<D>& flows, int side)
         high[axis] = low[axis] + 1;
         for_each_index<D>(low, high, [&](const Index<D>& f) {
             own.add_fluid(sign * flows.of_grid(axis, f));
+            own.film += sign * flows.of_gaps(axis, f);
             own.bodies += sign * flows.of_bodies(axis, f);
         });
     }
@@ -390,6 +401,7 @@ VolumeFlux through_plane(Flows<D>& flows, const PlanePart<D>& plane)
                     const auto [middle, half] = flows.open_part(axis, f);
                     const double open_share = change * plane.share(axis, plane.way(middle), half);
                     own.add_fluid(open_share * flows.of_grid(axis, f));
+                    own.film += open_share * flows.of_gaps(axis, f);
                     own.add_film(open_share * flows.with_master(axis, f));
                     own.bodies += change * plane.share(axis, way, flows.half_widths(f)) * flows.of_bodies(axis, f);
                 }
@@ -408,9 +420,9 @@ VolumeFlux through_plane(Flows<D>& flows, const PlanePart<D>& plane)
 
 template <int D>
 VolumeFlux volume_flux(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
-                       const FluxScene& through)
+                       const FluxScene& through, const FaceFluxes<D>* fluxes)
 {
-    Flows<D> flows(model, here, state, V);
+    Flows<D> flows(model, here, state, V, fluxes);
     switch (through.kind) {
     case FluxScene::Kind::side:
         return through_side(flows, through.side);
@@ -444,7 +456,7 @@ Vec<D> flow_of_films(const Model<D>& model, const Coupling<D>& here, const State
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Vec<D> flow_of_films<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&);      \
     template VolumeFlux volume_flux<D>(const Model<D>&, const Coupling<D>&, const State<D>&, const std::vector<Twist<D>>&,     \
-                                       const FluxScene&);
+                                       const FluxScene&, const FaceFluxes<D>*);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -22,10 +22,17 @@ struct VolumeFlux {
     double outflow = 0; ///< along it, or out of a gap; of a side or plane `flux` is outflow - inflow
 };
 
-/// At the end of the last step. NaN for a gap that has no film. `V`: twists of all solids. Collective.
+/// Through the faces of the grid, over the area dx^(D-1) of a whole one: of the fluid, of what of it flows in gaps, and of solids through those between two cells.
+template <int D>
+struct FaceFluxes {
+    FaceField<D> fluid, gaps, bodies;
+};
+
+/// At the end of the last step. NaN for a gap that has no film. `V`: twists of all solids. `fluxes`: where they are known; null: those of the velocities
+/// and of films. Collective.
 template <int D>
 VolumeFlux volume_flux(const Model<D>& model, const Coupling<D>& here, const State<D>& state, const std::vector<Twist<D>>& V,
-                       const FluxScene& through);
+                       const FluxScene& through, const FaceFluxes<D>* fluxes = nullptr);
 
 /// The flow of films through all planes that are normal to an axis, one axis a component, summed up along it: the integral of their velocity over the volume that
 /// they take of the grid's. `V` as above. Collective.
