@@ -131,6 +131,9 @@ def vortex_cases(quick):
     energy = max(float(found["energy0"]), float(found["energy1"]))
     yield Row(VORTICES, "a neutral disk in a vortex that fills a box, a quarter turn, 24, 36 cells: energy (magnitudes of its correction)", "within ±0.5 %",
               f"{energy:.4%} ({', '.join(f'{float(c):.2%}' for c in found['corrected'].split(', '))})", passed and energy <= 5e-3)
+    found, passed = harness.unit_figures("unit_step", "Circulation.AVortexCarriesADiskRound")
+    order = float(found["order"])
+    yield Row(VORTICES, "the same, a turn, 24, 48 cells, distance from the middle against 0.175 (extrapolated): order (errors)", ">= 1", f"{order:.2f} ({found['errors']})", passed and order >= 1)
     found, passed = harness.unit_figures("unit_step", "Circulation.ADiskWithCirculationGoesInACircle")
     way = float(found["way_over_exact"])
     yield Row(VORTICES, "a free disk of 3.2 cells a radius with circulation around it: way in half a turn over the circle's diameter", "0.9 … 1.1", f"{way:.3f}", passed and abs(way - 1) <= 0.1)

@@ -22,14 +22,6 @@ struct AroundEdge {
         return (w(a, of_a[0]) - w(a, of_a[1])) / face_length(grid, b, of_b[1]) +
                (w(b, of_b[1]) - w(b, of_b[0])) / face_length(grid, a, of_a[1]);
     }
-    template <class F>
-    void for_each(int a, int b, const F& f) const
-    {
-        for (const Index<D>& face : of_a)
-            f(a, face);
-        for (const Index<D>& face : of_b)
-            f(b, face);
-    }
 };
 
 /// f(around, a, b, v) for the edges of the grid beside this rank's cells, but those in sides of the domain.
