@@ -112,6 +112,23 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
 }
 
 template <int D>
+Placed<D> placed_for_energy(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, bool circulation)
+{
+    Placed<D> result;
+    const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
+    result.complex = build_complex<D>(model.grid, solids);
+    const Complex<D>& complex = result.complex;
+    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, find_gap_arms<D>(model.grid, solids, complex, standoffs),
+                                               find_mouth_arms<D>(model.grid, solids, complex, standoffs), circulation);
+    const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
+    result.coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
+    result.node = result.coupling.part_node;
+    if (circulation)
+        result.edges = edges_of_parts(model.grid, result.coupling, complex, inertia);
+    return result;
+}
+
+template <int D>
 std::vector<GapArm<D>> own_arms(const Placed<D>& at)
 {
     std::vector<GapArm<D>> own;
@@ -141,6 +158,8 @@ template std::unique_ptr<Placed<2>> placed<2>(const Model<2>&, const std::vector
                                               const std::vector<TwistMatrix<2>>&, bool, const VoidsBefore<2>*);
 template std::unique_ptr<Placed<3>> placed<3>(const Model<3>&, const std::vector<RigidBody<3>>&,
                                               const std::vector<TwistMatrix<3>>&, bool, const VoidsBefore<3>*);
+template Placed<2> placed_for_energy<2>(const Model<2>&, const std::vector<RigidBody<2>>&, bool);
+template Placed<3> placed_for_energy<3>(const Model<3>&, const std::vector<RigidBody<3>>&, bool);
 template std::vector<GapArm<2>> own_arms<2>(const Placed<2>&);
 template std::vector<GapArm<3>> own_arms<3>(const Placed<3>&);
 template Coupling<2> with_given_twists<2>(Coupling<2>);

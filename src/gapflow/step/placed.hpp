@@ -68,6 +68,10 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
                                   const std::vector<TwistMatrix<D>>& mass, bool circulation = false,
                                   const VoidsBefore<D>* voids = nullptr);
 
+/// The same with what the energy of a flow there asks for alone: complex, coupling, nodes and, with circulation, edges. Collective.
+template <int D>
+Placed<D> placed_for_energy(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, bool circulation);
+
 /// Arms of this rank's faces.
 template <int D>
 std::vector<GapArm<D>> own_arms(const Placed<D>& at);

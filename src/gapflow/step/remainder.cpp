@@ -181,6 +181,14 @@ Remainder<D> remainder_of(const Placed<D>& at, FaceField<D> velocity)
 }
 
 template <int D>
+std::vector<FaceAlong<D>> faces_along(const Placed<D>& at, const SparseEdge<D>& edge)
+{
+    std::vector<FaceAlong<D>> faces;
+    for_each_face_along(at, edge, [&](int axis, const Index<D>& f, double length) { faces.push_back({axis, f, length}); });
+    return faces;
+}
+
+template <int D>
 UnknownVector<D> outflow_of_edges(const Placed<D>& at, const Remainder<D>& remainder)
 {
     const Coupling<D>& coupling = at.coupling;
@@ -506,6 +514,7 @@ void renew_gauge(const Placed<D>& at, PotentialFlow<D>& flow, const SolverOption
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Remainder<D> remainder_of<D>(const Placed<D>&, FaceField<D>);                                                     \
+    template std::vector<FaceAlong<D>> faces_along<D>(const Placed<D>&, const SparseEdge<D>&);                                 \
     template UnknownVector<D> outflow_of_edges<D>(const Placed<D>&, const Remainder<D>&);                                      \
     template UnknownVector<D> outflow_of_remainder<D>(const Placed<D>&, const Remainder<D>&);                                  \
     template std::vector<Twist<D>> impulse_of_remainder<D>(const Placed<D>&, const Remainder<D>&);                             \
