@@ -143,7 +143,7 @@ struct StretchEnd {
     double at;    ///< along the edge
     double least; ///< how far off the nearest solid's crossing lies
     const PlacedSolid<2>* solid = nullptr;
-    Vec<2> place, normal; ///< in the axes of its rectangle
+    Vec<2> place, moves, normal; ///< in the axes of its rectangle; it moves as the point `moves` of the border with this normal
 };
 
 /// Looks among the solids of one rectangle.
@@ -159,9 +159,14 @@ void find_end(const GridPlanes<2>& planes, const DenseIndex<2>& index, const std
     const std::span<const int> images =
         face.detail >= 0 ? std::span<const int>(slab.details[face.detail].images) : std::span<const int>(&face.image, 1);
     for (const int image : images) {
+        const auto offer_at = [&](double place, auto&& there) { // there(): a point of the border and its normal
+            if (std::abs(end.at - place) < end.least) {
+                const auto [moves, normal] = there();
+                end = {end.at, std::abs(end.at - place), &solids[image], x, moves, normal};
+            }
+        };
         const auto offer = [&](double place, auto&& normal_there) {
-            if (std::abs(end.at - place) < end.least)
-                end = {end.at, std::abs(end.at - place), &solids[image], x, normal_there()};
+            offer_at(place, [&] { return std::pair<Vec<2>, Vec<2>>(x, normal_there()); });
         };
         // A line by which a corner divides the rectangle ends there, too.
         for (const SharpCorner& corner : solids[image].corners)
@@ -181,8 +186,8 @@ void find_end(const GridPlanes<2>& planes, const DenseIndex<2>& index, const std
                     }
                 } else {
                     const Stretch line = kind.line(axis, x);
-                    for (const double place : {line.from, line.to})
-                        offer(place, [&] { return kind.normal_at(x); });
+                    for (const bool last : {false, true})
+                        offer_at(last ? line.to : line.from, [&] { return end_of_rates(kind, axis, x, last); });
                 }
             },
             solids[image].kind);
@@ -200,12 +205,12 @@ void add_stretch(const GridPlanes<2>& planes, const DenseIndex<2>& index, const 
     for (const auto& [at, sign] : {std::pair{source.from, -1.0}, {source.to, 1.0}}) {
         if (at <= low || at >= high)
             continue;
-        StretchEnd end{at, std::numeric_limits<double>::infinity(), nullptr, Vec<2>::Zero(), Vec<2>::Zero()};
+        StretchEnd end{at, std::numeric_limits<double>::infinity(), nullptr, Vec<2>::Zero(), Vec<2>::Zero(), Vec<2>::Zero()};
         find_end(planes, index, solids, slabs[source.slab], source.face, source.edge, end);
         if (source.other_slab >= 0)
             find_end(planes, index, solids, slabs[source.other_slab], source.other_face, source.other_edge, end);
         if (end.solid)
-            add_end(axis, sign, end.place, 0.5 * (low + high), end.solid->reference, end.normal,
+            add_end(axis, sign, end.place, 0.5 * (low + high), end.solid->reference - (end.moves - end.place), end.normal,
                     rate_of(rates, begin, *end.solid));
     }
 }

@@ -185,10 +185,12 @@ void add_rates_of_convex(const Kind& kind, const PlacedSolid<2>& solid, int d, c
         const Stretch s = kind.line(axis, x);
         if (s.empty())
             return;
-        for (const auto& [place, sign] : {std::pair{s.from, 1.0}, {s.to, -1.0}}) {
-            x[axis] = place;
-            if (place > window.low[axis] && place < window.high[axis])
-                add_end(axis, sign, x, solid.reference[axis], solid.reference, kind.normal_at(x), rate);
+        for (const bool last : {false, true}) {
+            x[axis] = last ? s.to : s.from;
+            if (x[axis] > window.low[axis] && x[axis] < window.high[axis]) {
+                const auto [place, normal] = end_of_rates(kind, axis, x, last);
+                add_end(axis, last ? -1 : 1, x, solid.reference[axis], solid.reference - (place - x), normal, rate);
+            }
         }
     });
 }

@@ -18,6 +18,15 @@ Vec<D> facet_normal(const FacetKind<D>& kind, int facet)
         return Vec<3>(a.cross(kind.vertices[element[2]] - kind.vertices[element[0]])).normalized();
 }
 
+double plane_of_rates(const BallKind<2>& disk, int d, double at)
+{
+    constexpr double way = 0.05; // small_way of step/displaced
+    // The chord at the depth y has the slope y^(-1/2), and the mean of it over way to both sides, or to the surface, is (y + way)^(1/2)/way.
+    const double side = at < disk.centre[d] ? -1 : 1, depth = std::max(disk.radius - side * (at - disk.centre[d]), 0.0),
+                 mean = way * way / (depth + way);
+    return mean > depth && mean < disk.radius ? disk.centre[d] + side * (disk.radius - mean) : at;
+}
+
 Slope slope_of(const PlacedSolid<3>& solid, int d, double at, const ArcSegment& segment)
 {
     if (segment.surface == -1)

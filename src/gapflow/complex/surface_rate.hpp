@@ -5,6 +5,8 @@
 #include "gapflow/complex/lever.hpp"
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace gapflow {
@@ -42,6 +44,23 @@ Eigen::Matrix<double, D, twist_size<D>> rigid_rate(const Vec<D>& x, const Vec<D>
 /// Normal of a facet, out of the solid.
 template <int D>
 Vec<D> facet_normal(const FacetKind<D>& kind, int facet);
+
+/// Plane at which the rates of a disk's border in the plane x[d] = at are taken. Where it passes a plane the chord there is the root of the depth: it grows without
+/// bound, over a way in which nothing moves. So up to 0.6 of a way of 0.05 cells of depth the rates are those at a depth whose slope is the mean one over
+/// this way to both sides, as of forces from displaced energies (step/displaced).
+double plane_of_rates(const BallKind<2>& disk, int d, double at);
+
+/// Place and normal of the border by which the end x of a solid's stretch along `axis` moves; `last`: the one with the higher coordinate.
+template <class Kind>
+std::pair<Vec<2>, Vec<2>> end_of_rates(const Kind& kind, int axis, Vec<2> x, bool last)
+{
+    if constexpr (std::is_same_v<Kind, BallKind<2>>) {
+        x[1 - axis] = plane_of_rates(kind, 1 - axis, x[1 - axis]);
+        if (const Stretch stretch = kind.line(axis, x); !stretch.empty())
+            x[axis] = last ? stretch.to : stretch.from;
+    }
+    return {x, kind.normal_at(x)};
+}
 
 /// Slope of a placed solid's surface along a segment in the plane x[d] = at; its normal out of what is solid.
 Slope slope_of(const PlacedSolid<3>& solid, int d, double at, const ArcSegment& segment);

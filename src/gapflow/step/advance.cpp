@@ -269,7 +269,7 @@ Instant<D> at_new_places(const Model<D>& model, const Instant<D>& old, const std
     if (now.placed->voids.lost > 0)
         report.notes.push_back("a gap with a void in it is no gap any more: the void is gone at once");
     const auto timer = timers.measure("forces");
-    if (!rotational && !now.placed->voids.any()) // else their energies would not know it
+    if (!now.placed->voids.any()) // else their energies would not know them
         now.displaced = displaced(model, bodies, *now.placed);
     return now;
 }
@@ -362,7 +362,7 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
             break;
         state.forces_settle = pass < most_passes && !(pass > 1 && missed > std::max(last, energy));
         if (!state.forces_settle) {
-            now.displaced.clear(); // those that do not settle
+            leave_mouths(now.displaced); // which do not settle
             next = {none, none};
             report.notes.push_back("the fluid's forces did not settle in step " + std::to_string(step.number) +
                                    ": only the work that they do acts");
@@ -420,7 +420,7 @@ Instant<D> restored(const Model<D>& model, const State<D>& state, const PartVoid
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), stream);
     instant.kept = kept;
     if (!state.forces_settle) {
-        instant.displaced.clear();
+        leave_mouths(instant.displaced);
         find_forces(instant);
     }
     return instant;

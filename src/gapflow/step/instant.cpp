@@ -154,7 +154,7 @@ Instant<D> instant_of(const Model<D>& model, const std::vector<RigidBody<D>>& bo
                       PotentialFlow<D> flow, const Vec<D>& stream)
 {
     std::vector<Displaced<D>> aside;
-    if (flow.remainder.empty() && !placed->voids.any()) // else their energies would not know it
+    if (!placed->voids.any()) // else their energies would not know them
         aside = displaced(model, bodies, *placed);
     Instant<D> instant{std::move(placed), std::move(aside), stream, std::move(flow), {}, {}};
     instant.followed = followed_body(model);

@@ -87,6 +87,7 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
 {
     const bool with_edges = circulation || !model.scene.fluxes.empty(); // which are measured by them
     auto result = std::make_unique<Placed<D>>();
+    result->rotational = circulation;
     const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
     result->complex = build_complex<D>(model.grid, solids, &result->derivatives);
     const Complex<D>& complex = result->complex;
@@ -111,6 +112,27 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
     if (with_edges) {
         result->edges = edges_of_parts(model.grid, result->coupling, complex, inertia);
         result->edges.covered = covered_fluxes(*result);
+    }
+    return result;
+}
+
+template <int D>
+Placed<D> placed_for_energy(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, bool circulation)
+{
+    Placed<D> result;
+    const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
+    result.complex = build_complex<D>(model.grid, solids);
+    const Complex<D>& complex = result.complex;
+    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, find_gap_arms<D>(model.grid, solids, complex, standoffs),
+                                               find_mouth_arms<D>(model.grid, solids, complex, standoffs), circulation);
+    const std::vector<TwistMatrix<D>> mass(solids.size(), TwistMatrix<D>::Identity());
+    result.coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
+    result.node = result.coupling.part_node;
+    result.rotational = circulation;
+    if (circulation) {
+        result.coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, result.coupling.solids, FractionMode::cut_cell);
+        result.edges = edges_of_parts(model.grid, result.coupling, complex, inertia);
+        result.edges.covered = covered_fluxes(result);
     }
     return result;
 }
@@ -145,6 +167,8 @@ template std::unique_ptr<Placed<2>> placed<2>(const Model<2>&, const std::vector
                                               const std::vector<TwistMatrix<2>>&, bool, const VoidsBefore<2>*);
 template std::unique_ptr<Placed<3>> placed<3>(const Model<3>&, const std::vector<RigidBody<3>>&,
                                               const std::vector<TwistMatrix<3>>&, bool, const VoidsBefore<3>*);
+template Placed<2> placed_for_energy<2>(const Model<2>&, const std::vector<RigidBody<2>>&, bool);
+template Placed<3> placed_for_energy<3>(const Model<3>&, const std::vector<RigidBody<3>>&, bool);
 template std::vector<GapArm<2>> own_arms<2>(const Placed<2>&);
 template std::vector<GapArm<3>> own_arms<3>(const Placed<3>&);
 template Coupling<2> with_given_twists<2>(Coupling<2>);

@@ -58,7 +58,8 @@ struct Placed {
     std::vector<GapArm<D>> arms;
     std::vector<PairInertia<D>> pairs; ///< what gaps add to the masses of two solids
     std::vector<int> node;             ///< of each part, -1: none
-    EdgesOfParts<D> edges;             ///< where asked for
+    bool rotational = false;           ///< whether the flow has circulation
+    EdgesOfParts<D> edges;             ///< where it has, or where fluxes are measured
     Voids<D> voids;                    ///< in gaps
     Coupling<D> coupling;              ///< with the masses of the bodies at these places
 };
@@ -68,6 +69,10 @@ template <int D>
 std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
                                   const std::vector<TwistMatrix<D>>& mass, bool circulation = false,
                                   const VoidsBefore<D>* voids = nullptr);
+
+/// The same with what the energy of a flow there asks for alone: complex, coupling, nodes and, with circulation, edges. Collective.
+template <int D>
+Placed<D> placed_for_energy(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, bool circulation);
 
 /// Arms of this rank's faces.
 template <int D>

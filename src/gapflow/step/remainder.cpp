@@ -131,6 +131,14 @@ Remainder<D> remainder_of(const Placed<D>& at, FaceField<D> velocity)
 }
 
 template <int D>
+std::vector<FaceAlong<D>> faces_along(const Placed<D>& at, const SparseEdge<D>& edge)
+{
+    std::vector<FaceAlong<D>> faces;
+    for_each_face_along(at, edge, [&](int axis, const Index<D>& f, double length) { faces.push_back({axis, f, length}); });
+    return faces;
+}
+
+template <int D>
 UnknownVector<D> outflow_of_edges(const Placed<D>& at, const Remainder<D>& remainder)
 {
     const Coupling<D>& coupling = at.coupling;
@@ -243,6 +251,7 @@ FaceField<D> face_fluxes(const Placed<D>& at, const PotentialFlow<D>& flow)
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template std::vector<double> along_edges<D>(const Placed<D>&, const FaceField<D>&);                                        \
     template Remainder<D> remainder_of<D>(const Placed<D>&, FaceField<D>);                                                     \
+    template std::vector<FaceAlong<D>> faces_along<D>(const Placed<D>&, const SparseEdge<D>&);                                 \
     template UnknownVector<D> outflow_of_edges<D>(const Placed<D>&, const Remainder<D>&);                                      \
     template UnknownVector<D> outflow_of_faces<D>(const Placed<D>&, const Remainder<D>&);                                      \
     template UnknownVector<D> outflow_of_remainder<D>(const Placed<D>&, const Remainder<D>&);                                  \

@@ -15,6 +15,16 @@ Remainder<D> remainder_of(const Placed<D>& at, FaceField<D> velocity);
 /// Its line integrals along this rank's edges. `velocity`: with other ranks' faces.
 template <int D>
 std::vector<double> along_edges(const Placed<D>& at, const FaceField<D>& velocity);
+/// A face of the grid on the way along an edge of the complex.
+template <int D>
+struct FaceAlong {
+    int axis;
+    Index<D> face;
+    double length; ///< with the weight of the way
+};
+/// The line integral of the remainder along an edge is the sum of length times velocity.
+template <int D>
+std::vector<FaceAlong<D>> faces_along(const Placed<D>& at, const SparseEdge<D>& edge);
 
 /// D g w of the edges, that of the faces left out. Collective.
 template <int D>

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <numbers>
 #include <string>
 
 namespace gapflow {
@@ -37,6 +39,23 @@ inline BodyScene body(const std::string& name, BodyScene::ShapeKind shape, const
     b.radius = 0.1;
     b.velocity = velocity;
     return b;
+}
+
+/// Two plates; from (x, y) the middle of their gap, in cells.
+inline Scene two_plates(double x, double y, double gap, double degrees)
+{
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    scene.gap.roughness = 0;
+    const double dx = scene.spacing(), a = degrees * std::numbers::pi / 180;
+    for (const double side : {-1.0, 1.0}) {
+        const double up = side * (1.5 + 0.5 * gap);
+        BodyScene plate = body(side < 0 ? "lower" : "upper", BodyScene::ShapeKind::box,
+                               {dx * (x - up * std::sin(a)), dx * (y + up * std::cos(a)), 0});
+        plate.size = {12 * dx, 3 * dx, 0};
+        plate.angle = a;
+        scene.bodies.push_back(plate);
+    }
+    return scene;
 }
 
 /// Three steps, then three more from there and from the state stored there: the same bits.

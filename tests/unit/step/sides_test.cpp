@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -300,6 +302,48 @@ TEST(Sides, ForcesAreDifferencesOfTheEnergy)
     check_forces<2>(Ends::pressure);
     check_forces<3>(Ends::inflow);
     check_forces<3>(Ends::pressure);
+}
+
+// The forces of displaced plates, one of which reaches into the side.
+TEST(Sides, ForcesAtMouthsAreDifferencesOfTheEnergy)
+{
+    for (const Ends ends : {Ends::inflow, Ends::pressure}) {
+        Scene scene = channel<2>(32, ends, {{0, 0.7}});
+        scene.gap.roughness = 0;
+        scene.bodies = two_plates(3.0, 16.15, 0.3, 20).bodies;
+        const Model<2> model(scene, Communicator(), Task::motion);
+        SolverOptions options;
+        options.tolerance = 1e-13;
+        std::vector<Twist<2>> V = model.twists(model.bodies);
+        V[0] << 0.3, -1, 4;
+        V[1] << -0.2, 1, -3;
+        const GivenSides<2> sides = given_sides(model, 1.0);
+        const auto energy = [&](const std::vector<RigidBody<2>>& bodies) {
+            const auto at = placed(model, bodies, model.masses(bodies, 0.0));
+            const PotentialFlow<2> flow = flow_of_twists(*at, V, options, {}, sides);
+            const std::vector<Twist<2>> P = fluid_impulse(*at, flow);
+            return 0.5 * (V[0].dot(P[0]) + V[1].dot(P[1])) + energy_of_sides(*at, flow) * (ends == Ends::inflow ? 1 : -1);
+        };
+        auto here = placed(model, model.bodies, model.masses(model.bodies, 0.0));
+        PotentialFlow<2> flow = flow_of_twists(*here, V, options, {}, sides);
+        const Instant<2> instant = instant_of<2>(model, model.bodies, std::move(here), std::move(flow));
+        ASSERT_EQ(instant.displaced.size(), 6u);
+        double largest = 0;
+        for (const Twist<2>& force : instant.force)
+            largest = std::max(largest, force.norm());
+        for (const Displaced<2>& one : instant.displaced) {
+            std::array<double, 2> value;
+            for (int end = 0; end < 2; ++end) {
+                std::vector<RigidBody<2>> there = model.bodies;
+                Twist<2> by = Twist<2>::Zero();
+                by[one.component] = (end ? 0.5 : -0.5) * one.way;
+                displace<2>(there[one.solid], by.head<2>(), by.tail<1>());
+                value[end] = energy(there);
+            }
+            EXPECT_NEAR(instant.force[one.solid][one.component], (value[1] - value[0]) / one.way, 2e-5 * largest)
+                << one.solid << " " << one.component;
+        }
+    }
 }
 
 TEST(Sides, GoOnFromAStoredStateBitForBit)

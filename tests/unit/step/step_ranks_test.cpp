@@ -554,6 +554,7 @@ TEST(StepRanks, BodiesInAVortex)
     expect_one_run<2>(scene_of(plane, in_vortex), 4, 1e-8, vortex);
     expect_one_run<2>(scene_of(graded, middle), 2, 1e-8, vortex); // with a velocity through its walls
     expect_one_run<2>(scene_of(still_plane + sides(2, "far"), mixture), 2, 1e-8, vortex);
+    expect_one_run<2>(scene_of(plane, plates), 1, 1e-5, vortex); // with mouths
 }
 
 TEST(StepRanks, BodiesInPeriodicVortices)
