@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <map>
+#include <string>
 
 namespace gapflow {
 
@@ -40,7 +42,7 @@ Vec<D> start_position(const RigidBody<D>& body, const BodyScene& scene)
 }
 
 template <int D>
-void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
+void summarise(const Run<D>& run, const Logger& log, const std::string& folder, const std::map<std::string, long>& notes)
 {
     const Simulation<D>& simulation = run.simulation();
     const double smallest_gap = run.smallest_gap();
@@ -78,6 +80,9 @@ void summarise(const Run<D>& run, const Logger& log, const std::string& folder)
         log.info(fmt::format(
             "forces: the correction of their work added {:.2g} % of the largest energy, its magnitudes sum up to {:.2g} %",
             100 * simulation.correction().sum, 100 * simulation.correction().magnitude));
+    for (const auto& [note, steps] : notes)
+        if (steps > 1)
+            log.info(fmt::format("in {} steps: {}", steps, note));
     std::string stages;
     for (const auto& [name, stage] : simulation.stages().stages())
         stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, stage.seconds);
@@ -114,13 +119,16 @@ int drive(const Scene& scene, const RunOptions& options)
     std::signal(SIGINT, note_signal);
     std::signal(SIGTERM, note_signal);
 
+    std::map<std::string, long> notes; // and in how many steps
     Progress progress(choose_progress_style(comm, options.quiet), simulation.time(), scene.end);
     try {
         run.write_start();
         while (!run.ended()) {
             const StepReport& report = run.step();
-            for (const std::string& note : report.notes)
+            for (const std::string& note : report.notes) {
                 log.warn_once(note);
+                ++notes[note];
+            }
             const ProgressState state{report.time, report.dt, report.step, report.iterations,
                                       scene.until_steady ? std::optional(report.unsteadiness) : std::nullopt};
             progress.step(state);
@@ -152,7 +160,7 @@ int drive(const Scene& scene, const RunOptions& options)
             "ended because a body is on its way out (domain.leaving = \"stop\"); to go on: gapflow run {0} --resume "
             "{1}/checkpoint.h5 -o {1}, with the same --set",
             scene.file, scene.output_directory));
-    summarise(run, log, scene.output_directory);
+    summarise(run, log, scene.output_directory, notes);
     return 0;
 }
 

@@ -380,13 +380,11 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, model.grid_velocity, step.dt);
     state.velocity = std::move(velocity);
     voids.give_pressure(now.flow, state.pressure.impulse);
+    if (!voids.settled())
+        report.notes.push_back("voids in gaps did not settle within the rounds of a step");
     if (voids.any()) {
         now.left_outflow = voids.left_outflow(now);
-        const bool changed = voids.finish(now.flow, now.kept);
-        if (changed) {
-            const VoidsBefore<D> there{now.kept, now.placed->complex, now.placed->voids};
-            now.placed = timed("complex", [&] { return placed(model, state.bodies, mass, false, &there); });
-        }
+        timed("voids", [&] { voids.finish(state.bodies, mass, now); });
         timed("forces", [&] { find_forces(now); });
     } else if (!old.kept.volume.empty())
         now.kept.volume.assign(now.placed->complex.parts(), 0.0);
@@ -403,10 +401,8 @@ template <int D>
 Instant<D> restored(const Model<D>& model, const State<D>& state, const PartVoids& kept)
 {
     auto at = placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty());
-    if (!kept.volume.empty()) {
-        const VoidsBefore<D> voids{kept, at->complex, at->voids};
-        at = placed(model, state.bodies, model.masses(state.bodies, state.dt), false, &voids);
-    }
+    if (!kept.volume.empty())
+        put_voids(model, state.bodies, model.masses(state.bodies, state.dt), kept.volume, *at);
     const Vec<D> stream = model.driven()            ? state.drive.flow
                           : state.remainder.empty() ? to_vec<D>(model.scene.fluid_velocity)
                                                     : Vec<D>(Vec<D>::Zero());

@@ -79,40 +79,48 @@ EdgesOfParts<D> edges_of_parts(const Grid<D>& grid, const Coupling<D>& coupling,
     return result;
 }
 
+/// What follows from the arms, the mouths, and their voids.
+template <int D>
+void couple(const Model<D>& model, const std::vector<Solid<D>>& solids, const std::vector<TwistMatrix<D>>& mass,
+            std::vector<MouthArm<D>> mouths, Placed<D>& at)
+{
+    const Complex<D>& complex = at.complex;
+    const bool with_edges = at.rotational || !model.scene.fluxes.empty(); // which are measured by them
+    const bool with_voids = voids_are_possible(model.scene);
+    if (with_voids)
+        leave_empty(complex, at.voids, at.arms, mouths);
+    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, at.arms, mouths, with_edges);
+    at.pairs = inertia.pairs;
+    at.coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
+    if (with_voids) {
+        separate(complex, inertia, at.voids, at.coupling);
+        shut_empty(complex, at.voids, at.arms);
+    }
+    add_seen_mass(at.coupling);
+    at.coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, at.coupling.solids, FractionMode::cut_cell);
+    at.coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *at.coupling.clipper));
+    at.node = at.coupling.part_node;
+    if (with_edges) {
+        at.edges = edges_of_parts(model.grid, at.coupling, complex, inertia);
+        at.edges.covered = covered_fluxes(at);
+    }
+}
+
 } // namespace
 
 template <int D>
 std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<RigidBody<D>>& bodies,
                                   const std::vector<TwistMatrix<D>>& mass, bool circulation, const VoidsBefore<D>* voids)
 {
-    const bool with_edges = circulation || !model.scene.fluxes.empty(); // which are measured by them
     auto result = std::make_unique<Placed<D>>();
     result->rotational = circulation;
     const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
     result->complex = build_complex<D>(model.grid, solids, &result->derivatives);
-    const Complex<D>& complex = result->complex;
-    result->arms = find_gap_arms<D>(model.grid, solids, complex, standoffs);
-    std::vector<MouthArm<D>> mouths = find_mouth_arms<D>(model.grid, solids, complex, standoffs);
-    const bool with_voids = voids_are_possible(model.scene);
-    if (with_voids) {
-        result->voids = find_voids<D>(model, solids, complex, result->arms, mouths, voids);
-        leave_empty(complex, result->voids, result->arms, mouths);
-    }
-    const Inertia<D> inertia = find_inertia<D>(model.grid, complex, result->arms, mouths, with_edges);
-    result->pairs = inertia.pairs;
-    result->coupling = couple_parts<D>(model.grid, solids, mass, model.scene.density, complex, inertia);
-    if (with_voids) {
-        separate(complex, inertia, mouths, result->voids, result->coupling);
-        shut_empty(complex, result->voids, result->arms);
-    }
-    add_seen_mass(result->coupling);
-    result->coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, result->coupling.solids, FractionMode::cut_cell);
-    result->coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *result->coupling.clipper));
-    result->node = result->coupling.part_node;
-    if (with_edges) {
-        result->edges = edges_of_parts(model.grid, result->coupling, complex, inertia);
-        result->edges.covered = covered_fluxes(*result);
-    }
+    result->arms = find_gap_arms<D>(model.grid, solids, result->complex, standoffs);
+    std::vector<MouthArm<D>> mouths = find_mouth_arms<D>(model.grid, solids, result->complex, standoffs);
+    if (voids_are_possible(model.scene))
+        result->voids = find_voids<D>(model, solids, result->complex, result->arms, mouths, voids);
+    couple<D>(model, solids, mass, std::move(mouths), *result);
     return result;
 }
 
@@ -135,6 +143,16 @@ Placed<D> placed_for_energy(const Model<D>& model, const std::vector<RigidBody<D
         result.edges.covered = covered_fluxes(result);
     }
     return result;
+}
+
+template <int D>
+void put_voids(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
+               std::vector<double> volume, Placed<D>& at)
+{
+    at.voids.volume = std::move(volume);
+    at.voids.edges.clear();
+    at.arms = at.voids.arms;
+    couple<D>(model, rough_solids<D>(model.scene, model.grid, model.solids(bodies)).solids, mass, at.voids.mouths, at);
 }
 
 template <int D>
@@ -169,7 +187,11 @@ template std::unique_ptr<Placed<3>> placed<3>(const Model<3>&, const std::vector
                                               const std::vector<TwistMatrix<3>>&, bool, const VoidsBefore<3>*);
 template Placed<2> placed_for_energy<2>(const Model<2>&, const std::vector<RigidBody<2>>&, bool);
 template Placed<3> placed_for_energy<3>(const Model<3>&, const std::vector<RigidBody<3>>&, bool);
+template void put_voids<2>(const Model<2>&, const std::vector<RigidBody<2>>&, const std::vector<TwistMatrix<2>>&,
+                           std::vector<double>, Placed<2>&);
 template std::vector<GapArm<2>> own_arms<2>(const Placed<2>&);
+template void put_voids<3>(const Model<3>&, const std::vector<RigidBody<3>>&, const std::vector<TwistMatrix<3>>&,
+                           std::vector<double>, Placed<3>&);
 template std::vector<GapArm<3>> own_arms<3>(const Placed<3>&);
 template Coupling<2> with_given_twists<2>(Coupling<2>);
 template Coupling<3> with_given_twists<3>(Coupling<3>);

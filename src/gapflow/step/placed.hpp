@@ -74,6 +74,11 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
 template <int D>
 Placed<D> placed_for_energy(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, bool circulation);
 
+/// Other volumes of voids in the same complex. Collective.
+template <int D>
+void put_voids(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
+               std::vector<double> volume, Placed<D>& at);
+
 /// Arms of this rank's faces.
 template <int D>
 std::vector<GapArm<D>> own_arms(const Placed<D>& at);

@@ -38,6 +38,7 @@ void list_state(StateArchive& archive, PartVoids& voids)
 {
     archive.optional("part_voids", !voids.volume.empty(), [&] {
         archive("volume", voids.volume);
+        archive("drop", voids.drop);
         archive("lost", voids.lost);
     });
 }
@@ -255,8 +256,8 @@ template <int D>
 void Simulation<D>::advance_on_parts(double next_output, StepReport& report)
 {
     GapWays<D> ways; // of films
-    const Step step =
-        choose_step<D>(model_, state_, coupling(), beyond_.histories, next_output, ways, own_arms(*instant_->placed));
+    const Step step = choose_step<D>(model_, state_, coupling(), beyond_.histories, next_output, ways,
+                                     own_arms(*instant_->placed), speed_beside_voids(*instant_));
     instant_ = gapflow::advance(model_, *instant_, step, state_, report, stages_);
     part_voids_ = instant_->kept;
     if (model_.scene.forces)

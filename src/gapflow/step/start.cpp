@@ -46,8 +46,8 @@ Instant<D> start_on_parts(const Model<D>& model, State<D>& state, StepReport& re
     if (voids_are_possible(model.scene)) {
         require_for_voids(model, initial);
         kept = starting_voids(model.grid, at->complex, at->voids);
-        const VoidsBefore<D> voids{kept, at->complex, at->voids};
-        at = placed(model, state.bodies, model.masses(state.bodies, 0), initial, &voids);
+        put_voids(model, state.bodies, model.masses(state.bodies, 0), kept.volume, *at);
+        kept.drop.assign(at->voids.edges.size(), 0.0);
     }
     require_fluid(model, at->coupling);
     require_core(model, at->coupling, state.bodies);

@@ -12,9 +12,8 @@ namespace gapflow {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double least_way = 1e-9; // in dx: a dry gap that is closed stays this open, so that what it encloses has a pressure
-constexpr double touching = 1e-6;  // in dx: at the start a gap within this of the held distance is closed
-constexpr double whole = 1e-12;    // by which a share may differ from one
+constexpr double touching = 1e-6; // in dx: at the start a gap within this of the held distance is closed
+constexpr double whole = 1e-12;   // by which a share may differ from one
 
 /// What is known of a part from its faces.
 struct Faces {
@@ -23,13 +22,6 @@ struct Faces {
     double mouth = 0;               ///< thickness at one
     std::map<std::pair<int, int>, double> pairs;
 };
-
-template <int D>
-bool is_way_out(const Grid<D>& grid, const FacePiece<D>& piece)
-{
-    return piece.area > 0 &&
-           ((piece.low.exists() && piece.high.exists()) || is_open(grid.side(piece.axis, piece.low.exists())));
-}
 
 template <int D>
 std::vector<Faces> faces_of_parts(const Grid<D>& grid, const Complex<D>& complex, const std::vector<GapArm<D>>& arms,
@@ -195,7 +187,7 @@ bool Voids<D>::any() const
 
 template <int D>
 Voids<D> find_voids(const Model<D>& model, const std::vector<Solid<D>>& solids, const Complex<D>& complex,
-                    const std::vector<GapArm<D>>& arms, const std::vector<MouthArm<D>>& mouths, const VoidsBefore<D>* before)
+                    std::vector<GapArm<D>> arms, std::vector<MouthArm<D>> mouths, const VoidsBefore<D>* before)
 {
     const Grid<D>& grid = model.grid;
     const std::vector<Faces> faces = faces_of_parts(grid, complex, arms, mouths);
@@ -218,13 +210,15 @@ Voids<D> find_voids(const Model<D>& model, const std::vector<Solid<D>>& solids, 
     }
     if (before)
         voids.volume = taken_along(grid, complex, voids, *before, voids.lost);
+    voids.arms = std::move(arms);
+    voids.mouths = std::move(mouths);
     return voids;
 }
 
 template <int D>
 PartVoids starting_voids(const Grid<D>& grid, const Complex<D>& complex, const Voids<D>& voids)
 {
-    PartVoids start{std::vector<double>(complex.parts(), 0.0), 0};
+    PartVoids start{std::vector<double>(complex.parts(), 0.0), {}, 0};
     for (const VoidPart<D>& part : voids.parts)
         if (part.held > 0 && part.thickness < part.held + touching * grid.dx())
             start.volume[part.part] = part.held * part.area;
@@ -259,211 +253,14 @@ void shut_empty(const Complex<D>& complex, const Voids<D>& voids, std::vector<Ga
                 arm.resistance = infinity;
 }
 
-namespace {
-
-template <int D>
-class Edges {
-public:
-    Edges(const Complex<D>& complex, const Coupling<D>& coupling, Voids<D>& voids)
-        : complex_(complex), coupling_(coupling), voids_(voids), cells_(coupling.grid->cells().template cast<long>().prod())
-    {
-        for (VoidPart<D>& part : voids_.parts)
-            part.row = row_of(PartOrCell::part(part.part));
-    }
-
-    long row_of(const PartOrCell& side) const
-    {
-        const int node = side.is_part() ? coupling_.part_node[side.number()] : -1;
-        return node >= 0 ? cells_ + node
-                         : coupling_.grid->key(coupling_.grid->wrapped(complex_.index.index(complex_.cell_of(side))));
-    }
-
-    /// If any of the sides is a void.
-    void offer(double conductance, double area, const std::vector<std::pair<PartOrCell, double>>& sides)
-    {
-        const double dx = coupling_.grid->dx();
-        double permeable = 1;
-        bool leads_to_void = false;
-        for (const auto& [side, weight] : sides)
-            if (side.is_part() && voids_.is_void(side.number())) {
-                const VoidPart<D>& part = *voids_.find(side.number());
-                permeable = std::min(permeable, std::max(part.thickness - part.held, least_way * dx) / part.thickness);
-                leads_to_void = true;
-            }
-        if (!leads_to_void || !(conductance > 0))
-            return;
-        VoidEdge<D> edge{conductance, permeable, area * std::pow(dx, D - 1), {}};
-        for (const auto& [side, weight] : sides)
-            if (side.exists())
-                edge.rows.emplace_back(row_of(side), weight);
-        voids_.edges.push_back(std::move(edge));
-    }
-
-private:
-    const Complex<D>& complex_;
-    const Coupling<D>& coupling_;
-    Voids<D>& voids_;
-    long cells_;
-};
-
-} // namespace
-
-template <int D>
-void separate(const Complex<D>& complex, const Inertia<D>& inertia, const std::vector<MouthArm<D>>& mouths, Voids<D>& voids,
-              Coupling<D>& coupling)
-{
-    const Grid<D>& grid = *coupling.grid;
-    const double unit = std::pow(grid.dx(), D - 2) / coupling.density;
-    Edges<D> edges(complex, coupling, voids);
-    if (voids.any()) {
-        for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
-            const FacePiece<D>& piece = complex.pieces[k];
-            if (is_way_out(grid, piece) && piece.low.exists() && piece.high.exists())
-                edges.offer(unit * inertia.piece_weight[k] /
-                                grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]),
-                            piece.area, {{piece.low, 1.0}, {piece.high, -1.0}});
-        }
-        std::size_t number = 0; // of Inertia::mouths
-        for (const MouthArm<D>& mouth : mouths)
-            if (mouth.resistance > 0) {
-                const RowsLink<D>& link = inertia.mouths[number++];
-                edges.offer(unit * link.conductance,
-                            mouth.piece >= 0 ? complex.pieces[mouth.piece].area : complex.links[mouth.link].open, link.rows);
-            }
-    }
-    voids.all = std::make_unique<Coupling<D>>();
-    if (voids.any()) {
-        std::map<long, double> rows;
-        for (const VoidPart<D>& part : voids.parts)
-            if (voids.is_void(part.part))
-                rows[part.row] = 0;
-        take_rows_out<D>(coupling, rows, nullptr);
-    }
-    *voids.all = coupling;
-    const long cells = grid.cells().template cast<long>().prod();
-    for (const VoidEdge<D>& edge : voids.edges) {
-        Link link{edge.permeable * edge.conductance, {}, {}};
-        for (const auto& [row, weight] : edge.rows)
-            if (row < cells)
-                link.cells.emplace_back(row, weight);
-            else
-                link.nodes.emplace_back(static_cast<int>(row - cells), weight);
-        voids.all->system.links.push_back(std::move(link));
-    }
-}
-
-template <int D>
-void take_rows_out(Coupling<D>& coupling, const std::map<long, double>& given, UnknownVector<D>* outflow)
-{
-    const Grid<D>& grid = *coupling.grid;
-    CoupledSystem<D>& system = coupling.system;
-    const long cells = grid.cells().template cast<long>().prod();
-    const auto is_given = [&](long row) { return given.contains(row); };
-    const auto is_given_node = [&](int node) { return given.contains(cells + node); };
-    std::set<long> beside;
-    const auto close = [&](int axis, Index<D> f) {
-        system.conductance(axis, f) = coupling.open(axis, f) = 0;
-        if (grid.periodic(axis) && (f[axis] == 0 || f[axis] == grid.cells()[axis])) {
-            f[axis] = grid.cells()[axis] - f[axis];
-            system.conductance(axis, f) = coupling.open(axis, f) = 0;
-        }
-    };
-    for (const auto& [row, value] : given) {
-        if (row >= cells)
-            continue;
-        const Index<D> c = grid.cell_of_key(row);
-        for (int axis = 0; axis < D; ++axis)
-            for (int end = 0; end < 2; ++end) {
-                const Index<D> f = c + end * step<D>(axis), next = grid.wrapped(c + (2 * end - 1) * step<D>(axis));
-                const double g = system.conductance(axis, f);
-                if (!(g > 0))
-                    continue;
-                if (outflow && grid.in_domain(next) && !is_given(grid.key(next))) {
-                    outflow->cells(next) -= g * value;
-                    system.links.push_back({g, {}, {{grid.key(next), 1.0}}});
-                    beside.insert(grid.key(next));
-                }
-                close(axis, f);
-            }
-    }
-    std::vector<Eigen::Triplet<double>> film;
-    for (int j = 0; j < system.film.outerSize(); ++j) {
-        double lost = 0;
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(system.film, j); entry; ++entry) {
-            const int i = static_cast<int>(entry.row());
-            if (is_given_node(j))
-                continue;
-            if (!is_given_node(i)) {
-                film.emplace_back(i, j, entry.value());
-                continue;
-            }
-            if (outflow)
-                outflow->nodes[j] += entry.value() * given.at(cells + i);
-            else
-                lost += entry.value();
-        }
-        if (lost != 0)
-            film.emplace_back(j, j, lost);
-        if (outflow && is_given_node(j)) // any number: the row has no other entry
-            film.emplace_back(j, j, 1.0);
-    }
-    system.film.setFromTriplets(film.begin(), film.end());
-    const auto touches = [&](const Link& link) {
-        return std::any_of(link.nodes.begin(), link.nodes.end(), [&](const auto& n) { return is_given_node(n.first); }) ||
-               std::any_of(link.cells.begin(), link.cells.end(), [&](const auto& c) { return is_given(c.first); });
-    };
-    if (!outflow)
-        std::erase_if(system.links, touches);
-    for (Link& link : system.links) {
-        if (!outflow || !touches(link))
-            continue;
-        double sum = 0;
-        for (const auto& [node, weight] : link.nodes)
-            sum += is_given_node(node) ? weight * given.at(cells + node) : 0.0;
-        for (const auto& [key, weight] : link.cells)
-            sum += is_given(key) ? weight * given.at(key) : 0.0;
-        std::erase_if(link.nodes, [&](const auto& n) { return is_given_node(n.first); });
-        std::erase_if(link.cells, [&](const auto& c) { return is_given(c.first); });
-        for (const auto& [node, weight] : link.nodes) {
-            outflow->nodes[node] += link.conductance * weight * sum;
-            beside.insert(cells + node);
-        }
-        for (const auto& [key, weight] : link.cells) {
-            outflow->cells(grid.cell_of_key(key)) += link.conductance * weight * sum;
-            beside.insert(key);
-        }
-    }
-    if (!outflow)
-        return;
-    std::erase_if(system.links, [](const Link& link) { return link.nodes.empty() && link.cells.empty(); });
-    const auto cell_gone = [&](const auto& entry) { return is_given(grid.key(entry.row)); };
-    const auto node_gone = [&](const auto& entry) { return is_given_node(entry.row); };
-    std::erase_if(coupling.cell_flux, cell_gone);
-    std::erase_if(system.cell_flux, cell_gone);
-    std::erase_if(coupling.node_flux, node_gone);
-    std::erase_if(system.node_flux, node_gone);
-    for (const auto& [row, value] : given)
-        if (row < cells)
-            coupling.kind(grid.cell_of_key(row)) = static_cast<std::int8_t>(CellKind::solid);
-    find_components(coupling);
-    for (const long row : beside)
-        system
-            .components[row < cells ? system.component(grid.cell_of_key(row))
-                                    : system.node_component[static_cast<int>(row - cells)]]
-            .grounded = true;
-    find_null_space(coupling);
-}
-
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template struct Voids<D>;                                                                                                  \
     template void require_for_voids<D>(const Model<D>&, bool);                                                                 \
-    template Voids<D> find_voids<D>(const Model<D>&, const std::vector<Solid<D>>&, const Complex<D>&,                          \
-                                    const std::vector<GapArm<D>>&, const std::vector<MouthArm<D>>&, const VoidsBefore<D>*);    \
+    template Voids<D> find_voids<D>(const Model<D>&, const std::vector<Solid<D>>&, const Complex<D>&, std::vector<GapArm<D>>,  \
+                                    std::vector<MouthArm<D>>, const VoidsBefore<D>*);                                          \
     template PartVoids starting_voids<D>(const Grid<D>&, const Complex<D>&, const Voids<D>&);                                  \
     template void leave_empty<D>(const Complex<D>&, const Voids<D>&, std::vector<GapArm<D>>&, std::vector<MouthArm<D>>&);      \
-    template void shut_empty<D>(const Complex<D>&, const Voids<D>&, std::vector<GapArm<D>>&);                                  \
-    template void separate<D>(const Complex<D>&, const Inertia<D>&, const std::vector<MouthArm<D>>&, Voids<D>&, Coupling<D>&); \
-    template void take_rows_out<D>(Coupling<D>&, const std::map<long, double>&, UnknownVector<D>*);
+    template void shut_empty<D>(const Complex<D>&, const Voids<D>&, std::vector<GapArm<D>>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

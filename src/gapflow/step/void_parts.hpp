@@ -19,6 +19,7 @@ namespace gapflow {
 /// Voids at the end of a step.
 struct PartVoids {
     std::vector<double> volume; ///< of each part of the complex; empty: none is possible
+    std::vector<double> drop;   ///< of the potential along each edge of these voids: its flux over its conductance
     double lost = 0;            ///< volume of those whose gap is gone, over the run
 
     bool is_void(int part) const { return !volume.empty() && volume[part] > 0; }
@@ -43,6 +44,10 @@ struct VoidEdge {
     double permeable;   ///< the share of the gap's thickness in which fluid flows
     double area;        ///< of the full gap
     std::vector<std::pair<long, double>> rows;
+    std::vector<std::int32_t> parts; ///< of each row, -1: a whole cell
+    std::int32_t piece, mouth;       ///< of the complex, and number in Voids::mouths; -1: none
+
+    double open() const { return permeable * conductance; }
 };
 
 template <int D>
@@ -51,6 +56,8 @@ struct Voids {
     std::vector<double> volume;       ///< at the step's start, of all parts of the complex; empty: none
     std::vector<VoidEdge<D>> edges;   ///< of the voids at the step's start
     double lost = 0;                  ///< volume of voids whose gap is gone
+    std::vector<GapArm<D>> arms;      ///< as without voids
+    std::vector<MouthArm<D>> mouths;  ///< as without voids
     std::unique_ptr<Coupling<D>> all; ///< the system with the bodies' own masses; the edges are its last links
 
     /// Of a part of the complex; null: it can hold none.
@@ -67,6 +74,14 @@ struct VoidsBefore {
     const Voids<D>& at; ///< places of the parts there
 };
 
+/// Whether fluid can pass a piece of a face.
+template <int D>
+bool is_way_out(const Grid<D>& grid, const FacePiece<D>& piece)
+{
+    return piece.area > 0 &&
+           ((piece.low.exists() && piece.high.exists()) || is_open(grid.side(piece.axis, piece.low.exists())));
+}
+
 /// Whether some pair of the scene can have voids.
 bool voids_are_possible(const Scene& scene);
 
@@ -74,10 +89,10 @@ bool voids_are_possible(const Scene& scene);
 template <int D>
 void require_for_voids(const Model<D>& model, bool circulation);
 
-/// Of a complex with these arms and mouths. With what is taken along from `before`, if not null.
+/// Of a complex with these arms and mouths, which they keep. With what is taken along from `before`, if not null.
 template <int D>
 Voids<D> find_voids(const Model<D>& model, const std::vector<Solid<D>>& solids, const Complex<D>& complex,
-                    const std::vector<GapArm<D>>& arms, const std::vector<MouthArm<D>>& mouths, const VoidsBefore<D>* before);
+                    std::vector<GapArm<D>> arms, std::vector<MouthArm<D>> mouths, const VoidsBefore<D>* before);
 
 /// Those that a scene starts with: where a dry pair is no further apart than it is held.
 template <int D>
@@ -93,8 +108,7 @@ void shut_empty(const Complex<D>& complex, const Voids<D>& voids, std::vector<Ga
 
 /// Takes the voids' edges out of the system of all parts, which has the bodies' own masses: fills `voids.edges`, the parts' rows and `voids.all`.
 template <int D>
-void separate(const Complex<D>& complex, const Inertia<D>& inertia, const std::vector<MouthArm<D>>& mouths, Voids<D>& voids,
-              Coupling<D>& coupling);
+void separate(const Complex<D>& complex, const Inertia<D>& inertia, Voids<D>& voids, Coupling<D>& coupling);
 
 /// Rows at given values. Their edges are grounds of the rows beside, and the flux that the values drive out of these rows is added to `outflow`;
 /// without it their edges are gone. K loses the rows where `outflow` is given.

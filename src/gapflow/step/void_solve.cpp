@@ -19,9 +19,10 @@ constexpr double shut = 1e-6;                        // share of an edge's condu
 constexpr double drained = 0.5;                      // share of a gap from which a void has no fluid left that could flow out
 constexpr double closed = 1e-6;                      // share of a gap below which no void is passed on through it
 
-/// Mean over the axes' faces of the square of the velocity in each part.
+} // namespace
+
 template <int D>
-std::vector<double> squares_of_speed(const Placed<D>& at, const UnknownVector<D>& p)
+std::vector<double> squares_of_speed(const Placed<D>& at, const UnknownVector<D>& p, const std::vector<double>& drop)
 {
     const Grid<D>& grid = *at.coupling.grid;
     const Complex<D>& complex = at.complex;
@@ -29,26 +30,29 @@ std::vector<double> squares_of_speed(const Placed<D>& at, const UnknownVector<D>
         const int node = side.is_part() ? at.node[side.number()] : -1;
         return node >= 0 ? p.nodes[node] : p.cells(grid.wrapped(complex.index.index(complex.cell_of(side))));
     };
-    std::vector<long> fronts; // rows of voids with fluid beside: others' potentials are not those of a flow
-    const auto is_void_row = [&](long row) {
-        return std::any_of(at.voids.parts.begin(), at.voids.parts.end(),
-                           [&](const VoidPart<D>& part) { return part.row == row && at.voids.is_void(part.part); });
-    };
-    for (const VoidEdge<D>& edge : at.voids.edges)
-        if (!std::all_of(edge.rows.begin(), edge.rows.end(), [&](const auto& row) { return is_void_row(row.first); }))
-            for (const auto& [row, weight] : edge.rows)
-                fronts.push_back(row);
-    const auto has_none = [&](const PartOrCell& side) {
-        return side.is_part() && at.voids.is_void(side.number()) &&
-               std::find(fronts.begin(), fronts.end(), at.voids.find(side.number())->row) == fronts.end();
-    };
+    std::map<std::int32_t, double> along; // by pieces
+    for (std::size_t e = 0; e < drop.size(); ++e)
+        if (const VoidEdge<D>& edge = at.voids.edges[e]; edge.piece >= 0)
+            along[edge.piece] = edge.conductance * drop[e] / edge.area;
+    std::vector<double> narrowed(complex.pieces.size(), 1.0); // flux over that of a duct with the face's area
+    for (const GapArm<D>& arm : at.voids.arms)
+        if (const FacePiece<D>& piece = complex.pieces[arm.piece]; piece.area > 0)
+            narrowed[arm.piece] = std::min(1.0, grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]) /
+                                                    (arm.resistance * piece.area));
+    const auto is_void = [&](const PartOrCell& side) { return side.is_part() && at.voids.is_void(side.number()); };
     std::vector<std::array<double, D>> sum(complex.parts(), std::array<double, D>{});
     std::vector<std::array<int, D>> count(complex.parts(), std::array<int, D>{});
-    for (const FacePiece<D>& piece : complex.pieces) {
-        if (!(piece.area > 0) || !piece.low.exists() || !piece.high.exists() || has_none(piece.low) || has_none(piece.high))
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
+        const FacePiece<D>& piece = complex.pieces[k];
+        if (!(piece.area > 0) || !piece.low.exists() || !piece.high.exists())
+            continue;
+        const auto edge = along.find(static_cast<std::int32_t>(k));
+        if (edge == along.end() && (is_void(piece.low) || is_void(piece.high)))
             continue;
         const double way = grid.dx() * grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]),
-                     u = (value(piece.low) - value(piece.high)) / (way * at.coupling.density);
+                     u = edge != along.end()
+                             ? edge->second
+                             : narrowed[k] * (value(piece.low) - value(piece.high)) / (way * at.coupling.density);
         for (const PartOrCell& side : {piece.low, piece.high})
             if (side.is_part()) {
                 sum[side.number()][piece.axis] += u * u;
@@ -62,8 +66,6 @@ std::vector<double> squares_of_speed(const Placed<D>& at, const UnknownVector<D>
                 square[part] += sum[part][axis] / count[part][axis];
     return square;
 }
-
-} // namespace
 
 template <int D>
 struct VoidSolve<D>::System {
@@ -81,7 +83,7 @@ VoidSolve<D>::VoidSolve(const Model<D>& model, const Instant<D>& old, Placed<D>&
     const Placed<D>& before = *old.placed;
     const Voids<D>& voids = there.voids;
     const std::vector<MatchedPart> was = matched_parts(model.grid, there.complex, before.complex);
-    const std::vector<double> square = squares_of_speed(before, old.flow.p);
+    const std::vector<double> square = squares_of_speed(before, old.flow.p, old.kept.drop);
     past_all_.cells = old.flow.p.cells;
     std::vector<char> matched(there.complex.parts(), 0);
     for (int part = 0; part < there.complex.parts(); ++part) {
@@ -121,6 +123,68 @@ VoidSolve<D>::VoidSolve(const Model<D>& model, const Instant<D>& old, Placed<D>&
         for (const auto& [row, weight] : voids.edges[e].rows)
             if (const int k = number(row); k >= 0)
                 edges_of_[k].push_back(e);
+    find_offsets(was);
+}
+
+/// What is to be added to each edge's drop of the potentials before the step for that with which its fluid moved.
+template <int D>
+void VoidSolve<D>::find_offsets(const std::vector<MatchedPart>& was)
+{
+    const Placed<D>& before = *old_.placed;
+    using Key = std::vector<std::pair<long, bool>>; // rows before the step, and whether the flux leaves them
+    struct Known {
+        double drop = 0, conductance = 0;
+    };
+    std::map<Key, Known> known; // edges between the same rows count together
+    for (std::size_t e = 0; e < before.voids.edges.size(); ++e) {
+        const VoidEdge<D>& edge = before.voids.edges[e];
+        Key key;
+        for (const auto& [row, weight] : edge.rows)
+            key.emplace_back(row, weight > 0);
+        std::sort(key.begin(), key.end());
+        Known& of = known[key];
+        of.drop += edge.conductance * old_.kept.drop[e];
+        of.conductance += edge.conductance;
+    }
+    for (const VoidEdge<D>& edge : there_.voids.edges) {
+        Key key;
+        bool from_void = false, is_known = true;
+        double past = 0;
+        for (std::size_t r = 0; r < edge.rows.size(); ++r) {
+            const auto& [row, weight] = edge.rows[r];
+            past += weight * value(past_all_, row);
+            const MatchedPart match = edge.parts[r] >= 0 ? was[edge.parts[r]] : MatchedPart{MatchedPart::Kind::main, -1};
+            is_known = is_known && match.kind != MatchedPart::Kind::none;
+            from_void = from_void || (match.part >= 0 && before.voids.is_void(match.part));
+            const int node = match.kind == MatchedPart::Kind::other ? before.node[match.part] : -1;
+            const long cell =
+                edge.parts[r] >= 0 ? model_.grid.key(model_.grid.wrapped(there_.complex.cell_of_part(edge.parts[r]))) : row;
+            key.emplace_back(node >= 0 ? cells_ + node : cell, weight > 0);
+        }
+        std::sort(key.begin(), key.end());
+        const auto found = is_known ? known.find(key) : known.end();
+        const double drop = found != known.end()     ? found->second.drop / found->second.conductance
+                            : is_known && !from_void ? past
+                                                     : 0.0;
+        offset_.push_back(drop - past);
+    }
+}
+
+/// Of an edge with `p`, voids at their bounds.
+template <int D>
+typename VoidSolve<D>::Drop VoidSolve<D>::drop(std::size_t e, const UnknownVector<D>& p, bool at_bounds) const
+{
+    Drop of{0, false};
+    double among_voids = 0;
+    for (const auto& [row, weight] : there_.voids.edges[e].rows) {
+        const int k = number(row);
+        const bool is_void = k >= 0 && was_void_[k];
+        of.sum += weight * (is_void && at_bounds ? bound_[k] : value(p, row));
+        among_voids += k >= 0 ? weight * bound_[k] : 0.0;
+        of.from_fluid = of.from_fluid || !is_void;
+    }
+    of.sum += of.from_fluid ? offset_[e] : -among_voids;
+    return of;
 }
 
 template <int D>
@@ -147,7 +211,7 @@ void VoidSolve<D>::put(UnknownVector<D>& p) const
 template <int D>
 void VoidSolve<D>::find_bounds(const PotentialFlow<D>* last)
 {
-    const std::vector<double> now = last ? squares_of_speed(there_, last->p) : std::vector<double>();
+    const std::vector<double> now = last ? squares_of_speed(there_, last->p, drops(last->p)) : std::vector<double>();
     bound_.clear();
     for (std::size_t k = 0; k < past_.size(); ++k) {
         const VoidPart<D>& part = there_.voids.parts[k];
@@ -163,15 +227,11 @@ void VoidSolve<D>::find_heads(const UnknownVector<D>& p)
 {
     for (std::size_t e = 0; e < head_.size(); ++e) {
         const VoidEdge<D>& edge = there_.voids.edges[e];
-        double drop = 0, into = 0;
-        bool from_fluid = false;
-        for (const auto& [row, weight] : edge.rows) {
-            const int k = number(row);
-            const bool is_void = k >= 0 && was_void_[k];
-            drop += weight * (is_void ? bound_[k] : value(p, row));
-            into -= is_void ? weight : 0.0;
-            from_fluid = from_fluid || !is_void;
-        }
+        const auto [drop, from_fluid] = this->drop(e, p, true);
+        double into = 0;
+        for (const auto& [row, weight] : edge.rows)
+            if (const int k = number(row); k >= 0 && was_void_[k])
+                into -= weight;
         head_[e] = 1;
         if (!from_fluid)
             continue;
@@ -179,7 +239,7 @@ void VoidSolve<D>::find_heads(const UnknownVector<D>& p)
             head_[e] = into * drop < 0 && is_drained(e) ? shut : 1.0;
             continue;
         }
-        const double R = 1 / (edge.permeable * edge.conductance), way = edge.permeable * edge.area,
+        const double R = 1 / edge.open(), way = edge.permeable * edge.area,
                      a = 0.5 * dt_ * there_.coupling.density / (way * way), size = std::abs(drop);
         head_[e] = 2 / (1 + std::sqrt(1 + 4 * a * size / (R * R)));
     }
@@ -201,16 +261,17 @@ bool VoidSolve<D>::is_drained(std::size_t e) const
 template <int D>
 double VoidSolve<D>::flux(std::size_t e, const UnknownVector<D>& p) const
 {
-    const VoidEdge<D>& edge = there_.voids.edges[e];
-    double drop = 0, among_voids = 0;
-    bool from_fluid = false;
-    for (const auto& [row, weight] : edge.rows) {
-        const int k = number(row);
-        drop += weight * value(p, row);
-        among_voids += k >= 0 ? weight * bound_[k] : 0.0;
-        from_fluid = from_fluid || k < 0 || !was_void_[k];
-    }
-    return head_[e] * edge.permeable * edge.conductance * (from_fluid ? drop : drop - among_voids);
+    return head_[e] * there_.voids.edges[e].open() * drop(e, p, false).sum;
+}
+
+/// Of all edges: what their fluxes ask for.
+template <int D>
+std::vector<double> VoidSolve<D>::drops(const UnknownVector<D>& p) const
+{
+    std::vector<double> all;
+    for (std::size_t e = 0; e < head_.size(); ++e)
+        all.push_back(flux(e, p) / there_.voids.edges[e].open());
+    return all;
 }
 
 template <int D>
@@ -236,9 +297,9 @@ typename VoidSolve<D>::System VoidSolve<D>::reduced() const
     UnknownVector<D> none{CellField<D>(model_.grid), Eigen::VectorXd::Zero(there_.coupling.system.nodes)};
     for (std::size_t e = 0; e < voids.edges.size(); ++e) {
         links[first + e].conductance *= head_[e];
-        const double among_voids = flux(e, none); // what is no flow where the voids' potentials differ
+        const double without = flux(e, none); // with all potentials 0
         for (const auto& [row, weight] : voids.edges[e].rows)
-            add_outflow(row, weight * among_voids);
+            add_outflow(row, weight * without);
     }
     take_rows_out(system.coupling, given, &system.outflow);
     for (const auto& [row, value] : given)
@@ -270,7 +331,8 @@ Projected<D> VoidSolve<D>::find(const Solve& solve, const PotentialFlow<D>* last
             put(flow.p);
             settle_weak_rows(there_.complex, coupling, system.outflow, flow);
         }
-        if (round == most_rounds || !update(flow, round < rounds_at_once))
+        settled_ = round < most_rounds;
+        if (!settled_ || !update(flow, round < rounds_at_once))
             return end;
     }
 }
@@ -369,164 +431,8 @@ bool VoidSolve<D>::any() const
            std::any_of(was_void_.begin(), was_void_.end(), [](char c) { return c; });
 }
 
-template <int D>
-UnknownVector<D> VoidSolve<D>::left_outflow(const Instant<D>& now) const
-{
-    UnknownVector<D> out = net_outflow(now, face_velocities(now));
-    const auto at = [&](long row) -> double& {
-        return row < cells_ ? out.cells(model_.grid.cell_of_key(row)) : out.nodes[row - cells_];
-    };
-    for (std::size_t e = 0; e < head_.size(); ++e)
-        for (const auto& [row, weight] : there_.voids.edges[e].rows)
-            at(row) += weight * flux(e, now.flow.p);
-    for (std::size_t k = 0; k < given_.size(); ++k)
-        if (const VoidPart<D>& part = there_.voids.parts[k]; given_[k])
-            at(part.row) = 0;
-        else if (was_void_[k])
-            at(part.row) += there_.voids.volume[part.part] / dt_;
-    return out;
-}
-
-template <int D>
-void VoidSolve<D>::give_pressure(const PotentialFlow<D>& flow, UnknownVector<D>& impulse) const
-{
-    const std::vector<double> now = squares_of_speed(there_, flow.p);
-    for (std::size_t k = 0; k < given_.size(); ++k) {
-        const VoidPart<D>& part = there_.voids.parts[k];
-        const double head = // as in the bound
-            was_void_[k] ? 0.0 : 0.25 * dt_ * there_.coupling.density * (square_[k] + now[part.part]);
-        double& value = part.row < cells_ ? impulse.cells(model_.grid.cell_of_key(part.row)) : impulse.nodes[part.row - cells_];
-        if (given_[k])
-            value = dt_ * part.least_pressure;
-        else if (known_[k])
-            value = this->value(flow.p, part.row) - past_[k] - head;
-    }
-}
-
-template <int D>
-double VoidSolve<D>::weight_in(std::size_t e, std::size_t part) const
-{
-    for (const auto& [row, weight] : there_.voids.edges[e].rows)
-        if (row == there_.voids.parts[part].row)
-            return weight;
-    return 0;
-}
-
-/// Whether an edge of a void leads to fluid.
-template <int D>
-bool VoidSolve<D>::fluid_beside(int part) const
-{
-    for (const std::size_t e : edges_of_[part])
-        for (const auto& [row, weight] : there_.voids.edges[e].rows)
-            if (const int k = number(row); k < 0 || !was_void_[k])
-                return true;
-    return false;
-}
-
-/// The potential of the fluid's front in a void: that of the fluid beside less what its inertia takes along the edge. Without fluid beside that before the step.
-template <int D>
-double VoidSolve<D>::true_potential(int part, const UnknownVector<D>& p) const
-{
-    double sum = 0, weights = 0;
-    for (const std::size_t e : edges_of_[part]) {
-        const VoidEdge<D>& edge = there_.voids.edges[e];
-        double fluid = 0, own = 0;
-        bool from_fluid = false;
-        for (const auto& [row, weight] : edge.rows)
-            if (const int k = number(row); k >= 0 && was_void_[k])
-                own += weight;
-            else {
-                fluid += weight * value(p, row);
-                from_fluid = true;
-            }
-        if (!from_fluid || own == 0)
-            continue;
-        const double q = flux(e, p), size = std::max(std::abs(q), std::numeric_limits<double>::min());
-        sum += size * (q / (edge.permeable * edge.conductance) - fluid) / own;
-        weights += size;
-    }
-    return weights > 0 ? sum / weights : past_[part];
-}
-
-/// What overfills a void goes on into those beside it, at its own speed.
-template <int D>
-void VoidSolve<D>::pass_on(std::vector<double>& volume, std::vector<double>& potential, std::vector<double>& speed,
-                           std::vector<char>& front, double& lost) const
-{
-    for (bool again = true; again;) {
-        again = false;
-        for (std::size_t k = 0; k < volume.size(); ++k) {
-            if (!(volume[k] < 0))
-                continue;
-            double ways = 0;
-            std::vector<std::pair<int, std::size_t>> next;
-            for (const std::size_t e : edges_of_[k]) {
-                const VoidEdge<D>& edge = there_.voids.edges[e];
-                for (const auto& [row, weight] : edge.rows)
-                    if (const int other = number(row);
-                        other >= 0 && other != static_cast<int>(k) && was_void_[other] && given_[other] && volume[other] > 0) {
-                        next.emplace_back(other, e);
-                        ways += edge.permeable * edge.area;
-                    }
-            }
-            const double surplus = volume[k];
-            volume[k] = 0;
-            if (!(ways > 0)) {
-                lost += surplus;
-                continue;
-            }
-            for (const auto& [other, e] : next) {
-                const VoidEdge<D>& edge = there_.voids.edges[e];
-                volume[other] += surplus * edge.permeable * edge.area / ways;
-                if (!front[other]) {
-                    potential[other] = potential[k] - speed[k] * edge.area / edge.conductance;
-                    speed[other] = speed[k];
-                    front[other] = 1;
-                }
-                again = again || volume[other] < 0;
-            }
-        }
-    }
-}
-
-template <int D>
-bool VoidSolve<D>::finish(PotentialFlow<D>& flow, PartVoids& voids)
-{
-    const std::vector<VoidPart<D>>& parts = there_.voids.parts;
-    const std::vector<double> out = outflows(flow, true);
-    std::vector<double> volume(parts.size(), 0.0), potential(parts.size(), 0.0);
-    std::vector<double> speed(parts.size(), 0.0); // of the fluid that runs in
-    std::vector<char> front(parts.size(), 0);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        if (!given_[k])
-            continue;
-        volume[k] = (was_void_[k] ? there_.voids.volume[parts[k].part] : 0.0) + dt_ * out[k];
-        potential[k] = was_void_[k] ? true_potential(static_cast<int>(k), flow.p) : bound_[k];
-        front[k] = !was_void_[k] || fluid_beside(static_cast<int>(k));
-        double inflow = 0, ways = 0;
-        for (const std::size_t e : edges_of_[k]) {
-            const double in = -weight_in(e, k) * flux(e, flow.p);
-            inflow += std::max(in, 0.0);
-            ways += in > 0 ? there_.voids.edges[e].permeable * there_.voids.edges[e].area : 0.0;
-        }
-        speed[k] = ways > 0 ? inflow / ways : 0.0;
-    }
-    pass_on(volume, potential, speed, front, voids.lost);
-    const double least = 1e-14 * model_.grid.dx();
-    bool changed = false;
-    voids.volume.assign(there_.complex.parts(), 0.0);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        const bool is_void = volume[k] > least * parts[k].area;
-        if (is_void)
-            voids.volume[parts[k].part] = volume[k];
-        if (given_[k])
-            (parts[k].row < cells_ ? flow.p.cells(model_.grid.cell_of_key(parts[k].row))
-                                   : flow.p.nodes[parts[k].row - cells_]) = potential[k];
-        changed = changed || is_void != static_cast<bool>(was_void_[k]);
-    }
-    return changed;
-}
-
+template std::vector<double> squares_of_speed<2>(const Placed<2>&, const UnknownVector<2>&, const std::vector<double>&);
+template std::vector<double> squares_of_speed<3>(const Placed<3>&, const UnknownVector<3>&, const std::vector<double>&);
 template class VoidSolve<2>;
 template class VoidSolve<3>;
 

@@ -8,10 +8,12 @@
 #pragma once
 
 #include "gapflow/step/instant.hpp"
+#include "gapflow/step/matching.hpp"
 #include "gapflow/stepping/observation.hpp"
 #include "gapflow/stepping/unilateral.hpp"
 
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -29,16 +31,19 @@ public:
     Projected<D> find(const Solve& solve, const PotentialFlow<D>* last, PotentialFlow<D>& flow);
     /// Whether there is a void at the step's start or end.
     bool any() const;
+    /// Whether the conditions held within the most rounds of the last find().
+    bool settled() const { return settled_; }
     /// Net outflow of all rows but what their voids and the edges of these take: what the solver's tolerance leaves.
     UnknownVector<D> left_outflow(const Instant<D>& now) const;
     /// Pressure impulses of the parts that can be voids.
     void give_pressure(const PotentialFlow<D>& flow, UnknownVector<D>& impulse) const;
-    /// Volumes of the step's end, and the potentials with which the next step goes on. Whether other parts are voids than before.
-    bool finish(PotentialFlow<D>& flow, PartVoids& voids);
+    /// Volumes of the step's end, and the potentials with which the next step goes on. `now`: with the flow that was found, `there` its places.
+    void finish(const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass, Instant<D>& now);
 
 private:
     struct System;
     System reduced() const;
+    void find_offsets(const std::vector<MatchedPart>& was);
     void find_bounds(const PotentialFlow<D>* last);
     void find_heads(const UnknownVector<D>& p);
     bool ways_turn(const UnknownVector<D>& p);
@@ -46,31 +51,55 @@ private:
     bool update(const PotentialFlow<D>& flow, bool at_once);
     /// Of the voids. `over_the_step`: of those that were voids before over the walls' way; else at the step's end.
     std::vector<double> outflows(const PotentialFlow<D>& flow, bool over_the_step) const;
+    struct Drop {
+        double sum;
+        bool from_fluid; ///< not between voids alone
+    };
+    Drop drop(std::size_t edge, const UnknownVector<D>& p, bool at_bounds) const;
     double flux(std::size_t edge, const UnknownVector<D>& p) const;
+    std::vector<double> drops(const UnknownVector<D>& p) const;
+    std::vector<double> drops_at_end(const std::vector<VoidEdge<D>>& edges, const std::vector<double>& flux,
+                                     const PotentialFlow<D>& flow) const;
     double value(const UnknownVector<D>& p, long row) const;
     void put(UnknownVector<D>& p) const;
     int number(long row) const;
     bool passes_on(int part) const;
-    void pass_on(std::vector<double>& volume, std::vector<double>& potential, std::vector<double>& speed,
-                 std::vector<char>& front, double& lost) const;
+    void pass_on(std::vector<double>& volume, std::vector<double>& out, std::vector<double>& flux, double& lost) const;
+    void join(const PartVoids& kept, const std::map<long, double>& filled, PotentialFlow<D>& flow) const;
+    void put_front_potentials(const PartVoids& kept, UnknownVector<D>& p) const;
     double weight_in(std::size_t edge, std::size_t part) const;
-    bool fluid_beside(int part) const;
-    double true_potential(int part, const UnknownVector<D>& p) const;
+    double least_volume(std::size_t part) const;
 
     const Model<D>& model_;
     const Instant<D>& old_;
     Placed<D>& there_;
     double dt_;
+    bool settled_ = true;
     long cells_;
     UnknownVector<D> past_all_;                 ///< the potential before the step at the rows of its end
     std::vector<double> past_, square_, bound_; ///< of each part: potential and square of the velocity before, b
     std::vector<char> known_, was_void_, given_;
-    std::vector<int> turns_;                                   ///< of each edge in the pass
-    std::vector<double> head_;                                 ///< of each edge: the share of its conductance that is left
-    std::vector<std::pair<long, int>> at_;                     ///< rows and numbers of the parts, by rows
+    std::vector<int> turns_;               ///< of each edge in the pass
+    std::vector<double> offset_;           ///< of each edge: what its drop is more than that of the potentials before the step
+    std::vector<double> head_;             ///< of each edge: the share of its conductance that is left
+    std::vector<std::pair<long, int>> at_; ///< rows and numbers of the parts, by rows
     std::vector<std::vector<std::pair<int, Twist<D>>>> walls_; ///< K of each part
     std::vector<std::vector<std::size_t>> edges_of_;           ///< of each part
 };
+
+/// Mean over the axes' faces of the square of the velocity in each part. `drop`: of the potential along the edges of voids.
+template <int D>
+std::vector<double> squares_of_speed(const Placed<D>& at, const UnknownVector<D>& p, const std::vector<double>& drop);
+
+/// The largest speed of fluid in the gaps that can hold voids; 0 where there is none.
+template <int D>
+double speed_beside_voids(const Instant<D>& now);
+
+/// The flow of given twists and a given outflow in a system. `levels`: potentials whose means stay where nothing gives a level; null: any level.
+/// Throws ComputationError.
+template <int D>
+PotentialFlow<D> flow_with_outflow(const Complex<D>& complex, Coupling<D> coupling, std::vector<Twist<D>> twists,
+                                   UnknownVector<D> outflow, const SolverOptions& options, const UnknownVector<D>* levels);
 
 /// The flow of given twists beside the voids of a placed complex, at whose rows p is 0. Collective.
 template <int D>

@@ -1,6 +1,4 @@
 // The flow beside voids at a scene's start, and the pairs' states.
-#include "gapflow/core/error.hpp"
-#include "gapflow/solver/solver.hpp"
 #include "gapflow/step/void_solve.hpp"
 
 #include <algorithm>
@@ -13,29 +11,13 @@ template <int D>
 PotentialFlow<D> flow_beside_voids(const Placed<D>& at, std::vector<Twist<D>> twists, const SolverOptions& options)
 {
     Coupling<D> coupling = *at.voids.all;
-    UnknownVector<D> rhs{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
+    UnknownVector<D> outflow{CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)};
     std::map<long, double> given;
     for (const VoidPart<D>& part : at.voids.parts)
         if (at.voids.is_void(part.part))
             given[part.row] = 0;
-    take_rows_out(coupling, given, &rhs);
-    coupling.system.bodies = 0; // as with_given_twists(), but the voids ground the fluid beside them
-    std::fill(coupling.free_body.begin(), coupling.free_body.end(), -1);
-    coupling.system.cell_flux.clear();
-    coupling.system.node_flux.clear();
-    coupling.system.mass.resize(0, 0);
-    find_null_space(coupling);
-    for (const auto& entry : coupling.cell_flux)
-        rhs.cells(entry.row) -= entry.flux.dot(twists[entry.body]);
-    for (const auto& entry : coupling.node_flux)
-        rhs.nodes[entry.row] -= entry.flux.dot(twists[entry.body]);
-    PotentialFlow<D> flow{
-        std::move(twists), {CellField<D>(*coupling.grid), Eigen::VectorXd::Zero(coupling.system.nodes)}, 0, {}};
-    const SolveReport solve = CoupledSolver<D>(coupling.system, options).solve(flow.p, rhs);
-    if (!solve.converged)
-        throw ComputationError("the pressure solve did not converge: " + solve.message);
-    flow.iterations = solve.iterations;
-    return flow;
+    take_rows_out(coupling, given, &outflow);
+    return flow_with_outflow<D>(at.complex, std::move(coupling), std::move(twists), std::move(outflow), options, nullptr);
 }
 
 template <int D>

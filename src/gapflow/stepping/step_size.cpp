@@ -134,7 +134,7 @@ double limit_of_film_flow(const FilmMesh<D>& mesh, const Solid<D>& master, const
 
 template <int D>
 Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>& here, const FilmHistories<D>& histories,
-                 double next_output, GapWays<D>& ways, std::span<const GapArm<D>> arms)
+                 double next_output, GapWays<D>& ways, std::span<const GapArm<D>> arms, double in_gaps)
 {
     const Scene& scene = model.scene;
     const Grid<D>& grid = model.grid;
@@ -142,7 +142,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
     const double dx = grid.dx();
     const double speed = grid.comm().max(largest_speed(grid, here.open, state.velocity.grid, widest_sliver(model, state.dt),
                                                        expected_grid_velocity(model, state.bodies)));
-    double dt = std::min(scene.max_step, scene.cfl * dx / std::max(speed, tiny));
+    double dt = std::min(scene.max_step, scene.cfl * dx / std::max({speed, in_gaps, tiny}));
 
     // The first step has no pressure of a step before: nu dt is at most dx^2 in it, and twice as much in each following step.
     if (scene.viscosity > 0)
@@ -200,7 +200,7 @@ Step choose_step(const Model<D>& model, const State<D>& state, const Coupling<D>
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template Step choose_step<D>(const Model<D>&, const State<D>&, const Coupling<D>&, const FilmHistories<D>&, double,        \
-                                 GapWays<D>&, std::span<const GapArm<D>>);
+                                 GapWays<D>&, std::span<const GapArm<D>>, double);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)
 #undef GAPFLOW_INSTANTIATE

@@ -2,7 +2,10 @@
 #include "scenes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -202,6 +205,50 @@ TEST(PartVoids, GainNoEnergy)
         excess = std::max(excess, energy - work);
     }
     EXPECT_LT(excess, 0.02 * largest);
+}
+
+// Three balls side by side on a dry floor, pulled off it: they seal fluid in between, and their voids are filled from sides whose potentials differ by
+// the pressure's integral. Nothing of that is flow. The work of pull and ambient pressure is all that there is.
+TEST(PartVoids, FilledFromTwoSidesGainNoEnergy)
+{
+    constexpr double p0 = 100, vapour = -1;
+    Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+    scene.size = {1, 1, 0};
+    scene.sides[3].kind = SideScene::Kind::open;
+    scene.gravity = {0, -1, 0};
+    scene.reference_pressure = p0;
+    scene.vapour_pressure = vapour;
+    scene.gap.contact = GapScene::Contact::dry;
+    scene.contact.thickness = thickness;
+    scene.max_step = 0.01;
+    const std::array<double, 3> pull{14.745231451619025, 36.39520966325668, 13.098285224515829};
+    for (int b = 0; b < 3; ++b) {
+        BodyScene ball = body("b" + std::to_string(b), BodyScene::ShapeKind::ball, {0.25 + 0.2001 * b, 0.1 + thickness, 0});
+        ball.radius = 0.1;
+        ball.density = 2;
+        ball.force[1] = pull[b];
+        scene.bodies.push_back(ball);
+    }
+    Simulation<2> simulation(scene, Communicator());
+    const double weight = std::numbers::pi * 0.01; // less buoyancy, with the density 2
+    const auto potential = [&] {
+        double sum = 0;
+        for (const GapState& gap : simulation.gaps())
+            sum += (p0 - vapour) * gap.void_volume;
+        for (int b = 0; b < 3; ++b)
+            sum += (weight - pull[b]) * simulation.bodies()[b].pose.position[1];
+        return sum;
+    };
+    const double start = potential();
+    double largest = 0, excess = 0;
+    while (simulation.time() < 0.06) {
+        const StepReport report = simulation.step(1);
+        const double energy = report.energy_fluid + report.energy_bodies;
+        largest = std::max(largest, energy);
+        excess = std::max(excess, energy + potential() - start);
+    }
+    EXPECT_GT(largest, 0.1);
+    EXPECT_LT(excess, 0.03 * largest);
 }
 
 TEST(PartVoids, GoOnFromAStoredState)
