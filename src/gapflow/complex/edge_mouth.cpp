@@ -87,6 +87,7 @@ EdgeMouths::Place EdgeMouths::place(int image, int number, double s) const
         if (!mutual || std::pair(image, number) > std::pair(place.wall.image, other)) {
             place.own = 1 - place.share;
             place.lost = true;
+            place.crossed = !mutual;
             if (!mutual) {
                 const SharpEdge& across_edge = placed_[place.wall.image].sharp.edges[other];
                 const double away = std::min(1.0, beyond(bisector(place.wall.image, other), across_edge.angle, -way));
@@ -164,7 +165,7 @@ void EdgeMouths::find_way(int image, int number)
 void EdgeMouths::add_crossings(int image, int number, std::vector<double>& at, std::vector<Place>& places) const
 {
     for (std::size_t k = 1; k < at.size(); ++k) {
-        const bool first = places[k - 1].mouth && places[k].lost, second = places[k].mouth && places[k - 1].lost;
+        const bool first = places[k - 1].mouth && places[k].crossed, second = places[k].mouth && places[k - 1].crossed;
         if (!first && !second)
             continue;
         double in = first ? at[k - 1] : at[k], out = first ? at[k] : at[k - 1];
@@ -177,6 +178,8 @@ void EdgeMouths::add_crossings(int image, int number, std::vector<double>& at, s
             (there.mouth ? in : out) = middle;
             (there.mouth ? inside : outside) = there;
         }
+        if (std::abs(out - (first ? at[k] : at[k - 1])) < 2 * parameters.joint_distance)
+            continue; // a corner
         const std::ptrdiff_t before = static_cast<std::ptrdiff_t>(k);
         at.insert(at.begin() + before, {first ? in : out, first ? out : in});
         places.insert(places.begin() + before, {first ? inside : outside, first ? outside : inside});

@@ -27,7 +27,8 @@ private:
         double distance = 0;  ///< along it
         double turned = 0, share = 0, own = 1;
         bool mouth = false;
-        bool lost = false; ///< to an edge across the gap
+        bool lost = false;    ///< to an edge across the gap
+        bool crossed = false; ///< to one that lies further in
     };
     Place place(int image, int edge, double s) const;
     int edge_at(int image, const Vec<3>& x) const;
