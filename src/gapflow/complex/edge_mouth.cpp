@@ -86,6 +86,8 @@ EdgeMouths::Place EdgeMouths::place(int image, int number, double s) const
         const bool mutual = edge_at(image, planes_.in_cells(back.x)) == number;
         if (!mutual || std::pair(image, number) > std::pair(place.wall.image, other)) {
             place.own = 1 - place.share;
+            place.lost = true;
+            place.crossed = !mutual;
             if (!mutual) {
                 const SharpEdge& across_edge = placed_[place.wall.image].sharp.edges[other];
                 const double away = std::min(1.0, beyond(bisector(place.wall.image, other), across_edge.angle, -way));
@@ -152,8 +154,37 @@ void EdgeMouths::find_way(int image, int number)
             return; // solids that overlap have no gap there
         places.push_back(place(image, number, at.back()));
     }
-    if (at.size() > 1)
+    if (at.size() > 1) {
+        add_crossings(image, number, at, places);
         add_way(image, number, at, places);
+    }
+}
+
+/// Where an edge and that across the gap cross each other the mouth goes over from one to the other: a place more on each side of the crossing, so that their
+/// planes end in one line across the gap.
+void EdgeMouths::add_crossings(int image, int number, std::vector<double>& at, std::vector<Place>& places) const
+{
+    for (std::size_t k = 1; k < at.size(); ++k) {
+        const bool first = places[k - 1].mouth && places[k].crossed, second = places[k].mouth && places[k - 1].crossed;
+        if (!first && !second)
+            continue;
+        double in = first ? at[k - 1] : at[k], out = first ? at[k] : at[k - 1];
+        Place inside = first ? places[k - 1] : places[k], outside = first ? places[k] : places[k - 1];
+        while (std::abs(out - in) > parameters.joint_distance) {
+            const double middle = 0.5 * (in + out);
+            const Place there = place(image, number, middle);
+            if (!there.mouth && !there.lost)
+                break; // another law between the two
+            (there.mouth ? in : out) = middle;
+            (there.mouth ? inside : outside) = there;
+        }
+        if (std::abs(out - (first ? at[k] : at[k - 1])) < 2 * parameters.joint_distance)
+            continue; // a corner
+        const std::ptrdiff_t before = static_cast<std::ptrdiff_t>(k);
+        at.insert(at.begin() + before, {first ? in : out, first ? out : in});
+        places.insert(places.begin() + before, {first ? inside : outside, first ? outside : inside});
+        k += 2;
+    }
 }
 
 void EdgeMouths::add_way(int image, int number, const std::vector<double>& at, const std::vector<Place>& places)

@@ -27,6 +27,8 @@ private:
         double distance = 0;  ///< along it
         double turned = 0, share = 0, own = 1;
         bool mouth = false;
+        bool lost = false;    ///< to an edge across the gap
+        bool crossed = false; ///< to one that lies further in
     };
     Place place(int image, int edge, double s) const;
     int edge_at(int image, const Vec<3>& x) const;
@@ -35,6 +37,7 @@ private:
     /// Whether another solid covers a place.
     bool covered(int image, const Vec<3>& x) const;
     void find_way(int image, int edge);
+    void add_crossings(int image, int edge, std::vector<double>& at, std::vector<Place>& places) const;
     void add_way(int image, int edge, const std::vector<double>& at, const std::vector<Place>& places);
     void add_cells(SharpSolid& sharp, const EdgeWay& way) const;
     GapMouth<3> section(int image, int edge, const Place& place) const;

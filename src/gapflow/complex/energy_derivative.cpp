@@ -33,7 +33,7 @@ public:
         : grid_(grid), complex_(complex), derivatives_(derivatives), p_(p), next_(next), twists_(twists), gaps_(gaps),
           circulation_(circulation), areas_(complex), by_area_(complex.pieces.size(), 0),
           by_moment_(complex.pieces.size(), Vec<D>::Zero()), by_patch_(complex.patches.size(), Twist<D>::Zero()),
-          result_(twists.size(), Twist<D>::Zero())
+          by_link_(complex.links.size(), 0), result_(twists.size(), Twist<D>::Zero())
     {
         if (!gaps.arms.empty()) {
             plain_.assign(complex.pieces.size(), 1.0);
@@ -168,7 +168,7 @@ private:
         else if (const std::int32_t k = areas_.first(axis_, area.face); k >= 0)
             f(k);
     }
-    /// Calls f(patch) for the walls beside an area; those that lie beside several of its pieces as often.
+    /// Calls f(patch, part) for the walls beside an area; those that lie beside several of its pieces as often.
     template <class F>
     void for_each_wall_beside(const Area& area, F&& f) const
     {
@@ -176,7 +176,7 @@ private:
             for (const PartOrCell& side : {complex_.pieces[piece].low, complex_.pieces[piece].high})
                 if (side.is_part())
                     for (int k = complex_.first_patch[side.number()]; k < complex_.first_patch[side.number() + 1]; ++k)
-                        f(k);
+                        f(k, side.number());
         });
     }
 
@@ -197,9 +197,30 @@ private:
             axis_ = complex_.pieces[k].axis;
             const Index<D> f = complex_.index.index(complex_.pieces[k].face);
             if (owns_face(grid_, axis_, f))
-                loans.from(static_cast<std::int32_t>(k), f, [&](const Loan<D>& loan) { add_loan(loan, loans.shares()); });
+                add_loans_of(static_cast<std::int32_t>(k), f, loans);
         }
     }
+
+    /// The integral over the levels of links: a link's level parts what lends below it from what lends above it.
+    void add_loans_of(std::int32_t k, const Index<D>& f, Loans<D>& loans)
+    {
+        JoinLevels levels;
+        areas_.find_levels(k, levels);
+        JoinLevel level;
+        for (std::size_t i = 0; i <= levels.size(); ++i) {
+            const double share = (i < levels.size() ? levels[i].share : 1.0) - std::max(0.0, level.share);
+            double energy = 0;
+            loans.from(k, f, level, [&](const Loan<D>& loan) { energy += add_loan(loan, share, loans.shares()); });
+            if (i > 0)
+                by_link_[level.link] -= energy * slope(level);
+            if (i < levels.size()) {
+                by_link_[levels[i].link] += energy * slope(levels[i]);
+                level = levels[i];
+            }
+        }
+    }
+    /// Of a level by its link's conductance.
+    static double slope(const JoinLevel& level) { return (1 - level.share) * (1 - level.share); }
 
     /// What of an area's energy is not a gap's; its number among the pieces, -1: all is plain.
     std::int32_t gap_of(const Area& area) const
@@ -210,17 +231,18 @@ private:
     }
     double plain(std::int32_t piece) const { return piece >= 0 ? plain_[piece] : 1.0; }
 
-    void add_loan(const Loan<D>& whole, const std::vector<WallShare<D>>& shares)
+    /// A share of a loan. Returns what E has of the whole loan.
+    double add_loan(const Loan<D>& whole, double share_of_levels, const std::vector<MovingShare<D>>& shares)
     {
         const std::int32_t own_gap = gap_of(whole.own), next_gap = gap_of(whole.next),
                            after_gap = whole.more > 0 ? gap_of(whole.after) : -1;
-        const double lends = plain(own_gap), bears = plain(next_gap), bears_after = plain(after_gap), part = lends * bears,
-                     part_after = part * bears_after;
+        const double lends = plain(own_gap), bears = plain(next_gap), bears_after = plain(after_gap),
+                     part = share_of_levels * lends * bears, part_after = part * bears_after;
         Loan<D> loan = whole;
         loan.size *= part;
         loan.more *= part_after;
         double U = 0;
-        for (const WallShare<D>& share : shares)
+        for (const MovingShare<D>& share : shares)
             U += share.speed(axis_, twists_[share.solid]);
         double by_speed = 0;
         const double own = add_lent(loan.own, -loan.given(), U, by_speed),
@@ -233,8 +255,8 @@ private:
                 by_plain_[piece] += by;
         };
         const double simple = whole.size * (next - own), beyond = whole.more * further;
-        add_plain(own_gap, bears * simple + bears * bears_after * beyond);
-        add_plain(next_gap, lends * simple + lends * bears_after * beyond);
+        add_plain(own_gap, share_of_levels * bears * (simple + bears_after * beyond));
+        add_plain(next_gap, share_of_levels * lends * (simple + bears_after * beyond));
         add_plain(after_gap, part * beyond);
         add_bearing(loan.own, loan.next, 0.5 * loan.own.area * std::abs(loan.offset) * by_size);
         if (whole.more > 0)
@@ -243,18 +265,19 @@ private:
             by_moment_[k][loan.along] += 0.5 * bearing(loan.own, loan.next) * (loan.offset > 0 ? 1 : -1) * by_size;
         });
         add_shares(loan.own, shares, U, by_speed);
+        return lends * bears * (simple + bears_after * beyond);
     }
 
     /// U depends on the walls beside the lending area.
-    void add_shares(const Area& own, const std::vector<WallShare<D>>& shares, double U, double by_speed)
+    void add_shares(const Area& own, const std::vector<MovingShare<D>>& shares, double U, double by_speed)
     {
         double all = 0;
-        for_each_wall_beside(own, [&](int k) { all += complex_.patches[k].area.norm(); });
+        for_each_wall_beside(own, [&](int k, int) { all += complex_.patches[k].area.norm(); });
         if (!(all > 0))
             return;
-        for_each_wall_beside(own, [&](int k) {
+        for_each_wall_beside(own, [&](int k, int part) {
             const WallPatch<D>& patch = complex_.patches[k];
-            const WallShare<D>& share =
+            const MovingShare<D>& share =
                 *std::find_if(shares.begin(), shares.end(), [&](const auto& s) { return s.solid == patch.solid; });
             const Twist<D>& V = twists_[patch.solid];
             const Spin<D> spin = V.template tail<spin_size<D>>();
@@ -264,7 +287,7 @@ private:
                 const double speed = V[axis_] + (share.faces() ? share.area[axis_] / square * turn : 0.0);
                 by_area += by_speed * (speed - U) / (all * size) * patch.area;
             }
-            if (share.faces()) { // n_d/|S| Theta . omega
+            if (share.faces() && !areas_.divided(part, own.level)) { // n_d/|S| Theta . omega
                 const double factor = by_speed * share.size / square;
                 by_area += factor * turn * (unit<D>(axis_) - 2 * share.area[axis_] / square * share.area);
                 by_patch_[k].template tail<spin_size<D>>() += factor * share.area[axis_] * spin;
@@ -481,6 +504,7 @@ private:
                 result_[rate.solid] -= loss(PartOrCell::part(link.a), PartOrCell::part(link.b),
                                             circulation_ ? circulation_->link[rate.link] : 0.0) *
                                        rate.conductance;
+            result_[rate.solid] += by_link_[rate.link] * rate.conductance; // what areas of this rank's faces it joins
         }
     }
 
@@ -525,6 +549,7 @@ private:
     std::vector<double> by_area_;
     std::vector<Vec<D>> by_moment_;
     std::vector<Twist<D>> by_patch_;
+    std::vector<double> by_link_; ///< by the conductance, of what it joins
     std::vector<Twist<D>> result_;
 };
 

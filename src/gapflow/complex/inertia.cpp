@@ -68,13 +68,27 @@ public:
     }
 
 private:
+    /// The integral over the levels up to which corners' links join areas.
     void lend_from(std::int32_t k, const Index<D>& f)
+    {
+        areas_.find_levels(k, levels_);
+        JoinLevel level;
+        for (std::size_t i = 0; i <= levels_.size(); ++i) {
+            const double share = (i < levels_.size() ? levels_[i].share : 1.0) - std::max(0.0, level.share);
+            if (share > 0)
+                lend_from(k, f, level, share);
+            if (i < levels_.size())
+                level = levels_[i];
+        }
+    }
+
+    void lend_from(std::int32_t k, const Index<D>& f, const JoinLevel& level, double share)
     {
         double given = 0;
         Area own;
-        loans_.from(k, f, [&](Loan<D> loan) {
-            loan.size *= plain(loan.own) * plain(loan.next);
-            loan.more *= plain(loan.own) * plain(loan.next) * plain(loan.after);
+        loans_.from(k, f, level, [&](Loan<D> loan) {
+            loan.size *= share * plain(loan.own) * plain(loan.next);
+            loan.more *= share * plain(loan.own) * plain(loan.next) * plain(loan.after);
             own = loan.own;
             given += loan.given();
             add(loan.next, loan.of_next());
@@ -119,7 +133,7 @@ private:
     {
         if (!face_flux_)
             return;
-        for (const WallShare<D>& share : loans_.shares()) {
+        for (const MovingShare<D>& share : loans_.shares()) {
             FaceFlux<D> of{static_cast<std::int8_t>(axis_), face, piece, -1, share.solid, Twist<D>::Zero()};
             of.flux[axis_] = -area * share.size;
             of.flux.template tail<spin_size<D>>() = -area * share.spin;
@@ -129,7 +143,7 @@ private:
 
     void add_to_row(std::int32_t part, int cell, double area)
     {
-        for (const WallShare<D>& share : loans_.shares()) {
+        for (const MovingShare<D>& share : loans_.shares()) {
             std::int32_t* at = &first_row_[cell];
             while (*at >= 0 && (rows_[*at].solid != share.solid || rows_[*at].part != part))
                 at = &rows_[*at].next;
@@ -173,6 +187,7 @@ private:
     Loans<D> loans_;
     int axis_ = 0;  ///< of the face that lends
     int below_ = 0; ///< number of the cell below it less that of the one above it
+    JoinLevels levels_;
     std::vector<LentRow<D>> rows_;
 };
 

@@ -13,12 +13,12 @@ namespace gapflow {
 
 /// What of a solid's motion lent area carries: of its velocity along the axis, and of its spin.
 template <int D>
-struct WallShare {
+struct MovingShare {
     std::int32_t solid;
-    double size;                    ///< of the area vectors of its walls on both sides; in the end over the sum of all
-    Vec<D> area;                    ///< of these walls
-    Spin<D> moment;                 ///< of these walls
-    Spin<D> spin = Spin<D>::Zero(); ///< flux of the spin
+    double size;                      ///< of the area vectors of its walls on both sides; in the end over the sum of all
+    Vec<D> area = Vec<D>::Zero();     ///< of these walls, without those of parts that a link joins (see OpenAreas::divided)
+    Spin<D> moment = Spin<D>::Zero(); ///< of the same
+    Spin<D> spin = Spin<D>::Zero();   ///< flux of the spin
 
     /// Not the two sides of a dividing plane alone, which cancel but for round-off.
     bool faces() const { return area.norm() > parameters.least_area; }
@@ -51,15 +51,15 @@ public:
                 centre_[axis].push_back((grid.centre_place(axis, i) - grid.anchor()[axis]) / grid.dx());
     }
 
-    /// Calls f(loan) for all that the area lends of which the piece k, of the face `face`, is the first. shares(): of the walls beside that area,
+    /// Calls f(loan) for all that the area lends, above the given level, of which the piece k, of the face `face`, is the first. shares(): of the walls beside that area,
     /// whose sizes sum up to one.
     template <class F>
-    void from(std::int32_t k, const Index<D>& face, F&& f)
+    void from(std::int32_t k, const Index<D>& face, const JoinLevel& level, F&& f)
     {
         const FacePiece<D>& piece = complex_.pieces[k];
         if (!piece.low.exists() || !piece.high.exists() || !(piece.area > 0))
             return;
-        const std::optional<Area> own = areas_.led_by(k);
+        const std::optional<Area> own = areas_.led_by(k, level);
         if (!own)
             return;
         find_shares(k, *own);
@@ -79,7 +79,7 @@ public:
             f(Loan<D>{*own, next, after, t, offset, lent, more});
         }
     }
-    const std::vector<WallShare<D>>& shares() const { return shares_; }
+    const std::vector<MovingShare<D>>& shares() const { return shares_; }
 
 private:
     void find_shares(std::int32_t k, const Area& area)
@@ -87,40 +87,43 @@ private:
         const int axis = complex_.pieces[k].axis;
         shares_.clear();
         if (area.piece < 0)
-            add_walls(complex_.pieces[k]);
+            add_walls(complex_.pieces[k], area.level);
         else
-            areas_.for_each(area, [&](std::int32_t piece) { add_walls(complex_.pieces[piece]); });
+            areas_.for_each(area, [&](std::int32_t piece) { add_walls(complex_.pieces[piece], area.level); });
         double sum = 0;
-        for (const WallShare<D>& share : shares_)
+        for (const MovingShare<D>& share : shares_)
             sum += share.size;
         // A wall that turns moves with its speed along its normal: one that turns in itself lends nothing.
-        for (WallShare<D>& share : shares_) {
+        for (MovingShare<D>& share : shares_) {
             share.size /= sum > 0 ? sum : 1;
             share.spin = (share.faces() ? share.size * share.area[axis] / share.area.squaredNorm() : 0.0) * share.moment;
         }
     }
 
-    void add_walls(const FacePiece<D>& piece)
+    void add_walls(const FacePiece<D>& piece, const JoinLevel& level)
     {
-        for (const PartOrCell& side : {piece.low, piece.high})
-            if (side.is_part())
-                for (const WallPatch<D>& patch : complex_.patches_of(side.number())) {
-                    const double size = patch.area.norm();
-                    const auto known = std::find_if(shares_.begin(), shares_.end(),
-                                                    [&](const auto& share) { return share.solid == patch.solid; });
-                    if (known != shares_.end()) {
-                        known->size += size;
-                        known->area += patch.area;
-                        known->moment += patch.moment;
-                    } else
-                        shares_.push_back({patch.solid, size, patch.area, patch.moment});
+        for (const PartOrCell& side : {piece.low, piece.high}) {
+            if (!side.is_part())
+                continue;
+            const bool divided = areas_.divided(side.number(), level);
+            for (const WallPatch<D>& patch : complex_.patches_of(side.number())) {
+                auto share =
+                    std::find_if(shares_.begin(), shares_.end(), [&](const auto& known) { return known.solid == patch.solid; });
+                if (share == shares_.end())
+                    share = shares_.insert(shares_.end(), {patch.solid, 0});
+                share->size += patch.area.norm();
+                if (!divided) {
+                    share->area += patch.area;
+                    share->moment += patch.moment;
                 }
+            }
+        }
     }
 
     const Complex<D>& complex_;
     const OpenAreas<D>& areas_;
     std::array<std::vector<double>, D> centre_; ///< of cells along each axis, from the block's first one on
-    std::vector<WallShare<D>> shares_;
+    std::vector<MovingShare<D>> shares_;
 };
 
 } // namespace gapflow

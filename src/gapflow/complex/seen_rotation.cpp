@@ -201,6 +201,7 @@ private:
         const double side = normal[0] * value_of(way[1]) - normal[1] * value_of(way[0]) >= 0 ? 1 : -1;
         for (int d = 0; d < 2; ++d) {
             const S n = (d == 0 ? way[1] : -way[0]) * side; // times the length
+            const S slope = way[1 - d] / length;            // of the velocity along the plane
             const bool below = !(closed && value_of(n) > 0);
             for_each_slab(value_of(a[d]), value_of(b[d]), below, [&](double plane, bool from_a, bool to_b) {
                 // Between the planes, along the way from a.
@@ -211,7 +212,8 @@ private:
                     const S t = from + gauss_node[g] * (to - from);
                     const Place x = a + t * way;
                     const S lever = (x - c_).dot(way) / length;
-                    sum_(0, 0) -= gauss_weight[g] * (to - from) * n * (x[d] - (plane + 0.5)) * lever * lever;
+                    sum_(0, 0) -=
+                        gauss_weight[g] * (to - from) * n * (x[d] - (plane + 0.5)) * (lever * lever - slope * slope / 12);
                 }
             });
         }
@@ -359,13 +361,21 @@ private:
     /// By a rule of degree three for triangles.
     void add_polygon(const std::vector<Place>& polygon, const Place& n, int d, double plane)
     {
+        Square variance; // of the velocity within a face of the plane
+        variance.setConstant(S(0.0));
+        for (const int t : {(d + 1) % 3, (d + 2) % 3}) {
+            Place slope = Place::Constant(S(0.0));
+            slope[(t + 1) % 3] = -n[(t + 2) % 3];
+            slope[(t + 2) % 3] = n[(t + 1) % 3];
+            variance += slope * slope.transpose() / S(12.0);
+        }
         for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
             const Place &a = polygon[0], &b = polygon[k], &c = polygon[k + 1];
             const S area = 0.5 * (b - a).cross(c - a).dot(n);
             const S size = value_of(area) < 0 ? -area : area;
             const auto offer = [&](const Place& x, double weight) {
                 const Place lever = (x - c_).cross(n);
-                sum_ -= (weight * size * n[d] * (x[d] - (plane + 0.5))) * lever * lever.transpose();
+                sum_ -= (weight * size * n[d] * (x[d] - (plane + 0.5))) * (lever * lever.transpose() - variance);
             };
             for (const Place& x : {a, b, c})
                 offer(x, 1.0 / 20);

@@ -3,7 +3,9 @@
 // The sum over the planes normal to d less the integral over the solid is an integral over its surface, with the sawtooth sigma(x_d), which falls from 1/2 to
 // -1/2 at each plane. Of the velocity of the fluid at a wall that turns with the velocity omega about c the part along the normal n is known:
 //
-//     S = - sum_d int sigma(x_d) n_d (n . omega x (x - c))^2 dS
+//     S = - sum_d int sigma(x_d) n_d (u^2 - 1/12 sum_(t != d) (du/dx_t)^2) dS,   u = n . omega x (x - c)
+//
+// on flat walls: a face has one velocity, whose square lacks the variance of u within it.
 #pragma once
 
 #include "gapflow/complex/area_derivative.hpp"

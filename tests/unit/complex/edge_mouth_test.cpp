@@ -72,6 +72,27 @@ TEST(EdgeMouths, OfEdgesInclinedALittle)
     }
 }
 
+// Edges of which each lies over the other body's face on one side of their crossing: the mouth goes over from one to the other.
+TEST(EdgeMouths, OfEdgesThatCross)
+{
+    const Grid<3> grid = unit_grid<3>(cells);
+    for (const double angle : {1e-7, 1e-5, 1e-3}) {
+        Scene<3> scene(grid);
+        for (const int side : {1, -1}) {
+            Pose<3> at = pose<3>(Vec<3>(Vec<3>(8.31, 7.83, 8.12 + side * 1.6) / cells));
+            if (side > 0)
+                at.rotation = turned({0, 0, 1}, angle);
+            scene.add("box", make_box<3>(Vec<3>(6, 5, 3) / cells), at);
+        }
+        const Complex<3> complex = build_complex<3>(grid, scene.solids);
+        EXPECT_LE(sums_of(grid, complex, scene.solids).closure, 1e-12);
+        double area = 0;
+        for (const CornerLink<3>& link : complex.links)
+            area += link.mouth >= 0 ? link.open : 0.0;
+        EXPECT_NEAR(area, 22 * 0.2, 0.002 * 22 * 0.2) << angle;
+    }
+}
+
 // A face of a gap whose neighbours lend and take in several directions: it would have a negative weight, and the system no solution.
 TEST(EdgeMouths, LeaveWeightsPositive)
 {
