@@ -61,6 +61,10 @@ ViscousForm<D> FormBuilder<D>::build()
     form_.cells = find_fluid_cells(grid_, complex_);
     find_walls();
     find_faces();
+    for (FormFace<D>& face : form_.faces) {
+        face.polygon_area = face.area;
+        face.polygon_centroid = face.centroid;
+    }
     find_borders();
     find_gaps();
     moment_.resize(form_.faces.size());
@@ -293,8 +297,12 @@ ViscousForm<D> build_viscous_form(const Grid<D>& grid, std::span<const Solid<D>>
 }
 
 template struct ViscousForm<2>;
+template struct ViscousForm<3>;
 template class FormBuilder<2>;
+template class FormBuilder<3>;
 template ViscousForm<2> build_viscous_form(const Grid<2>&, std::span<const Solid<2>>, const Complex<2>&, const PartBorders<2>&,
                                            const GapDrags<2>&);
+template ViscousForm<3> build_viscous_form(const Grid<3>&, std::span<const Solid<3>>, const Complex<3>&, const PartBorders<3>&,
+                                           const GapDrags<3>&);
 
 } // namespace gapflow

@@ -28,6 +28,9 @@ struct FormFace {
     double area, length;    ///< length: l_f, between the centres of the grid's cells
     Vec<D> centroid;
     double gap = 0; ///< share of its dissipation that is that of a gap
+    // Of the polygon that stands for it, with chords for curves.
+    double polygon_area = 0;
+    Vec<D> polygon_centroid = Vec<D>::Zero();
 };
 
 /// The mean of a component on an open stretch of an edge of the grid, or (length 0) its value at a vertex.

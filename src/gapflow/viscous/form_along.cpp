@@ -37,7 +37,7 @@ template <int D>
 Vec<D> FormBuilder<D>::centroid_in(const CellFace& of, std::int32_t cell) const
 {
     const FormFace<D>& face = form_.faces[of.face];
-    Vec<D> x = face.centroid;
+    Vec<D> x = face.polygon_centroid;
     const Index<D> c = index_.index(form_.cells.grid_cell[cell]);
     x[face.axis] = planes_.place[face.axis][c[face.axis] + (of.sign > 0)];
     return x;
@@ -73,7 +73,7 @@ void FormBuilder<D>::add_along(std::int32_t cell)
         for (const CellFace& of : faces_of(cell)) {
             const FormFace<D>& face = form_.faces[of.face];
             const Vec<D> r = centroid_in(of, cell) - shape.centroid;
-            const double flux = of.sign * face.area;
+            const double flux = of.sign * face.polygon_area;
             if (face.axis == d) {
                 one.add(of.face, flux);
                 for (int i = 0; i < D; ++i) {
@@ -115,5 +115,8 @@ void FormBuilder<D>::add_along(std::int32_t cell)
 template void FormBuilder<2>::add_along(std::int32_t);
 template void FormBuilder<2>::add_plain_along(std::int32_t);
 template Vec<2> FormBuilder<2>::centroid_in(const CellFace&, std::int32_t) const;
+template void FormBuilder<3>::add_along(std::int32_t);
+template void FormBuilder<3>::add_plain_along(std::int32_t);
+template Vec<3> FormBuilder<3>::centroid_in(const CellFace&, std::int32_t) const;
 
 } // namespace gapflow

@@ -104,7 +104,14 @@ private:
     void add_whole_faces();
     void merge_pieces();
     void find_borders();
+    const PartFace<D>* polygon_of(const FacePiece<D>& piece) const;
+    std::int32_t stretch_of(int axis, const Index<D>& edge, double from, double to);
+    BorderSegment<D> open_segment(const FormFace<D>& face, const Vec<D>& from, const Vec<D>& to);
+    std::vector<BorderSegment<D>> square_of(const FormFace<D>& face);
+    void join_stretches(std::size_t begin, const FormFace<D>& face);
     void find_walls();
+    Vec<D> on_curve(const Vec<D>& from, const Vec<D>& to, std::int32_t solid, int axis) const;
+    std::vector<Vec<D>> curved(const PartFace<D>& face) const;
     double length_of(int axis, const Index<D>& f) const;
     bool is_closed_side(int axis, int plane) const;
     bool on_closed_side(const Index<D>& vertex) const;
@@ -177,7 +184,10 @@ private:
     std::vector<std::int32_t> first_segment_; ///< of each face that is not whole
     std::vector<BorderSegment<D>> segments_;
     std::vector<EdgeStretch> stretches_;
-    std::array<std::vector<std::int32_t>, D> vertex_trace_; ///< by component and vertex
+    std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> stretches_at_; ///< by axis and low vertex of the edge
+    std::vector<int> first_border_;                                                  ///< of each part, 3D
+    std::vector<std::vector<const PartFace<D>*>> polygons_;                          ///< of each face that is not whole, 3D
+    std::array<std::vector<std::int32_t>, D> vertex_trace_;                          ///< by component and vertex
     std::map<std::pair<std::int32_t, int>, std::int32_t> stretch_trace_;
     std::vector<std::array<Row, D>> moment_; ///< of each face: first moments of its velocity about its centroid, by axis
 };
@@ -194,5 +204,35 @@ template <>
 void FormBuilder<2>::add_turning(std::int32_t face);
 template <>
 std::vector<std::size_t> FormBuilder<2>::side_by_side();
+template <>
+const PartFace<3>* FormBuilder<3>::polygon_of(const FacePiece<3>& piece) const;
+template <>
+Vec<3> FormBuilder<3>::on_curve(const Vec<3>& from, const Vec<3>& to, std::int32_t solid, int axis) const;
+template <>
+std::vector<Vec<3>> FormBuilder<3>::curved(const PartFace<3>& face) const;
+template <>
+std::vector<Vec<2>> FormBuilder<2>::curved(const PartFace<2>& face) const;
+template <>
+void FormBuilder<3>::merge_pieces();
+template <>
+std::int32_t FormBuilder<3>::stretch_of(int axis, const Index<3>& edge, double from, double to);
+template <>
+BorderSegment<3> FormBuilder<3>::open_segment(const FormFace<3>& face, const Vec<3>& from, const Vec<3>& to);
+template <>
+std::vector<BorderSegment<3>> FormBuilder<3>::square_of(const FormFace<3>& face);
+template <>
+void FormBuilder<3>::join_stretches(std::size_t begin, const FormFace<3>& face);
+template <>
+void FormBuilder<3>::find_borders();
+template <>
+Row FormBuilder<3>::of_vertex(std::int32_t vertex, int component);
+template <>
+Row FormBuilder<3>::of_stretch(std::int32_t stretch, int component);
+template <>
+void FormBuilder<3>::add_face(std::int32_t face);
+template <>
+void FormBuilder<3>::add_turning(std::int32_t face);
+template <>
+std::vector<std::size_t> FormBuilder<3>::side_by_side();
 
 } // namespace gapflow

@@ -123,6 +123,52 @@ void FormBuilder<D>::find_faces()
     }
 }
 
+/// A point between the ends of a chord of a wall in a plane of the grid, so far off the chord that the area of the two is that of the wall's curve: 4/3 of its
+/// sagitta, from the turn of the normals. The chord's middle where the wall is straight.
+template <>
+Vec<3> FormBuilder<3>::on_curve(const Vec<3>& from, const Vec<3>& to, std::int32_t solid, int axis) const
+{
+    constexpr double inset = 0.02; // off the ends, where other facets may begin
+    const bool swap = std::lexicographical_compare(to.begin(), to.end(), from.begin(), from.end());
+    const Vec<3>&a = swap ? to : from, &b = swap ? from : to, way = b - a;
+    std::array<Vec<3>, 2> normal;
+    for (int end = 0; end < 2; ++end) {
+        const Vec<3> x = reference_[solid] + arm(solid, a + (end ? 1 - inset : inset) * way);
+        normal[end] = solids_[solid].shape.closest(planes_.in_world(x)).normal;
+        normal[end][axis] = 0;
+        normal[end].normalize();
+    }
+    const Vec<3> middle = 0.5 * (a + b), out = (normal[0] + normal[1]).normalized();
+    const double turn = (normal[1] - normal[0]).dot(way) / (1 - 2 * inset) / way.norm();
+    return std::isfinite(turn) && std::abs(turn) < 0.5 ? Vec<3>(middle + way.norm() * turn / 6 * out) : middle;
+}
+
+/// A part's face with such points between those of its walls.
+template <>
+std::vector<Vec<3>> FormBuilder<3>::curved(const PartFace<3>& face) const
+{
+    std::vector<Vec<3>> points;
+    const std::size_t n = face.points.size();
+    const Index<3> c = complex_.cell_of_part(face.part);
+    for (std::size_t k = 0; k < n; ++k) {
+        const Vec<3>&from = face.points[k], &to = face.points[(k + 1) % n];
+        points.push_back(from);
+        const std::int32_t solid = face.sides.empty() ? face.solid : face.sides[k];
+        for (int axis = 0; axis < 3 && solid >= 0; ++axis)
+            if (from != to && from[axis] == to[axis] &&
+                (from[axis] == planes_.place[axis][c[axis]] || from[axis] == planes_.place[axis][c[axis] + 1])) {
+                points.push_back(on_curve(from, to, solid, axis));
+                break;
+            }
+    }
+    return points;
+}
+template <>
+std::vector<Vec<2>> FormBuilder<2>::curved(const PartFace<2>& face) const
+{
+    return face.points;
+}
+
 /// Walls of the cells, and the shapes of those that are cut.
 template <int D>
 void FormBuilder<D>::find_walls()
@@ -134,7 +180,7 @@ void FormBuilder<D>::find_walls()
         if (side.solid == PartFace<D>::dividing)
             continue;
         const std::int32_t cell = form_.cells.of_part[side.part];
-        for (const std::array<Vec<D>, D>& simplex : simplices<D>(side.points)) {
+        for (const std::array<Vec<D>, D>& simplex : simplices<D>(curved(side))) {
             shapes_[cell].add(simplex, centre_of(cell));
             if (side.solid >= 0)
                 of[cell].push_back({simplex, side.solid});
@@ -175,5 +221,10 @@ template void FormBuilder<2>::find_walls();
 template bool FormBuilder<2>::is_closed_side(int, int) const;
 template bool FormBuilder<2>::on_closed_side(const Index<2>&) const;
 template Vec<2> FormBuilder<2>::centre_of(std::int32_t) const;
+template void FormBuilder<3>::find_faces();
+template void FormBuilder<3>::find_walls();
+template bool FormBuilder<3>::is_closed_side(int, int) const;
+template bool FormBuilder<3>::on_closed_side(const Index<3>&) const;
+template Vec<3> FormBuilder<3>::centre_of(std::int32_t) const;
 
 } // namespace gapflow

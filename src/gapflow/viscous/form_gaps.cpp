@@ -28,7 +28,8 @@ void FormBuilder<D>::find_gaps()
 {
     const auto take = [&](std::int32_t piece, double share, double thickness) {
         if (const std::int32_t face = face_of_piece_[piece]; face >= 0 && share > 0)
-            form_.faces[face].gap = gap_share(thickness);
+            form_.faces[face].gap =
+                D == 2 ? gap_share(thickness) : share; // in space peaks of the pressure end at ComplexParameters::gap_start
     };
     for (const GapDrag<D>& drag : gaps_.faces)
         take(drag.piece, drag.share, drag.thickness);
@@ -114,6 +115,18 @@ std::vector<std::size_t> FormBuilder<2>::side_by_side()
     return first;
 }
 
+template <>
+std::vector<std::size_t> FormBuilder<3>::side_by_side()
+{
+    std::vector<std::size_t> first(gaps_.faces.size());
+    std::iota(first.begin(), first.end(), std::size_t{0});
+    return first;
+}
+template <>
+void FormBuilder<3>::add_turning(std::int32_t)
+{
+}
+
 template <int D>
 void FormBuilder<D>::add_gaps()
 {
@@ -151,5 +164,7 @@ void FormBuilder<D>::add_gaps()
 
 template void FormBuilder<2>::find_gaps();
 template void FormBuilder<2>::add_gaps();
+template void FormBuilder<3>::find_gaps();
+template void FormBuilder<3>::add_gaps();
 
 } // namespace gapflow
