@@ -390,7 +390,7 @@ GapDrag<D> drag_at(const GapSite<D>& site, const FacePiece<D>& piece, const Vec<
 {
     constexpr int T = twist_size<D>;
     const double t0 = site.here.thickness, A = piece.area;
-    GapDrag<D> drag{site.piece, site.solid, 0, 0, PairTwist<D>::Zero(), {}, PairMass<D>::Zero()};
+    GapDrag<D> drag{site.piece, site.solid, 0, 0, PairTwist<D>::Zero(), {}, PairMass<D>::Zero(), t0};
     for (int side = 0; side < 2; ++side)
         drag.motion.template segment<T>(side * T) =
             0.5 * speed_along<D>(unit<D>(piece.axis), piece.centroid, site.walls.reference[side]);
@@ -775,8 +775,12 @@ GapDrags<D> find_gap_drag(const Grid<D>& grid, std::span<const Solid<D>> solids,
         }
     }
     for (std::size_t k = 0; k < sites.size(); ++k) {
-        if (joined[k])
+        if (joined[k]) {
+            const double share = share_up_to(sites[k].here.thickness, parameters.gap_start, parameters.gap_end);
+            if (share > 0)
+                drags.joined.push_back({sites[k].piece, share, sites[k].here.thickness});
             continue;
+        }
         const FacePiece<D>& piece = complex.pieces[sites[k].piece];
         const Vec<D> half = 0.5 * sites[k].delta * unit<D>(piece.axis);
         const Peak* peak = peak_of[k] >= 0 && peaks[peak_of[k]] ? &*peaks[peak_of[k]] : nullptr;

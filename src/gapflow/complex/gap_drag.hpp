@@ -30,6 +30,7 @@ struct GapDrag {
     PairTwist<D>
         motion;       ///< the walls' mean velocity along the face's axis at the piece's centroid: q is the flux relative to it
     PairMass<D> mass; ///< B
+    double thickness; ///< at the piece
 };
 
 /// Of the peak of the pressure at a contact of two solids.
@@ -42,8 +43,14 @@ struct PeakDrag {
 
 template <int D>
 struct GapDrags {
+    /// A face of a gap whose drag others have, 2D: those that cross the gap straighter.
+    struct Joined {
+        std::int32_t piece;
+        double share, thickness; ///< as GapDrag's
+    };
     std::vector<GapDrag<D>> faces;
     std::vector<PeakDrag<D>> peaks;
+    std::vector<Joined> joined;
 };
 
 template <int D>

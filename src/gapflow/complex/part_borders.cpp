@@ -234,8 +234,17 @@ PartBorders<3> part_borders(const Grid<3>&, const GridPlanes<3>& planes, const C
                     if (loops.empty())
                         continue;
                     PartFace<3> polygon{part.number(), PartFace<3>::open, -1, with_holes<3>(loops)};
-                    if (side == 1)
+                    for (std::size_t k = 0; k < polygon.points.size(); ++k) {
+                        const Vec<3>&from = polygon.points[k], &to = polygon.points[(k + 1) % polygon.points.size()];
+                        polygon.sides.push_back(PartFace<3>::dividing);
+                        for (const BorderChord& chord : chords)
+                            if (chord.piece == piece && in_space(d, at, chord.from) == from && in_space(d, at, chord.to) == to)
+                                polygon.sides.back() = kind_of(chord, solids);
+                    }
+                    if (side == 1) {
                         std::reverse(polygon.points.begin(), polygon.points.end());
+                        std::reverse(polygon.sides.begin(), polygon.sides.end() - 1);
+                    }
                     of_part[part.number()].push_back(std::move(polygon));
                 }
         }
@@ -257,7 +266,7 @@ PartBorders<3> part_borders(const Grid<3>&, const GridPlanes<3>& planes, const C
             if (const auto other = astray.find({d, id}); other != astray.end())
                 part = (side == 1 ? other->second->high : other->second->low).number();
             const int u = u_axis<3>(d), v = v_axis<3>(d);
-            PartFace<3> square{part, PartFace<3>::open, -1, {}};
+            PartFace<3> square{part, PartFace<3>::open, -1, {}, std::vector<std::int32_t>(4, PartFace<3>::open)};
             for (const auto& [du, dv] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
                 square.points.push_back(
                     in_space(d, place(d, f[d], side), {planes.place[u][f[u] + du], planes.place[v][f[v] + dv]}));

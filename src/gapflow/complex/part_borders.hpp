@@ -20,6 +20,8 @@ struct PartFace {
     std::int32_t solid; ///< whose wall it is, or open, or dividing
     std::int32_t wall;  ///< which of the part's connected walls it belongs to; -1: none
     std::vector<Vec<D>> points;
+    /// 3D, of a face on a plane of the grid: whose wall the side from each point to the next is; open on an edge of the grid, dividing also on a cut to a hole.
+    std::vector<std::int32_t> sides = {};
 
     /// Area vector out of the part (2D: of the line).
     Vec<D> area() const;

@@ -1,0 +1,84 @@
+// The dissipation of the fluid as one quadratic form on the complex of parts (theory, "Viscosity on parts").
+//
+//     E = 1/2 sum_f l_f E_f(u, w, v) + 1/2 sum_P sum_d E_{P,d},      E_f ~ int |grad u_d|^2 in the face,  E_{P,d} ~ int_P (d_d u_d)^2
+//
+// of |grad u|^2 per unit of viscosity. u is the mean normal velocity of each face piece, the only unknown with flux. Its traces are the means w of the same component
+// on the open stretches of the face's edges (3D) and its values v at their ends; on walls they are those of the solids' twists. Lengths are in cells, angular
+// velocities in radians, so that a twist's velocities are those of the fluid.
+#pragma once
+
+#include "gapflow/complex/gap_drag.hpp"
+#include "gapflow/complex/part_borders.hpp"
+#include "gapflow/viscous/fluid_cells.hpp"
+#include "gapflow/viscous/squares.hpp"
+
+#include <span>
+#include <vector>
+
+namespace gapflow {
+
+/// A face between two cells of the form, or between one and an open side of the domain.
+template <int D>
+struct FormFace {
+    std::int8_t axis;
+    bool whole;             ///< all of the grid's face, between whole cells
+    bool compact = false;   ///< of the compact lattice
+    std::int32_t face;      ///< number of the cell on its high side in Complex::index
+    std::int32_t low, high; ///< FluidCells; -1: beyond the domain
+    double area, length;    ///< length: l_f, between the centres of the grid's cells
+    Vec<D> centroid;
+    double gap = 0; ///< share of its dissipation that is that of a gap
+    // Of the polygon that stands for it, with chords for curves.
+    double polygon_area = 0;
+    Vec<D> polygon_centroid = Vec<D>::Zero();
+};
+
+/// The mean of a component on an open stretch of an edge of the grid, or (length 0) its value at a vertex.
+template <int D>
+struct FormTrace {
+    std::int8_t component, axis; ///< axis: of the edge
+    Vec<D> at;                   ///< the middle
+    double length = 0;
+};
+
+/// Linear functions of the columns, one after the other.
+struct RowList {
+    std::vector<std::int64_t> end{0};
+    std::vector<std::int32_t> column;
+    std::vector<double> factor;
+
+    int rows() const { return static_cast<int>(end.size()) - 1; }
+    void add(Row row);
+    double value(int row, std::span<const double> x) const;
+};
+
+/// Columns: the velocity of each face, then the traces, then the twists of the solids.
+template <int D>
+struct ViscousForm {
+    FluidCells<D> cells;
+    std::vector<FormFace<D>> faces;
+    std::vector<FormTrace<D>> traces;
+    int solids = 0;
+    SquareSum squares; ///< no weight is negative
+    RowList outflow;   ///< of each cell: what the faces and the walls' motion take out of it
+    /// What the squares lack of 2 |e|^2, e the rate of strain: a form of the solids' twists, of either sign. With it a rotation of all dissipates nothing.
+    SquareSum rotation;
+
+    int velocities() const { return static_cast<int>(faces.size()); }
+    int unknowns() const { return velocities() + static_cast<int>(traces.size()); }
+    int columns() const { return unknowns() + twist_size<D> * solids; }
+    int twist_column(int solid, int component) const { return unknowns() + twist_size<D> * solid + component; }
+
+    /// y = A x of all columns: the entries of the solids' twists are the wrenches with which the fluid resists them, but for its pressure.
+    void product(std::span<const double> x, std::span<double> y) const;
+    /// E of all columns.
+    double energy(std::span<const double> x) const;
+};
+
+/// Of a whole domain on one rank. `borders`: those of the complex's parts, see build_complex; `gaps`: the dissipation of what is narrower than a cell, which
+/// takes the elements' place to its share.
+template <int D>
+ViscousForm<D> build_viscous_form(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
+                                  const PartBorders<D>& borders, const GapDrags<D>& gaps = {});
+
+} // namespace gapflow

@@ -1,0 +1,122 @@
+// Along the component: the projection of du_d/dx_d on linear functions of a cell. With q = 1, x - c, Gauss's theorem and div u = 0 give its moments exactly,
+//
+//     int_P q d_d u_d = int_border q u_d n_d - (d_d q) int_P u_d,      int_P u_d = int_border x_d u.n,
+//
+// from the mean velocities of the faces, their first moments and the walls' motion.
+#include "gapflow/viscous/form_builder.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace gapflow {
+namespace {
+
+/// A point of a wall with its share of the outward area.
+template <int D>
+struct WallSample {
+    Vec<D> at, area;
+};
+
+/// Exact for quadratic functions.
+template <int D>
+std::array<WallSample<D>, 3> samples_of(const std::array<Vec<D>, D>& p)
+{
+    if constexpr (D == 2) {
+        const Vec<2> way = p[1] - p[0], area(way[1], -way[0]);
+        return {{{p[0], area / 6}, {0.5 * (p[0] + p[1]), 4 * area / 6}, {p[1], area / 6}}};
+    } else {
+        const Vec<3> area = (p[1] - p[0]).cross(p[2] - p[0]) / 6;
+        return {{{0.5 * (p[0] + p[1]), area}, {0.5 * (p[1] + p[2]), area}, {0.5 * (p[2] + p[0]), area}}};
+    }
+}
+
+} // namespace
+
+template <int D>
+Vec<D> FormBuilder<D>::centroid_in(const CellFace& of, std::int32_t cell) const
+{
+    const FormFace<D>& face = form_.faces[of.face];
+    Vec<D> x = face.polygon_centroid;
+    const Index<D> c = index_.index(form_.cells.grid_cell[cell]);
+    x[face.axis] = planes_.place[face.axis][c[face.axis] + (of.sign > 0)];
+    return x;
+}
+
+/// V (mean of d_d u_d)^2, of cells beside the compact lattice.
+template <int D>
+void FormBuilder<D>::add_plain_along(std::int32_t cell)
+{
+    std::array<Row, D> rows;
+    for (const CellFace& of : faces_of(cell))
+        rows[form_.faces[of.face].axis].add(of.face, of.sign * form_.faces[of.face].area);
+    for (int d = 0; d < D; ++d)
+        form_.squares.add(1 / shapes_[cell].volume, rows[d]);
+}
+
+template <int D>
+void FormBuilder<D>::add_along(std::int32_t cell)
+{
+    for (const CellFace& of : faces_of(cell))
+        if (form_.faces[of.face].compact)
+            return add_plain_along(cell);
+    const CellShape<D>& shape = shapes_[cell];
+    double share = 1;
+    for (const CellFace& of : faces_of(cell))
+        share -= form_.faces[of.face].gap / static_cast<double>(faces_of(cell).size());
+    if (!(shape.volume > viscous_parameters.least_volume) || !(share > 1e-12))
+        return;
+    const Eigen::SelfAdjointEigenSolver<Mat<D>> axes(shape.second);
+    for (int d = 0; d < D; ++d) {
+        Row one, volume;           // int of d_d u_d, and of u_d
+        std::array<Row, D> linear; // int of (x_i - c_i) d_d u_d
+        for (const CellFace& of : faces_of(cell)) {
+            const FormFace<D>& face = form_.faces[of.face];
+            const Vec<D> r = centroid_in(of, cell) - shape.centroid;
+            const double flux = of.sign * face.polygon_area;
+            if (face.axis == d) {
+                one.add(of.face, flux);
+                for (int i = 0; i < D; ++i) {
+                    linear[i].add(of.face, flux * r[i]);
+                    if (i != d)
+                        linear[i].add(moment_[of.face][i], of.sign);
+                }
+            } else
+                volume.add(moment_[of.face][d], of.sign);
+            volume.add(of.face, flux * r[d]);
+        }
+        for (const WallPiece<D>& wall : walls_of(cell))
+            for (const WallSample<D>& sample : samples_of<D>(wall.points)) {
+                const Vec<D> r = sample.at - shape.centroid;
+                for (int e = 0; e < D; ++e) {
+                    const Row speed = of_solid(wall.solid, sample.at, e);
+                    volume.add(speed, sample.area[e] * r[d]);
+                    if (e != d)
+                        continue;
+                    one.add(speed, sample.area[d]);
+                    for (int i = 0; i < D; ++i)
+                        linear[i].add(speed, sample.area[d] * r[i]);
+                }
+            }
+        linear[d].add(volume, -1);
+        form_.squares.add(share / shape.volume, one);
+        for (int k = 0; k < D; ++k) {
+            const double extent = axes.eigenvalues()[k];
+            if (!(extent > viscous_parameters.least_extent * shape.volume))
+                continue;
+            Row row;
+            for (int i = 0; i < D; ++i)
+                row.add(linear[i], axes.eigenvectors()(i, k));
+            form_.squares.add(share / extent, row);
+        }
+    }
+}
+
+template void FormBuilder<2>::add_along(std::int32_t);
+template void FormBuilder<2>::add_plain_along(std::int32_t);
+template Vec<2> FormBuilder<2>::centroid_in(const CellFace&, std::int32_t) const;
+template void FormBuilder<3>::add_along(std::int32_t);
+template void FormBuilder<3>::add_plain_along(std::int32_t);
+template Vec<3> FormBuilder<3>::centroid_in(const CellFace&, std::int32_t) const;
+
+} // namespace gapflow

@@ -1,0 +1,170 @@
+// Gaps narrower than a cell: their dissipation in closed form (complex/gap_drag),
+//
+//     E_f = 1/2 (R q^2 + 2 q c V + V B V) = 1/2 R (q + c V/R)^2 + 1/2 V (B - c c^T/R) V,      q = A (u - U V).
+#include "gapflow/viscous/form_builder.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace gapflow {
+namespace {
+
+/// 1 below gap_start, 0 from gap_end on.
+double gap_share(double thickness)
+{
+    const auto [from, to] = std::pair(viscous_parameters.gap_start, viscous_parameters.gap_end);
+    const double x = std::clamp((thickness - from) / (to - from), 0.0, 1.0);
+    return 1 - x * x * (3 - 2 * x);
+}
+
+} // namespace
+
+template <int D>
+void FormBuilder<D>::find_gaps()
+{
+    const auto take = [&](std::int32_t piece, double share, double thickness) {
+        if (const std::int32_t face = face_of_piece_[piece]; face >= 0 && share > 0)
+            form_.faces[face].gap =
+                D == 2 ? gap_share(thickness) : share; // in space peaks of the pressure end at ComplexParameters::gap_start
+    };
+    for (const GapDrag<D>& drag : gaps_.faces)
+        take(drag.piece, drag.share, drag.thickness);
+    for (const auto& joined : gaps_.joined)
+        take(joined.piece, joined.share, joined.thickness);
+}
+
+/// A form of the twists of two solids, as squares.
+template <int D>
+void FormBuilder<D>::add_pair(const std::array<std::int32_t, 2>& solids, const PairMass<D>& mass)
+{
+    constexpr int T = twist_size<D>;
+    const Eigen::SelfAdjointEigenSolver<PairMass<D>> modes(mass);
+    for (int m = 0; m < 2 * T; ++m) {
+        const double value = modes.eigenvalues()[m];
+        if (!(value > 1e-13 * modes.eigenvalues()[2 * T - 1])) // round-off of what common motion does
+            continue;
+        Row row;
+        for (int k = 0; k < 2 * T; ++k)
+            if (const double share = modes.eigenvectors()(k, m); share != 0)
+                row.add(-1 - T * solids[k / T] - k % T, share);
+        form_.squares.add(value, row);
+    }
+}
+
+/// A gap's friction is that of the motion relative to the walls' mean rotation omega, 2 |e|^2. What of |grad u|^2 it lacks across a face of the area A, with the difference v
+/// of the walls' velocities: (v^2 - (v - A omega)^2)/A.
+template <>
+void FormBuilder<2>::add_turning(std::int32_t number)
+{
+    const FormFace<2>& face = form_.faces[number];
+    const BorderSegment<2>& segment = segments_[first_segment_[number]];
+    if (segment.from.solid < 0 || segment.to.solid < 0)
+        return;
+    Row difference = of_solid(segment.to.solid, segment.to.at, face.axis);
+    difference.add(of_solid(segment.from.solid, segment.from.at, face.axis), -1);
+    Row relative = difference;
+    for (const std::int32_t solid : {segment.from.solid, segment.to.solid})
+        relative.add(-1 - 3 * solid - 2, (face.axis == 0 ? 0.5 : -0.5) * face.area);
+    form_.rotation.add(face.gap * face.length / face.area, difference);
+    form_.rotation.add(-face.gap * face.length / face.area, relative);
+}
+
+/// A gap that a line of the grid crosses at a vertex has two pieces on it. Of the form of the gap only their sum is a flux; how it is shared out follows from
+/// the profile 6 W z (1 - z)/t + v_0 + (v_1 - v_0) z, v the velocities of the walls. Returns the first of the two pieces for the second.
+template <>
+std::vector<std::size_t> FormBuilder<2>::side_by_side()
+{
+    std::vector<std::size_t> first(gaps_.faces.size());
+    std::iota(first.begin(), first.end(), std::size_t{0});
+    std::map<std::pair<int, std::int32_t>, std::array<std::ptrdiff_t, 2>> at_vertex; // below and above
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        const std::int32_t face = face_of_piece_[gaps_.faces[k].piece];
+        if (face < 0 || !(form_.faces[face].gap > 0))
+            continue;
+        const BorderSegment<2>& segment = segments_[first_segment_[face]];
+        const bool below = segment.from.solid >= 0 && segment.to.vertex >= 0,
+                   above = segment.from.vertex >= 0 && segment.to.solid >= 0;
+        if (below == above)
+            continue;
+        const std::int32_t vertex = below ? segment.to.vertex : segment.from.vertex;
+        at_vertex.emplace(std::make_pair(int(form_.faces[face].axis), vertex), std::array<std::ptrdiff_t, 2>{-1, -1})
+            .first->second[above] = static_cast<std::ptrdiff_t>(k);
+    }
+    for (const auto& [where, pieces] : at_vertex) {
+        if (pieces[0] < 0 || pieces[1] < 0)
+            continue;
+        const GapDrag<2>&low = gaps_.faces[pieces[0]], &high = gaps_.faces[pieces[1]];
+        if (low.solid != high.solid)
+            continue;
+        first[pieces[1]] = static_cast<std::size_t>(pieces[0]);
+        const int axis = where.first;
+        const std::int32_t a = face_of_piece_[low.piece], b = face_of_piece_[high.piece];
+        const BorderPoint<2>&from = segments_[first_segment_[a]].from, &to = segments_[first_segment_[b]].to;
+        const double A = form_.faces[a].area, B = form_.faces[b].area, z = A / (A + B), share = z * z * (3 - 2 * z);
+        Row rest; // q_a - share W - A (v_0 + (v_1 - v_0) z/2),  W = q_a + q_b - (A + B) (v_0 + v_1)/2
+        rest.add(a, (1 - share) * A);
+        rest.add(b, -share * B);
+        rest.add(of_solid(from.solid, from.at, axis), 0.5 * share * (A + B) - A * (1 - 0.5 * z));
+        rest.add(of_solid(to.solid, to.at, axis), 0.5 * share * (A + B) - 0.5 * A * z);
+        form_.squares.add(form_.faces[a].gap / low.share * low.resistance, rest);
+    }
+    return first;
+}
+
+template <>
+std::vector<std::size_t> FormBuilder<3>::side_by_side()
+{
+    std::vector<std::size_t> first(gaps_.faces.size());
+    std::iota(first.begin(), first.end(), std::size_t{0});
+    return first;
+}
+template <>
+void FormBuilder<3>::add_turning(std::int32_t)
+{
+}
+
+template <int D>
+void FormBuilder<D>::add_gaps()
+{
+    constexpr int T = twist_size<D>;
+    const std::vector<std::size_t> first = side_by_side();
+    struct Crossing {
+        double conductance = 0, share = 0;
+        int pieces = 0;
+        Row flux; ///< relative, and c V/R
+    };
+    std::vector<Crossing> crossings(first.size());
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        const GapDrag<D>& drag = gaps_.faces[k];
+        const std::int32_t face = face_of_piece_[drag.piece];
+        if (face < 0 || !(form_.faces[face].gap > 0) || !(drag.resistance > 0))
+            continue;
+        Crossing& crossing = crossings[first[k]];
+        crossing.conductance += drag.share / drag.resistance;
+        crossing.share += form_.faces[face].gap;
+        ++crossing.pieces;
+        crossing.flux.add(face, form_.faces[face].area);
+        for (int j = 0; j < 2 * T; ++j)
+            crossing.flux.add(-1 - T * drag.solid[j / T] - j % T,
+                              drag.flux[j] / drag.resistance - form_.faces[face].area * drag.motion[j]);
+        add_turning(face);
+        add_pair(drag.solid,
+                 form_.faces[face].gap / drag.share * (drag.mass - drag.flux * drag.flux.transpose() / drag.resistance));
+    }
+    for (const Crossing& crossing : crossings)
+        if (crossing.pieces > 0)
+            form_.squares.add(crossing.share / crossing.pieces / crossing.conductance, crossing.flux);
+    for (const PeakDrag<D>& peak : gaps_.peaks)
+        add_pair(peak.solid, peak.mass);
+}
+
+template void FormBuilder<2>::find_gaps();
+template void FormBuilder<2>::add_gaps();
+template void FormBuilder<3>::find_gaps();
+template void FormBuilder<3>::add_gaps();
+
+} // namespace gapflow

@@ -1,0 +1,26 @@
+// All numbers of the viscous form that a person chose.
+#pragma once
+
+namespace gapflow {
+
+/// Lengths in cells.
+struct ViscousParameters {
+    /// Layers of cells around solids and closed sides with elements of second order; beyond them the lattice is compact. Four values beside a border, all of whole
+    /// faces, need three. With one layer the border is not consistent even for shear: cut faces' centroids lie elsewhere.
+    int layers = 3;
+    /// Thicknesses between which a gap's dissipation goes over from lubrication's closed form to the elements'. Elements are exact in flat gaps of any thickness and err where
+    /// the thickness changes within a cell, lubrication where the slopes of the walls count. Bearings of 32 cells (radii 0.5 to 0.99, eccentricities to 0.999) err by 3.4 % at
+    /// most with 0.1 .. 0.3, by 2.9 % with these, by 9.3 % with 0.6 .. 1.2; without any closed form by more than 50 %.
+    double gap_start = 0.3, gap_end = 0.6;
+    /// A cell of less volume has no dissipation along the component, and one none in directions in which its mean square extent is less: round-off.
+    double least_volume = 1e-12, least_extent = 1e-9;
+    /// Of what an element's projection leaves, the derivative along its sides. Chosen in the plane, on the flow through slits; a third and three times of it change drags of
+    /// arrays by -0.07 .. 0.17 %.
+    double side_stiffness = 0.33;
+    /// Round-off of positions, as ComplexParameters::joint_distance.
+    double same_place = 1e-9;
+};
+
+inline constexpr ViscousParameters viscous_parameters;
+
+} // namespace gapflow

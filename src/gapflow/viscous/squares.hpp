@@ -1,0 +1,53 @@
+// A quadratic form as a sum of weighted squares of rows, E(x) = 1/2 sum_k w_k (r_k x)^2, never assembled: positive semidefinite where no weight is negative.
+#pragma once
+
+#include <Eigen/Sparse>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gapflow {
+
+struct Term {
+    std::int32_t column;
+    double factor;
+};
+
+/// A linear function of the columns. One column may come more than once.
+class Row {
+public:
+    std::span<const Term> terms() const { return terms_; }
+    bool empty() const { return terms_.empty(); }
+    void add(std::int32_t column, double factor) { terms_.push_back({column, factor}); }
+    void add(const Row& row, double factor)
+    {
+        for (const Term& term : row.terms_)
+            terms_.push_back({term.column, factor * term.factor});
+    }
+    /// Columns ascending, each once.
+    void merge();
+
+private:
+    std::vector<Term> terms_;
+};
+
+/// The rows, one after the other, in flat arrays.
+struct SquareSum {
+    std::vector<double> weight;
+    std::vector<std::int64_t> end{0}; ///< of each row's terms, after a 0
+    std::vector<std::int32_t> column;
+    std::vector<double> factor;
+
+    std::int64_t rows() const { return static_cast<std::int64_t>(weight.size()); }
+    /// Rows of weight 0 or without terms are left out.
+    void add(double weight, Row row);
+    /// y += sum w r^T (r x), the gradient of E.
+    void add_product(std::span<const double> x, std::span<double> y) const;
+    /// 2 E.
+    double twice(std::span<const double> x) const;
+    /// Its matrix, for solvers and preconditioners; no weight is negative.
+    Eigen::SparseMatrix<double> assembled(int columns) const;
+};
+
+} // namespace gapflow
