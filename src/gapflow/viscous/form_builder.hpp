@@ -139,6 +139,7 @@ private:
     void add_along(std::int32_t cell);
     void add_plain_along(std::int32_t cell);
     void find_gaps();
+    double pair_share(const std::array<std::int32_t, 2>& solids) const;
     void add_gaps();
     std::vector<std::size_t> side_by_side();
     void add_turning(std::int32_t face);
@@ -175,8 +176,9 @@ private:
     std::vector<Vec<D>> reference_; ///< of each solid, in cells
     bool periodic_ = false;
     ViscousForm<D> form_;
-    std::array<std::vector<std::int32_t>, D> whole_face_; ///< by number in Complex::index; -1: none
-    std::vector<std::int32_t> face_of_piece_;             ///< -1: none of its own
+    std::array<std::vector<std::int32_t>, D> whole_face_;           ///< by number in Complex::index; -1: none
+    std::map<std::array<std::int32_t, 2>, double> least_thickness_; ///< of the gaps of two solids, 3D
+    std::vector<std::int32_t> face_of_piece_;                       ///< -1: none of its own
     std::vector<std::int32_t> first_face_, first_wall_;
     std::vector<CellFace> cell_faces_;
     std::vector<WallPiece<D>> walls_;

@@ -13,15 +13,22 @@
 namespace gapflow {
 namespace {
 
-/// 1 below gap_start, 0 from gap_end on.
-double gap_share(double thickness)
+/// 1 up to a thickness, 0 from another one on.
+double gap_share(double thickness, double from, double to)
 {
-    const auto [from, to] = std::pair(viscous_parameters.gap_start, viscous_parameters.gap_end);
     const double x = std::clamp((thickness - from) / (to - from), 0.0, 1.0);
     return 1 - x * x * (3 - 2 * x);
 }
 
 } // namespace
+
+/// In space the known peak of the pressure is that of a pair of solids, and all of their gap goes over to elements together, by its least thickness.
+template <int D>
+double FormBuilder<D>::pair_share(const std::array<std::int32_t, 2>& solids) const
+{
+    const auto at = least_thickness_.find(solids);
+    return at == least_thickness_.end() ? 1 : gap_share(at->second, viscous_parameters.pair_start, viscous_parameters.pair_end);
+}
 
 template <int D>
 void FormBuilder<D>::find_gaps()
@@ -29,10 +36,15 @@ void FormBuilder<D>::find_gaps()
     const auto take = [&](std::int32_t piece, double share, double thickness) {
         if (const std::int32_t face = face_of_piece_[piece]; face >= 0 && share > 0)
             form_.faces[face].gap =
-                D == 2 ? gap_share(thickness) : share; // in space peaks of the pressure end at ComplexParameters::gap_start
+                D == 2 ? gap_share(thickness, viscous_parameters.gap_start, viscous_parameters.gap_end) : share;
     };
+    if constexpr (D == 3)
+        for (const GapDrag<D>& drag : gaps_.faces) {
+            const auto [at, is_new] = least_thickness_.emplace(drag.solid, drag.thickness);
+            at->second = std::min(at->second, drag.thickness);
+        }
     for (const GapDrag<D>& drag : gaps_.faces)
-        take(drag.piece, drag.share, drag.thickness);
+        take(drag.piece, drag.share * pair_share(drag.solid), drag.thickness);
     for (const auto& joined : gaps_.joined)
         take(joined.piece, joined.share, joined.thickness);
 }
@@ -159,9 +171,11 @@ void FormBuilder<D>::add_gaps()
         if (crossing.pieces > 0)
             form_.squares.add(crossing.share / crossing.pieces / crossing.conductance, crossing.flux);
     for (const PeakDrag<D>& peak : gaps_.peaks)
-        add_pair(peak.solid, peak.mass);
+        add_pair(peak.solid, pair_share(peak.solid) * peak.mass);
 }
 
+template double FormBuilder<2>::pair_share(const std::array<std::int32_t, 2>&) const;
+template double FormBuilder<3>::pair_share(const std::array<std::int32_t, 2>&) const;
 template void FormBuilder<2>::find_gaps();
 template void FormBuilder<2>::add_gaps();
 template void FormBuilder<3>::find_gaps();

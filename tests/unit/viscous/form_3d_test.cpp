@@ -189,5 +189,31 @@ TEST(ViscousForm3D, CubicArraysOfSpheres)
     }
 }
 
+TEST(ViscousForm3D, BallNextToAWall)
+{
+    // A ball of 2 cells a radius, 0.02 cells from a closed side, towards it: H. Brenner, Chem. Eng. Sci. 16 (1961) 242-251, 101.896 Stokes drags.
+    const Grid<3> grid = space_grid(
+        Index<3>(10, 10, 8), {SideKind::open, SideKind::open, SideKind::open, SideKind::open, SideKind::wall, SideKind::open});
+    Scene<3> scene(grid);
+    const int ball = scene.add("ball", make_ball<3>(2), pose<3>(Vec<3>(5.3, 5.1, 2.02)));
+    const Built built(grid, scene);
+    const GapDrags<3> gaps = find_gap_drag<3>(grid, scene.solids, built.complex);
+    const ViscousForm<3> with_gaps = build_viscous_form<3>(grid, scene.solids, built.complex, built.borders, gaps);
+    for (const ViscousForm<3>* form : {&with_gaps, &built.form}) {
+        Stokes<3> stokes(*form);
+        ASSERT_TRUE(stokes.ok);
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(form->columns());
+        x[form->twist_column(ball, 2)] = 1;
+        x = stokes.solve(x, Eigen::VectorXd::Zero(form->columns()));
+        const double wrench = stokes.with_rotation(x)[form->twist_column(ball, 2)],
+                     drag = wrench / (6 * std::numbers::pi * 2 * 101.896);
+        if (form == &with_gaps)
+            EXPECT_NEAR(drag, 1, 0.06);
+        else // elements alone do not resolve it
+            EXPECT_LT(drag, 0.85);
+        EXPECT_NEAR(wrench / (2 * form->energy(all_of(x))), 1, 1e-9);
+    }
+}
+
 } // namespace
 } // namespace gapflow::testing
