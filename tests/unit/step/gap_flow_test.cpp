@@ -107,6 +107,57 @@ TEST(GapFlow, PairsHaveWhatTheirMeshHas)
     EXPECT_GE(gaps[0].pressure_max, *std::max_element(mesh.pressure.begin(), mesh.pressure.end()));
 }
 
+FluxScene whole_plane(double x)
+{
+    FluxScene flux;
+    flux.name = "whole";
+    flux.kind = FluxScene::Kind::plane;
+    flux.point = {x, 0.5, 0.5};
+    flux.normal = {1, 0, 0};
+    return flux;
+}
+
+TEST(GapFlow, WhatPassesASectionOfAClosedTankIsNothing)
+{
+    Scene scene = box_of_fluid(2, 24, SideScene::Kind::wall);
+    BodyScene lid = body("lid", BodyScene::ShapeKind::box, {0.45, 0.06, 0}, {0.3, 0.1, 0}),
+              disk = body("disk", BodyScene::ShapeKind::ball, {0.47, 0.245, 0}, {0, -0.1, 0});
+    lid.size = {0.4, 0.1, 0};
+    lid.angle = 0.03;
+    lid.angular_velocity = {0.5, 0, 0};
+    disk.radius = 0.12;
+    scene.bodies = {lid, disk};
+    scene.tolerance = 1e-12;
+    for (const bool with_scene : {false, true}) { // whose fluxes the complex is built for
+        scene.fluxes.assign(with_scene ? 1 : 0, whole_plane(0.455));
+        Simulation<2> simulation(scene, Communicator());
+        simulation.step(100);
+        for (const double x : {0.3, 0.455, 0.61}) {
+            const VolumeFlux flux = simulation.volume_flux(whole_plane(x));
+            EXPECT_GT(flux.inflow, 1e-3);
+            EXPECT_NEAR(flux.flux + flux.bodies, 0, 1e-8 * flux.inflow) << x;
+        }
+    }
+}
+
+TEST(GapFlow, AGapTakesInWhatItsWallsOpen)
+{
+    Scene scene = plate_over_a_floor<2>(0.013, 0.7);
+    FluxScene flux;
+    flux.kind = FluxScene::Kind::gap;
+    flux.bodies = {"plate", "wall:y_low"};
+    Simulation<2> simulation(scene, Communicator());
+    simulation.step(100);
+    const double opening = 0.4 * simulation.bodies()[0].twist[1];
+    const VolumeFlux both = simulation.volume_flux(flux);
+    EXPECT_NEAR(both.inflow, opening, 0.03 * opening); // to the mouths, and what rounds the edges
+    EXPECT_NEAR(both.outflow, 0, 1e-9);
+    flux.along = Triple{1, 0, 0};
+    EXPECT_NEAR(simulation.volume_flux(flux).flux, 0, 0.05 * opening); // from both sides alike
+    flux.bodies = {"plate", "wall:x_low"};
+    EXPECT_TRUE(std::isnan(simulation.volume_flux(flux).flux));
+}
+
 /// Each edge inside of a mesh has two triangles; those at its end lie where the gap ends, at a thickness of more than `least`.
 void expect_closed(const GapMeshes<3>& mesh, double least)
 {
