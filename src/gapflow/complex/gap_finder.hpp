@@ -274,12 +274,14 @@ private:
             if (std::min((mouth.at - corner).norm(), (mouth.end - corner).norm()) > parameters.joint_distance)
                 continue;
             const Vec<2> left = left_of(mouth.end - mouth.at).normalized();
-            const int side = left.dot(x - corner) > 0 ? 0 : 1;
+            const double beside = left.dot(x - corner); // none on the mouth's line, in a plane of the grid: the side of the gap
+            const bool on_line = std::abs(beside) < parameters.joint_distance;
+            const int side = on_line ? mouth.sides[1].gap > mouth.sides[0].gap : beside <= 0;
             if (!(mouth.sides[side].gap > 0))
                 continue;
-            const WallPoint<2, double> beside = wall.nearest(corner + (side == 0 ? 1 : -1) * parameters.tangent_share * left);
-            if (beside.on_face)
-                return beside.face;
+            const WallPoint<2, double> there = wall.nearest(corner + (side == 0 ? 1 : -1) * parameters.tangent_share * left);
+            if (there.on_face)
+                return there.face;
         }
         return -1;
     }

@@ -17,7 +17,15 @@ Vec<D> normal_of(const GapArm<D>& arm)
 } // namespace
 
 template <int D>
-double velocity_through(const Instant<D>& instant, const GapArm<D>& arm)
+UnknownVector<D> potentials_around(const Instant<D>& instant)
+{
+    UnknownVector<D> p = instant.flow.p;
+    exchange(*instant.placed->coupling.grid, p.cells, 1);
+    return p;
+}
+
+template <int D>
+double velocity_through(const Instant<D>& instant, const UnknownVector<D>& p, const GapArm<D>& arm)
 {
     const Placed<D>& at = *instant.placed;
     const Grid<D>& grid = *at.coupling.grid;
@@ -31,7 +39,7 @@ double velocity_through(const Instant<D>& instant, const GapArm<D>& arm)
         twist.template head<D>() /= dx;
         V.template segment<twist_size<D>>(side * twist_size<D>) = twist;
     }
-    double drop = (value_of(at, instant.flow.p, piece.low) - value_of(at, instant.flow.p, piece.high)) / (density * dx * dx);
+    double drop = (value_of(at, p, piece.low) - value_of(at, p, piece.high)) / (density * dx * dx);
     if (const Remainder<D>& w = instant.flow.remainder; !w.empty()) {
         const std::int32_t edge = at.edges.edge_of_piece[arm.piece];
         drop += edge >= 0 ? w.edges[edge] / (dx * dx) : w.faces(piece.axis, face) / dx * delta;
@@ -46,6 +54,7 @@ std::map<std::tuple<int, int, std::int32_t>, Through<D>> flow_through_gaps(const
     const Placed<D>& at = *instant.placed;
     const Grid<D>& grid = *at.coupling.grid;
     std::map<std::tuple<int, int, std::int32_t>, Through<D>> through;
+    const UnknownVector<D> p = potentials_around(instant);
     for (const GapArm<D>& arm : at.arms) {
         if (!is_of_gap(arm))
             continue;
@@ -55,7 +64,7 @@ std::map<std::tuple<int, int, std::int32_t>, Through<D>> flow_through_gaps(const
             if (side.is_part() && grid.owns(at.complex.cell_of_part(side.number()))) {
                 Through<D>& sum = through[{arm.solid[swapped], arm.solid[!swapped], side.number()}];
                 sum.square(piece.axis, piece.axis) += piece.area;
-                sum.sum[piece.axis] += piece.area * (velocity_through(instant, arm) + instant.stream[piece.axis]);
+                sum.sum[piece.axis] += piece.area * (velocity_through(instant, p, arm) + instant.stream[piece.axis]);
                 sum.normal += piece.area * (swapped ? -1 : 1) * normal_of(arm);
             }
     }
@@ -73,7 +82,8 @@ std::vector<double> squares_in_gaps(const Instant<D>& instant, const Vec<D>& fra
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template double velocity_through<D>(const Instant<D>&, const GapArm<D>&);                                                  \
+    template UnknownVector<D> potentials_around<D>(const Instant<D>&);                                                         \
+    template double velocity_through<D>(const Instant<D>&, const UnknownVector<D>&, const GapArm<D>&);                         \
     template std::map<std::tuple<int, int, std::int32_t>, Through<D>> flow_through_gaps<D>(const Instant<D>&);                 \
     template std::vector<double> squares_in_gaps<D>(const Instant<D>&, const Vec<D>&);
 GAPFLOW_INSTANTIATE(2)

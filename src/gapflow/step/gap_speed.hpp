@@ -34,15 +34,19 @@ struct Through {
     }
 };
 
-/// Flux along the axis of an arm's face over its area, relative to the stream.
+/// The potentials with those in the layer around this rank's block. Collective.
 template <int D>
-double velocity_through(const Instant<D>& instant, const GapArm<D>& arm);
+UnknownVector<D> potentials_around(const Instant<D>& instant);
 
-/// Of this rank's parts in gaps, by the two solids (the first has the smaller number) and the part. With the stream.
+/// Flux along the axis of an arm's face over its area, relative to the stream. `p`: as above.
+template <int D>
+double velocity_through(const Instant<D>& instant, const UnknownVector<D>& p, const GapArm<D>& arm);
+
+/// Of this rank's parts in gaps, by the two solids (the first has the smaller number) and the part. With the stream. Collective.
 template <int D>
 std::map<std::tuple<int, int, std::int32_t>, Through<D>> flow_through_gaps(const Instant<D>& instant);
 
-/// Square of the speed along the gap in each part of the complex, seen from a frame; negative: the part is not in a gap, or another rank's.
+/// Square of the speed along the gap in each part of the complex, seen from a frame; negative: the part is not in a gap, or another rank's. Collective.
 template <int D>
 std::vector<double> squares_in_gaps(const Instant<D>& instant, const Vec<D>& frame);
 

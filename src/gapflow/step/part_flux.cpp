@@ -38,10 +38,11 @@ FaceFluxes<D> fluxes_of_faces(const Placed<D>& at, const Instant<D>& instant, co
             else if (is_open(grid.side(axis, end)))
                 result.fluid(axis, f) += stream[axis] * at.coupling.open(axis, f);
         });
+    const UnknownVector<D> p = potentials_around(instant);
     for (const GapArm<D>& arm : at.arms) {
         const FacePiece<D>& piece = at.complex.pieces[arm.piece];
         if (const Index<D> f = at.complex.index.index(piece.face); is_of_gap(arm) && owns_face(grid, piece.axis, f))
-            result.gaps(piece.axis, f) += piece.area * (velocity_through(instant, arm) + stream[piece.axis]);
+            result.gaps(piece.axis, f) += piece.area * (velocity_through(instant, p, arm) + stream[piece.axis]);
     }
     return result;
 }

@@ -394,5 +394,32 @@ TEST(Step, GoesOnFromAStoredStateBitForBit)
     expect_to_go_on<2>(scene);
 }
 
+// Sides in planes of the grid at angles of the round-off of a step: they lie in them, not on one side above and on the other below, which made the plates' mouths
+// those of other gaps, and a twentieth of the speed with which they are pulled apart one along them.
+TEST(Step, SidesInPlanesOfTheGridLieInThemToRoundOff)
+{
+    std::vector<Twist<2>> first;
+    for (const double angle : {0.0, 1e-26, 1e-14}) {
+        Scene scene = box_of_fluid(2, 32, SideScene::Kind::wall);
+        BodyScene upper = body("upper", BodyScene::ShapeKind::box, {0.5, 0.565, 0}),
+                  lower = body("lower", BodyScene::ShapeKind::box, {0.5, 0.435, 0});
+        upper.size = lower.size = {0.25, 0.125, 0};
+        upper.angle = lower.angle = angle;
+        scene.bodies = {upper, lower};
+        const Model<2> model(scene, Communicator(), Task::motion);
+        const auto at = placed(model, model.bodies, model.masses(model.bodies, 0.0));
+        std::vector<Twist<2>> V(model.bodies.size() + model.walls.solids.size(), Twist<2>::Zero());
+        V[0] = Twist<2>(0, 1, 0);
+        V[1] = Twist<2>(0, -1, 0);
+        const std::vector<Twist<2>> P = fluid_impulse(*at, flow_of_twists(*at, V, exact()));
+        if (first.empty())
+            first = P;
+        for (std::size_t s = 0; s < 2; ++s) {
+            EXPECT_NEAR(P[s][0], 0, 1e-7 * std::abs(P[s][1])) << angle;
+            EXPECT_LT((P[s] - first[s]).norm(), 1e-7 * first[s].norm()) << angle;
+        }
+    }
+}
+
 } // namespace
 } // namespace gapflow
