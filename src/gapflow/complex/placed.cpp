@@ -87,7 +87,7 @@ std::vector<PlacedSolid<D>> place_solids(const Grid<D>& grid, const GridPlanes<D
             kind.reach = kind.planes > 1 ? bounding_radius(shape.bounds()) / grid.dx() : 0;
             // A face that is parallel to planes of the grid as far as places are told from each other is parallel: else one in such a plane would lie on either
             // side of it, and its corners and mouths in it.
-            for (int k = 0; k < kind.planes; ++k)
+            for (int k = 0; k < kind.planes && kind.reach > 0; ++k)
                 for (int axis = 0; axis < D; ++axis)
                     if (std::abs(kind.normal[k][axis]) * kind.reach < parameters.joint_distance)
                         kind.normal[k][axis] = 0;
