@@ -2,6 +2,7 @@
 
 #include "gapflow/complex/gap_surface.hpp"
 #include "gapflow/complex/parameters.hpp"
+#include "gapflow/core/sharing.hpp"
 #include "gapflow/step/gap_speed.hpp"
 
 #include <algorithm>
@@ -33,25 +34,6 @@ std::set<std::tuple<int, int, std::int32_t>> gap_parts(const Placed<D>& at)
     return parts;
 }
 
-/// The values of all ranks, one rank's after the other's. Collective.
-std::vector<double> gathered(const Communicator& comm, const std::vector<double>& own)
-{
-    if (comm.size() == 1)
-        return own;
-    std::vector<double> count(comm.size(), 0.0);
-    count[comm.rank()] = static_cast<double>(own.size());
-    comm.sum(count);
-    std::size_t first = 0, all = 0;
-    for (int rank = 0; rank < comm.size(); ++rank) {
-        first += rank < comm.rank() ? static_cast<std::size_t>(count[rank]) : 0;
-        all += static_cast<std::size_t>(count[rank]);
-    }
-    std::vector<double> values(all, 0.0);
-    std::copy(own.begin(), own.end(), values.begin() + static_cast<long>(first));
-    comm.sum(values);
-    return values;
-}
-
 template <int D, class Row>
 std::vector<double> numbers_of(const std::vector<Row>& rows)
 {
@@ -78,7 +60,7 @@ GapMeshes<D> of_all_ranks(const Communicator& comm, const GapMeshes<D>& own)
 {
     if (comm.size() == 1)
         return own;
-    const auto all = [&](const std::vector<double>& values) { return gathered(comm, values); };
+    const auto all = [&](const std::vector<double>& values) { return all_values(comm, values); };
     GapMeshes<D> meshes;
     std::vector<double> nodes_before(comm.size(), 0.0), gaps_before(comm.size(), 0.0);
     for (int rank = comm.rank() + 1; rank < comm.size(); ++rank) {
