@@ -5,6 +5,7 @@
 
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/sharing.hpp"
+#include "gapflow/core/sort_unique.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -12,12 +13,6 @@
 namespace gapflow {
 
 namespace {
-
-void sort_unique(std::vector<long>& v)
-{
-    std::sort(v.begin(), v.end());
-    v.erase(std::unique(v.begin(), v.end()), v.end());
-}
 
 /// The parts of this rank's own cells, then of all ranks'.
 template <int D>

@@ -2,6 +2,7 @@
 
 #include "gapflow/core/disjoint_sets.hpp"
 #include "gapflow/core/error.hpp"
+#include "gapflow/core/sort_unique.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,6 @@ template <int D>
 double outwards(const GivenSides<D>& given, int side)
 {
     return side % 2 ? given.speed[side] : -given.speed[side];
-}
-
-void sort_out(std::vector<long>& numbers)
-{
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 } // namespace
@@ -61,8 +56,8 @@ void EnergyTerms<D>::find_known()
     }
     for (const Local& row : local_)
         add(row.start);
-    sort_out(shared_cells_);
-    sort_out(shared_faces_);
+    sort_unique(shared_cells_);
+    sort_unique(shared_faces_);
 }
 
 template <int D>
@@ -242,7 +237,12 @@ double EnergyTerms<D>::energy(const PotentialFlow<D>& flow) const
     return energy;
 }
 
-template class EnergyTerms<2>;
-template class EnergyTerms<3>;
+// Of the members in energy_terms.cpp: there.
+template void EnergyTerms<2>::find_known();
+template void EnergyTerms<3>::find_known();
+template void EnergyTerms<2>::factorise();
+template void EnergyTerms<3>::factorise();
+template double EnergyTerms<2>::energy(const PotentialFlow<2>& flow) const;
+template double EnergyTerms<3>::energy(const PotentialFlow<3>& flow) const;
 
 } // namespace gapflow

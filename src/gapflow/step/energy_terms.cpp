@@ -1,6 +1,7 @@
 #include "gapflow/step/energy_terms.hpp"
 
 #include "gapflow/core/sharing.hpp"
+#include "gapflow/core/sort_unique.hpp"
 #include "gapflow/grid/side_faces.hpp"
 #include "gapflow/step/given_sides.hpp"
 #include "gapflow/step/matching.hpp"
@@ -18,12 +19,6 @@ void gather_values(const Communicator& comm, std::vector<T>& values)
 {
     if (comm.size() > 1)
         values = all_values(comm, values);
-}
-
-void sort_out(std::vector<long>& numbers)
-{
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 } // namespace
@@ -144,7 +139,7 @@ typename EnergyTerms<D>::Differing EnergyTerms<D>::differing_cells(const Placed<
         for (const auto& [key, weight] : link.cells)
             cells.push_back(key);
     gather_values(grid.comm(), cells);
-    sort_out(cells);
+    sort_unique(cells);
     return cells;
 }
 
