@@ -1,4 +1,5 @@
 #include "gapflow/complex/cells.hpp"
+#include "gapflow/complex/corner_faces.hpp"
 #include "gapflow/complex/edge_mouth.hpp"
 #include "gapflow/complex/join_faces.hpp"
 #include "gapflow/complex/mouth.hpp"
@@ -95,6 +96,10 @@ Complex<D> build_complex(const Grid<D>& grid, std::span<const Solid<D>> solids, 
     if (borders)
         *borders = part_borders<D>(grid, planes, complex, placed, cut, joining.parts_beside());
     complex.seen_mass = seen_masses<D>(grid, planes, solids, placed, complex, derivatives);
+    complex.corners = corners_near(planes, placed);
+    const std::vector<TwistMatrix<D>> corners = corner_masses(grid, complex);
+    for (std::size_t s = 0; s < corners.size(); ++s)
+        complex.seen_mass[s] += corners[s];
     return complex;
 }
 
@@ -111,7 +116,7 @@ long Complex<D>::bytes() const
     for (const std::vector<double>& area : main_area)
         areas += of(area);
     return areas + of(cell) + of(cut_cell) + of(first_part) + of(part_cell) + of(part_area) + of(first_patch) + of(patches) +
-           of(pieces) + of(links);
+           of(pieces) + of(links) + of(corners);
 }
 
 template DenseIndex<2>::DenseIndex(const Grid<2>&);

@@ -173,7 +173,19 @@ struct Complex {
     /// The cell beside a piece, number in `index`.
     int cell_of(const PartOrCell& side) const { return side.is_part() ? cut_cell[part_cell[side.number()]] : side.number(); }
 
-    /// D of each solid, by its twist, in cells: what the grid's planes see of it less its volume (seen_volume.hpp). Uniform motion is exact with it.
+    /// A convex corner; 3D: a place of an edge or rim, for some length of it (corner_faces.hpp).
+    struct Corner {
+        std::int32_t solid;
+        Vec<D> at, reference; ///< reference: the solid's
+        double strength;      ///< corner_gain(); 3D: times the length
+        Vec<D> outward;       ///< the bisector, of unit length
+        double half;          ///< angle between it and the walls
+        Vec<D> along;         ///< 3D: of the edge, of unit length
+    };
+    std::vector<Corner> corners; ///< near this rank's cells
+
+    /// D of each solid, by its twist, in cells: what the grid's planes see of it less its volume (seen_volume.hpp), and the relative flux around its corners.
+    /// Uniform motion is exact with it.
     std::vector<TwistMatrix<D>> seen_mass;
 
     int parts() const { return static_cast<int>(part_cell.size()); }

@@ -1,6 +1,8 @@
 #include "gapflow/complex/energy_derivative.hpp"
 
+#include "gapflow/complex/corner_faces.hpp"
 #include "gapflow/complex/lending.hpp"
+#include "gapflow/complex/lever.hpp"
 #include "gapflow/complex/seen_volume.hpp"
 #include "gapflow/core/threads.hpp"
 #include "gapflow/grid/field.hpp"
@@ -52,6 +54,7 @@ public:
         add_walls();
         add_seen_volume(seen);
         add_loans();
+        add_corners(seen);
         add_gaps();
         return by_motion();
     }
@@ -62,6 +65,7 @@ public:
         add_flow();
         add_walls();
         add_loans();
+        add_corners({});
         add_loads(weight, loads);
         std::vector<Twist<D>> rate = by_motion();
         for (Twist<D>& of : rate)
@@ -293,6 +297,65 @@ private:
                 by_patch_[k].template tail<spin_size<D>>() += factor * share.area[axis_] * spin;
             }
         });
+    }
+
+    /// h (difference U - loss), and of D -1/2 h Delta U^2.
+    void add_corners(std::span<const std::vector<WeightedTwist<D>>> seen)
+    {
+        const CornerFaces<D> faces(grid_, complex_, areas_);
+        for (const auto& corner : complex_.corners)
+            faces.for_each(corner, [&](const CornerFace<D>& face) {
+                if (owns_face(grid_, face.axis, complex_.index.index(face.face)))
+                    add_corner_face(corner, face, seen.empty() ? std::vector<WeightedTwist<D>>{} : seen[corner.solid]);
+            });
+    }
+    void add_corner_face(const typename Complex<D>::Corner& corner, const CornerFace<D>& face,
+                         const std::vector<WeightedTwist<D>>& seen)
+    {
+        const Twist<D>& V = twists_[corner.solid];
+        const double U = face.motion.dot(V);
+        InlineVector<double, 4> energy; // by h of each piece
+        double by_added = 0, difference = 0;
+        for (const CornerPiece<D>& of : face.pieces) {
+            const Side side = of.piece >= 0 ? side_of(of.piece) : side_of(face.axis, face.face);
+            energy.push_back(side.energy(U));
+            by_added += of.open / face.all_open * side.energy(U);
+            difference += of.open / face.all_open * side.difference;
+        }
+        Twist<D>& result = result_[corner.solid];
+        for (std::size_t k = 0; k < face.pieces.size(); ++k)
+            if (const CornerPiece<D>& of = face.pieces[k]; of.piece >= 0) {
+                const double by_open = face.added / face.all_open * (energy[k] - by_added);
+                add_by_extent(of.piece, face.across, by_open * of.by_area, by_open * of.by_centroid,
+                              complex_.pieces[of.piece].area, complex_.pieces[of.piece].centroid[face.across]);
+                result += by_open * of.by_pose;
+            }
+        Vec<D> by_arm = difference * turned<D>(V.template tail<spin_size<D>>(), face.axis);
+        for (const WeightedTwist<D>& of : seen) {
+            const double speed = face.motion.dot(of.z), factor = of.weight * face.distance * speed;
+            by_added -= 0.5 * factor * speed;
+            by_arm -= factor * turned<D>(of.z.template tail<spin_size<D>>(), face.axis);
+        }
+        for (const CornerPiece<D>& of : face.pieces)
+            if (of.piece >= 0)
+                add_by_extent(of.piece, face.across, by_added * face.by_area, by_added * face.by_centroid, face.area,
+                              face.centroid);
+        result += by_added * face.by_pose;
+        // The arm goes with the corner from the reference point, and across the face twice as far.
+        Vec<D> twice = Vec<D>::Zero();
+        twice[face.across] = by_arm[face.across];
+        result.template head<D>() += face.added * twice;
+        result.template tail<spin_size<D>>() += face.added * moment<D>(corner.at - corner.reference, by_arm + twice);
+    }
+
+    /// By the area and the centroid, along an axis, of some area that the piece is part of.
+    void add_by_extent(std::int32_t piece, int axis, double by_area, double by_centroid, double area, double centroid)
+    {
+        if (by_area == 0 && by_centroid == 0)
+            return;
+        const double by_moment = by_centroid / area; // about the face's centre
+        by_area_[piece] += by_area - by_moment * (centroid - face_centre(complex_.pieces[piece])[axis]);
+        by_moment_[piece][axis] += by_moment;
     }
 
     PairTwist<D> pair_twist(const GapArm<D>& arm) const

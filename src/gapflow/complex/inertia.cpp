@@ -1,5 +1,6 @@
 #include "gapflow/complex/inertia.hpp"
 
+#include "gapflow/complex/corner_faces.hpp"
 #include "gapflow/complex/lending.hpp"
 #include "gapflow/complex/parameters.hpp"
 #include "gapflow/core/threads.hpp"
@@ -228,6 +229,47 @@ void lend(const Grid<D>& grid, const Complex<D>& complex, const std::vector<doub
     });
 }
 
+/// To the flux of a solid's twist out of a part or cell.
+template <int D>
+void add_flux(const Complex<D>& complex, const PartOrCell& row, std::int32_t solid, const Twist<D>& flux, Inertia<D>& inertia)
+{
+    if (flux.isZero(0))
+        return;
+    if (row.is_part())
+        for (int k = complex.first_patch[row.number()]; k < complex.first_patch[row.number() + 1]; ++k)
+            if (complex.patches[k].solid == solid) {
+                inertia.patch_flux[k] += flux;
+                return;
+            }
+    inertia.flux.push_back({row, solid, flux});
+}
+
+/// The singular flow around corners, relative to their solids.
+template <int D>
+void add_corners(const Grid<D>& grid, const Complex<D>& complex, bool face_flux, Inertia<D>& inertia)
+{
+    if (complex.corners.empty())
+        return;
+    const OpenAreas<D> areas(complex);
+    const CornerFaces<D> faces(grid, complex, areas);
+    for (const auto& corner : complex.corners)
+        faces.for_each(corner, [&](const CornerFace<D>& face) {
+            for (const CornerPiece<D>& of : face.pieces) {
+                const double added = face.added * of.open / face.all_open;
+                const bool main = of.piece < 0 || complex.joins_main(complex.pieces[of.piece]);
+                if (of.piece >= 0)
+                    inertia.piece_weight[of.piece] += added;
+                if (main)
+                    inertia.main_weight[face.axis][face.face] += added;
+                const Twist<D> flux = added * face.motion;
+                add_flux<D>(complex, of.high, corner.solid, flux, inertia);
+                add_flux<D>(complex, of.low, corner.solid, -flux, inertia);
+                if (face_flux)
+                    inertia.face_flux.push_back({face.axis, face.face, main ? -1 : of.piece, -1, corner.solid, -flux});
+            }
+        });
+}
+
 /// Another arm takes its place.
 template <int D>
 void remove_piece(const Complex<D>& complex, std::int32_t number, Inertia<D>& inertia)
@@ -245,15 +287,7 @@ void add_gaps(const Grid<D>& grid, const Complex<D>& complex, std::span<const Ga
 {
     constexpr int T = twist_size<D>;
     const auto add_row = [&](const PartOrCell& row, std::int32_t solid, const Twist<D>& flux) {
-        if (flux.isZero(0))
-            return;
-        if (row.is_part())
-            for (int k = complex.first_patch[row.number()]; k < complex.first_patch[row.number() + 1]; ++k)
-                if (complex.patches[k].solid == solid) {
-                    inertia.patch_flux[k] += flux;
-                    return;
-                }
-        inertia.flux.push_back({row, solid, flux});
+        add_flux<D>(complex, row, solid, flux, inertia);
     };
     const auto record = [&](const FacePiece<D>* piece, std::int32_t number, std::int32_t mouth, std::int32_t solid,
                             const Twist<D>& flux) {
@@ -380,6 +414,7 @@ Inertia<D> find_inertia(const Grid<D>& grid, const Complex<D>& complex, std::spa
             plain[mouth.piece] = 0;
     lend(grid, complex, plain, face_flux, inertia);
     add_gaps(grid, complex, gaps, mouths, face_flux, inertia);
+    add_corners(grid, complex, face_flux, inertia);
     return inertia;
 }
 

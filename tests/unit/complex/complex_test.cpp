@@ -1,6 +1,8 @@
 // Closure, sums and exact areas of the complex.
 #include "checks.hpp"
 
+#include "gapflow/complex/inertia.hpp"
+
 #include <gmock/gmock.h>
 
 #include <numbers>
@@ -133,19 +135,22 @@ void check_uniform_motion(int seed)
     for (int axis = 0; axis < D; ++axis)
         solid.centre[axis] += seed % 2 * number(random);
     const Complex<D> complex = build_complex<D>(grid, scene.solids);
+    const Inertia<D> inertia = find_inertia<D>(grid, complex);
     const MassProperties<D> own = solid.shape.shape().mass_properties();
     const double volume = own.volume * std::pow(n, D);
     const Vec<D> centroid = n * (solid.shape.to_world(own.centre) - solid.centre);
     for (int d = 0; d < D; ++d) {
         Twist<D> impulse = complex.seen_mass[k].col(d) + volume * wrench<D>(unit<D>(d), centroid);
         double size = volume;
+        const auto add = [&](const Index<D>& cell, const Twist<D>& flux) {
+            impulse += (cell[d] - 0.5 * n) * flux;
+            size += flux.norm();
+        };
         for (int p = 0; p < complex.parts(); ++p)
-            for (const WallPatch<D>& patch : complex.patches_of(p)) {
-                Twist<D> wall;
-                wall << patch.area, patch.moment;
-                impulse += (complex.cell_of_part(p)[d] - 0.5 * n) * wall;
-                size += wall.norm();
-            }
+            for (int patch = complex.first_patch[p]; patch < complex.first_patch[p + 1]; ++patch)
+                add(complex.cell_of_part(p), inertia.patch_flux[patch]);
+        for (const LentFlux<D>& lent : inertia.flux)
+            add(complex.index.index(complex.cell_of(lent.row)), lent.flux);
         EXPECT_LE(impulse.norm(), 1e-11 * size) << "seed " << seed << ", axis " << d;
     }
     EXPECT_LE((complex.seen_mass[k] - complex.seen_mass[k].transpose()).norm(), 1e-14 * volume);
