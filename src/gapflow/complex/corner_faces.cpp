@@ -1,8 +1,6 @@
 #include "gapflow/complex/corner_faces.hpp"
 
-#include "gapflow/complex/gap_way.hpp"
 #include "gapflow/complex/lever.hpp"
-#include "gapflow/complex/parameters.hpp"
 #include "gapflow/grid/field.hpp"
 
 #include <cmath>
@@ -27,18 +25,14 @@ int places_along(double length)
 void add_edges(const PlacedSolid<3>& image, std::vector<Complex<3>::Corner>& corners)
 {
     for (const SharpEdge& edge : image.sharp.edges) {
-        if (!edge.divides)
-            continue;
         const Vec<3> way = edge.to - edge.from;
         const double length = way.norm();
         const Vec<3> outward = (image.sharp.facets[edge.a].normal + image.sharp.facets[edge.b].normal).normalized();
         const int n = places_along(length);
         for (int k = 0; k < n; ++k) {
             const double s = (k + 0.5) / n * length;
-            const double mouth =
-                edge.way >= 0 ? share_up_to(image.sharp.ways[edge.way].length_at(s), parameters.mouth_start, parameters.gap_end)
-                              : 0.0;
-            const double strength = corner_gain(edge.angle) * (1 - mouth) * length / n;
+            const double own = edge.way >= 0 ? image.sharp.ways[edge.way].own_at(s) : 1.0;
+            const double strength = corner_gain(edge.angle) * own * length / n;
             if (strength > 0)
                 corners.push_back({image.solid, edge.from + s / length * way, image.reference, strength, outward,
                                    std::numbers::pi - 0.5 * edge.angle, way / length});

@@ -204,7 +204,9 @@ void EdgeMouths::add_way(int image, int number, const std::vector<double>& at, c
             last = k;
         }
     }
-    EdgeWay way{number, static_cast<int>(ways_.size()), {}, {}, 10 * parameters.joint_distance};
+    EdgeWay way{number, static_cast<int>(ways_.size()), {}, {}, 10 * parameters.joint_distance, at, {}};
+    for (const Place& place : places)
+        way.own.push_back(place.own);
     if (turned > 0 && direction.norm() > 0) {
         edge.outward = (1 - turned) * bisector(image, number) + turned * direction.normalized();
         for (double& x : edge.outward)
