@@ -72,6 +72,11 @@ def lattice(a_side, cells, diameter=8.0):
     return document(f"{a_side**3} balls of {diameter:g} cells on a jittered lattice, {cells} cells a side", cells, bodies, 3, gravity=1.0)
 
 
+def on_parts(text):
+    """The same scene with `gap.model = "parts"`."""
+    return text.replace("[time]\n", '[gap]\nmodel = "parts"\n\n[time]\n')
+
+
 def viscous(text):
     """The same scene with a viscosity of 1e-3."""
     return text.replace("[fluid]\n", "[fluid]\nviscosity = 1e-3\n")

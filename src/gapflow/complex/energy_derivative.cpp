@@ -37,12 +37,12 @@ public:
           by_moment_(complex.pieces.size(), Vec<D>::Zero()), by_patch_(complex.patches.size(), Twist<D>::Zero()),
           by_link_(complex.links.size(), 0), result_(twists.size(), Twist<D>::Zero())
     {
-        if (!gaps.arms.empty()) {
+        if (!gaps.arms().empty()) {
             plain_.assign(complex.pieces.size(), 1.0);
             by_plain_.assign(complex.pieces.size(), 0.0);
             is_gap_.assign(complex.pieces.size(), 0);
         }
-        for (const GapArm<D>& arm : gaps.arms) {
+        for (const GapArm<D>& arm : gaps.arms()) {
             plain_[arm.piece] = 1 - arm.share;
             is_gap_[arm.piece] = 1;
         }
@@ -381,9 +381,9 @@ private:
     /// Energies of faces in gaps.
     void add_gaps()
     {
-        std::vector<GapRates<D>> energy(gaps_.arms.size());
+        std::vector<GapRates<D>> energy(gaps_.arms().size());
         const auto counts = [&](std::size_t k) {
-            const GapArm<D>& arm = gaps_.arms[k];
+            const GapArm<D>& arm = gaps_.arms()[k];
             return wanted(arm) && std::isfinite(arm.resistance) && // a void has no energy
                    (owns(arm) || by_plain_[arm.piece] != 0 || (!gaps_.loads.empty() && gaps_.loads[k].plain != 0));
         };
@@ -392,7 +392,7 @@ private:
                 energy[k] = gap_energy(k);
         });
         for (std::size_t k = 0; k < energy.size(); ++k) {
-            const GapArm<D>& arm = gaps_.arms[k];
+            const GapArm<D>& arm = gaps_.arms()[k];
             if (!counts(k))
                 continue;
             const FacePiece<D>& piece = complex_.pieces[arm.piece];
@@ -407,13 +407,13 @@ private:
     /// Derivatives of E_f.
     GapRates<D> gap_energy(int number) const
     {
-        const GapArm<D>& arm = gaps_.arms[number];
+        const GapArm<D>& arm = gaps_.arms()[number];
         const FacePiece<D>& piece = complex_.pieces[arm.piece];
         const PairTwist<D> V = pair_twist(arm);
         GapLoads by;
         by.share = -(by_plain_[arm.piece] + (gaps_.loads.empty() ? 0.0 : gaps_.loads[number].plain));
         if (!owns(arm)) // what this rank's faces lend to it
-            return gaps_.derivatives->of(arm, V, by);
+            return gaps_.derivatives->of(number, V, by);
         const double delta = spread(piece), rest = rest_of(arm.piece, delta), d = q_of(piece.low) - q_of(piece.high) - rest,
                      A = piece.area, R = arm.resistance, U = arm.motion.dot(V), flow = arm.flux.dot(V) + delta * U;
         by.resistance = (d * flow + loss(piece.low, piece.high, rest) + 0.5 * flow * flow) / (R * R);
@@ -421,7 +421,7 @@ private:
         by.motion = A * d + delta * A * U + delta * by.flux;
         by.mass = 0.5;
         GapRates<D> rates = limits_of_motion(number, by);
-        rates += gaps_.derivatives->of(arm, V, by);
+        rates += gaps_.derivatives->of(number, V, by);
         rates.area += U * d + 0.5 * delta * U * U;
         return rates;
     }
@@ -431,9 +431,9 @@ private:
     ///     -(Delta/R c M U + 1/2 Delta (Delta/R - A) U M U),
     ///
     /// whose derivative takes c and U along two twists only: c M U = c(M U_0) + U(M c_0) - c_0 M U_0. That by the resistance is added to `by`.
-    GapRates<D> limits_of_motion(std::size_t number, GapLoads& by) const
+    GapRates<D> limits_of_motion(int number, GapLoads& by) const
     {
-        const GapArm<D>& arm = gaps_.arms[number];
+        const GapArm<D>& arm = gaps_.arms()[number];
         const FacePiece<D>& piece = complex_.pieces[arm.piece];
         const double delta = spread(piece), A = piece.area, R = arm.resistance;
         const PairTwist<D> none = PairTwist<D>::Zero();
@@ -448,7 +448,7 @@ private:
             const double square = by_motion.dot(arm.motion);
             GapLoads of_flux;
             of_flux.motion = -delta / R;
-            rates += gaps_.derivatives->of(arm, M * arm.flux, of_flux);
+            rates += gaps_.derivatives->of(number, M * arm.flux, of_flux);
             rates.area -= 0.5 * delta * square;
             by.resistance -= 0.5 * delta * delta / (R * R) * square;
             y += delta * by_motion;
@@ -458,7 +458,7 @@ private:
             GapLoads of_load;
             of_load.flux = -1 / R;
             of_load.motion = A - delta / R;
-            rates += gaps_.derivatives->of(arm, y, of_load);
+            rates += gaps_.derivatives->of(number, y, of_load);
             rates.area += U;
             by.resistance += (arm.flux.dot(y) + delta * U) / (R * R);
         }
@@ -485,9 +485,9 @@ private:
     /// What a layer's inertia has in the arms.
     void add_loads(double weight, std::vector<LayerLoad<D>>& loads) const
     {
-        loads.resize(gaps_.arms.size());
+        loads.resize(gaps_.arms().size());
         for (std::size_t k = 0; k < loads.size(); ++k) {
-            const GapArm<D>& arm = gaps_.arms[k];
+            const GapArm<D>& arm = gaps_.arms()[k];
             const FacePiece<D>& piece = complex_.pieces[arm.piece];
             if (owns(arm)) {
                 loads[k].twist += weight * (q_of(piece.low) - q_of(piece.high)) * pair_twist(arm);

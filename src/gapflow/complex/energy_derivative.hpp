@@ -79,11 +79,12 @@ struct LayerLoad {
 /// The gaps of the energy that is derived.
 template <int D>
 struct DerivedGaps {
-    std::span<const GapArm<D>> arms;
-    const GapDerivatives<D>* derivatives = nullptr; ///< where there are arms
+    const GapDerivatives<D>* derivatives = nullptr; ///< null: none
     std::vector<WeightedMotion<D>> motion;          ///< added to the energy; in the order of their pairs
     std::vector<LayerLoad<D>> loads;                ///< of each arm, added to the energy; empty: none
     std::vector<char> wanted;                       ///< solids whose derivatives are; empty: all
+
+    std::span<const GapArm<D>> arms() const { return derivatives ? derivatives->arms() : std::span<const GapArm<D>>{}; }
 };
 
 /// dT by each solid's place (cells) and by its rotation (radians) about its reference point, at fixed twists (cells and radians a unit of time); T over the

@@ -94,17 +94,25 @@ struct GapRates {
 template <int D>
 class GapFinder;
 
+template <int D>
+struct RoundArmRates;
+
 /// Of complexes without mouths.
 template <int D>
 class GapDerivatives {
 public:
-    /// Keeps references to its arguments.
-    GapDerivatives(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex);
-    /// Of what has the derivatives `by` by the terms of one of find_gap_arms and a pair of twists.
-    GapRates<D> of(const GapArm<D>& arm, const PairTwist<D>& twist, const GapLoads& by) const;
+    /// Of find_gap_arms. Keeps references to its arguments.
+    GapDerivatives(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
+                   std::span<const GapArm<D>> arms);
+    ~GapDerivatives();
+    std::span<const GapArm<D>> arms() const { return arms_; }
+    /// Of what has the derivatives `by` by the terms of an arm and a pair of twists. One thread at a time may ask for one arm.
+    GapRates<D> of(int arm, const PairTwist<D>& twist, const GapLoads& by) const;
 
 private:
-    std::shared_ptr<const GapFinder<D>> finder_;
+    std::unique_ptr<const GapFinder<D>> finder_;
+    std::span<const GapArm<D>> arms_;
+    mutable std::vector<std::unique_ptr<const RoundArmRates<D>>> round_; ///< of each arm between round walls that was asked for
 };
 
 } // namespace gapflow

@@ -393,7 +393,11 @@ private:
     }
 
     static const GapWalls<D>& still_of(const GapWalls<D>& walls) { return walls; }
-    static const GapWalls<D>& still_of(const FacingWalls<D, MovingWalls<D>>& walls) { return walls.still(); }
+    template <class Moving>
+    static const GapWalls<D>& still_of(const FacingWalls<D, Moving>& walls)
+    {
+        return walls.still();
+    }
 
     static constexpr int most_steps = 30; ///< of a root's search
 

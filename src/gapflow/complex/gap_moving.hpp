@@ -135,9 +135,6 @@ public:
         return result;
     }
 
-    /// The first wall's velocity less the second one's.
-    Vec<D> speed() const { return twist_.template head<D>() - twist_.template segment<D>(twist_size<D>); }
-    const PairTwist<D>& standoff_rate() const { return standoff_rate_; }
     /// Whether a thickness is that of the walls, not the least one.
     static bool free_thickness(double thickness) { return thickness > place_unit; }
     /// Rate of the thickness in a frame that moves with `frame`.
@@ -272,7 +269,7 @@ std::optional<MovingNumber<D>> thickness_at(const FacingWalls<D, MovingWalls<D>>
     return walls.number(found->thickness, rates, x, n);
 }
 
-/// A gap at the place of a piece. Of round walls with one pair of twists the thickness alone has derivatives; the rest is not used.
+/// A gap at the place of a piece.
 template <int D>
 std::optional<GapProfile<D, StillWalls<D>>> profile_at(const GapWalls<D>& walls, const Vec<D>& x, const Vec<D>& n)
 {
@@ -283,14 +280,7 @@ std::optional<GapProfile<D, MovingWalls<D>>> profile_at(const FacingWalls<D, Mov
                                                         const PlaceOf<D, MovingNumber<D>>& x,
                                                         const PlaceOf<D, MovingNumber<D>>& n)
 {
-    if (!walls.still().round())
-        return walls.profile(x, n);
-    const auto thickness = thickness_at<D>(walls, x, n);
-    if (!thickness)
-        return {};
-    GapProfile<D, MovingWalls<D>> profile;
-    profile.thickness = *thickness;
-    return profile;
+    return walls.profile(x, n);
 }
 
 /// How far a section's middle lies from `centre` along an axis, less half of what the gap and a cell are wide along it.
@@ -356,17 +346,11 @@ PlaceOf<2, double> slope_along(const GapWalls<D>&, const Vec<D>&, const Vec<D>&,
     return {here.slope.dot(u), here.slope.dot(v)};
 }
 template <int D>
-PlaceOf<2, MovingNumber<D>> slope_along(const FacingWalls<D, MovingWalls<D>>& walls, const PlaceOf<D, MovingNumber<D>>& x,
-                                        const PlaceOf<D, MovingNumber<D>>& n, const GapProfile<D, MovingWalls<D>>& here,
+PlaceOf<2, MovingNumber<D>> slope_along(const FacingWalls<D, MovingWalls<D>>&, const PlaceOf<D, MovingNumber<D>>&,
+                                        const PlaceOf<D, MovingNumber<D>>&, const GapProfile<D, MovingWalls<D>>& here,
                                         const PlaceOf<D, MovingNumber<D>>& u, const PlaceOf<D, MovingNumber<D>>& v)
 {
-    if (!walls.still().round())
-        return {here.slope.dot(u), here.slope.dot(v)};
-    PlaceOf<2, MovingNumber<D>> slope;
-    for (const int k : {0, 1})
-        if (const auto found = growth_at<D>(walls, x, n, k == 0 ? u : v))
-            slope[k] = -found->growth;
-    return slope;
+    return {here.slope.dot(u), here.slope.dot(v)};
 }
 
 } // namespace gapflow

@@ -25,7 +25,7 @@ public:
     MovingWay(const FacingWalls<D, MovingWalls<D>>& walls, const Place& start, const Place& way, const Place& normal,
               const S& thickness, const typename MovingWalls<D>::Frame& frame)
         : Base(walls, start, way, normal, thickness, frame), start_value_(values_of<D>(start)), way_value_(values_of<D>(way)),
-          normal_value_(values_of<D>(normal)), frame_value_(values_of<D>(frame)), speed_(walls.speed())
+          normal_value_(values_of<D>(normal)), frame_value_(values_of<D>(frame))
     {
     }
 
@@ -36,7 +36,7 @@ public:
         sigma_ = sigma.value;
         stretches_.reserve(this->breaks_.size());
         points_.reserve(n * this->breaks_.size());
-        this->round_ ? round_places_.reserve(this->breaks_.size()) : traces_.reserve(this->breaks_.size());
+        traces_.reserve(this->breaks_.size());
         double here = 0, zero = 0;
         const auto pass = [&](const S& s) {
             if (s == 0.0)
@@ -123,8 +123,6 @@ public:
                 }
             }
         }
-        if (this->round_)
-            this->round_->add_sums(round_sums_, normal_value_, speed_, by_start_, rates.way, rates.walls);
         for (int k = 0; k <= last; ++k)
             sum.add_rates_of(this->breaks_[k], by_break_[k]);
         add_rates_along<D>(by_start_, this->start_, sum);
@@ -142,7 +140,7 @@ private:
     struct Stretch {
         double length = 0;
         int first_point = -1; ///< -1: none
-        int found = -1;       ///< number of its sections, as they were found: in `round_places_` or `traces_`; -1: none
+        int found = -1;       ///< number of its sections, as they were found, in `traces_`; -1: none
         std::array<Node, n> node;
     };
 
@@ -150,27 +148,13 @@ private:
     {
         for (int g = 0; g < count; ++g)
             to.node[g].place = from + rule.node[g] * length;
-        if (this->round_) {
-            RoundNumbers s = RoundNumbers::Constant(from);
-            for (int g = 0; g < count; ++g)
-                s[g] = to.node[g].place;
-            to.found = static_cast<int>(round_places_.size());
-            this->round_->find(s, round_places_.emplace_back());
-        } else {
-            to.found = static_cast<int>(traces_.size());
-            traces_.emplace_back();
-        }
+        to.found = static_cast<int>(traces_.size());
+        traces_.emplace_back();
         for (int g = 0; g < count; ++g) {
             Node& node = to.node[g];
-            if (this->round_) {
-                const typename RoundLine<D>::Places& at = round_places_[to.found];
-                node.faces = at.face[g];
-                node.thickness = at.thickness[g];
-                if (node.faces)
-                    node.rate = this->round_->opening(at, g, speed_);
-            } else if (SectionTrace<D>& trace = traces_[to.found][g];
-                       const auto found = this->walls_.still().profile(step_along<D>(start_value_, node.place, way_value_),
-                                                                       normal_value_, nullptr, &trace)) {
+            if (SectionTrace<D>& trace = traces_[to.found][g];
+                const auto found = this->walls_.still().profile(step_along<D>(start_value_, node.place, way_value_),
+                                                                normal_value_, nullptr, &trace)) {
                 node.faces = true;
                 node.thickness = found->thickness;
                 node.rate = this->walls_.opening(trace, normal_value_, frame_value_);
@@ -215,21 +199,13 @@ private:
     std::array<double, n> add_nodes(const Stretch& of, int count, Rates& rates)
     {
         std::array<double, n> by_place{};
-        RoundNumbers by_thickness = RoundNumbers::Zero(), by_opening = by_thickness;
-        bool faces = false;
         for (int g = 0; g < count; ++g) {
             const Node& node = of.node[g];
             if (!node.faces) {
                 by_thickness_ += node.by_thickness;
                 continue;
             }
-            faces = true;
             const double by_own = this->walls_.free_thickness(node.thickness) ? node.by_thickness : 0.0;
-            if (this->round_) {
-                by_thickness[g] = by_own;
-                by_opening[g] = node.by_rate;
-                continue;
-            }
             SectionRates<D>& walls = rates.walls;
             walls.x.setZero();
             this->walls_.add_rates(traces_[of.found][g], normal_value_, frame_value_, {by_own, node.by_rate, Vec<D>::Zero()},
@@ -238,22 +214,14 @@ private:
             rates.way += node.place * walls.x;
             by_place[g] = way_value_.dot(walls.x);
         }
-        if (this->round_ && faces) {
-            const RoundNumbers by_s = this->round_->add(round_places_[of.found], by_thickness, by_opening, speed_, round_sums_);
-            rates.walls.pose += by_thickness.sum() * this->walls_.standoff_rate();
-            for (int g = 0; g < count; ++g)
-                by_place[g] = by_s[g];
-        }
         return by_place;
     }
 
-    Vec<D> start_value_, way_value_, normal_value_, frame_value_, speed_;
+    Vec<D> start_value_, way_value_, normal_value_, frame_value_;
     double sigma_ = 0, at_face_ = 0;
     Stretch thinnest_place_;
-    typename RoundLine<D>::Sums round_sums_;
     std::vector<Stretch> stretches_;
     std::vector<std::array<SectionTrace<D>, n>> traces_;
-    std::vector<typename RoundLine<D>::Places> round_places_; ///< of round walls
     std::vector<Point> points_;
     std::vector<double> by_break_;
     Vec<D> by_start_ = Vec<D>::Zero();

@@ -1,19 +1,20 @@
 // Derivatives of the energies of gaps' arms (complex, "Derivatives").
 #include "gapflow/complex/gap_finder.hpp"
 #include "gapflow/complex/gap_moving_way.hpp"
+#include "gapflow/complex/gap_round_rates.hpp"
 
 namespace gapflow {
 namespace {
 
+/// Of arms whose walls are not round.
 template <int D>
 class ArmRates {
 public:
     explicit ArmRates(const GapFinder<D>& finder) : finder_(finder) {}
 
-    GapRates<D> rates_of(const GapArm<D>& arm, const PairTwist<D>& twist, const GapLoads& by) const
+    GapRates<D> rates_at(const GapSite<D>& site, const PairTwist<D>& twist, const GapLoads& by) const
     {
-        const FacePiece<D>& piece = finder_.complex().pieces[arm.piece];
-        const GapSite<D> site = *finder_.site_at(arm.piece, &arm);
+        const FacePiece<D>& piece = finder_.complex().pieces[site.piece];
         const MovingPlace at = moving(site, piece, twist);
         Number sum = 0; // its rates alone
         double by_area = 0;
@@ -54,11 +55,8 @@ private:
         const GapPlace<D, MovingWalls<D>>& place = at.place;
         const auto& walls = place.walls;
         const double A = piece.area, delta = place.delta;
-        PlaceOf<D, Number> frame = PlaceOf<D, Number>::Constant(Number(0.0));
-        if (!walls.still().round()) { // else it turns nothing
-            frame = mean_motion(walls, place.here.normal, place.here.middle);
-            rates.add_rates_of(frame[piece.axis], by.motion);
-        }
+        const PlaceOf<D, Number> frame = mean_motion(walls, place.here.normal, place.here.middle);
+        rates.add_rates_of(frame[piece.axis], by.motion);
         if (place.along_face()) {
             by_area -= by.resistance * delta / (A * A);
             return;
@@ -113,8 +111,7 @@ private:
         }
         add_rates_along<D>(shared.way, place.way, rates);
         add_rates_along<D>(shared.walls.n, place.n, rates);
-        if (!walls.still().round())
-            add_rates_along<D>(shared.walls.frame, frame, rates);
+        add_rates_along<D>(shared.walls.frame, frame, rates);
         rates.add_rates_of(sigma, shared.sigma);
         for (int k = 0; k < 2 * twist_size<D>; ++k)
             rates.rate[k] += shared.walls.pose[k];
@@ -132,15 +129,29 @@ private:
 } // namespace
 
 template <int D>
-GapDerivatives<D>::GapDerivatives(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex)
-    : finder_(std::make_shared<GapFinder<D>>(grid, solids, complex, Standoffs<D>{}, true)) // the arms have theirs
+GapDerivatives<D>::GapDerivatives(const Grid<D>& grid, std::span<const Solid<D>> solids, const Complex<D>& complex,
+                                  std::span<const GapArm<D>> arms)
+    : finder_(std::make_unique<GapFinder<D>>(grid, solids, complex, Standoffs<D>{}, true)), // the arms have theirs
+      arms_(arms), round_(arms.size())
 {
 }
+template <int D>
+GapDerivatives<D>::~GapDerivatives() = default;
 
 template <int D>
-GapRates<D> GapDerivatives<D>::of(const GapArm<D>& arm, const PairTwist<D>& twist, const GapLoads& by) const
+GapRates<D> GapDerivatives<D>::of(int number, const PairTwist<D>& twist, const GapLoads& by) const
 {
-    return ArmRates<D>(*finder_).rates_of(arm, twist, by);
+    if (by.share == 0 && by.resistance == 0 && twist.isZero(0))
+        return {};
+    const GapArm<D>& arm = arms_[number];
+    std::unique_ptr<const RoundArmRates<D>>& round = round_[number];
+    if (!round) {
+        const GapSite<D> site = *finder_->site_at(arm.piece, &arm);
+        if (!site.walls.round())
+            return ArmRates<D>(*finder_).rates_at(site, twist, by);
+        round = std::make_unique<const RoundArmRates<D>>(round_arm_rates(*finder_, site));
+    }
+    return round->of(arm, finder_->complex().pieces[arm.piece], twist, by);
 }
 
 template class GapDerivatives<2>;

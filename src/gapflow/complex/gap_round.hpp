@@ -57,7 +57,9 @@ public:
         }
     }
 
-    /// Of several places, and what the backward pass needs.
+    const Side& side(int i) const { return side_[i]; }
+
+    /// Of several places.
     struct Places {
         RoundNumbers s, thickness;
         Eigen::Array<bool, round_places, 1> face; ///< whether the walls face each other
@@ -153,95 +155,6 @@ public:
     {
         const double a = at.inverse[0][k], b = at.inverse[1][k];
         return 0.5 * (side_[0].force - side_[1].force - a * side_[0].p + b * side_[1].p - (at.s[k] * (a - b)) * way_);
-    }
-    /// The same of two walls' velocities, the first one's less the second one's.
-    double opening(const Places& at, int k, const Vec<D>& speed) const { return opening(at, k).dot(speed); }
-
-    /// Derivatives of a number by what find() has, summed over places.
-    struct Sums {
-        double opening = 0;
-        struct Side {
-            double z = 0;                                   ///< of a flat wall: by the distance
-            double square = 0, square_s = 0, square_ss = 0; ///< by p^2, times the place's powers
-            double speed = 0, speed_s = 0;                  ///< by p . speed
-            double cosine = 0, slope = 0;                   ///< of a flat wall
-        };
-        std::array<Side, 2> side;
-    };
-    /// From the derivatives by thicknesses and openings, 0 where the walls do not face each other, those by the places; the rest is added to `sums`.
-    RoundNumbers add(const Places& at, const RoundNumbers& by_thickness, const RoundNumbers& by_opening, const Vec<D>& speed,
-                     Sums& sums) const
-    {
-        const double by_way = speed.dot(way_);
-        std::array<RoundNumbers, 2> by_height, by_square;
-        RoundNumbers by_s = RoundNumbers::Zero(), by_up = by_s;
-        sums.opening += by_opening.sum();
-        for (int i = 0; i < 2; ++i) {
-            const Side& side = side_[i];
-            if (!side.ball) {
-                by_up += side.sign * by_thickness;
-                continue;
-            }
-            const double half = i == 0 ? -0.5 : 0.5;
-            const RoundNumbers by_length = (2 * at.length[i] - side.radius) * at.inverse[i],
-                               by_speed = half * by_opening * at.inverse[i];
-            by_height[i] = -(half * by_opening * (speed.dot(side.p) + by_way * at.s) +
-                             by_thickness * (at.length[i] - side.radius) * at.length[i]) *
-                               at.inverse[i] / at.height[i] +
-                           by_thickness * by_length * at.height[i] / at.length[i];
-            by_square[i] = 0.5 * by_thickness * by_length / at.length[i];
-            by_s += by_way * by_speed;
-            sums.side[i].speed += by_speed.sum();
-            sums.side[i].speed_s += (by_speed * at.s).sum();
-            by_up += by_height[i];
-        }
-        for (int i = 0; i < 2; ++i) {
-            const Side& side = side_[i];
-            typename Sums::Side& sum = sums.side[i];
-            RoundNumbers by_first = (i == 0 ? -0.5 : 0.5) * by_up;
-            if (!side.ball) {
-                by_first += by_thickness;
-                sum.z += by_first.sum() / side.cosine;
-                sum.slope += (by_first * at.s).sum() / side.cosine;
-                sum.cosine -= (by_first * at.first_way[i]).sum() / side.cosine;
-                by_s += side.slope / side.cosine * by_first;
-                continue;
-            }
-            const RoundNumbers by_length = (2 * at.first_length[i] - side.radius) * (side.sign / side.z);
-            sum.z += (by_height[i] + by_first * (by_length * side.z / at.first_length[i] - at.first_way[i] / side.z)).sum();
-            by_square[i] += 0.5 * by_first * by_length / at.first_length[i];
-            sum.square += by_square[i].sum();
-            sum.square_s += (by_square[i] * at.s).sum();
-            sum.square_ss += (by_square[i] * at.s * at.s).sum();
-            by_s += 2 * by_square[i] * (side.along + at.s * square_);
-        }
-        return by_s;
-    }
-    /// From those sums to the derivatives by the line's start, way and normal, and by the places of the two solids.
-    template <class Rates>
-    void add_sums(const Sums& sums, const Vec<D>& n, const Vec<D>& speed, Vec<D>& by_start, Vec<D>& by_line, Rates& rates) const
-    {
-        for (int i = 0; i < 2; ++i) {
-            const Side& side = side_[i];
-            const typename Sums::Side& sum = sums.side[i];
-            const double half = i == 0 ? 0.5 : -0.5;
-            Vec<D> by_from;
-            if (side.ball) {
-                const Vec<D> by_p = 2 * (sum.square * side.p + sum.square_s * way_) + sum.speed * speed,
-                             from = side.p + side.z * n;
-                const double out = n.dot(by_p);
-                by_line += 2 * (sum.square_s * side.p + sum.square_ss * way_) + sum.speed_s * speed;
-                by_from = (sum.z - out) * n + by_p;
-                rates.n += (sum.z - out) * from - side.z * by_p - 0.5 * sums.opening * speed;
-            } else {
-                const double by_cosine = sum.cosine - half * sums.opening * speed.dot(side.force) / side.cosine;
-                by_from = sum.z * side.normal;
-                by_line += sum.slope * side.normal;
-                rates.n += side.sign * by_cosine * side.normal;
-            }
-            by_start += by_from;
-            rates.pose.template segment<D>(i * twist_size<D>) -= by_from;
-        }
     }
 
 private:

@@ -229,7 +229,7 @@ private:
         const FluidRows<D>& L = layers_.rows();
         InertiaBlocks<D> sum;
         // The group of all bodies of a row, -1: none.
-        const auto group_of = [&](long row) {
+        const auto find_group = [&](long row) {
             int found = -1;
             for (const auto& entry : layers_.of(row)) {
                 if (group[entry.body] < 0 || (found >= 0 && found != group[entry.body]))
@@ -238,12 +238,20 @@ private:
             }
             return found;
         };
+        std::vector<int> groups(L.locals(), -1); // of own rows
+        layers_.for_each_row([&](long row) { groups[L.local(row)] = find_group(row); });
+        const auto group_of = [&](long row) { return L.owns(row) ? groups[L.local(row)] : find_group(row); };
+        std::vector<std::vector<std::pair<int, TwistMatrix<D>*>>> known(group.size()); // the blocks of each body
+        const auto block_of = [&](int a, int b) -> TwistMatrix<D>& {
+            for (const auto& [other, block] : known[a])
+                if (other == b)
+                    return *block;
+            return *known[a].emplace_back(b, &sum.try_emplace({a, b}, TwistMatrix<D>::Zero()).first->second).second;
+        };
         const auto add = [&](long p, long q, double factor) {
             for (const auto& a : layers_.of(p))
-                for (const auto& b : layers_.of(q)) {
-                    auto& block = sum.try_emplace({a.body, b.body}, TwistMatrix<D>::Zero()).first->second;
-                    block.noalias() += Twist<D>(factor * a.flux) * b.flux.transpose();
-                }
+                for (const auto& b : layers_.of(q))
+                    block_of(a.body, b.body).noalias() += Twist<D>(factor * a.flux) * b.flux.transpose();
         };
         layers_.for_each_row([&](long row) {
             const int here = group_of(row);

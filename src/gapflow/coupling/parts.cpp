@@ -357,7 +357,7 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
 template <int D>
 std::vector<Twist<D>>
 energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex, const FaceDerivatives<D>& derivatives,
-                  const UnknownVector<D>& p, const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms,
+                  const UnknownVector<D>& p, const std::vector<Twist<D>>& twists, const GapDerivatives<D>* of_gaps,
                   std::span<const PairInertia<D>> pairs, const std::vector<char>& wanted, const Circulation<D>* circulation)
 {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), 1) == wanted.end())
@@ -386,10 +386,7 @@ energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex, const 
         twist.template head<D>() /= dx;
         return twist;
     };
-    DerivedGaps<D> gaps{arms, nullptr, {}, {}, wanted};
-    std::optional<GapDerivatives<D>> gap_derivatives;
-    if (!arms.empty())
-        gaps.derivatives = &gap_derivatives.emplace(*coupling.grid, coupling.solids, complex);
+    DerivedGaps<D> gaps{of_gaps, {}, {}, wanted};
     MotionWeights<D> deficits;
     std::vector<Twist<D>> V, sum(twists.size(), Twist<D>::Zero());
     std::vector<std::vector<WeightedTwist<D>>> seen;
@@ -444,11 +441,11 @@ template std::vector<int> nodes_of_parts(const Grid<2>&, const Complex<2>&, Coup
 template std::vector<int> nodes_of_parts(const Grid<3>&, const Complex<3>&, CoupledSystem<3>&);
 template std::vector<Twist<2>> energy_derivative(const Coupling<2>&, const Complex<2>&, const FaceDerivatives<2>&,
                                                  const UnknownVector<2>&, const std::vector<Twist<2>>&,
-                                                 std::span<const GapArm<2>>, std::span<const PairInertia<2>>,
+                                                 const GapDerivatives<2>*, std::span<const PairInertia<2>>,
                                                  const std::vector<char>&, const Circulation<2>*);
 template std::vector<Twist<3>> energy_derivative(const Coupling<3>&, const Complex<3>&, const FaceDerivatives<3>&,
                                                  const UnknownVector<3>&, const std::vector<Twist<3>>&,
-                                                 std::span<const GapArm<3>>, std::span<const PairInertia<3>>,
+                                                 const GapDerivatives<3>*, std::span<const PairInertia<3>>,
                                                  const std::vector<char>&, const Circulation<3>*);
 template Coupling<2> couple_parts(const Grid<2>&, std::vector<Solid<2>>, const std::vector<TwistMatrix<2>>&, double,
                                   const Complex<2>&, const Inertia<2>&);

@@ -19,12 +19,12 @@ Coupling<D> couple_parts(const Grid<D>& grid, std::vector<Solid<D>> solids, cons
                          double density, const Complex<D>& complex, const Inertia<D>& inertia);
 
 /// dT of the fluid at fixed twists by each solid's place, and by its rotation about its reference point (energy_derivative.hpp). p: the impulse
-/// that sets the fluid at rest moving with these twists, L p = -K V. `arms` and `pairs`: the gaps of `coupling`, and Inertia::pairs. `wanted`: the solids
+/// that sets the fluid at rest moving with these twists, L p = -K V. `gaps` and `pairs`: of the gaps of `coupling`, null: it has none, and Inertia::pairs. `wanted`: the solids
 /// whose derivatives are, empty: all; those of others are not complete. Collective.
 template <int D>
 std::vector<Twist<D>> energy_derivative(const Coupling<D>& coupling, const Complex<D>& complex,
                                         const FaceDerivatives<D>& derivatives, const UnknownVector<D>& p,
-                                        const std::vector<Twist<D>>& twists, std::span<const GapArm<D>> arms = {},
+                                        const std::vector<Twist<D>>& twists, const GapDerivatives<D>* gaps = nullptr,
                                         std::span<const PairInertia<D>> pairs = {}, const std::vector<char>& wanted = {},
                                         const Circulation<D>* circulation = nullptr);
 

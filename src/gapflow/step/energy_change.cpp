@@ -17,6 +17,53 @@
 namespace gapflow {
 namespace {
 
+/// Values by keys of cells, most of them of this rank.
+class ValuesOfCells {
+public:
+    /// Keys from `first` to before `end` are in an array.
+    ValuesOfCells(long first, long end) : first_(first), value_(end - first, 0.0), known_(end - first, 0) {}
+
+    void add(long key, double value)
+    {
+        if (const long k = key - first_; k >= 0 && k < static_cast<long>(value_.size())) {
+            value_[k] += value;
+            known_[k] = 1;
+        } else
+            others_[key] += value;
+    }
+    /// In the order of the keys.
+    template <class F>
+    void for_each(F&& f) const
+    {
+        const auto above = others_.lower_bound(first_);
+        for (auto other = others_.begin(); other != above; ++other)
+            f(other->first, other->second);
+        for (std::size_t k = 0; k < value_.size(); ++k)
+            if (known_[k])
+                f(first_ + static_cast<long>(k), value_[k]);
+        for (auto other = above; other != others_.end(); ++other)
+            f(other->first, other->second);
+    }
+
+private:
+    long first_;
+    std::vector<double> value_;
+    std::vector<char> known_;
+    std::map<long, double> others_;
+};
+
+/// Squares of the speeds of the solids that have walls in a cell, at one of the two places, by their walls' areas.
+using Shares = std::vector<std::pair<int, double>>;
+void add_share(Shares& shares, int solid, double value)
+{
+    for (auto& [s, sum] : shares)
+        if (s == solid) {
+            sum += value;
+            return;
+        }
+    shares.emplace_back(solid, value);
+}
+
 template <int D>
 class ChangeOfEnergy {
 public:
@@ -24,7 +71,9 @@ public:
                    const PotentialFlow<D>& flow_after, const Twist<D>& stream)
         : grid_(*before.coupling.grid), V_{&flow_before.twists, &flow_after.twists}, place_{&before, &after},
           cells_{{{flow_before.p.cells, flow_before.p.cells}, {flow_after.p.cells, flow_after.p.cells}}},
-          sides_{flow_before.sides, flow_after.sides}, together_(static_cast<int>(V_[0]->size()))
+          sides_{flow_before.sides, flow_after.sides},
+          change_(grid_.key(grid_.low()), grid_.key(grid_.high() - Index<D>::Ones()) + 1),
+          together_(static_cast<int>(V_[0]->size()))
     {
         for (int solid = 0; solid < static_cast<int>(V_[0]->size()); ++solid) {
             double square = 0;
@@ -110,7 +159,7 @@ private:
     void put(long cell, double value)
     {
         if (value != 0)
-            change_[cell] += value;
+            change_.add(cell, value);
     }
 
     /// Faces of the grid.
@@ -298,18 +347,6 @@ private:
         }
     }
 
-    /// Squares of the speeds of the solids that have walls in a cell, at one of the two places.
-    using Shares = std::vector<std::pair<int, double>>;
-    void add_share(Shares& shares, int solid, double value) const
-    {
-        for (auto& [s, sum] : shares)
-            if (s == solid) {
-                sum += value;
-                return;
-            }
-        shares.emplace_back(solid, value);
-    }
-
     void share_out()
     {
         std::unordered_map<long, Shares> beside;
@@ -329,8 +366,9 @@ private:
         for (std::size_t s = 0; s < weight_.size(); ++s)
             if (weight_[s] > 0)
                 everywhere.emplace_back(static_cast<int>(s), weight_[s]);
-        for (const auto& [key, value] : change_) {
-            Shares near;
+        Shares near;
+        change_.for_each([&](long key, double value) {
+            near.clear();
             for (int reach = 0; reach <= farthest && near.empty(); ++reach) {
                 const Index<D> c = grid_.cell_of_key(key);
                 for_each_index<D>(c - Index<D>::Constant(reach), c + Index<D>::Constant(reach + 1), [&](const Index<D>& n) {
@@ -350,7 +388,7 @@ private:
                 all += share;
             for (const auto& [solid, share] : shares)
                 result_[solid] += value * share / all;
-        }
+        });
     }
 
     /// Solids that have changes in common on any rank.
@@ -381,7 +419,7 @@ private:
     std::array<std::vector<long>, 2> cell_of_node_;           ///< of each place: keys
     std::array<GivenSides<D>, 2> sides_;                      ///< of each field
     std::vector<double> weight_;                              ///< of each solid: square of its speed
-    std::map<long, double> change_;                           ///< of each cell
+    ValuesOfCells change_;                                    ///< of each cell
     std::vector<double> result_;
     DisjointSets together_; ///< solids that have changes in common
 };

@@ -119,7 +119,7 @@ void find_forces(Instant<D>& instant)
         }
     }
     instant.force =
-        energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs,
+        energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.gaps.get(), at.pairs,
                              instant.followed.body >= 0 ? std::vector<char>{} : not_replaced(instant.displaced, V.size()),
                              rotational ? &circulation : nullptr);
     if (rotational) {

@@ -13,13 +13,14 @@ struct Middle {
     Vec<D> at = Vec<D>::Zero();
     double area = 0;
 };
+/// Of the parts that are `wanted`.
 template <int D>
-std::vector<Middle<D>> middles(const Grid<D>& grid, const Complex<D>& complex)
+std::vector<Middle<D>> middles(const Grid<D>& grid, const Complex<D>& complex, const std::vector<char>& wanted)
 {
     std::vector<Middle<D>> middle(complex.parts());
     for (const FacePiece<D>& piece : complex.pieces)
         for (const PartOrCell& side : {piece.low, piece.high})
-            if (side.is_part() && piece.area > 0) {
+            if (side.is_part() && wanted[side.number()] && piece.area > 0) {
                 Middle<D>& of = middle[side.number()];
                 Vec<D> way = piece.centroid;
                 const Index<D> cell = complex.cell_of_part(side.number());
@@ -41,9 +42,9 @@ std::vector<Middle<D>> middles(const Grid<D>& grid, const Complex<D>& complex)
 template <int D>
 std::vector<MatchedPart> matched_parts(const Grid<D>& grid, const Complex<D>& own, const Complex<D>& other)
 {
-    const std::vector<Middle<D>> here = middles(grid, own), there = middles(grid, other);
     std::vector<MatchedPart> matched(own.parts());
-    std::vector<std::tuple<double, int, int>> pairs;
+    std::vector<char> of_own(own.parts(), 0), of_other(other.parts(), 0);
+    std::vector<int> several; // cells with more than one part
     for (int c = 0; c < own.cut_cells(); ++c) {
         const std::int32_t cell = other.cell[own.cut_cell[c]];
         const int first = own.first_part[c], end = own.first_part[c + 1];
@@ -54,6 +55,19 @@ std::vector<MatchedPart> matched_parts(const Grid<D>& grid, const Complex<D>& ow
             continue;
         }
         const int from = other.first_part[cell], to = other.first_part[cell + 1];
+        if (end - first == 1 && to - from == 1) {
+            matched[first] = {MatchedPart::Kind::main, from};
+            continue;
+        }
+        several.push_back(c);
+        std::fill(of_own.begin() + first, of_own.begin() + end, 1);
+        std::fill(of_other.begin() + from, of_other.begin() + to, 1);
+    }
+    const std::vector<Middle<D>> here = middles(grid, own, of_own), there = middles(grid, other, of_other);
+    std::vector<std::tuple<double, int, int>> pairs;
+    for (const int c : several) {
+        const int first = own.first_part[c], end = own.first_part[c + 1], cell = other.cell[own.cut_cell[c]],
+                  from = other.first_part[cell], to = other.first_part[cell + 1];
         pairs.clear();
         for (int p = first; p < end; ++p)
             for (int q = from; q < to; ++q)

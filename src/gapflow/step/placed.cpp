@@ -100,6 +100,8 @@ void couple(const Model<D>& model, const std::vector<Solid<D>>& solids, const st
     at.coupling.clipper = std::make_shared<FaceClipper<D>>(model.grid, at.coupling.solids, FractionMode::cut_cell);
     at.coupling.fractions = std::make_shared<FaceFractions<D>>(face_fractions(model.grid, *at.coupling.clipper));
     at.node = at.coupling.part_node;
+    if (!at.arms.empty())
+        at.gaps = std::make_unique<const GapDerivatives<D>>(model.grid, at.coupling.solids, complex, at.arms);
     if (with_edges) {
         at.edges = edges_of_parts(model.grid, at.coupling, complex, inertia);
         at.edges.covered = covered_fluxes(at);

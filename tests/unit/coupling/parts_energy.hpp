@@ -48,7 +48,8 @@ struct PartsEnergy {
     }
     std::vector<Twist<D>> derivative() const
     {
-        return energy_derivative<D>(coupling, complex, derivatives, p, twists, arms, inertia.pairs);
+        const GapDerivatives<D> gaps(*coupling.grid, coupling.solids, complex, arms);
+        return energy_derivative<D>(coupling, complex, derivatives, p, twists, &gaps, inertia.pairs);
     }
 
 private:
