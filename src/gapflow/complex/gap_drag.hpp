@@ -19,6 +19,14 @@
 
 namespace gapflow {
 
+/// E = 1/2 (R q^2 + 2 q c V + V B V).
+template <int D>
+struct DragForm {
+    double resistance = 0;
+    PairTwist<D> flux = PairTwist<D>::Zero(); ///< c
+    PairMass<D> mass = PairMass<D>::Zero();   ///< B
+};
+
 /// Of a piece of a face, per unit of viscosity, in cells. Of the twists of two solids, one after the other.
 template <int D>
 struct GapDrag {
@@ -31,6 +39,8 @@ struct GapDrag {
         motion;       ///< the walls' mean velocity along the face's axis at the piece's centroid: q is the flux relative to it
     PairMass<D> mass; ///< B
     double thickness; ///< at the piece
+    std::array<DragForm<D>, 2>
+        half; ///< on the way to the low node and to the high one; their sum, times the share, is the whole
 };
 
 /// Of the peak of the pressure at a contact of two solids.

@@ -61,9 +61,7 @@ void FormBuilder<D>::add_along(std::int32_t cell)
         if (form_.faces[of.face].compact)
             return add_plain_along(cell);
     const CellShape<D>& shape = shapes_[cell];
-    double share = 1;
-    for (const CellFace& of : faces_of(cell))
-        share -= form_.faces[of.face].gap / static_cast<double>(faces_of(cell).size());
+    const double share = 1 - gap_of_cell_[cell];
     if (!(shape.volume > viscous_parameters.least_volume) || !(share > 1e-12))
         return;
     const Eigen::SelfAdjointEigenSolver<Mat<D>> axes(shape.second);

@@ -139,10 +139,11 @@ private:
     void add_along(std::int32_t cell);
     void add_plain_along(std::int32_t cell);
     void find_gaps();
+    void find_cell_shares();
     double pair_share(const std::array<std::int32_t, 2>& solids) const;
     void add_gaps();
     std::vector<std::size_t> side_by_side();
-    void add_turning(std::int32_t face);
+    void add_turning();
     void add_pair(const std::array<std::int32_t, 2>& solids, const PairMass<D>& mass);
     void add_outflow();
     void add_rotation();
@@ -177,6 +178,7 @@ private:
     bool periodic_ = false;
     ViscousForm<D> form_;
     std::array<std::vector<std::int32_t>, D> whole_face_;           ///< by number in Complex::index; -1: none
+    std::vector<double> gap_of_cell_;                               ///< share of its dissipation that is that of gaps
     std::map<std::array<std::int32_t, 2>, double> least_thickness_; ///< of the gaps of two solids, 3D
     std::vector<std::int32_t> face_of_piece_;                       ///< -1: none of its own
     std::vector<std::int32_t> first_face_, first_wall_;
@@ -203,7 +205,7 @@ Row FormBuilder<2>::of_vertex(std::int32_t vertex, int component);
 template <>
 void FormBuilder<2>::add_face(std::int32_t face);
 template <>
-void FormBuilder<2>::add_turning(std::int32_t face);
+void FormBuilder<2>::add_turning();
 template <>
 std::vector<std::size_t> FormBuilder<2>::side_by_side();
 template <>
@@ -233,7 +235,7 @@ Row FormBuilder<3>::of_stretch(std::int32_t stretch, int component);
 template <>
 void FormBuilder<3>::add_face(std::int32_t face);
 template <>
-void FormBuilder<3>::add_turning(std::int32_t face);
+void FormBuilder<3>::add_turning();
 template <>
 std::vector<std::size_t> FormBuilder<3>::side_by_side();
 

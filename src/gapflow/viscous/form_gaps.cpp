@@ -33,10 +33,9 @@ double FormBuilder<D>::pair_share(const std::array<std::int32_t, 2>& solids) con
 template <int D>
 void FormBuilder<D>::find_gaps()
 {
-    const auto take = [&](std::int32_t piece, double share, double thickness) {
+    const auto take = [&](std::int32_t piece, double share) {
         if (const std::int32_t face = face_of_piece_[piece]; face >= 0 && share > 0)
-            form_.faces[face].gap =
-                D == 2 ? gap_share(thickness, viscous_parameters.gap_start, viscous_parameters.gap_end) : share;
+            form_.faces[face].gap = share;
     };
     if constexpr (D == 3)
         for (const GapDrag<D>& drag : gaps_.faces) {
@@ -44,9 +43,42 @@ void FormBuilder<D>::find_gaps()
             at->second = std::min(at->second, drag.thickness);
         }
     for (const GapDrag<D>& drag : gaps_.faces)
-        take(drag.piece, drag.share * pair_share(drag.solid), drag.thickness);
+        take(drag.piece, drag.share * pair_share(drag.solid));
     for (const auto& joined : gaps_.joined)
-        take(joined.piece, joined.share, joined.thickness);
+        take(joined.piece, joined.share);
+    find_cell_shares();
+}
+
+/// A cell's dissipation is that of a gap as far as all its faces lie in one; of cells whose faces others of the gap stand for, as far as for all of them.
+template <int D>
+void FormBuilder<D>::find_cell_shares()
+{
+    const int cells = form_.cells.count();
+    gap_of_cell_.assign(cells, 0);
+    if (D == 3) {
+        for (int cell = 0; cell < cells; ++cell)
+            for (const CellFace& of : faces_of(cell))
+                gap_of_cell_[cell] += form_.faces[of.face].gap / static_cast<double>(faces_of(cell).size());
+        return;
+    }
+    std::vector<std::int32_t> root(cells);
+    std::iota(root.begin(), root.end(), 0);
+    const auto root_of = [&](std::int32_t cell) {
+        while (root[cell] != cell)
+            cell = root[cell] = root[root[cell]];
+        return cell;
+    };
+    for (const auto& joined : gaps_.joined)
+        if (const std::int32_t face = face_of_piece_[joined.piece]; face >= 0)
+            root[root_of(form_.faces[face].low)] = root_of(form_.faces[face].high);
+    std::vector<double> share(cells, 1);
+    for (int cell = 0; cell < cells; ++cell)
+        for (const CellFace& of : faces_of(cell))
+            share[root_of(cell)] = std::min(share[root_of(cell)], form_.faces[of.face].gap);
+    for (int cell = 0; cell < cells; ++cell)
+        gap_of_cell_[cell] = faces_of(cell).empty() ? 0 : share[root_of(cell)];
+    for (FormFace<D>& face : form_.faces)
+        face.gap = face.low < 0 || face.high < 0 ? 0 : 0.5 * (gap_of_cell_[face.low] + gap_of_cell_[face.high]);
 }
 
 /// A form of the twists of two solids, as squares.
@@ -68,21 +100,43 @@ void FormBuilder<D>::add_pair(const std::array<std::int32_t, 2>& solids, const P
 }
 
 /// A gap's friction is that of the motion relative to the walls' mean rotation omega, 2 |e|^2. What of |grad u|^2 it lacks across a face of the area A, with the difference v
-/// of the walls' velocities: (v^2 - (v - A omega)^2)/A.
+/// of the velocities at its ends: (v^2 - (v - A omega)^2)/A. Of two pieces that meet at a vertex of the grid each has its share of the walls' difference.
 template <>
-void FormBuilder<2>::add_turning(std::int32_t number)
+void FormBuilder<2>::add_turning()
 {
-    const FormFace<2>& face = form_.faces[number];
-    const BorderSegment<2>& segment = segments_[first_segment_[number]];
-    if (segment.from.solid < 0 || segment.to.solid < 0)
-        return;
-    Row difference = of_solid(segment.to.solid, segment.to.at, face.axis);
-    difference.add(of_solid(segment.from.solid, segment.from.at, face.axis), -1);
-    Row relative = difference;
-    for (const std::int32_t solid : {segment.from.solid, segment.to.solid})
-        relative.add(-1 - 3 * solid - 2, (face.axis == 0 ? 0.5 : -0.5) * face.area);
-    form_.rotation.add(face.gap * face.length / face.area, difference);
-    form_.rotation.add(-face.gap * face.length / face.area, relative);
+    std::map<std::pair<int, std::int32_t>, std::int32_t> above; // faces from a vertex to a wall
+    const auto segment_of = [&](std::int32_t face) -> const BorderSegment<2>& { return segments_[first_segment_[face]]; };
+    const auto faces = static_cast<std::int32_t>(form_.faces.size());
+    for (std::int32_t f = 0; f < faces; ++f)
+        if (form_.faces[f].gap > 0 && segment_of(f).from.vertex >= 0 && segment_of(f).to.solid >= 0)
+            above.emplace(std::make_pair(int(form_.faces[f].axis), segment_of(f).from.vertex), f);
+    for (std::int32_t f = 0; f < faces; ++f) {
+        if (!(form_.faces[f].gap > 0) || segment_of(f).from.solid < 0)
+            continue;
+        std::vector<std::int32_t> pieces{f};
+        const int axis = form_.faces[f].axis;
+        if (segment_of(f).to.solid < 0) {
+            const auto other = above.find({axis, segment_of(f).to.vertex});
+            if (segment_of(f).to.vertex < 0 || other == above.end())
+                continue;
+            pieces.push_back(other->second);
+        }
+        const BorderPoint<2>&from = segment_of(f).from, &to = segment_of(pieces.back()).to;
+        double area = 0;
+        for (const std::int32_t piece : pieces)
+            area += form_.faces[piece].area;
+        for (const std::int32_t piece : pieces) {
+            const FormFace<2>& face = form_.faces[piece];
+            Row difference;
+            difference.add(of_solid(to.solid, to.at, axis), face.area / area);
+            difference.add(of_solid(from.solid, from.at, axis), -face.area / area);
+            Row relative = difference;
+            for (const std::int32_t solid : {from.solid, to.solid})
+                relative.add(-1 - 3 * solid - 2, (axis == 0 ? 0.5 : -0.5) * face.area);
+            form_.rotation.add(face.gap * face.length / face.area, difference);
+            form_.rotation.add(-face.gap * face.length / face.area, relative);
+        }
+    }
 }
 
 /// A gap that a line of the grid crosses at a vertex has two pieces on it. Of the form of the gap only their sum is a flux; how it is shared out follows from
@@ -135,7 +189,7 @@ std::vector<std::size_t> FormBuilder<3>::side_by_side()
     return first;
 }
 template <>
-void FormBuilder<3>::add_turning(std::int32_t)
+void FormBuilder<3>::add_turning()
 {
 }
 
@@ -144,9 +198,9 @@ void FormBuilder<D>::add_gaps()
 {
     constexpr int T = twist_size<D>;
     const std::vector<std::size_t> first = side_by_side();
+    add_turning();
     struct Crossing {
-        double conductance = 0, share = 0;
-        int pieces = 0;
+        double conductance = 0;
         Row flux; ///< relative, and c V/R
     };
     std::vector<Crossing> crossings(first.size());
@@ -155,21 +209,30 @@ void FormBuilder<D>::add_gaps()
         const std::int32_t face = face_of_piece_[drag.piece];
         if (face < 0 || !(form_.faces[face].gap > 0) || !(drag.resistance > 0))
             continue;
+        const FormFace<D>& of = form_.faces[face];
+        std::array<double, 2> share{of.gap, of.gap};
+        if (D == 2)
+            share = {gap_of_cell_[of.low], gap_of_cell_[of.high]};
+        DragForm<D> form;
+        for (int side = 0; side < 2; ++side) {
+            form.resistance += share[side] * drag.half[side].resistance;
+            form.flux += share[side] * drag.half[side].flux;
+            form.mass += share[side] * drag.half[side].mass;
+        }
+        if (!(form.resistance > 0)) {
+            add_pair(drag.solid, form.mass);
+            continue;
+        }
         Crossing& crossing = crossings[first[k]];
-        crossing.conductance += drag.share / drag.resistance;
-        crossing.share += form_.faces[face].gap;
-        ++crossing.pieces;
-        crossing.flux.add(face, form_.faces[face].area);
+        crossing.conductance += 1 / form.resistance;
+        crossing.flux.add(face, of.area);
         for (int j = 0; j < 2 * T; ++j)
-            crossing.flux.add(-1 - T * drag.solid[j / T] - j % T,
-                              drag.flux[j] / drag.resistance - form_.faces[face].area * drag.motion[j]);
-        add_turning(face);
-        add_pair(drag.solid,
-                 form_.faces[face].gap / drag.share * (drag.mass - drag.flux * drag.flux.transpose() / drag.resistance));
+            crossing.flux.add(-1 - T * drag.solid[j / T] - j % T, form.flux[j] / form.resistance - of.area * drag.motion[j]);
+        add_pair(drag.solid, form.mass - form.flux * form.flux.transpose() / form.resistance);
     }
     for (const Crossing& crossing : crossings)
-        if (crossing.pieces > 0)
-            form_.squares.add(crossing.share / crossing.pieces / crossing.conductance, crossing.flux);
+        if (crossing.conductance > 0)
+            form_.squares.add(1 / crossing.conductance, crossing.flux);
     for (const PeakDrag<D>& peak : gaps_.peaks)
         add_pair(peak.solid, pair_share(peak.solid) * peak.mass);
 }

@@ -8,10 +8,6 @@ struct ViscousParameters {
     /// Layers of cells around solids and closed sides with elements of second order; beyond them the lattice is compact. Four values beside a border, all of whole
     /// faces, need three. With one layer the border is not consistent even for shear: cut faces' centroids lie elsewhere.
     int layers = 3;
-    /// Thicknesses between which a gap's dissipation goes over from lubrication's closed form to the elements'. Elements are exact in flat gaps of any thickness and err where
-    /// the thickness changes within a cell, lubrication where the slopes of the walls count. Bearings of 32 cells (radii 0.5 to 0.99, eccentricities to 0.999) err by 3.4 % at
-    /// most with 0.1 .. 0.3, by 2.9 % with these, by 9.3 % with 0.6 .. 1.2; without any closed form by more than 50 %.
-    double gap_start = 0.3, gap_end = 0.6;
     /// In space: least thicknesses of two solids' gap between which all of it goes over to elements. A ball of 3 cells a radius that approaches a wall errs by
     /// -25 % at 0.03 cells with elements alone and by -2.7 % with the closed form, at 0.09 cells by -4.3 and (with these) -3.8 %; one of 4 cells at 0.18 cells by -2.1 and -4.9 %.
     double pair_start = 0.05, pair_end = 0.2;
