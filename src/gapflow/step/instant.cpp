@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace gapflow {
@@ -83,6 +85,32 @@ void add_arms(const Placed<D>& at, const FaceField<D>& w, const std::vector<Twis
         force[s] += sum[s];
 }
 
+/// Arms, and the plain faces that lead to voids as arms without energy: nothing there is differentiated.
+template <int D>
+std::vector<GapArm<D>> arms_and_empty_faces(const Placed<D>& at)
+{
+    const Complex<D>& complex = at.complex;
+    std::vector<GapArm<D>> arms = at.arms;
+    std::vector<char> is_arm(complex.pieces.size(), 0);
+    for (const GapArm<D>& arm : arms)
+        is_arm[arm.piece] = 1;
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k)
+        for (const PartOrCell& side : {complex.pieces[k].low, complex.pieces[k].high})
+            if (!is_arm[k] && side.exists() && at.voids.is_void(site_of(complex, side))) {
+                GapArm<D> empty{};
+                empty.piece = static_cast<std::int32_t>(k);
+                empty.share = 1;
+                empty.resistance = std::numeric_limits<double>::infinity();
+                empty.flux.setZero();
+                empty.motion.setZero();
+                empty.mass.setZero();
+                arms.push_back(empty);
+                is_arm[k] = 1;
+            }
+    std::sort(arms.begin(), arms.end(), [](const GapArm<D>& x, const GapArm<D>& y) { return x.piece < y.piece; });
+    return arms;
+}
+
 /// A grid that goes with a body: where this and the grid are displaced, T changes as where all other solids are displaced the other way.
 template <int D>
 void take_grid_along(Instant<D>& instant)
@@ -118,10 +146,11 @@ void find_forces(Instant<D>& instant)
             circulation.covered.back().template head<D>() /= at.coupling.grid->dx();
         }
     }
-    instant.force =
-        energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.arms, at.pairs,
-                             instant.followed.body >= 0 ? std::vector<char>{} : not_replaced(instant.displaced, V.size()),
-                             rotational ? &circulation : nullptr);
+    const std::vector<GapArm<D>> arms = at.voids.any() ? arms_and_empty_faces(at) : std::vector<GapArm<D>>();
+    instant.force = energy_derivative<D>(
+        at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.voids.any() ? arms : at.arms, at.pairs,
+        instant.followed.body >= 0 ? std::vector<char>{} : not_replaced(instant.displaced, V.size()),
+        rotational ? &circulation : nullptr);
     if (rotational) {
         instant.flux = face_fluxes(at, instant.flow);
         add_arms(at, instant.flow.remainder.faces, moving, instant.force);
