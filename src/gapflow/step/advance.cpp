@@ -253,8 +253,9 @@ std::vector<Twist<D>> fluid_wrenches(const Model<D>& model, const Instant<D>& ol
 
 /// The instant of the step's end, its flow not known yet.
 template <int D>
-Instant<D> at_new_places(const Model<D>& model, const Instant<D>& old, const std::vector<RigidBody<D>>& bodies,
-                         const std::vector<TwistMatrix<D>>& mass, const Step& step, StepReport& report, StageTimers& timers)
+Instant<D> at_new_places(const Model<D>& model, const std::vector<RigidBody<D>>& before, Instant<D>& old,
+                         const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass, const Step& step,
+                         StepReport& report, StageTimers& timers)
 {
     Instant<D> now;
     now.followed = old.followed;
@@ -265,9 +266,12 @@ Instant<D> at_new_places(const Model<D>& model, const Instant<D>& old, const std
         const VoidsBefore<D> voids{old.kept, old.placed->complex, old.placed->voids};
         now.placed = placed(model, bodies, mass, rotational, &voids);
     }
-    now.kept.lost = old.kept.lost + now.placed->voids.lost;
-    if (now.placed->voids.lost > 0)
-        report.notes.push_back("a gap with a void in it is no gap any more: the void is gone at once");
+    if (const std::vector<std::int32_t>& lost = now.placed->voids.lost; !lost.empty()) {
+        const auto timer = timers.measure("voids");
+        fill_lost(model, before, model.masses(before, step.dt), lost, old);
+        report.notes.push_back("the place of a void is gone: it is filled at once");
+    }
+    now.kept.lost = old.kept.lost;
     const auto timer = timers.measure("forces");
     if (!now.placed->voids.any()) // else their energies would not know them
         now.displaced = displaced(model, bodies, *now.placed);
@@ -302,8 +306,7 @@ double may_miss(int pass)
 } // namespace
 
 template <int D>
-Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, State<D>& state, StepReport& report,
-                   StageTimers& timers)
+Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>& state, StepReport& report, StageTimers& timers)
 {
     const auto timed = [&](const char* stage, auto&& f) {
         const auto timer = timers.measure(stage);
@@ -314,7 +317,7 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     follow(model, state, step);
     timed("contact", [&] { find_contacts(model, state, step); });
     const std::vector<TwistMatrix<D>> mass = model.masses(state.bodies, step.dt);
-    Instant<D> now = at_new_places(model, old, state.bodies, mass, step, report, timers);
+    Instant<D> now = at_new_places(model, before, old, state.bodies, mass, step, report, timers);
     VoidSolve<D> voids(model, old, *now.placed, step.dt);
     MeanFlow<D> mean_flow(model, old, step.dt);
     const std::vector<Twist<D>> none(old.force.size(), Twist<D>::Zero());
@@ -387,7 +390,7 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
         timed("voids", [&] { voids.finish(state.bodies, mass, now); });
         timed("forces", [&] { find_forces(now); });
     } else if (!old.kept.volume.empty())
-        now.kept.volume.assign(now.placed->complex.parts(), 0.0);
+        now.kept.volume.assign(count_sites(now.placed->complex), 0.0);
     if (!now.flow.remainder.empty()) {
         timed("vorticity", [&] { renew_gauge(*now.placed, now.flow, solver_options(model.scene)); });
         timed("forces", [&] { find_forces(now); });
@@ -401,8 +404,10 @@ template <int D>
 Instant<D> restored(const Model<D>& model, const State<D>& state, const PartVoids& kept)
 {
     auto at = placed(model, state.bodies, model.masses(state.bodies, state.dt), !state.remainder.empty());
-    if (!kept.volume.empty())
+    if (!kept.volume.empty()) {
+        add_beyond(model, at->coupling.solids, at->complex, kept.beyond, at->voids);
         put_voids(model, state.bodies, model.masses(state.bodies, state.dt), kept.volume, *at);
+    }
     const Vec<D> stream = model.driven()            ? state.drive.flow
                           : state.remainder.empty() ? to_vec<D>(model.scene.fluid_velocity)
                                                     : Vec<D>(Vec<D>::Zero());
@@ -423,7 +428,7 @@ Instant<D> restored(const Model<D>& model, const State<D>& state, const PartVoid
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
-    template Instant<D> advance<D>(Model<D>&, const Instant<D>&, const Step&, State<D>&, StepReport&, StageTimers&);           \
+    template Instant<D> advance<D>(Model<D>&, Instant<D>&, const Step&, State<D>&, StepReport&, StageTimers&);                 \
     template Instant<D> restored<D>(const Model<D>&, const State<D>&, const PartVoids&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

@@ -15,7 +15,7 @@ namespace gapflow {
 /// From `old`, to which the state belongs, to the end of the step: the state becomes that of the instant that is returned. The grid goes with its body.
 /// Throws ComputationError as project(). Collective.
 template <int D>
-Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, State<D>& state, StepReport& report,
+Instant<D> advance(Model<D>& model, Instant<D>& old, const Step& step, State<D>& state, StepReport& report,
                    StageTimers& timers);
 
 /// The instant of the state's bodies with its potential and with voids in gaps. Collective.

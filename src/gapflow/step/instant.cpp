@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace gapflow {
@@ -83,6 +86,32 @@ void add_arms(const Placed<D>& at, const FaceField<D>& w, const std::vector<Twis
         force[s] += sum[s];
 }
 
+/// Arms, and the plain faces that lead to voids as arms without energy: nothing there is differentiated.
+template <int D>
+std::vector<GapArm<D>> arms_and_empty_faces(const Placed<D>& at)
+{
+    const Complex<D>& complex = at.complex;
+    std::vector<GapArm<D>> arms = at.arms;
+    std::vector<char> is_arm(complex.pieces.size(), 0);
+    for (const GapArm<D>& arm : arms)
+        is_arm[arm.piece] = 1;
+    for (std::size_t k = 0; k < complex.pieces.size(); ++k)
+        for (const PartOrCell& side : {complex.pieces[k].low, complex.pieces[k].high})
+            if (!is_arm[k] && side.exists() && at.voids.is_void(site_of(complex, side))) {
+                GapArm<D> empty{};
+                empty.piece = static_cast<std::int32_t>(k);
+                empty.share = 1;
+                empty.resistance = std::numeric_limits<double>::infinity();
+                empty.flux.setZero();
+                empty.motion.setZero();
+                empty.mass.setZero();
+                arms.push_back(empty);
+                is_arm[k] = 1;
+            }
+    std::sort(arms.begin(), arms.end(), [](const GapArm<D>& x, const GapArm<D>& y) { return x.piece < y.piece; });
+    return arms;
+}
+
 /// A grid that goes with a body: where this and the grid are displaced, T changes as where all other solids are displaced the other way.
 template <int D>
 void take_grid_along(Instant<D>& instant)
@@ -118,8 +147,15 @@ void find_forces(Instant<D>& instant)
             circulation.covered.back().template head<D>() /= at.coupling.grid->dx();
         }
     }
+    std::vector<GapArm<D>> arms; // with voids
+    std::optional<GapDerivatives<D>> with_voids;
+    const GapDerivatives<D>* gaps = at.gaps.get();
+    if (at.voids.any()) {
+        arms = arms_and_empty_faces(at);
+        gaps = &with_voids.emplace(*at.coupling.grid, at.coupling.solids, at.complex, arms);
+    }
     instant.force =
-        energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, at.gaps.get(), at.pairs,
+        energy_derivative<D>(at.coupling, at.complex, at.derivatives, instant.flow.p, V, gaps, at.pairs,
                              instant.followed.body >= 0 ? std::vector<char>{} : not_replaced(instant.displaced, V.size()),
                              rotational ? &circulation : nullptr);
     if (rotational) {

@@ -39,6 +39,7 @@ void list_state(StateArchive& archive, PartVoids& voids)
     archive.optional("part_voids", !voids.volume.empty(), [&] {
         archive("volume", voids.volume);
         archive("drop", voids.drop);
+        archive("beyond", voids.beyond);
         archive("lost", voids.lost);
     });
 }

@@ -2,6 +2,7 @@
 #include "gapflow/step/void_parts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -18,7 +19,7 @@ public:
         : complex_(complex), coupling_(coupling), voids_(voids), cells_(coupling.grid->cells().template cast<long>().prod())
     {
         for (VoidPart<D>& part : voids_.parts)
-            part.row = row_of(PartOrCell::part(part.part));
+            part.row = row_of(side_of(complex, part.part));
     }
 
     long row_of(const PartOrCell& side) const
@@ -30,25 +31,25 @@ public:
 
     /// If any of the sides is a void. `thickness`: of the gap there, in cells; 0: that of the voids' parts.
     void offer(double conductance, double area, double thickness, const std::vector<std::pair<PartOrCell, double>>& sides,
-               std::int32_t piece, std::int32_t mouth)
+               std::int32_t piece, std::int32_t mouth, long face = -1)
     {
         const double dx = coupling_.grid->dx();
         double permeable = 1;
         bool leads_to_void = false;
         for (const auto& [side, weight] : sides)
-            if (side.is_part() && voids_.is_void(side.number())) {
-                const VoidPart<D>& part = *voids_.find(side.number());
+            if (side.exists() && voids_.is_void(site_of(complex_, side))) {
+                const VoidPart<D>& part = *voids_.find(site_of(complex_, side));
                 const double gap = thickness > 0 ? thickness * dx : part.thickness;
                 permeable = std::min(permeable, std::max(gap - part.held, least_way * dx) / gap);
                 leads_to_void = true;
             }
         if (!leads_to_void || !(conductance > 0))
             return;
-        VoidEdge<D> edge{conductance, permeable, area * std::pow(dx, D - 1), {}, {}, piece, mouth};
+        VoidEdge<D> edge{conductance, permeable, area * std::pow(dx, D - 1), {}, {}, piece, mouth, face};
         for (const auto& [side, weight] : sides)
             if (side.exists()) {
                 edge.rows.emplace_back(row_of(side), weight);
-                edge.parts.push_back(side.is_part() ? side.number() : -1);
+                edge.sites.push_back(site_of(complex_, side));
             }
         voids_.edges.push_back(std::move(edge));
     }
@@ -59,6 +60,37 @@ private:
     Voids<D>& voids_;
     long cells_;
 };
+
+/// Faces of the grid between whole cells, or what is the largest in them, that lead to a void.
+template <int D>
+void offer_whole_faces(const Complex<D>& complex, const Coupling<D>& coupling, const Voids<D>& voids, Edges<D>& edges)
+{
+    const Grid<D>& grid = *coupling.grid;
+    const DenseIndex<D>& index = complex.index;
+    std::array<std::vector<char>, D> has_piece;
+    for (std::vector<char>& has : has_piece)
+        has.assign(index.count, 0);
+    for (const FacePiece<D>& piece : complex.pieces)
+        has_piece[piece.axis][piece.face] = 1;
+    for (const VoidPart<D>& part : voids.parts) {
+        const PartOrCell side = side_of(complex, part.part);
+        if (!voids.is_void(part.part) || !complex.is_main(side))
+            continue;
+        const Index<D> c = index.index(complex.cell_of(side));
+        for (int axis = 0; axis < D; ++axis)
+            for (int end = 0; end < 2; ++end) {
+                const Index<D> next = index.wrapped(c + (2 * end - 1) * step<D>(axis)), f = c + end * step<D>(axis);
+                const double g = coupling.system.conductance(axis, f);
+                if (!(g > 0) || !grid.in_domain(next) || has_piece[axis][index(index.wrapped(f))])
+                    continue;
+                const PartOrCell other = complex.main_of(index(next));
+                if (end == 0 && voids.is_void(site_of(complex, other)))
+                    continue; // the other one's
+                edges.offer(g, 1.0, 0.0, {{end ? side : other, 1.0}, {end ? other : side, -1.0}}, -1, -1,
+                            grid.key(index.wrapped(f)) * D + axis);
+            }
+    }
+}
 
 } // namespace
 
@@ -79,6 +111,7 @@ void separate(const Complex<D>& complex, const Inertia<D>& inertia, Voids<D>& vo
                                 grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]),
                             piece.area, thickness[k], {{piece.low, 1.0}, {piece.high, -1.0}}, static_cast<std::int32_t>(k), -1);
         }
+        offer_whole_faces(complex, coupling, voids, edges);
         std::size_t number = 0; // of Inertia::mouths
         for (std::size_t m = 0; m < voids.mouths.size(); ++m)
             if (const MouthArm<D>& mouth = voids.mouths[m]; mouth.resistance > 0) {

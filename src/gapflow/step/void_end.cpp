@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace gapflow {
@@ -66,7 +67,139 @@ void keep_levels(const Coupling<D>& coupling, const UnknownVector<D>& before, Un
     each([&](int k, double, double& value) { value += shift[k] / count[k]; });
 }
 
+/// The potentials of rows.
+template <int D>
+class RowsOf {
+public:
+    RowsOf(const Grid<D>& grid) : grid_(grid), cells_(grid.cells().template cast<long>().prod()) {}
+    double& at(UnknownVector<D>& p, long row) const
+    {
+        return row < cells_ ? p.cells(grid_.cell_of_key(row)) : p.nodes[row - cells_];
+    }
+    double at(const UnknownVector<D>& p, long row) const
+    {
+        return row < cells_ ? p.cells(grid_.cell_of_key(row)) : p.nodes[row - cells_];
+    }
+
+private:
+    const Grid<D>& grid_;
+    long cells_;
+};
+
+using EdgeKey = std::tuple<std::int32_t, std::int32_t, long>;
+
+template <int D>
+EdgeKey key_of(const VoidEdge<D>& edge)
+{
+    return {edge.piece, edge.mouth, edge.face};
+}
+
+/// Fluxes along the edges of the voids that there are now, over their open conductances. `known`: of those that there were.
+template <int D>
+std::vector<double> drops_at_end(const Placed<D>& at, const std::map<EdgeKey, double>& known, const PotentialFlow<D>& flow)
+{
+    const RowsOf<D> rows(*at.coupling.grid);
+    std::vector<double> drop;
+    for (const VoidEdge<D>& edge : at.voids.edges) {
+        if (const auto found = known.find(key_of(edge)); found != known.end()) {
+            drop.push_back(found->second / edge.open());
+            continue;
+        }
+        double sum = flux_of_walls(at, edge, flow.twists) / edge.conductance; // of fluid in the step
+        for (const auto& [row, weight] : edge.rows)
+            sum += weight * rows.at(flow.p, row);
+        drop.push_back(sum);
+    }
+    return drop;
+}
+
+/// The potential flow with fluxes that are given along the edges of voids and into rows that were voids.
+template <int D>
+void join(const Model<D>& model, const Placed<D>& there, const std::vector<double>& drop, const std::map<long, double>& filled,
+          PotentialFlow<D>& flow)
+{
+    const Voids<D>& voids = there.voids;
+    const RowsOf<D> rows(model.grid);
+    Coupling<D> coupling = *voids.all;
+    UnknownVector<D> out{CellField<D>(model.grid), Eigen::VectorXd::Zero(coupling.system.nodes)}; // that is not of the pressure
+    coupling.system.links.resize(coupling.system.links.size() - voids.edges.size());
+    std::map<long, double> empty;
+    for (const VoidPart<D>& part : voids.parts)
+        if (voids.is_void(part.part))
+            empty[part.row] = 0;
+    take_rows_out(coupling, empty, &out);
+    const auto add = [&](long row, double value) {
+        if (!empty.contains(row))
+            rows.at(out, row) += value;
+    };
+    for (std::size_t e = 0; e < voids.edges.size(); ++e)
+        for (const auto& [row, weight] : voids.edges[e].rows)
+            add(row, weight * voids.edges[e].open() * drop[e]);
+    for (const auto& [row, flux] : filled)
+        add(row, -flux);
+    const std::vector<Twist<D>> twists = flow.twists;
+    flow.p =
+        flow_with_outflow(there.complex, std::move(coupling), twists, std::move(out), solver_options(model.scene), &flow.p).p;
+}
+
 } // namespace
+
+template <int D>
+void change_voids(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
+                  std::vector<double> volume, const std::vector<double>& flux, const std::map<long, double>& filled,
+                  Instant<D>& now)
+{
+    Placed<D>& at = *now.placed;
+    std::map<EdgeKey, double> known;
+    for (std::size_t e = 0; e < flux.size(); ++e)
+        known[key_of(at.voids.edges[e])] = flux[e];
+    bool changed = false;
+    for (const VoidPart<D>& part : at.voids.parts)
+        changed = changed || at.voids.is_void(part.part) != (volume[part.part] > 0);
+    now.kept.volume = volume;
+    if (changed)
+        put_voids(model, bodies, mass, std::move(volume), at);
+    now.kept.drop = drops_at_end(at, known, now.flow);
+    now.kept.beyond = beyond_gaps(at.voids);
+    if (!filled.empty())
+        join(model, at, now.kept.drop, filled, now.flow);
+    // The potential of a void is 0: it has no momentum, and its walls get none where they pass from one part to another.
+    for (const VoidPart<D>& part : at.voids.parts)
+        if (at.voids.is_void(part.part))
+            RowsOf<D>(model.grid).at(now.flow.p, part.row) = 0;
+}
+
+template <int D>
+void fill_lost(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
+               const std::vector<std::int32_t>& lost, Instant<D>& old)
+{
+    const Voids<D>& voids = old.placed->voids;
+    std::vector<double> volume = old.kept.volume, flux;
+    std::map<long, double> filled;
+    for (const std::int32_t site : lost) {
+        old.kept.lost += volume[site];
+        volume[site] = 0;
+        filled[voids.find(site)->row] = 0;
+    }
+    for (std::size_t e = 0; e < voids.edges.size(); ++e) {
+        flux.push_back(voids.edges[e].open() * old.kept.drop[e]);
+        for (const auto& [row, weight] : voids.edges[e].rows)
+            if (const auto found = filled.find(row); found != filled.end())
+                found->second += weight * flux.back();
+    }
+    const Coupling<D>& coupling = old.placed->coupling;
+    const long cells = model.grid.cells().template cast<long>().prod();
+    const auto add_wall = [&](long row, int solid, const Twist<D>& of) {
+        if (const auto found = filled.find(row); found != filled.end())
+            found->second += of.dot(old.flow.twists[solid]);
+    };
+    for (const auto& entry : coupling.cell_flux)
+        add_wall(model.grid.key(entry.row), entry.body, entry.flux);
+    for (const auto& entry : coupling.node_flux)
+        add_wall(cells + entry.row, entry.body, entry.flux);
+    change_voids(model, bodies, mass, std::move(volume), flux, filled, old);
+    find_forces(old);
+}
 
 template <int D>
 UnknownVector<D> VoidSolve<D>::left_outflow(const Instant<D>& now) const
@@ -160,96 +293,6 @@ double VoidSolve<D>::least_volume(std::size_t k) const
     return 1e-14 * model_.grid.dx() * there_.voids.parts[k].area;
 }
 
-/// The potential of the fluid's front in each void: that of the fluid beside less its drop along the edge. Without fluid beside it stays that before the step.
-template <int D>
-void VoidSolve<D>::put_front_potentials(const PartVoids& kept, UnknownVector<D>& p) const
-{
-    const Voids<D>& voids = there_.voids;
-    std::map<long, std::pair<double, double>> sums; // of weights and of them times potentials
-    for (const VoidPart<D>& part : voids.parts)
-        if (voids.is_void(part.part))
-            sums[part.row] = {0.0, 0.0};
-    for (std::size_t e = 0; e < voids.edges.size(); ++e) {
-        double fluid = 0, own = 0;
-        bool from_fluid = false;
-        for (const auto& [row, weight] : voids.edges[e].rows)
-            if (sums.contains(row))
-                own += weight;
-            else {
-                fluid += weight * value(p, row);
-                from_fluid = true;
-            }
-        if (!from_fluid || own == 0)
-            continue;
-        const double size = std::max(std::abs(voids.edges[e].open() * kept.drop[e]), std::numeric_limits<double>::min());
-        for (const auto& [row, weight] : voids.edges[e].rows)
-            if (const auto found = sums.find(row); found != sums.end()) {
-                found->second.first += size;
-                found->second.second += size * (kept.drop[e] - fluid) / own;
-            }
-    }
-    for (const auto& [row, sum] : sums) {
-        const int k = number(row);
-        const double own = sum.first > 0 ? sum.second / sum.first : k >= 0 && was_void_[k] ? past_[k] : value(p, row);
-        (row < cells_ ? p.cells(model_.grid.cell_of_key(row)) : p.nodes[row - cells_]) = own;
-    }
-}
-
-/// Fluxes along the edges of the voids that there are now. `edges`, `flux`: of those in the step.
-template <int D>
-std::vector<double> VoidSolve<D>::drops_at_end(const std::vector<VoidEdge<D>>& edges, const std::vector<double>& flux,
-                                               const PotentialFlow<D>& flow) const
-{
-    std::map<std::pair<std::int32_t, std::int32_t>, double> known;
-    for (std::size_t e = 0; e < edges.size(); ++e)
-        known[{edges[e].piece, edges[e].mouth}] = flux[e];
-    std::vector<double> drop;
-    for (const VoidEdge<D>& edge : there_.voids.edges) {
-        const auto found = known.find({edge.piece, edge.mouth});
-        if (found != known.end()) {
-            drop.push_back(found->second / edge.open());
-            continue;
-        }
-        double sum = flux_of_walls(there_, edge, flow.twists) / edge.conductance; // of fluid in the step
-        for (const auto& [row, weight] : edge.rows)
-            sum += weight * value(flow.p, row);
-        drop.push_back(sum);
-    }
-    return drop;
-}
-
-/// The potential flow with the fluxes of a step's end where voids were filled: nearest in energy to the flow there, whose potentials differ where it
-/// comes from several sides.
-template <int D>
-void VoidSolve<D>::join(const PartVoids& kept, const std::map<long, double>& filled, PotentialFlow<D>& flow) const
-{
-    const Voids<D>& voids = there_.voids;
-    Coupling<D> coupling = *voids.all;
-    UnknownVector<D> out{CellField<D>(model_.grid),
-                         Eigen::VectorXd::Zero(coupling.system.nodes)}; // that is not of the pressure
-    coupling.system.links.resize(coupling.system.links.size() - voids.edges.size());
-    std::map<long, double> empty;
-    for (const VoidPart<D>& part : voids.parts)
-        if (voids.is_void(part.part))
-            empty[part.row] = 0;
-    take_rows_out(coupling, empty, &out);
-    const auto add = [&](long row, double value) {
-        if (!empty.contains(row))
-            (row < cells_ ? out.cells(model_.grid.cell_of_key(row)) : out.nodes[row - cells_]) += value;
-    };
-    for (std::size_t e = 0; e < voids.edges.size(); ++e)
-        for (const auto& [row, weight] : voids.edges[e].rows)
-            add(row, weight * voids.edges[e].open() * kept.drop[e]);
-    for (const auto& [row, flux] : filled)
-        add(row, -flux);
-    const std::vector<Twist<D>> twists = flow.twists;
-    PotentialFlow<D> joined =
-        flow_with_outflow(there_.complex, std::move(coupling), twists, std::move(out), solver_options(model_.scene), &flow.p);
-    for (const auto& [row, zero] : empty)
-        (row < cells_ ? joined.p.cells(model_.grid.cell_of_key(row)) : joined.p.nodes[row - cells_]) = value(flow.p, row);
-    flow.p = std::move(joined.p);
-}
-
 template <int D>
 void VoidSolve<D>::finish(const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass, Instant<D>& now)
 {
@@ -266,24 +309,14 @@ void VoidSolve<D>::finish(const std::vector<RigidBody<D>>& bodies, const std::ve
     for (std::size_t e = 0; e < head_.size(); ++e)
         flux.push_back(this->flux(e, now.flow.p));
     pass_on(volume, out, flux, now.kept.lost);
-    bool changed = false;
     std::map<long, double> filled; // and their outflow
-    now.kept.volume.assign(there_.complex.parts(), 0.0);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        const bool is_void = volume[k] > least_volume(k);
-        if (is_void)
-            now.kept.volume[parts[k].part] = volume[k];
+    std::vector<double> kept(count_sites(there_.complex), 0.0);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        if (volume[k] > least_volume(k))
+            kept[parts[k].part] = volume[k];
         else if (was_void_[k])
             filled[parts[k].row] = out[k];
-        changed = changed || is_void != static_cast<bool>(was_void_[k]);
-    }
-    const std::vector<VoidEdge<D>> edges = there_.voids.edges;
-    if (changed)
-        put_voids(model_, bodies, mass, now.kept.volume, there_);
-    now.kept.drop = drops_at_end(edges, flux, now.flow);
-    if (!filled.empty())
-        join(now.kept, filled, now.flow);
-    put_front_potentials(now.kept, now.flow.p);
+    change_voids(model_, bodies, mass, std::move(kept), flux, filled, now);
 }
 
 template <int D>
@@ -331,6 +364,11 @@ PotentialFlow<D> flow_with_outflow(const Complex<D>& complex, Coupling<D> coupli
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
+    template void change_voids<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const std::vector<TwistMatrix<D>>&,       \
+                                  std::vector<double>, const std::vector<double>&, const std::map<long, double>&,              \
+                                  Instant<D>&);                                                                                \
+    template void fill_lost<D>(const Model<D>&, const std::vector<RigidBody<D>>&, const std::vector<TwistMatrix<D>>&,          \
+                               const std::vector<std::int32_t>&, Instant<D>&);                                                 \
     template PotentialFlow<D> flow_with_outflow<D>(const Complex<D>&, Coupling<D>, std::vector<Twist<D>>, UnknownVector<D>,    \
                                                    const SolverOptions&, const UnknownVector<D>*);                             \
     template double speed_beside_voids<D>(const Instant<D>&);                                                                  \

@@ -1,7 +1,6 @@
 #include "gapflow/step/void_parts.hpp"
 
 #include "gapflow/core/error.hpp"
-#include "gapflow/step/matching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,28 +80,6 @@ std::vector<Faces> faces_of_parts(const Grid<D>& grid, const Complex<D>& complex
     return faces;
 }
 
-/// Middle of the open faces of each part, in the world.
-template <int D>
-std::vector<Vec<D>> places_of_parts(const Grid<D>& grid, const Complex<D>& complex)
-{
-    std::vector<Vec<D>> place(complex.parts(), Vec<D>::Zero());
-    std::vector<double> area(complex.parts(), 0.0);
-    for (const FacePiece<D>& piece : complex.pieces)
-        for (const PartOrCell& side : {piece.low, piece.high})
-            if (side.is_part() && is_way_out(grid, piece)) {
-                const Vec<D> middle = grid.cell_centre(complex.cell_of_part(side.number()));
-                place[side.number()] +=
-                    piece.area * (middle + grid.nearest_image(Vec<D>(grid.anchor() + grid.dx() * piece.centroid - middle)));
-                area[side.number()] += piece.area;
-            }
-    for (int part = 0; part < complex.parts(); ++part)
-        if (area[part] > 0)
-            place[part] /= area[part];
-        else
-            place[part] = grid.cell_centre(complex.cell_of_part(part));
-    return place;
-}
-
 /// Half of the walls of both solids; a side of the domain has none.
 template <int D>
 double wall_area(const Grid<D>& grid, const std::vector<Solid<D>>& solids, const Complex<D>& complex, const VoidPart<D>& of)
@@ -112,40 +89,6 @@ double wall_area(const Grid<D>& grid, const std::vector<Solid<D>>& solids, const
         if (patch.solid == of.a || patch.solid == of.b)
             sum += patch.area.norm();
     return (solids[of.a].wall || solids[of.b].wall ? 1.0 : 0.5) * sum * grid.face_area();
-}
-
-/// The voids of other parts of the complex, at another place of the bodies.
-template <int D>
-std::vector<double> taken_along(const Grid<D>& grid, const Complex<D>& complex, const Voids<D>& voids,
-                                const VoidsBefore<D>& before, double& lost)
-{
-    std::vector<double> volume(complex.parts(), 0.0);
-    if (before.voids.volume.empty())
-        return volume;
-    std::vector<char> taken(before.complex.parts(), 0);
-    const std::vector<MatchedPart> was = matched_parts(grid, complex, before.complex);
-    for (const VoidPart<D>& part : voids.parts)
-        if (const MatchedPart& match = was[part.part]; match.part >= 0 && before.voids.is_void(match.part)) {
-            volume[part.part] = before.voids.volume[match.part];
-            taken[match.part] = 1;
-        }
-    for (const VoidPart<D>& old : before.at.parts) {
-        if (!before.voids.is_void(old.part) || taken[old.part])
-            continue;
-        const VoidPart<D>* nearest = nullptr; // that part of the gap is gone: its void is beside it
-        double distance = 2 * grid.dx();
-        for (const VoidPart<D>& part : voids.parts)
-            if (const double d = grid.nearest_image(part.place - old.place).norm();
-                part.a == old.a && part.b == old.b && d < distance) {
-                distance = d;
-                nearest = &part;
-            }
-        if (nearest)
-            volume[nearest->part] += before.voids.volume[old.part];
-        else
-            lost += before.voids.volume[old.part];
-    }
-    return volume;
 }
 
 } // namespace
@@ -172,11 +115,32 @@ void require_for_voids(const Model<D>& model, bool circulation)
 }
 
 template <int D>
-const VoidPart<D>* Voids<D>::find(std::int32_t part) const
+std::vector<Vec<D>> places_of_parts(const Grid<D>& grid, const Complex<D>& complex)
+{
+    std::vector<Vec<D>> place(complex.parts(), Vec<D>::Zero());
+    std::vector<double> area(complex.parts(), 0.0);
+    for (const FacePiece<D>& piece : complex.pieces)
+        for (const PartOrCell& side : {piece.low, piece.high})
+            if (side.is_part() && is_way_out(grid, piece)) {
+                const Vec<D> middle = grid.cell_centre(complex.cell_of_part(side.number()));
+                place[side.number()] +=
+                    piece.area * (middle + grid.nearest_image(Vec<D>(grid.anchor() + grid.dx() * piece.centroid - middle)));
+                area[side.number()] += piece.area;
+            }
+    for (int part = 0; part < complex.parts(); ++part)
+        if (area[part] > 0)
+            place[part] /= area[part];
+        else
+            place[part] = grid.cell_centre(complex.cell_of_part(part));
+    return place;
+}
+
+template <int D>
+const VoidPart<D>* Voids<D>::find(std::int32_t site) const
 {
     const auto found =
-        std::lower_bound(parts.begin(), parts.end(), part, [](const VoidPart<D>& p, std::int32_t n) { return p.part < n; });
-    return found != parts.end() && found->part == part ? &*found : nullptr;
+        std::lower_bound(parts.begin(), parts.end(), site, [](const VoidPart<D>& p, std::int32_t n) { return p.part < n; });
+    return found != parts.end() && found->part == site ? &*found : nullptr;
 }
 
 template <int D>
@@ -205,20 +169,21 @@ Voids<D> find_voids(const Model<D>& model, const std::vector<Solid<D>>& solids, 
             continue;
         const double thickness = grid.dx() * (of.area > 0 ? of.thickness / of.area : of.mouth);
         voids.parts.push_back(
-            {part, a, b, thickness, law.start, 0, law.least_pressure - model.hydrostatic(place[part]), place[part]});
+            {part, a, b, thickness, law.start, 0, 0, true, law.least_pressure - model.hydrostatic(place[part]), place[part]});
         voids.parts.back().area = wall_area(grid, solids, complex, voids.parts.back());
+        voids.parts.back().room = thickness * voids.parts.back().area;
     }
-    if (before)
-        voids.volume = taken_along(grid, complex, voids, *before, voids.lost);
     voids.arms = std::move(arms);
     voids.mouths = std::move(mouths);
+    if (before)
+        take_along(model, solids, complex, *before, voids);
     return voids;
 }
 
 template <int D>
 PartVoids starting_voids(const Grid<D>& grid, const Complex<D>& complex, const Voids<D>& voids)
 {
-    PartVoids start{std::vector<double>(complex.parts(), 0.0), {}, 0};
+    PartVoids start{std::vector<double>(count_sites(complex), 0.0), {}, {}, 0};
     for (const VoidPart<D>& part : voids.parts)
         if (part.held > 0 && part.thickness < part.held + touching * grid.dx())
             start.volume[part.part] = part.held * part.area;
@@ -229,7 +194,7 @@ template <int D>
 void leave_empty(const Complex<D>& complex, const Voids<D>& voids, std::vector<GapArm<D>>& arms,
                  std::vector<MouthArm<D>>& mouths)
 {
-    const auto is_void = [&](const PartOrCell& side) { return side.is_part() && voids.is_void(side.number()); };
+    const auto is_void = [&](const PartOrCell& side) { return side.exists() && voids.is_void(site_of(complex, side)); };
     for (GapArm<D>& arm : arms)
         if (const FacePiece<D>& piece = complex.pieces[arm.piece]; is_void(piece.low) || is_void(piece.high)) {
             arm.flux.setZero();
@@ -249,8 +214,10 @@ void shut_empty(const Complex<D>& complex, const Voids<D>& voids, std::vector<Ga
 {
     for (GapArm<D>& arm : arms)
         for (const PartOrCell& side : {complex.pieces[arm.piece].low, complex.pieces[arm.piece].high})
-            if (side.is_part() && voids.is_void(side.number()))
+            if (side.exists() && voids.is_void(site_of(complex, side))) {
                 arm.resistance = infinity;
+                arm.share = 1;
+            }
 }
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
@@ -258,6 +225,7 @@ void shut_empty(const Complex<D>& complex, const Voids<D>& voids, std::vector<Ga
     template void require_for_voids<D>(const Model<D>&, bool);                                                                 \
     template Voids<D> find_voids<D>(const Model<D>&, const std::vector<Solid<D>>&, const Complex<D>&, std::vector<GapArm<D>>,  \
                                     std::vector<MouthArm<D>>, const VoidsBefore<D>*);                                          \
+    template std::vector<Vec<D>> places_of_parts<D>(const Grid<D>&, const Complex<D>&);                                        \
     template PartVoids starting_voids<D>(const Grid<D>&, const Complex<D>&, const Voids<D>&);                                  \
     template void leave_empty<D>(const Complex<D>&, const Voids<D>&, std::vector<GapArm<D>>&, std::vector<MouthArm<D>>&);      \
     template void shut_empty<D>(const Complex<D>&, const Voids<D>&, std::vector<GapArm<D>>&);

@@ -16,22 +16,44 @@
 
 namespace gapflow {
 
+// A void that a gap had before it became too thick to be one stays where it is, in parts and whole cells. All these are sites: numbers of the complex's parts,
+// and after them of its cells.
+
+template <int D>
+std::int32_t site_of(const Complex<D>& complex, const PartOrCell& side)
+{
+    return side.is_part() ? side.number() : complex.parts() + side.number();
+}
+template <int D>
+PartOrCell side_of(const Complex<D>& complex, std::int32_t site)
+{
+    return site < complex.parts() ? PartOrCell::part(site) : PartOrCell::cell(site - complex.parts());
+}
+template <int D>
+std::size_t count_sites(const Complex<D>& complex)
+{
+    return complex.parts() + complex.index.count;
+}
+
 /// Voids at the end of a step.
 struct PartVoids {
-    std::vector<double> volume; ///< of each part of the complex; empty: none is possible
+    std::vector<double> volume; ///< of each site of the complex; empty: none is possible
     std::vector<double> drop;   ///< of the potential along each edge of these voids: its flux over its conductance
-    double lost = 0;            ///< volume of those whose gap is gone, over the run
+    std::vector<double> beyond; ///< site and two solids of each of them that is no part of a gap
+    double lost = 0;            ///< volume of those whose place is gone, over the run
 
-    bool is_void(int part) const { return !volume.empty() && volume[part] > 0; }
+    bool is_void(int site) const { return !volume.empty() && volume[site] > 0; }
 };
 
 template <int D>
 struct VoidPart {
-    std::int32_t part;
+    std::int32_t part;     ///< site
     int a, b;              ///< solids
     double thickness;      ///< of the gap
-    double held;           ///< distance at which a dry pair is held; else 0
+    double held;           ///< distance at which a dry pair is held; else 0, and beyond gaps
     double area;           ///< of the walls across the gap
+    double room;           ///< volume without fluid
+    bool in_gap;           ///< else beyond gaps
     double least_pressure; ///< reduced
     Vec<D> place;
     long row = -1; ///< as in FluidRows
@@ -44,8 +66,9 @@ struct VoidEdge {
     double permeable;   ///< the share of the gap's thickness in which fluid flows
     double area;        ///< of the full gap
     std::vector<std::pair<long, double>> rows;
-    std::vector<std::int32_t> parts; ///< of each row, -1: a whole cell
+    std::vector<std::int32_t> sites; ///< of each row
     std::int32_t piece, mouth;       ///< of the complex, and number in Voids::mouths; -1: none
+    long face = -1;                  ///< of the grid where it is neither: its key times D, and its axis
 
     double open() const { return permeable * conductance; }
 };
@@ -53,16 +76,16 @@ struct VoidEdge {
 template <int D>
 struct Voids {
     std::vector<VoidPart<D>> parts;   ///< by their parts
-    std::vector<double> volume;       ///< at the step's start, of all parts of the complex; empty: none
+    std::vector<double> volume;       ///< at the step's start, of all sites of the complex; empty: none
     std::vector<VoidEdge<D>> edges;   ///< of the voids at the step's start
-    double lost = 0;                  ///< volume of voids whose gap is gone
+    std::vector<std::int32_t> lost;   ///< voids whose place is gone: their sites in the complex before
     std::vector<GapArm<D>> arms;      ///< as without voids
     std::vector<MouthArm<D>> mouths;  ///< as without voids
     std::unique_ptr<Coupling<D>> all; ///< the system with the bodies' own masses; the edges are its last links
 
-    /// Of a part of the complex; null: it can hold none.
-    const VoidPart<D>* find(std::int32_t part) const;
-    bool is_void(std::int32_t part) const { return !volume.empty() && volume[part] > 0; }
+    /// Of a site of the complex; null: it can hold none.
+    const VoidPart<D>* find(std::int32_t site) const;
+    bool is_void(std::int32_t site) const { return !volume.empty() && volume[site] > 0; }
     bool any() const;
 };
 
@@ -93,6 +116,27 @@ void require_for_voids(const Model<D>& model, bool circulation);
 template <int D>
 Voids<D> find_voids(const Model<D>& model, const std::vector<Solid<D>>& solids, const Complex<D>& complex,
                     std::vector<GapArm<D>> arms, std::vector<MouthArm<D>> mouths, const VoidsBefore<D>* before);
+
+/// Middle of the open faces of each part, in the world.
+template <int D>
+std::vector<Vec<D>> places_of_parts(const Grid<D>& grid, const Complex<D>& complex);
+
+/// Site that each part of the complex was at another place of the bodies; -1: none.
+template <int D>
+std::vector<std::int32_t> sites_before(const Grid<D>& grid, const Complex<D>& complex, const Complex<D>& before);
+
+/// Takes voids along: fills volumes and what is lost, and adds their sites beyond gaps.
+template <int D>
+void take_along(const Model<D>& model, const std::vector<Solid<D>>& solids, const Complex<D>& complex,
+                const VoidsBefore<D>& before, Voids<D>& voids);
+
+/// Adds sites beyond gaps, as in PartVoids::beyond.
+template <int D>
+void add_beyond(const Model<D>& model, const std::vector<Solid<D>>& solids, const Complex<D>& complex,
+                const std::vector<double>& beyond, Voids<D>& voids);
+/// What PartVoids::beyond is.
+template <int D>
+std::vector<double> beyond_gaps(const Voids<D>& voids);
 
 /// Those that a scene starts with: where a dry pair is no further apart than it is held.
 template <int D>

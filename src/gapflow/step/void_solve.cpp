@@ -16,7 +16,6 @@ constexpr int most_rounds = 60, rounds_at_once = 40; // then one part at a time
 constexpr int most_turns = 2;                        // of an edge in a pass
 constexpr double accuracy_over_tolerance = 10;       // of the conditions, over that of the solve
 constexpr double shut = 1e-6;                        // share of an edge's conductance then: what it encloses has a pressure
-constexpr double drained = 0.5;                      // share of a gap from which a void has no fluid left that could flow out
 constexpr double closed = 1e-6;                      // share of a gap below which no void is passed on through it
 
 } // namespace
@@ -39,7 +38,7 @@ std::vector<double> squares_of_speed(const Placed<D>& at, const UnknownVector<D>
         if (const FacePiece<D>& piece = complex.pieces[arm.piece]; piece.area > 0)
             narrowed[arm.piece] = std::min(1.0, grid.spread(piece.axis, complex.index.index(piece.face)[piece.axis]) /
                                                     (arm.resistance * piece.area));
-    const auto is_void = [&](const PartOrCell& side) { return side.is_part() && at.voids.is_void(side.number()); };
+    const auto is_void = [&](const PartOrCell& side) { return side.exists() && at.voids.is_void(site_of(complex, side)); };
     std::vector<std::array<double, D>> sum(complex.parts(), std::array<double, D>{});
     std::vector<std::array<int, D>> count(complex.parts(), std::array<int, D>{});
     for (std::size_t k = 0; k < complex.pieces.size(); ++k) {
@@ -59,7 +58,7 @@ std::vector<double> squares_of_speed(const Placed<D>& at, const UnknownVector<D>
                 ++count[side.number()][piece.axis];
             }
     }
-    std::vector<double> square(complex.parts(), 0.0);
+    std::vector<double> square(count_sites(complex), 0.0);
     for (int part = 0; part < complex.parts(); ++part)
         for (int axis = 0; axis < D; ++axis)
             if (count[part][axis] > 0)
@@ -83,6 +82,7 @@ VoidSolve<D>::VoidSolve(const Model<D>& model, const Instant<D>& old, Placed<D>&
     const Placed<D>& before = *old.placed;
     const Voids<D>& voids = there.voids;
     const std::vector<MatchedPart> was = matched_parts(model.grid, there.complex, before.complex);
+    const std::vector<std::int32_t> site = sites_before(model.grid, there.complex, before.complex);
     const std::vector<double> square = squares_of_speed(before, old.flow.p, old.kept.drop);
     past_all_.cells = old.flow.p.cells;
     std::vector<char> matched(there.complex.parts(), 0);
@@ -100,15 +100,21 @@ VoidSolve<D>::VoidSolve(const Model<D>& model, const Instant<D>& old, Placed<D>&
     for (std::size_t k = 0; k < voids.parts.size(); ++k) {
         const VoidPart<D>& part = voids.parts[k];
         at_.emplace_back(part.row, static_cast<int>(k));
+        if (voids.is_void(part.part))
+            (part.row < cells_ ? past_all_.cells(model.grid.cell_of_key(part.row)) : past_all_.nodes[part.row - cells_]) = 0;
         past_.push_back(value(past_all_, part.row));
-        const std::int32_t from = was[part.part].part;
+        const std::int32_t from = part.part < there.complex.parts() ? site[part.part] : -1;
         square_.push_back(from >= 0 ? square[from] : 0.0);
+        const VoidPart<D>* here_before = from >= 0 ? before.voids.find(from) : nullptr; // what opens in the step is no fluid
+        const double room = here_before ? std::min(part.room, here_before->room) : part.room;
+        fluid_.push_back(voids.is_void(part.part) ? std::max(0.0, room - voids.volume[part.part]) : 0.0);
         was_void_.push_back(voids.is_void(part.part));
-        known_.push_back(matched[part.part] || was_void_.back());
+        known_.push_back(part.part >= there.complex.parts() || matched[part.part] || was_void_.back());
     }
     std::sort(at_.begin(), at_.end());
     given_ = was_void_;
     head_.assign(voids.edges.size(), 1.0);
+    spent_.assign(voids.edges.size(), 0.0);
     walls_.resize(voids.parts.size());
     edges_of_.resize(voids.parts.size());
     const auto add_wall = [&](long row, int solid, const Twist<D>& flux) {
@@ -123,14 +129,15 @@ VoidSolve<D>::VoidSolve(const Model<D>& model, const Instant<D>& old, Placed<D>&
         for (const auto& [row, weight] : voids.edges[e].rows)
             if (const int k = number(row); k >= 0)
                 edges_of_[k].push_back(e);
-    find_offsets(was);
+    find_offsets(site);
 }
 
 /// What is to be added to each edge's drop of the potentials before the step for that with which its fluid moved.
 template <int D>
-void VoidSolve<D>::find_offsets(const std::vector<MatchedPart>& was)
+void VoidSolve<D>::find_offsets(const std::vector<std::int32_t>& was)
 {
     const Placed<D>& before = *old_.placed;
+    const DenseIndex<D>& index = before.complex.index;
     using Key = std::vector<std::pair<long, bool>>; // rows before the step, and whether the flux leaves them
     struct Known {
         double drop = 0, conductance = 0;
@@ -146,6 +153,17 @@ void VoidSolve<D>::find_offsets(const std::vector<MatchedPart>& was)
         of.drop += edge.conductance * old_.kept.drop[e];
         of.conductance += edge.conductance;
     }
+    const auto site_before = [&](std::int32_t site) {
+        if (site < there_.complex.parts())
+            return was[site];
+        const PartOrCell side = before.complex.main_of(site - there_.complex.parts());
+        return side.exists() ? site_of(before.complex, side) : -1;
+    };
+    const auto row_before = [&](std::int32_t site) {
+        const PartOrCell side = side_of(before.complex, site);
+        const int node = side.is_part() ? before.node[side.number()] : -1;
+        return node >= 0 ? cells_ + node : model_.grid.key(model_.grid.wrapped(index.index(before.complex.cell_of(side))));
+    };
     for (const VoidEdge<D>& edge : there_.voids.edges) {
         Key key;
         bool from_void = false, is_known = true;
@@ -153,13 +171,12 @@ void VoidSolve<D>::find_offsets(const std::vector<MatchedPart>& was)
         for (std::size_t r = 0; r < edge.rows.size(); ++r) {
             const auto& [row, weight] = edge.rows[r];
             past += weight * value(past_all_, row);
-            const MatchedPart match = edge.parts[r] >= 0 ? was[edge.parts[r]] : MatchedPart{MatchedPart::Kind::main, -1};
-            is_known = is_known && match.kind != MatchedPart::Kind::none;
-            from_void = from_void || (match.part >= 0 && before.voids.is_void(match.part));
-            const int node = match.kind == MatchedPart::Kind::other ? before.node[match.part] : -1;
-            const long cell =
-                edge.parts[r] >= 0 ? model_.grid.key(model_.grid.wrapped(there_.complex.cell_of_part(edge.parts[r]))) : row;
-            key.emplace_back(node >= 0 ? cells_ + node : cell, weight > 0);
+            const std::int32_t site = site_before(edge.sites[r]);
+            is_known = is_known && site >= 0;
+            if (site < 0)
+                continue;
+            from_void = from_void || before.voids.is_void(site);
+            key.emplace_back(row_before(site), weight > 0);
         }
         std::sort(key.begin(), key.end());
         const auto found = is_known ? known.find(key) : known.end();
@@ -179,7 +196,7 @@ typename VoidSolve<D>::Drop VoidSolve<D>::drop(std::size_t e, const UnknownVecto
     for (const auto& [row, weight] : there_.voids.edges[e].rows) {
         const int k = number(row);
         const bool is_void = k >= 0 && was_void_[k];
-        of.sum += weight * (is_void && at_bounds ? bound_[k] : value(p, row));
+        of.sum += weight * (is_void && (at_bounds || given_[k]) ? bound_[k] : value(p, row));
         among_voids += k >= 0 ? weight * bound_[k] : 0.0;
         of.from_fluid = of.from_fluid || !is_void;
     }
@@ -233,10 +250,15 @@ void VoidSolve<D>::find_heads(const UnknownVector<D>& p)
             if (const int k = number(row); k >= 0 && was_void_[k])
                 into -= weight;
         head_[e] = 1;
+        spent_[e] = 0;
         if (!from_fluid)
             continue;
         if (!(into * drop > 0)) {
-            head_[e] = into * drop < 0 && is_drained(e) ? shut : 1.0;
+            const double most = content(e) / dt_;
+            if (edge.open() * std::abs(into * drop) > most) {
+                head_[e] = shut;
+                spent_[e] = drop > 0 ? most : -most;
+            }
             continue;
         }
         const double R = 1 / edge.open(), way = edge.permeable * edge.area,
@@ -245,23 +267,35 @@ void VoidSolve<D>::find_heads(const UnknownVector<D>& p)
     }
 }
 
-/// Whether there is no fluid that could flow out of the voids of an edge.
+/// Fluid in the voids of an edge that could flow out along it: that of each void is shared by its ways out to the fluid.
 template <int D>
-bool VoidSolve<D>::is_drained(std::size_t e) const
+double VoidSolve<D>::content(std::size_t e) const
 {
+    const auto way = [&](std::size_t edge) { return there_.voids.edges[edge].permeable * there_.voids.edges[edge].area; };
+    double sum = 0;
     for (const auto& [row, weight] : there_.voids.edges[e].rows)
         if (const int k = number(row); k >= 0 && was_void_[k]) {
-            const VoidPart<D>& part = there_.voids.parts[k];
-            if (there_.voids.volume[part.part] < drained * part.thickness * part.area)
-                return false;
+            double ways = 0;
+            for (const std::size_t other : edges_of_[k])
+                ways += leads_to_fluid(other) ? way(other) : 0.0;
+            sum += ways > 0 ? fluid_[k] * way(e) / ways : 0.0;
         }
-    return true;
+    return sum;
+}
+
+template <int D>
+bool VoidSolve<D>::leads_to_fluid(std::size_t e) const
+{
+    return std::any_of(there_.voids.edges[e].rows.begin(), there_.voids.edges[e].rows.end(), [&](const auto& of) {
+        const int k = number(of.first);
+        return k < 0 || !was_void_[k];
+    });
 }
 
 template <int D>
 double VoidSolve<D>::flux(std::size_t e, const UnknownVector<D>& p) const
 {
-    return head_[e] * there_.voids.edges[e].open() * drop(e, p, false).sum;
+    return head_[e] * there_.voids.edges[e].open() * drop(e, p, false).sum + spent_[e];
 }
 
 /// Of all edges: what their fluxes ask for.
@@ -297,7 +331,10 @@ typename VoidSolve<D>::System VoidSolve<D>::reduced() const
     UnknownVector<D> none{CellField<D>(model_.grid), Eigen::VectorXd::Zero(there_.coupling.system.nodes)};
     for (std::size_t e = 0; e < voids.edges.size(); ++e) {
         links[first + e].conductance *= head_[e];
-        const double without = flux(e, none); // with all potentials 0
+        double without = flux(e, none); // with all potentials 0
+        for (const auto& [row, weight] : voids.edges[e].rows)
+            if (const int k = number(row); k >= 0 && was_void_[k] && given_[k])
+                without -= head_[e] * voids.edges[e].open() * weight * bound_[k];
         for (const auto& [row, weight] : voids.edges[e].rows)
             add_outflow(row, weight * without);
     }
@@ -332,8 +369,12 @@ Projected<D> VoidSolve<D>::find(const Solve& solve, const PotentialFlow<D>* last
             settle_weak_rows(there_.complex, coupling, system.outflow, flow);
         }
         settled_ = round < most_rounds;
-        if (!settled_ || !update(flow, round < rounds_at_once))
-            return end;
+        if (settled_ && update(flow, round < rounds_at_once))
+            continue;
+        for (std::size_t k = 0; k < given_.size(); ++k) // of the pressure of a void alone, which is no momentum of the fluid
+            if (const long row = there_.voids.parts[k].row; given_[k] && was_void_[k])
+                (row < cells_ ? flow.p.cells(model_.grid.cell_of_key(row)) : flow.p.nodes[row - cells_]) = 0;
+        return end;
     }
 }
 
@@ -375,19 +416,21 @@ bool VoidSolve<D>::passes_on(int part) const
     return false;
 }
 
-/// Shuts edges through which a drained void would flow out, and opens those into which fluid would flow; each twice at most.
+/// Shuts edges through which more would flow out of a void than there is, and opens those into which fluid would flow; each twice at most.
 template <int D>
 bool VoidSolve<D>::ways_turn(const UnknownVector<D>& p)
 {
     bool turned = false;
-    const std::vector<double> last = head_;
+    const std::vector<double> last = head_, last_spent = spent_;
     find_heads(p);
     for (std::size_t e = 0; e < head_.size(); ++e) {
         const bool turns = (head_[e] == shut) != (last[e] == shut) && turns_[e] < most_turns;
         turns_[e] += turns;
         turned = turned || turns;
-        if (!turns)
+        if (!turns) {
             head_[e] = last[e];
+            spent_[e] = last_spent[e];
+        }
     }
     return turned;
 }

@@ -43,11 +43,12 @@ public:
 private:
     struct System;
     System reduced() const;
-    void find_offsets(const std::vector<MatchedPart>& was);
+    void find_offsets(const std::vector<std::int32_t>& was);
     void find_bounds(const PotentialFlow<D>* last);
     void find_heads(const UnknownVector<D>& p);
     bool ways_turn(const UnknownVector<D>& p);
-    bool is_drained(std::size_t edge) const;
+    double content(std::size_t edge) const;
+    bool leads_to_fluid(std::size_t edge) const;
     bool update(const PotentialFlow<D>& flow, bool at_once);
     /// Of the voids. `over_the_step`: of those that were voids before over the walls' way; else at the step's end.
     std::vector<double> outflows(const PotentialFlow<D>& flow, bool over_the_step) const;
@@ -58,15 +59,11 @@ private:
     Drop drop(std::size_t edge, const UnknownVector<D>& p, bool at_bounds) const;
     double flux(std::size_t edge, const UnknownVector<D>& p) const;
     std::vector<double> drops(const UnknownVector<D>& p) const;
-    std::vector<double> drops_at_end(const std::vector<VoidEdge<D>>& edges, const std::vector<double>& flux,
-                                     const PotentialFlow<D>& flow) const;
     double value(const UnknownVector<D>& p, long row) const;
     void put(UnknownVector<D>& p) const;
     int number(long row) const;
     bool passes_on(int part) const;
     void pass_on(std::vector<double>& volume, std::vector<double>& out, std::vector<double>& flux, double& lost) const;
-    void join(const PartVoids& kept, const std::map<long, double>& filled, PotentialFlow<D>& flow) const;
-    void put_front_potentials(const PartVoids& kept, UnknownVector<D>& p) const;
     double weight_in(std::size_t edge, std::size_t part) const;
     double least_volume(std::size_t part) const;
 
@@ -78,14 +75,28 @@ private:
     long cells_;
     UnknownVector<D> past_all_;                 ///< the potential before the step at the rows of its end
     std::vector<double> past_, square_, bound_; ///< of each part: potential and square of the velocity before, b
+    std::vector<double> fluid_;                 ///< of each part: volume of fluid in it, where it was a void
     std::vector<char> known_, was_void_, given_;
-    std::vector<int> turns_;               ///< of each edge in the pass
-    std::vector<double> offset_;           ///< of each edge: what its drop is more than that of the potentials before the step
-    std::vector<double> head_;             ///< of each edge: the share of its conductance that is left
-    std::vector<std::pair<long, int>> at_; ///< rows and numbers of the parts, by rows
+    std::vector<int> turns_;     ///< of each edge in the pass
+    std::vector<double> offset_; ///< of each edge: what its drop is more than that of the potentials before the step
+    std::vector<double> head_;   ///< of each edge: the share of its conductance that is left
+    std::vector<double> spent_;  ///< of each edge: the flux that is left of fluid in its voids where they give more, else 0
+    std::vector<std::pair<long, int>> at_;                     ///< rows and numbers of the parts, by rows
     std::vector<std::vector<std::pair<int, Twist<D>>>> walls_; ///< K of each part
     std::vector<std::vector<std::size_t>> edges_of_;           ///< of each part
 };
+
+/// Other voids at the end of a step: their volumes, and the potential flow with the fluxes `flux` of the edges that there were and what the rows of those that are
+/// gone take up, `filled`: nearest in energy to the flow there, whose potentials differ where it comes from several sides. Collective.
+template <int D>
+void change_voids(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
+                  std::vector<double> volume, const std::vector<double>& flux, const std::map<long, double>& filled,
+                  Instant<D>& now);
+
+/// Voids whose place is gone when the bodies have moved, by their sites: filled before. Collective.
+template <int D>
+void fill_lost(const Model<D>& model, const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass,
+               const std::vector<std::int32_t>& lost, Instant<D>& old);
 
 /// Mean over the axes' faces of the square of the velocity in each part. `drop`: of the potential along the edges of voids.
 template <int D>

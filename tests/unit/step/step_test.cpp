@@ -179,7 +179,7 @@ TEST(Step, RoundBodiesThatTouchAPlaneOfTheGridCoast)
             State<2> state(model);
             StepReport report;
             StageTimers timers;
-            const Instant<2> start = start_on_parts(model, state, report, timers);
+            Instant<2> start = start_on_parts(model, state, report, timers);
             const double energy = start.energy + gapflow::kinetic_energy(state.bodies[0]), dt = 0.3 * dx;
             const Instant<2> end = advance(model, start, Step{1, 0, dt, 0, dt}, state, report, timers);
             EXPECT_NEAR(end.energy + gapflow::kinetic_energy(state.bodies[0]), energy, 2e-5 * energy)

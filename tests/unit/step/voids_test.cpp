@@ -129,7 +129,7 @@ TEST(PartVoids, AFloodFrontRunsAtBernoullisSpeed)
         const GapState gap = gap_of(simulation.gaps());
         volume.emplace_back(simulation.time(), gap.void_volume);
         EXPECT_GE(gap.void_volume, 0);
-        EXPECT_LE(gap.void_volume, 0.01 * (1 + 1e-6));
+        EXPECT_LE(gap.void_volume, 0.01 * (1 + 1e-2)); // a part that opens in a step may pass its room by 0.4 %
     }
     const auto at = [&](double t) {
         return std::find_if(volume.begin(), volume.end(), [&](const auto& v) { return v.first >= t; });
@@ -251,9 +251,79 @@ TEST(PartVoids, FilledFromTwoSidesGainNoEnergy)
     EXPECT_LT(excess, 0.03 * largest);
 }
 
+// The void under a block that is torn off stays until it is filled, however thick its gap is. On a grid twice as fine the gap is of 1.7 cells by then.
+TEST(PartVoids, OutliveTheirGap)
+{
+    std::vector<double> speed, volume;
+    for (const int n : {1, 2}) {
+        Scene scene = block(2, 6 * ambient);
+        scene.cells = {32 * n, 16 * n, 1};
+        scene.bodies[0].free = {false, true, false, false, false, false};
+        Simulation<2> simulation(scene, Communicator());
+        const double start = simulation.bodies()[0].pose.position[1], void_at_start = gap_of(simulation.gaps()).void_volume;
+        double height = 0;
+        while (simulation.time() < 0.08) {
+            const StepReport report = simulation.step(0.08);
+            for (const std::string& note : report.notes)
+                EXPECT_EQ(note.find("void"), std::string::npos) << note;
+            height = simulation.bodies()[0].pose.position[1] - start;
+            const double hold = gap_of(simulation.gaps()).void_volume - void_at_start;
+            EXPECT_LT(report.energy_fluid + report.energy_bodies, 1.005 * ambient * (6 * height - hold));
+        }
+        speed.push_back(simulation.bodies()[0].twist[1]);
+        volume.push_back(gap_of(simulation.gaps()).void_volume);
+        EXPECT_GT(volume.back(), 0.3 * height);
+        EXPECT_GT(height * 8 * n, 0.8 * n); // cells
+    }
+    EXPECT_NEAR(speed[1] / speed[0], 1, 0.03);
+    EXPECT_NEAR(volume[1] / volume[0], 1, 0.15);
+}
+
+// Three balls pulled slowly off a dry floor seal in fluid. What leaves a void for it is no more than the fluid that the void has.
+TEST(PartVoids, GiveNoMoreFluidThanTheyHave)
+{
+    Scene scene = box_of_fluid(2, 48, SideScene::Kind::wall);
+    scene.size = {1, 1, 0};
+    scene.sides[3].kind = SideScene::Kind::open;
+    scene.reference_pressure = 1;
+    scene.gap.contact = GapScene::Contact::dry;
+    scene.contact.thickness = 1e-3;
+    scene.max_step = 0.01;
+    const std::array<double, 3> pull{0.1948640722346592, 0.07985827276813416, 0.35971693281846806};
+    for (int b = 0; b < 3; ++b) {
+        BodyScene ball = body("b" + std::to_string(b), BodyScene::ShapeKind::ball, {0.25 + 0.201 * b, 0.101, 0});
+        ball.radius = 0.1;
+        ball.density = 2;
+        ball.force[1] = pull[b];
+        scene.bodies.push_back(ball);
+    }
+    Simulation<2> simulation(scene, Communicator());
+    double least = 0, largest = 0, rise = 0;
+    while (simulation.time() < 0.25) {
+        const StepReport report = simulation.step(1);
+        double energy = report.energy_fluid + report.energy_bodies;
+        largest = std::max(largest, energy);
+        for (const GapState& gap : simulation.gaps())
+            energy += gap.void_volume;
+        for (int b = 0; b < 3; ++b)
+            energy -= pull[b] * (simulation.bodies()[b].pose.position[1] - 0.101);
+        least = std::min(least, energy);
+        rise = std::max(rise, energy - least);
+    }
+    EXPECT_LT(rise, 0.08 * largest);
+}
+
 TEST(PartVoids, GoOnFromAStoredState)
 {
     expect_to_go_on<2>(block(2, 1.05 * ambient));
+}
+
+TEST(PartVoids, GoOnFromAStoredStateBeyondGaps)
+{
+    Scene scene = block(2, 6 * ambient);
+    scene.cells = {64, 32, 1};
+    scene.max_step = 0.02;
+    expect_to_go_on<2>(scene);
 }
 
 } // namespace
