@@ -8,6 +8,7 @@
 #include "gapflow/step/mean_flow.hpp"
 #include "gapflow/step/pressure.hpp"
 #include "gapflow/step/remainder.hpp"
+#include "gapflow/step/viscosity.hpp"
 #include "gapflow/step/void_solve.hpp"
 #include "gapflow/step/vorticity.hpp"
 #include "gapflow/stepping/drive.hpp"
@@ -293,6 +294,66 @@ void find_flow(const typename VoidSolve<D>::Solve& solve, VoidSolve<D>& voids, i
     settle_weak_rows(*now.placed, now.flow);
 }
 
+/// Impulses that act on the bodies beside the fluid's: with viscosity they do so while it does. `forced`: twists with them; on return those of the momenta alone.
+template <int D>
+std::vector<Twist<D>> take_loads(const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass, double density,
+                                 double dt, std::vector<Twist<D>>& forced)
+{
+    std::vector<Twist<D>> loads(forced.size(), Twist<D>::Zero());
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].motion != Motion::free || bodies[b].spring || bodies[b].water)
+            continue; // of a spring the present twist is a part
+        RigidBody<D> coasting = bodies[b];
+        coasting.force.setZero();
+        coasting.torque.setZero();
+        const Twist<D> without = forced_twist<D>(coasting, Vec<D>::Zero(), density, dt);
+        loads[b] = mass[b] * (forced[b] - without);
+        forced[b] = without;
+    }
+    return loads;
+}
+
+/// The step's end with viscosity.
+template <int D>
+void with_viscosity(const Model<D>& model, const std::vector<TwistMatrix<D>>& mass, const std::vector<Twist<D>>& loads,
+                    const Step& step, State<D>& state, StepReport& report, Instant<D>& now)
+{
+    ViscousLoads<D> acting{loads};
+    if (model.scene.pressure_gradient)
+        acting.gradient = to_vec<D>(*model.scene.pressure_gradient);
+    for (int axis = 0; axis < D; ++axis)
+        acting.mean_velocity[axis] = model.kept_velocity(axis);
+    const ViscousStep<D> viscous = add_viscosity(*now.placed, mass, acting, model.scene.viscosity, step.dt, now.flow);
+    state.drive.gradient = viscous.gradient;
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        state.wrenches[b] += viscous.impulse[b] / step.dt;
+    report.viscous_iterations = viscous.iterations;
+    report.dissipation_grid = viscous.dissipated / step.dt;
+}
+
+/// Contacts again, after loads and viscosity have acted on the bodies.
+template <int D>
+void meet_again(const Model<D>& model, const ContactSet<D>& contacts, const std::vector<TwistMatrix<D>>& mass, const Step& step,
+                State<D>& state, StepReport& report, StageTimers& timers, Instant<D>& now)
+{
+    Instant<D> start;
+    start.impulse = fluid_impulse(*now.placed, now.flow);
+    const std::vector<Twist<D>> none(start.impulse.size(), Twist<D>::Zero());
+    Coupling<D>& system = now.placed->coupling;
+    state.contacts = contacts;
+    state.pressure.impulse = {CellField<D>(model.grid), {}};
+    Intermediate<D> star = intermediate(model, start, *now.placed, system, now.stream, now.flow.remainder, now.flow.sides,
+                                        now.flow.twists, StepForces<D>{none, none}, state, step.dt);
+    Projected<D> end = project(model, system, std::move(star), mass, step, state, report, timers);
+    now.flow.twists = std::move(end.twists);
+    now.flow.p = std::move(end.impulse);
+    leave_gauge(system, now.flow.twists, now.flow.p);
+    settle_weak_rows(*now.placed, now.flow);
+    const std::vector<Twist<D>> impulse = fluid_impulse(*now.placed, now.flow);
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        state.wrenches[b] -= (impulse[b] - start.impulse[b]) / step.dt;
+}
+
 /// Share of the energy that the work of a pass may miss.
 double may_miss(int pass)
 {
@@ -325,13 +386,16 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     double last = std::numeric_limits<double>::infinity();
     state.forces_settle = true;
     int left = passes_of_work; // of a step whose forces do not settle
+    std::vector<Twist<D>> loads;
     for (int pass = 1;; ++pass) {
         state.contacts = contacts;
         state.pressure.impulse = {CellField<D>(model.grid), {}};
         now.flow.remainder = timed("vorticity", [&] { return turned.find(pass > 1 ? &now : nullptr); });
-        state.drive = mean_flow.drive(state.drive);
+        state.drive = model.viscous() ? Drive<D>{} : mean_flow.drive(state.drive); // with viscosity it drives while this acts
         now.stream = state.drive.flow;
-        const std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
+        std::vector<Twist<D>> forced = forced_twists(model, state.bodies, state.drive, step);
+        if (model.viscous())
+            loads = take_loads(state.bodies, mass, model.scene.density, step.dt, forced);
         const auto solve = [&](Coupling<D>& system, const UnknownVector<D>& outflow, const std::vector<Twist<D>>& impulse) {
             Intermediate<D> star = intermediate(model, old, *now.placed, system, now.stream, now.flow.remainder, now.flow.sides,
                                                 forced, forces, state, step.dt);
@@ -342,7 +406,7 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
         };
         find_flow<D>(solve, voids, pass, now);
         timed("forces", [&] { find_forces(now); });
-        const bool is_kept = mean_flow.found(now, state.bodies);
+        const bool is_kept = model.viscous() || mean_flow.found(now, state.bodies);
         if (!state.forces_settle) {
             if (--left == 0)
                 break;
@@ -374,8 +438,12 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     state.dt = step.dt;
     state.time = step.landing;
     state.steps = step.number;
-    finish_bodies(model, moved_by<D>(now.flow.twists, stream_twist<D>(now.stream)), step, state);
     state.wrenches = fluid_wrenches(model, old, now, forces, state.bodies, state.drive, step.start + 0.5 * step.dt, step.dt);
+    if (model.viscous())
+        timed("viscosity", [&] { with_viscosity(model, mass, loads, step, state, report, now); });
+    if (model.viscous() && !contacts.empty())
+        meet_again(model, contacts, mass, step, state, report, timers, now);
+    finish_bodies(model, moved_by<D>(now.flow.twists, stream_twist<D>(now.stream)), step, state);
     FluidVelocity<D> velocity = face_velocities(now);
     state.pressure.impulse = pressure_impulse(old, state.velocity.grid, now, velocity.grid, model.grid_velocity, step.dt);
     state.velocity = std::move(velocity);
@@ -389,6 +457,8 @@ Instant<D> advance(Model<D>& model, const Instant<D>& old, const Step& step, Sta
     } else if (!old.kept.volume.empty())
         now.kept.volume.assign(now.placed->complex.parts(), 0.0);
     if (!now.flow.remainder.empty()) {
+        if (model.viscous())
+            fill_covered(*now.placed, now.flow.remainder.faces);
         timed("vorticity", [&] { renew_gauge(*now.placed, now.flow, solver_options(model.scene)); });
         timed("forces", [&] { find_forces(now); });
     }
@@ -413,6 +483,8 @@ Instant<D> restored(const Model<D>& model, const State<D>& state, const PartVoid
                           given_sides(model, state.time)};
     if (!state.remainder.empty())
         flow.remainder = remainder_of(*at, state.remainder.faces);
+    if (model.viscous())
+        flow.remainder.edges = state.remainder.edges;
     Instant<D> instant = instant_of<D>(model, state.bodies, std::move(at), std::move(flow), stream);
     instant.kept = kept;
     if (!state.forces_settle) {
