@@ -239,6 +239,59 @@ TEST(Viscosity, ShearBetweenSlidingWallsIsLinear3D)
     check_couette<3>();
 }
 
+// On both sides of a plate thinner than a cell, of which a face of the grid may have a piece on either, the flow is sheared by itself.
+TEST(Viscosity, ShearOnBothSidesOfAThinPlate)
+{
+    Scene scene = box_of_fluid(2, 6, SideScene::Kind::periodic);
+    scene.tolerance = 1e-12;
+    scene.viscosity = 1;
+    scene.sides[2].kind = scene.sides[3].kind = SideScene::Kind::wall;
+    scene.sides[2].velocity = {-0.3, 0, 0};
+    scene.sides[3].velocity = {0.7, 0, 0};
+    scene.bodies = {body("plate", BodyScene::ShapeKind::box, {0.5, 0.43, 0})};
+    scene.bodies[0].motion = BodyScene::Motion::fixed;
+    scene.bodies[0].size = {3, 0.02, 0};
+    ViscousRun<2> run(scene);
+    for (int k = 0; k < 14; ++k)
+        run.step(0.1);
+    EXPECT_NEAR(run.report.dissipation_grid, 0.3 * 0.3 / 0.42 + 0.7 * 0.7 / 0.56, 1e-6);
+    EXPECT_NEAR(run.state.wrenches[0][0], 0.7 / 0.56 - 0.3 / 0.42, 1e-6);
+}
+
+// A mean pressure gradient, and the one that keeps a mean velocity: laminar flow between walls.
+TEST(Viscosity, DrivenChannels)
+{
+    for (const bool kept : {false, true}) {
+        Scene scene = box_of_fluid(2, 6, SideScene::Kind::periodic);
+        scene.tolerance = 1e-12;
+        scene.viscosity = 1;
+        scene.sides[2].kind = scene.sides[3].kind = SideScene::Kind::wall;
+        if (kept)
+            scene.mean_velocity = Triple{1, 0, 0};
+        else
+            scene.pressure_gradient = Triple{-12, 0, 0};
+        Simulation<2> run(scene, Communicator());
+        StepReport last;
+        while (run.time() < 3)
+            last = run.step(3);
+        EXPECT_NEAR(last.mean_velocity_x, 1, 1e-8);
+        EXPECT_NEAR(last.pressure_gradient_x, -12, 1e-7);
+    }
+}
+
+TEST(Viscosity, RunsGoOnFromTheirState)
+{
+    Scene scene = box_of_fluid(2, 16, SideScene::Kind::wall);
+    scene.viscosity = 0.01;
+    scene.gravity = {0, -1, 0};
+    scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.4, 0.43, 0}, {0.3, 0.2, 0}),
+                    body("plate", BodyScene::ShapeKind::box, {0.6, 0.71, 0})};
+    scene.bodies[0].density = 2;
+    scene.bodies[1].size = {0.4, 0.02, 0};
+    scene.bodies[1].angle = 0.2;
+    expect_to_go_on<2>(scene);
+}
+
 // Vortices decay at the rate of their wave numbers, with an error in time of second order.
 TEST(Viscosity, DecayIsOfSecondOrderInTime)
 {
