@@ -9,6 +9,7 @@
 #include "gapflow/step/pressure.hpp"
 #include "gapflow/step/remainder.hpp"
 #include "gapflow/step/viscosity.hpp"
+#include "gapflow/step/viscous_end.hpp"
 #include "gapflow/step/void_solve.hpp"
 #include "gapflow/step/vorticity.hpp"
 #include "gapflow/stepping/drive.hpp"
@@ -292,43 +293,6 @@ void find_flow(const typename VoidSolve<D>::Solve& solve, VoidSolve<D>& voids, i
     leave_gauge(now.placed->coupling, now.flow.twists, now.flow.p);
     now.flow.twists = moved_by<D>(std::move(now.flow.twists), -stream_twist<D>(now.stream));
     settle_weak_rows(*now.placed, now.flow);
-}
-
-/// Impulses that act on the bodies beside the fluid's: with viscosity they do so while it does. `forced`: twists with them; on return those of the momenta alone.
-template <int D>
-std::vector<Twist<D>> take_loads(const std::vector<RigidBody<D>>& bodies, const std::vector<TwistMatrix<D>>& mass, double density,
-                                 double dt, std::vector<Twist<D>>& forced)
-{
-    std::vector<Twist<D>> loads(forced.size(), Twist<D>::Zero());
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (bodies[b].motion != Motion::free || bodies[b].spring || bodies[b].water)
-            continue; // of a spring the present twist is a part
-        RigidBody<D> coasting = bodies[b];
-        coasting.force.setZero();
-        coasting.torque.setZero();
-        const Twist<D> without = forced_twist<D>(coasting, Vec<D>::Zero(), density, dt);
-        loads[b] = mass[b] * (forced[b] - without);
-        forced[b] = without;
-    }
-    return loads;
-}
-
-/// The step's end with viscosity.
-template <int D>
-void with_viscosity(const Model<D>& model, const std::vector<TwistMatrix<D>>& mass, const std::vector<Twist<D>>& loads,
-                    const Step& step, State<D>& state, StepReport& report, Instant<D>& now)
-{
-    ViscousLoads<D> acting{loads};
-    if (model.scene.pressure_gradient)
-        acting.gradient = to_vec<D>(*model.scene.pressure_gradient);
-    for (int axis = 0; axis < D; ++axis)
-        acting.mean_velocity[axis] = model.kept_velocity(axis);
-    const ViscousStep<D> viscous = add_viscosity(*now.placed, mass, acting, model.scene.viscosity, step.dt, now.flow);
-    state.drive.gradient = viscous.gradient;
-    for (std::size_t b = 0; b < state.bodies.size(); ++b)
-        state.wrenches[b] += viscous.impulse[b] / step.dt;
-    report.viscous_iterations = viscous.iterations;
-    report.dissipation_grid = viscous.dissipated / step.dt;
 }
 
 /// Contacts again, after loads and viscosity have acted on the bodies.

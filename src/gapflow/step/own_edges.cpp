@@ -41,9 +41,7 @@ std::vector<double> carried_along_edges(const Placed<D>& from, const std::vector
         if (there == pieces.end())
             continue;
         std::size_t nearest = there->second.front();
-        const auto distance = [&](std::size_t other) {
-            return (from.complex.pieces[other].centroid - piece.centroid).norm();
-        };
+        const auto distance = [&](std::size_t other) { return (from.complex.pieces[other].centroid - piece.centroid).norm(); };
         for (const std::size_t other : there->second)
             if (distance(other) < distance(nearest))
                 nearest = other;

@@ -117,12 +117,10 @@ std::unique_ptr<Placed<D>> placed(const Model<D>& model, const std::vector<Rigid
     result->rotational = circulation;
     const auto [solids, standoffs] = rough_solids<D>(model.scene, model.grid, model.solids(bodies));
     PartBorders<D> borders;
-    result->complex =
-        build_complex<D>(model.grid, solids, &result->derivatives, model.viscous() ? &borders : nullptr);
+    result->complex = build_complex<D>(model.grid, solids, &result->derivatives, model.viscous() ? &borders : nullptr);
     if (model.viscous())
-        result->viscous = std::make_shared<const ViscousForm<D>>(
-            build_viscous_form<D>(model.grid, solids, result->complex, borders,
-                                  find_gap_drag<D>(model.grid, solids, result->complex, standoffs)));
+        result->viscous = std::make_shared<const ViscousForm<D>>(build_viscous_form<D>(
+            model.grid, solids, result->complex, borders, find_gap_drag<D>(model.grid, solids, result->complex, standoffs)));
     result->arms = find_gap_arms<D>(model.grid, solids, result->complex, standoffs);
     std::vector<MouthArm<D>> mouths = find_mouth_arms<D>(model.grid, solids, result->complex, standoffs);
     if (voids_are_possible(model.scene))

@@ -59,13 +59,13 @@ struct Placed {
     Complex<D> complex;
     FaceDerivatives<D> derivatives;
     std::vector<GapArm<D>> arms;
-    std::vector<PairInertia<D>> pairs; ///< what gaps add to the masses of two solids
-    std::vector<int> node;             ///< of each part, -1: none
-    bool rotational = false;           ///< whether the flow has circulation
-    EdgesOfParts<D> edges;             ///< where it has, or where fluxes are measured
-    Voids<D> voids;                    ///< in gaps
+    std::vector<PairInertia<D>> pairs;             ///< what gaps add to the masses of two solids
+    std::vector<int> node;                         ///< of each part, -1: none
+    bool rotational = false;                       ///< whether the flow has circulation
+    EdgesOfParts<D> edges;                         ///< where it has, or where fluxes are measured
+    Voids<D> voids;                                ///< in gaps
     std::shared_ptr<const ViscousForm<D>> viscous; ///< dissipation per unit of viscosity; null: ideal fluid
-    Coupling<D> coupling;              ///< with the masses of the bodies at these places
+    Coupling<D> coupling;                          ///< with the masses of the bodies at these places
 };
 
 /// `mass`: of all solids. `circulation`: whether the flow has some, which needs `edges`. `voids`: taken along from another place; null: none. Collective.

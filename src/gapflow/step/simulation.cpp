@@ -340,8 +340,8 @@ void Simulation<D>::report(const std::vector<Twist<D>>& V, StepReport& report)
                 report.energy_bodies += kinetic_energy(relative) - kinetic_energy(body);
             }
         if (model_.driven()) {
-            const Vec<D> flow = model_.viscous() ? mean_flux(model_.grid, instant_->flux)
-                                                 : mean_velocity(model_, *instant_, state_.bodies);
+            const Vec<D> flow =
+                model_.viscous() ? mean_flux(model_.grid, instant_->flux) : mean_velocity(model_, *instant_, state_.bodies);
             double* const flows[] = {&report.mean_velocity_x, &report.mean_velocity_y, &report.mean_velocity_z};
             for (int axis = 0; axis < D; ++axis)
                 *flows[axis] = flow[axis];

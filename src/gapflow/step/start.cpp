@@ -42,8 +42,9 @@ template <int D>
 void require_for_viscosity(const Model<D>& model)
 {
     if (model.grid.comm().size() > 1)
-        throw InputError(model.scene.file + ": fluid.viscosity: this version runs gap.model = \"parts\" with viscosity on one rank; "
-                                            "start it on one, or write gap.model = \"film\"");
+        throw InputError(model.scene.file +
+                         ": fluid.viscosity: this version runs gap.model = \"parts\" with viscosity on one rank; "
+                         "start it on one, or write gap.model = \"film\"");
 }
 
 template <int D>

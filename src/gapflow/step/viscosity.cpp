@@ -146,7 +146,8 @@ public:
 private:
     const ViscousColumns<D>& columns_;
     const ViscousSolve<D>& solve_;
-    double share_ = stage_share, again_ = (1 - stage_share) / stage_share; ///< what of the first stage's change the second one starts with
+    double share_ = stage_share,
+           again_ = (1 - stage_share) / stage_share; ///< what of the first stage's change the second one starts with
     Vector first_;
     std::array<Vector, 2> change_;
 };
@@ -178,7 +179,8 @@ void take_end(const Placed<D>& at, const ViscousColumns<D>& columns, const Visco
     const Grid<D>& grid = *coupling.grid;
     const Eigen::VectorXd x = columns.to_form(stages.mean());
     Eigen::VectorXd by_form(x.size());
-    at.viscous->product({x.data(), static_cast<std::size_t>(x.size())}, {by_form.data(), static_cast<std::size_t>(by_form.size())});
+    at.viscous->product({x.data(), static_cast<std::size_t>(x.size())},
+                        {by_form.data(), static_cast<std::size_t>(by_form.size())});
     by_form *= factor;
     const Eigen::VectorXd slowed = columns.by_fluxes(by_form) / coupling.density; // what the remainder loses along the edges
     PotentialFlow<D> by{{}, columns.to_unknowns(stages.pressure), 0, {}};
@@ -268,8 +270,8 @@ ViscousStep<D> add_viscosity(const Placed<D>& at, const std::vector<TwistMatrix<
 
 #define GAPFLOW_INSTANTIATE(D)                                                                                                 \
     template void fill_covered<D>(const Placed<D>&, FaceField<D>&);                                                            \
-    template ViscousStep<D> add_viscosity<D>(const Placed<D>&, const std::vector<TwistMatrix<D>>&,                             \
-                                             const ViscousLoads<D>&, double, double, PotentialFlow<D>&);                       \
+    template ViscousStep<D> add_viscosity<D>(const Placed<D>&, const std::vector<TwistMatrix<D>>&, const ViscousLoads<D>&,     \
+                                             double, double, PotentialFlow<D>&);                                               \
     template Vec<D> mean_flux<D>(const Grid<D>&, const FaceField<D>&);
 GAPFLOW_INSTANTIATE(2)
 GAPFLOW_INSTANTIATE(3)

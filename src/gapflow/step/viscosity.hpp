@@ -11,18 +11,19 @@ namespace gapflow {
 /// What acts beside viscosity in its step.
 template <int D>
 struct ViscousLoads {
-    std::vector<Twist<D>> impulse;                    ///< on the free bodies; empty: none
-    Vec<D> gradient = Vec<D>::Zero();                 ///< mean pressure gradient
-    std::array<std::optional<double>, D> mean_velocity{}; ///< of fluid and solids, along axes where it is kept: the gradient there follows
+    std::vector<Twist<D>> impulse;    ///< on the free bodies; empty: none
+    Vec<D> gradient = Vec<D>::Zero(); ///< mean pressure gradient
+    std::array<std::optional<double>, D>
+        mean_velocity{}; ///< of fluid and solids, along axes where it is kept: the gradient there follows
 };
 
 template <int D>
 struct ViscousStep {
     std::vector<Twist<D>> impulse; ///< of the fluid on every solid, and of the mean pressure gradient
     Vec<D> gradient = Vec<D>::Zero();
-    double dissipated = 0;         ///< energy
-    double lost = 0;               ///< by the integrator besides
-    int iterations = 0;            ///< of its solves
+    double dissipated = 0; ///< energy
+    double lost = 0;       ///< by the integrator besides
+    int iterations = 0;    ///< of its solves
 };
 
 /// From the flow at a step's end without viscosity to that with it, twists included. The flow's gauge is kept.

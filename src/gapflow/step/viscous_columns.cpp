@@ -44,14 +44,15 @@ void ViscousColumns<D>::find_edges()
             Index<D> low = grid.low(), high = grid.high();
             low[axis] = high[axis];
             high[axis] = low[axis] + 1;
-            for_each_index<D>(low, high, [&](const Index<D>& f) { face_[axis][number(f)] = face_[axis][number(grid.wrapped(f))]; });
+            for_each_index<D>(low, high,
+                              [&](const Index<D>& f) { face_[axis][number(f)] = face_[axis][number(grid.wrapped(f))]; });
         }
     }
     first_sparse_ = edges();
     for (const SparseEdge<D>& edge : at_.edges.edges) {
         for (const auto& row : at_.edges.rows_of(edge))
-            incidence.emplace_back(static_cast<int>(row.node >= 0 ? cells_ + row.node : grid.key(grid.wrapped(row.cell))), edges(),
-                                   row.weight);
+            incidence.emplace_back(static_cast<int>(row.node >= 0 ? cells_ + row.node : grid.key(grid.wrapped(row.cell))),
+                                   edges(), row.weight);
         conductance_.push_back(edge.conductance);
     }
     incidence_.resize(unknowns(), edges());
@@ -124,8 +125,7 @@ void ViscousColumns<D>::find_faces()
                 for (const int k : found->second)
                     all += form_.faces[k].area;
                 for (const int k : found->second)
-                    add(k, edge_of(e),
-                        along.length / face_length(grid, along.axis, along.face) * form_.faces[k].area / all);
+                    add(k, edge_of(e), along.length / face_length(grid, along.axis, along.face) * form_.faces[k].area / all);
             }
 }
 

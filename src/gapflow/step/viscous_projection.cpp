@@ -10,7 +10,7 @@ namespace gapflow {
 namespace {
 
 constexpr double projection_tolerance = 1e-9; // of each residual
-constexpr double least_body = 1e-3;            // of a mode of the bodies' block, over the largest: D may take all of a light body's
+constexpr double least_body = 1e-3; // of a mode of the bodies' block, over the largest: D may take all of a light body's
 
 /// Positive, whatever light bodies lose to the volume that planes see of them: only a preconditioner.
 Eigen::MatrixXd positive(const Eigen::MatrixXd& block)
@@ -21,7 +21,8 @@ Eigen::MatrixXd positive(const Eigen::MatrixXd& block)
     const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * block * scale.cwiseInverse().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled);
     const Eigen::VectorXd values = modes.eigenvalues().cwiseMax(least_body * modes.eigenvalues().cwiseAbs().maxCoeff());
-    return scale.asDiagonal() * modes.eigenvectors() * values.asDiagonal() * modes.eigenvectors().transpose() * scale.asDiagonal();
+    return scale.asDiagonal() * modes.eigenvectors() * values.asDiagonal() * modes.eigenvectors().transpose() *
+           scale.asDiagonal();
 }
 
 } // namespace

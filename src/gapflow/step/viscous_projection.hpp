@@ -15,7 +15,8 @@ public:
     using Vector = Eigen::VectorXd;
 
     /// `diagonal`: of edges and traces; `bodies`: the block of the free bodies' admissible twists.
-    ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Vector& diagonal, const Eigen::MatrixXd& bodies);
+    ViscousProjection(const Placed<D>& at, const ViscousColumns<D>& columns, const Vector& diagonal,
+                      const Eigen::MatrixXd& bodies);
 
     /// z, and takes the pressure's part out of the residual of edges, traces and free twists. Returns the pressure.
     Vector project(Vector& residual, Vector& z) const;

@@ -11,9 +11,9 @@
 namespace gapflow {
 namespace {
 
-constexpr double penalty = 1e4;    // over what the row's own unknowns resist with
-constexpr double accuracy = 1e-13; // of the square root of the energy
-constexpr double round_off = 1e-9; // of the same, where corrections no longer become smaller
+constexpr double penalty = 1e4;          // over what the row's own unknowns resist with
+constexpr double solve_accuracy = 1e-13; // of the square root of the energy
+constexpr double round_off = 1e-9;       // of the same, where corrections no longer become smaller
 constexpr int most_corrections = 60;
 
 [[noreturn]] void fail(int iterations)
@@ -165,8 +165,8 @@ template <int D>
 double ViscousSolve<D>::size(const Vector& change) const
 {
     const Vector s = columns_.squares() * change;
-    return std::sqrt(std::abs(change.dot(mass_ * change) +
-                              factor_ * (s.squaredNorm() + change.dot(Vector(columns_.rotation() * change)))));
+    return std::sqrt(
+        std::abs(change.dot(mass_ * change) + factor_ * (s.squaredNorm() + change.dot(Vector(columns_.rotation() * change)))));
 }
 
 template <int D>
@@ -193,7 +193,7 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_direct(const Vector& base
         outflow = columns_.outflow() * d;
         stage.pressure += penalty_of.cwiseProduct(outflow);
         const double moved = size(change), whole = size(d);
-        if (moved <= accuracy * whole || (moved >= 0.5 * last && moved <= round_off * whole))
+        if (moved <= solve_accuracy * whole || (moved >= 0.5 * last && moved <= round_off * whole))
             return stage;
         if (stage.iterations == most_corrections)
             fail(stage.iterations);
@@ -224,7 +224,7 @@ typename ViscousSolve<D>::Stage ViscousSolve<D>::solve_projected(const Vector& b
         stage.pressure += projection.project(r, z); // r without what a pressure holds
         const double next = r.dot(z);
         first = std::max(first, next);
-        if (!(next > accuracy * accuracy * 1e2 * first))
+        if (!(next > solve_accuracy * solve_accuracy * 1e2 * first))
             break;
         if (stage.iterations == most_iterations)
             fail(stage.iterations);

@@ -115,7 +115,8 @@ void check_energy(const Scene& scene, const std::vector<double>& rates)
 TEST(Viscosity, TakesWhatItDissipates2D)
 {
     Scene scene = viscous_box<2>(24);
-    scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.31, 0.43, 0}), body("box", BodyScene::ShapeKind::box, {0.63, 0.5, 0}),
+    scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.31, 0.43, 0}),
+                    body("box", BodyScene::ShapeKind::box, {0.63, 0.5, 0}),
                     body("plate", BodyScene::ShapeKind::box, {0.45, 0.78, 0})};
     scene.bodies[0].radius = 0.13;
     scene.bodies[1].size = {0.3, 0.17, 0};
@@ -138,7 +139,8 @@ TEST(Viscosity, TakesWhatItDissipates3D)
 TEST(Viscosity, GivesTheImpulseToTheSolids)
 {
     Scene scene = viscous_box<2>(24);
-    scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.31, 0.43, 0}), body("fixed", BodyScene::ShapeKind::box, {0.63, 0.5, 0})};
+    scene.bodies = {body("disk", BodyScene::ShapeKind::ball, {0.31, 0.43, 0}),
+                    body("fixed", BodyScene::ShapeKind::box, {0.63, 0.5, 0})};
     scene.bodies[0].radius = 0.13;
     scene.bodies[1].size = {0.3, 0.17, 0};
     scene.bodies[1].motion = BodyScene::Motion::fixed;
@@ -300,9 +302,8 @@ TEST(Viscosity, DecayIsOfSecondOrderInTime)
         scene.size = {2 * pi, 2 * pi, 0};
         scene.tolerance = 1e-12;
         scene.viscosity = 0.25;
-        ViscousRun<2> run(scene, [](const Vec<2>& x) {
-            return Vec<2>(std::sin(x[0]) * std::cos(x[1]), -std::cos(x[0]) * std::sin(x[1]));
-        });
+        ViscousRun<2> run(
+            scene, [](const Vec<2>& x) { return Vec<2>(std::sin(x[0]) * std::cos(x[1]), -std::cos(x[0]) * std::sin(x[1])); });
         const double start = run.energy();
         for (int k = 0; k < steps; ++k)
             run.step(2.0 / steps);
